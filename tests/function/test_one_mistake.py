@@ -65,7 +65,7 @@ def test_the_function_that_they_change_is_sound():
         ([("cycleTime: 20", "cycleTime: 0")], "I505", "Step:"),
         ([("cycleTime: 20", "cycleTime: -20")], "F004", "Step:"),
         ([("cycleTime: 20", "cycleTime: 20ms")], "F004", "Step:"),
-        ([("cycleTime: 20", "cycleTime: 20.5")], "F004", "Step:"),
+        ([("cycleTime: 20", "cycleTime: 20.0000001")], "F004", "Step:"),
         ([("cycleTime: 20, ", "")], "I507", "Step:"),
         ([("Works., asil: B", "Works., asil: QM")], "I522", "Step:"),
         ([("Works., asil: B", "Works., asil: QM"), ("severity: The output is 0., asil: B", "severity: The output is 0., asil: QM"),

@@ -19,7 +19,7 @@ PLACEHOLDER = "TODO"
 _EMPTY = frozenset(("in", "out", "inp", "outp", "input", "output", "sig", "signal", "val", "value", "raw", "flt", "filt",
                     "meas", "bus", "data", "var", "can", "u", "y", "x"))  # fmt: skip
 """Words that say nothing of what is meant."""
-_MOST_WORDS, _MOST_COMPARED, _SHORTEST_BEGINNING = 6, 200, 3
+_MOST_WORDS, _MOST_COMPARED, _SHORTEST_BEGINNING, _SHORTEST_WORD = 6, 200, 3, 3
 _LEAST_WEIGHT = 2.0
 """Words that more than a quarter of all paths have say nothing alone, such as that of the root."""
 
@@ -45,6 +45,8 @@ class Near(NamedTuple):
     """How much the words say that are matched: one that few paths have says more."""
     whole: int
     """Words that stand for whole words of the path, not for their beginnings."""
+    shares_word: bool
+    """Whether one of these, and the word that it stands for, has three letters or more."""
 
     @property
     def has_all(self) -> bool:
@@ -97,6 +99,10 @@ class NearSignals:
             sum(word not in covered for word in last),
             sum(weights.get(word, 0.0) for word in matched),
             sum(found.is_whole for found in matched.values()),
+            any(
+                found.is_whole and min(map(len, (word, *found.names))) >= _SHORTEST_WORD
+                for word, found in matched.items()
+            ),
         )
 
 

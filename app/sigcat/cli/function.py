@@ -25,6 +25,7 @@ def add_parser(commands: Actions) -> None:
     actions = parser.add_subparsers(title="actions", metavar="ACTION")
     _add_new(actions)
     _add_build(actions)
+    _add_update(actions)
     _add_overlay(actions)
     _add_validate(actions)
 
@@ -56,6 +57,11 @@ def _add_code_options(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--from-c", type=Path, metavar="FOLDER", help="read this folder (needs the package libclang)")
     group.add_argument("--model", metavar="PREFIX", help="what the calls begin with, if the folder has several models")
     group.add_argument(
+        "--define-under",
+        metavar="PATH",
+        help="define the signals that the catalogue does not have below this branch, such as Vehicle.Pump",
+    )
+    group.add_argument(
         "-D",
         "--define",
         action="append",
@@ -74,6 +80,21 @@ def _add_build(actions: Actions) -> None:
     _add_file_and_output(building)
     add_tree_options(building)
     building.set_defaults(run=build)
+
+
+def _add_update(actions: Actions) -> None:
+    updating = actions.add_parser(
+        "update",
+        help="merge C code that was generated again into a function.yaml",
+        description=(
+            "List and apply what variables are new, gone and changed in C or C++ code since its function.yaml was made. "
+            "What was written by hand stays, comments too; paths, units, ranges and times are kept."
+        ),
+    )
+    updating.add_argument("file", type=Path, metavar="FILE", help="function.yaml")
+    _add_code_options(updating)
+    add_tree_options(updating)
+    updating.set_defaults(run=update)
 
 
 def _add_overlay(actions: Actions) -> None:
@@ -126,8 +147,8 @@ def new(arguments: argparse.Namespace) -> int:
     """Write the scaffold, or what is made from code; a file that is there already is never written over."""
     from sigcat.function.declaration.scaffold import SCHEMA_FILE, scaffold, schema_text
 
-    if not arguments.from_c and (arguments.model or arguments.define):
-        raise UsageError("--model and --define are about C code: name its folder with --from-c")
+    if not arguments.from_c and (arguments.model or arguments.define or arguments.define_under):
+        raise UsageError("--model, --define and --define-under are about C code: name its folder with --from-c")
     schema = arguments.schema or SCHEMA_FILE
     folder = arguments.output or arguments.from_c or Path(arguments.name)
     file = folder / "function.yaml"
@@ -151,7 +172,14 @@ def _imported(arguments: argparse.Namespace, folder: Path, schema: str) -> str:
 
     catalogue = read_tree(arguments)
     made = import_code(
-        arguments.name, arguments.from_c, folder, catalogue, schema, arguments.model or "", arguments.define
+        arguments.name,
+        arguments.from_c,
+        folder,
+        catalogue,
+        schema,
+        arguments.model or "",
+        arguments.define,
+        arguments.define_under or "",
     )
     for finding in made.findings:
         print(finding.line_of_text, file=sys.stderr)
@@ -159,6 +187,33 @@ def _imported(arguments: argparse.Namespace, folder: Path, schema: str) -> str:
     for line in made.to_do:
         print(f"To do: {line}", file=sys.stderr)
     return made.text
+
+
+def update(arguments: argparse.Namespace) -> int:
+    """Merge the code into the file, and say what changed. Raises UsageError, InputRefused."""
+    from sigcat.function.importing.merge_code import merge_code
+
+    if not arguments.from_c:
+        raise UsageError("name the folder of the C code with --from-c")
+    data = arguments.file.read_bytes()
+    merged = merge_code(
+        data,
+        arguments.file,
+        arguments.from_c,
+        read_tree(arguments),
+        arguments.model or "",
+        arguments.define,
+        arguments.define_under or "",
+    )
+    for finding in merged.findings:
+        print(finding.line_of_text, file=sys.stderr)
+    for line in merged.report:
+        print(line)
+    if merged.text.encode() != data.removeprefix(b"\xef\xbb\xbf"):
+        write_text(merged.text, arguments.file)
+    elif not merged.report:
+        print("nothing changed")
+    return 0
 
 
 def overlay(arguments: argparse.Namespace) -> int:

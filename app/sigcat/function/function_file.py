@@ -18,6 +18,7 @@ from sigcat.function.checks.consistency import check_consistency
 from sigcat.function.checks.conventions import check_conventions
 from sigcat.function.checks.definitions import unused_definitions, used_by
 from sigcat.function.code_files import IsThere, missing_files
+from sigcat.function.code_variables import unfit_variables
 from sigcat.function.declaration.declaration import Declared, read_declaration
 from sigcat.function.document.document import Document, Pointer
 from sigcat.function.document.problem import Problem, Subject
@@ -192,14 +193,15 @@ def check_files(
     ]
     used = frozenset(text for each in checked if each.function for text in used_by(each.function))
     return tuple(
-        each._replace(findings=in_order([*each.findings, *_unused(each, own, used), *_missing(each, is_there)]))
+        each._replace(findings=in_order([*each.findings, *_unused(each, own, used), *_code(each, is_there)]))
         for each, own in zip(checked, definitions, strict=True)
     ), over
 
 
-def _missing(checked: CheckedFunction, is_there: IsThere | None) -> Iterator[Finding]:
+def _code(checked: CheckedFunction, is_there: IsThere | None) -> Iterator[Finding]:
     if is_there is not None and checked.resolved is not None:
         yield from missing_files(checked.resolved, is_there)
+        yield from unfit_variables(checked.resolved)
 
 
 def _unused(checked: CheckedFunction, definitions: Definitions, used: frozenset[str]) -> Iterator[Finding]:

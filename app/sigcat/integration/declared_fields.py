@@ -16,11 +16,11 @@ _VALUE = {
     "path": "VssPath, VssDatatype, VssUnit and what the catalogue says of the signal", "name": "Name",
     "variable": "Variable", "rangeErrorAction": "RangeErrorAction", "init": "InitValue or InitElements", "min": "Min", "max": "Max",
     "datatype": "Datatype", "unit": "Units, ConversionFactor, ConversionOffset", "values": "Datatypes and VssSymbols",
-    "factor": "Factor", "offset": "Offset", "definedBy": "DefinedBy", "members": "Members", "rangeError": "RangeError",
+    "factor": "Factor", "offset": "Offset", "definedBy": "DefinedBy", "cType": "CType", "members": "Members", "rangeError": "RangeError",
 }  # fmt: skip
 _MODE = {
     key: f"ModeInterfaceList: {target}"
-    for key, target in {"variable": "Variable", "definedBy": "DefinedBy", "values": "Values"}.items()
+    for key, target in {"variable": "Variable", "definedBy": "DefinedBy", "cType": "CType", "values": "Values"}.items()
 }
 TARGETS: Mapping[type[DeclarationModel], Mapping[str, str]] = {
     yaml.Declaration: {
@@ -50,11 +50,12 @@ TARGETS: Mapping[type[DeclarationModel], Mapping[str, str]] = {
     yaml.ErrorItem: {
         "interface": f"ErrorList: {_INTERFACE}", "occurrenceCountLimit": "ErrorList: OccurenceCountLimit",
         "ignitionCountLimit": "ErrorList: IgnitionCountLimit", "variable": "ErrorList: Variable",
-        "statusVariable": "ErrorList: StatusVariable", "definedBy": "ErrorList: DefinedBy", "reset": "ErrorList: Reset",
+        "statusVariable": "ErrorList: StatusVariable", "definedBy": "ErrorList: DefinedBy",
+        "cType": "ErrorList: CType", "reset": "ErrorList: Reset",
     },
     yaml.ReactionItem: {
         "interface": f"SafetyReactionList: {_INTERFACE}", "variable": "SafetyReactionList: Variable",
-        "definedBy": "SafetyReactionList: DefinedBy", "initial": "SafetyReactionList: Initial",
+        "definedBy": "SafetyReactionList: DefinedBy", "cType": "SafetyReactionList: CType", "initial": "SafetyReactionList: Initial",
         "timeout": "SafetyReactionList: Timeout",
     },
     yaml.MethodItem: {

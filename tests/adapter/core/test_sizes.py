@@ -11,8 +11,10 @@ from tests.adapter.written import (
     BOOL,
     DOUBLE,
     FLOAT,
+    S16,
     U8,
     U16,
+    U32,
     array,
     enumeration,
     function,
@@ -23,7 +25,7 @@ from tests.adapter.written import (
 )
 from tests.function.shipped import resolved
 
-DATATYPES = (array("DT_Floats", FLOAT, 3), enumeration("DT_Gear", PARK=0, DRIVE=5))
+DATATYPES = (array("DT_Floats", FLOAT, 3), array("DT_Bytes", U8, 3), enumeration("DT_Gear", PARK=0, DRIVE=5))
 READ = {
     "as declared": (signal("A", FLOAT), "float a;", ""),
     "wider": (signal("A", FLOAT), "double a;", ""),
@@ -45,12 +47,29 @@ WRITTEN = {
     "as declared": (output("A", U8), "uint8_t a;", ""),
     "wider": (output("A", FLOAT), "double a;", "io.a must be float"),
     "narrower": (output("A", U16), "uint8_t a;", ""),
+    "a bit field": (output("A", U8), "unsigned a : 3;", ""),
     "room for a whole queue": (
         queue("A", 4, U8, "Provider", CountVariable="io.n"),
         "uint8_t a[3], n;",
         "io.a must have at least 4 elements",
     ),
 }
+KINDS = {
+    "a signed one": (signal("A", U32), "int32_t a;", "io.a must be uint32_t"),
+    "a signed one that is wider": (signal("A", U16), "volatile int32_t a;", ""),
+    "an unsigned one": (signal("A", S16), "uint32_t a;", "io.a must be int16_t"),
+    "an integer for a float": (signal("A", FLOAT), "int a;", "io.a must be float"),
+    "a float for an integer": (signal("A", U16), "double a;", "io.a must be uint16_t"),
+    "a boolean for an integer": (signal("A", U8), "bool a;", "io.a must be uint8_t"),
+    "a float for a flag": (signal("A", BOOL), "float a;", "io.a must be an integer"),
+    "a float for an enumeration": (signal("A", "DT_Gear"), "float a;", "io.a must be an integer"),
+    "a character": (signal("A", U8), "char a;", ""),
+    "signed elements": (signal("A", "DT_Bytes"), "int8_t a[3];", "io.a[0] must be uint8_t"),
+    "provided unsigned and narrower": (output("A", S16), "uint8_t a;", ""),
+    "provided unsigned": (output("A", S16), "uint16_t a;", "io.a must be int16_t"),
+    "provided signed and narrower": (output("A", U16), "int8_t a;", "io.a must be uint16_t"),
+    "provided a float from an integer": (output("A", FLOAT), "uint16_t a;", "io.a must be float"),
+}  # fmt: skip
 NAMED = {
     "at least": "as_many_elements_as_declared",
     "elements": "as_many_elements_as_declared",
@@ -63,18 +82,46 @@ CASES = [*(READ.items()), *((f"provided {name}", case) for name, case in WRITTEN
 @pytest.mark.parametrize("standard", ["c99", "c11"])
 @pytest.mark.parametrize(("item", "members", "wanted"), [case for _, case in CASES], ids=[name for name, _ in CASES])
 def test_a_size_that_is_not_the_declared_one_does_not_compile(item, members, wanted, standard, tmp_path):
-    (tmp_path / "f.h").write_text(
-        f"#include <stdbool.h>\n#include <stdint.h>\ntypedef struct {{ {members} }} Io;\nvoid F_Step(Io *io);\n"
-    )
-    code = {"Signature": "Pointers", "Headers": ["f.h"], "Objects": [{"Name": "io", "Type": "Io"}]}
-    call = step({**item, "Variable": "io.a"}, Arguments=["io"])
-    files = core_files(derive(resolved(function(call, datatypes=DATATYPES, Code=code))).plan)
-    for file in files.files:
-        (tmp_path / file.name).write_bytes(file.data)
-    command = [*toolchain().c, f"-std={standard}", "-pedantic", "-Werror", "-c", files.source.name, "-o", "core.o"]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    done = compiled(item, members, f"-std={standard}", tmp_path)
     assert (done.returncode == 0) is (wanted == ""), done.stderr
     if standard == "c11":
         assert wanted in done.stderr
     elif wanted not in ("", "subscript"):
         assert NAMED[next(word for word in NAMED if word in wanted)] in done.stderr
+
+
+@pytest.mark.parametrize("standard", ["c11", "gnu99"])
+@pytest.mark.parametrize(("item", "members", "wanted"), KINDS.values(), ids=KINDS)
+def test_a_kind_or_sign_that_is_not_the_declared_one_does_not_compile(item, members, wanted, standard, tmp_path):
+    done = compiled(item, members, f"-std={standard}", tmp_path)
+    assert (done.returncode == 0) is (wanted == ""), done.stderr
+    assert wanted in done.stderr
+
+
+@pytest.mark.parametrize(("item", "members", "wanted"), KINDS.values(), ids=KINDS)
+def test_so_it_is_in_a_class_of_cpp(item, members, wanted, tmp_path):
+    (tmp_path / "f.hpp").write_text(
+        f"#include <cstdint>\nclass F {{ public: struct {{ {members} }} io; void F_Step(); }};\n"
+    )
+    code = {"Signature": "Class", "ClassName": "F", "Headers": ["f.hpp"]}
+    done = compile_core(step({**item, "Variable": "io.a"}), code, ["-std=c++17"], tmp_path)
+    assert (done.returncode == 0) is (wanted == ""), done.stderr
+    assert wanted in done.stderr
+
+
+def compiled(item, members, standard, tmp_path):
+    (tmp_path / "f.h").write_text(
+        f"#include <stdbool.h>\n#include <stdint.h>\ntypedef struct {{ {members} }} Io;\nvoid F_Step(Io *io);\n"
+    )
+    code = {"Signature": "Pointers", "Headers": ["f.h"], "Objects": [{"Name": "io", "Type": "Io"}]}
+    call = step({**item, "Variable": "io.a"}, Arguments=["io"])
+    return compile_core(call, code, [standard, "-pedantic"], tmp_path)
+
+
+def compile_core(call, code, options, tmp_path):
+    files = core_files(derive(resolved(function(call, datatypes=DATATYPES, Code=code))).plan)
+    for file in files.files:
+        (tmp_path / file.name).write_bytes(file.data)
+    compiler = toolchain().cpp if files.source.name.endswith(".cpp") else toolchain().c
+    command = [*compiler, *options, "-Werror", "-c", files.source.name, "-o", "core.o"]
+    return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)

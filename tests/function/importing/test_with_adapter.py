@@ -1,5 +1,6 @@
 """What is imported is enough for the core of an adapter, which compiles with the code."""
 
+import re
 import subprocess
 from pathlib import Path
 
@@ -46,7 +47,23 @@ CLASS = {
     "Drive.cpp": '#include "Drive.hpp"\nvoid car::Drive::initialize() {}\nvoid car::Drive::terminate() {}\n'
     "void car::Drive::step() { Drive_Y.AccReq = Drive_U.VehSpd; }\n",
 }
-SHAPES = {"globals": GLOBALS, "externs": EXTERNS, "pointers": POINTERS, "arguments": ARGUMENTS, "class": CLASS}
+TYPED_EXTERNS = {
+    "Drive.h": "#pragma once\ntypedef unsigned char boolean_T;\ntypedef enum { M_OFF, M_ON } md_t;\nenum gear { PARK, DRIVE };\n"
+    "struct Bus { short a; boolean_T b[2]; };\ntypedef float vector_T[3];\n"
+    "extern boolean_T Enabled;\nextern volatile unsigned char Vol;\nextern md_t Md;\nextern enum gear Gear;\n"
+    "extern struct Bus In;\nextern vector_T Acc;\nextern volatile boolean_T Flags[4];\nextern long Count;\nextern long VehSpd;\n"
+    "extern float AccReq;\nvoid Drive_initialize(void);\nvoid Drive_step(void);\n",
+    "Drive.c": '#include "Drive.h"\nfloat AccReq;\nvoid Drive_initialize(void) {}\nvoid Drive_step(void) '
+    "{ AccReq = Enabled + Vol + Md + Gear + In.a + In.b[1] + Acc[2] + Flags[3] + Count + VehSpd; }\n",
+}
+SHAPES = {
+    "globals": GLOBALS,
+    "externs": EXTERNS,
+    "externs with types": TYPED_EXTERNS,
+    "pointers": POINTERS,
+    "arguments": ARGUMENTS,
+    "class": CLASS,
+}
 
 
 @pytest.mark.parametrize("shape", SHAPES)
@@ -54,12 +71,44 @@ def test_the_core_compiles_with_the_code(shape, tmp_path):
     for name, text in SHAPES[shape].items():
         (tmp_path / name).write_text(text)
     assert main(["function", "new", "Driving", "--from-c", str(tmp_path)]) == 0
-    assert "TODO" not in (tmp_path / "function.yaml").read_text()
+    define_what_is_to_be_chosen(tmp_path / "function.yaml")
     assert main(["generate", "core", str(tmp_path / "function.yaml"), "-o", str(tmp_path)]) == 0
     sources = [file for file in tmp_path.iterdir() if file.suffix in (".c", ".cpp")]
     assert len(sources) == 2
     for source in sources:
         compiled(source)
+
+
+def define_what_is_to_be_chosen(file: Path) -> None:
+    """Define a signal for each path that is left to choose."""
+    text = file.read_text()
+    signals = "".join(defined(*each) for each in re.findall(ENTRY, text))
+    branch = "    Vehicle.TODO: {type: branch, description: Signals of the test.}\n"
+    file.write_text(text.replace("define:\n", f"define:\n  data:\n{branch}{signals}") if signals else text)
+
+
+ENTRY = r"path: (Vehicle\.TODO\.\w+)\n(?: +(?:role|name|variable|definedBy|cType): .*\n)+ +datatype: (\S+)\n(?: +values: \{(.*)\})?"
+
+
+def defined(path: str, datatype: str, values: str) -> str:
+    size = {"Acc": 3, "Flags": 4, "b": 2}.get(path.rpartition(".")[2], 0)
+    keys = (
+        f", allowed: [{', '.join(re.findall('[A-Z_]+', values))}]" if values else f", arraysize: {size}" if size else ""
+    )
+    kind = "string" if values else datatype
+    return f"    {path}: {{datatype: '{kind}'{keys}, asil: QM, description: A signal of the test.}}\n"
+
+
+def test_a_type_of_c_is_a_name_and_no_code(tmp_path, capsys):
+    for bad in ("int x; int", "uint8_t *", "const int", "return", "void", "int int", "volatile", "int[2]", "a\\nb"):
+        file = tmp_path / "function.yaml"
+        file.write_text(
+            "function: Demo\ndescription: A demonstration.\nresponsible: Demo team\ncomponents:\n  - name: Demo\n    runnables:\n"
+            f'      - {{interface: Step, data: [{{path: Vehicle.Speed, role: consumed, cType: "{bad}"}}]}}\n'
+            "define:\n  scheduling:\n    Step: {description: Works., asil: QM, cycleTime: 20, priority: 1}\n"
+        )
+        assert main(["lint", str(file)]) == 1
+        assert "cType` must be" in capsys.readouterr().out, bad
 
 
 def compiled(source: Path) -> None:

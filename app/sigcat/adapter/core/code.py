@@ -11,7 +11,7 @@ from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem
 from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.datatype import innermost
-from sigcat.function.function_json.walk import data, errors, parameters, safety_reactions
+from sigcat.function.function_json.variables import variables
 
 _PLAIN = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 ADAPTER = "Adapter"
@@ -53,15 +53,17 @@ def _externs(declared: CodeInterface, context: Context) -> Iterator[tuple[str, P
     if declared.signature != GLOBALS:
         return
     roots = {each.name for each in declared.objects or ()}
-    for variable, at, datatype, defined_by in _variables(context):
-        name = _PLAIN.match(variable)
-        if name is None or name[0] in roots or (declared.headers and defined_by != ADAPTER):
+    for each in sorted(variables(context.function), key=lambda one: one.c_type is None):
+        name = _PLAIN.match(each.expression)
+        if name is None or name[0] in roots or (declared.headers and each.defined_by != ADAPTER):
             continue
-        if _is_text(datatype, context):  # it cannot be carried anyway
+        if each.datatype is not None and _is_text(each.datatype, context):  # it cannot be carried anyway
             continue
-        c, length = _plain_type(datatype, context)
-        is_plain = name[0] == variable and c is not None
-        yield name[0], at, Extern(variable, c or "", length, defined_by == ADAPTER) if is_plain else None
+        plain, length = _plain_type(each.datatype, context) if each.datatype is not None else (None, None)
+        c = each.c_type or plain
+        is_plain = name[0] == each.expression and c is not None
+        is_here = each.defined_by == ADAPTER
+        yield name[0], each.pointer[:-1], Extern(each.expression, c or "", length, is_here) if is_plain else None
 
 
 def _is_text(reference: str, context: Context) -> bool:
@@ -77,15 +79,3 @@ def _plain_type(reference: str, context: Context) -> tuple[str | None, int | Non
         return _plain_type(datatype.element or "", context)[0], datatype.length
     found = type_of_c(datatype.c_definition)
     return (datatype.c_definition if found else None), None
-
-
-def _variables(context: Context) -> Iterator[tuple[str, Pointer, str, str | None]]:
-    """Every variable of an interface: expression, place, datatype, and who defines it."""
-    function = context.function
-    for each in (data(function), parameters(function), errors(function), safety_reactions(function)):
-        for at, _, item in each:
-            if item.variable is not None:
-                yield item.variable, at, item.datatype, item.defined_by
-    for index, mode in enumerate(function.mode_interfaces or ()):
-        if mode.variable is not None:
-            yield mode.variable, ("ModeInterfaceList", index), mode.datatype, mode.defined_by

@@ -2,7 +2,6 @@
 
 import json
 from collections.abc import Generator, Mapping
-from fractions import Fraction
 from typing import Any, NamedTuple, TypeVar
 
 from sigcat import codes
@@ -10,17 +9,13 @@ from sigcat.function.document.document import Pointer
 from sigcat.function.document.expression import may_hold_value
 from sigcat.function.document.problem import Problem
 from sigcat.function.function_json.datatype import Datatype
-from sigcat.function.function_json.duration import milliseconds
+from sigcat.function.function_json.duration import LONGEST_MILLISECONDS, milliseconds, whole_nanoseconds
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.runnable import Runnable
 
 T = TypeVar("T")
 Planning = Generator[Problem, None, T]
 """Gives a part of the plan, and on the way what is wrong with it."""
-
-NANOSECONDS_IN_MILLISECOND = 10**6
-_LONGEST = 10**12
-"""In ms: some thirty years, so that sums of times do not overflow."""
 
 
 class Context(NamedTuple):
@@ -65,14 +60,15 @@ def nanoseconds(value: str | float | None, at: Pointer) -> Planning[int | None]:
         yield Problem(codes.TIME_NOT_WHOLE, at, f"The time must be a number of milliseconds, not {value!r}.")
     if number is None:
         return None
-    if not 0 <= number <= _LONGEST:
-        yield Problem(codes.TIME_NOT_WHOLE, at, f"The time must be between 0 and {_LONGEST} ms, not {number!r} ms.")
+    if not 0 <= number <= LONGEST_MILLISECONDS:
+        message = f"The time must be between 0 and {LONGEST_MILLISECONDS} ms, not {number!r} ms."
+        yield Problem(codes.TIME_NOT_WHOLE, at, message)
         return None
-    exact = Fraction(repr(number)) * NANOSECONDS_IN_MILLISECOND
-    if exact.denominator != 1:
+    exact = whole_nanoseconds(number)
+    if exact is None:
         message = f"The time must be whole nanoseconds, not {number!r} ms."
         yield Problem(codes.TIME_NOT_WHOLE, at, message)
-    return round(exact)
+    return exact
 
 
 def expression(text: str | None, what: str, at: Pointer) -> Planning[str | None]:

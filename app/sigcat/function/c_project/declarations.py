@@ -92,6 +92,8 @@ class Variable(NamedTuple):
     name: str
     type: CType
     place: Place
+    written: str = ""
+    """The type as other files write it, with its qualifiers; of an array that of its elements."""
     is_const: bool = False
     is_static: bool = False
     is_defined: bool = False
@@ -212,6 +214,7 @@ def _variable(each: Mapping[str, Any]) -> Variable:
         name=each["name"],
         type=_type(each["type"]),
         place=_place(each),
+        written=each["written"],
         is_const=each["const"],
         is_static=each["static"],
         is_defined=each["defined"],

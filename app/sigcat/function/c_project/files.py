@@ -1,8 +1,9 @@
 """The files of a folder that are read: C and C++, within limits; nothing outside of the folder."""
 
 import os
+import posixpath
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -51,6 +52,32 @@ def read_folder(folder: Path) -> CodeFiles:
             left -= len(text)
             texts[path] = _without_outside(text, path, findings)
     return CodeFiles(texts, tuple(findings))
+
+
+_INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"](?P<path>[^<>\"\n]+)[>\"]", re.MULTILINE)
+
+
+def headers_of(folder: Path, headers: Sequence[str], folders: Sequence[str]) -> Mapping[str, str] | None:
+    """Texts of headers and of what they include, by path below a folder; None if a header is not there.
+
+    What they include and the folder does not have is left out: it is the system's, or missing.
+    """
+    texts: dict[str, str] = {}
+    findings: list[Finding] = []
+    left = [(path, "") for path in headers]
+    while left and len(texts) < CODE_FILES:
+        name, beside = left.pop()
+        places = (posixpath.normpath(f"{place}/{name}") for place in dict.fromkeys((beside or ".", ".", *folders)))
+        path = next((each for each in places if not each.startswith(("..", "/")) and (folder / each).is_file()), None)
+        if path is None and not beside:
+            return None
+        if path is None or path in texts:
+            continue
+        text = _text(folder, path, CODE_BYTES, findings)
+        if text is not None:
+            texts[path] = _without_outside(text, path, findings)
+            left += [(match["path"], posixpath.dirname(path) or ".") for match in _INCLUDE.finditer(texts[path])]
+    return texts
 
 
 def _code_below(folder: Path, findings: list[Finding]) -> list[str]:

@@ -7,7 +7,7 @@ from sigcat import codes
 from sigcat.findings import Finding
 from sigcat.function.c_project.calls import Group, Use, use_of
 from sigcat.function.c_project.declarations import Declarations, Variable
-from sigcat.function.c_project.project import Interface
+from sigcat.function.c_project.project import CodeObject, Interface
 from sigcat.function.c_project.roles import Role, is_of_the_generator, role_of
 from sigcat.function.c_project.values import Code, Value, values_of
 
@@ -25,16 +25,32 @@ def global_interface(group: Group, code: Code, linked: frozenset[str]) -> Interf
     use = use_of((step.name for step in group.steps), declarations)
     found: dict[Role, list[Value]] = {"input": [], "output": [], "parameter": []}
     unknown: list[Value] = []
+    objects: dict[str, CodeObject] = {}
     defined = {each.name for each in declarations.variables if each.is_defined and each.place.file in linked}
     for variable in _shared(declarations, linked):
-        defined_by = "function" if not linked or variable.name in defined else "adapter"
+        is_imported = bool(linked) and variable.name not in defined
+        is_object = is_imported and variable.type.kind == "record"
+        defined_by, c_type = ("adapter", variable.written) if is_imported and not is_object else ("function", "")
         for role, value in _with_roles(variable, code, use):
             if role in found:
-                found[role].append(value._replace(defined_by=defined_by, is_const=value.is_const or variable.is_const))
+                is_const = value.is_const or variable.is_const
+                found[role].append(value._replace(is_const=is_const, defined_by=defined_by, c_type=c_type))
+                if is_object:
+                    objects[variable.name] = _object(variable)
             elif not role:
                 unknown.append(value)
-    findings = tuple(_direction_unknown(unknown))
-    return Interface(tuple(found["input"]), tuple(found["output"]), tuple(found["parameter"]), findings=findings)
+    return Interface(
+        tuple(found["input"]),
+        tuple(found["output"]),
+        tuple(found["parameter"]),
+        objects=tuple(objects.values()),
+        findings=tuple(_direction_unknown(unknown)),
+    )
+
+
+def _object(variable: Variable) -> CodeObject:
+    """An imported struct, which is defined as a whole."""
+    return CodeObject(variable.name, variable.written, variable.place, defined_by="adapter")
 
 
 def _shared(declarations: Declarations, linked: frozenset[str]) -> Iterator[Variable]:

@@ -55,6 +55,11 @@ def parse(files: CodeFiles) -> Parsed:
     return Parsed(declarations) if best == first else Parsed(_parsed(files, best, end), _TARGETS[best])
 
 
+def parse_unit(files: CodeFiles, path: str) -> Declarations:
+    """Parse one of the files for the first machine. Raises InputRefused."""
+    return _answer(files, (path,), next(iter(_TARGETS)), time.monotonic() + CODE_SECONDS)
+
+
 def _refusals(declarations: Declarations) -> list[CompilerError]:
     return [error for error in declarations.errors if error.is_own]
 
@@ -156,6 +161,12 @@ def missing_includes(declarations: Declarations) -> Iterator[Finding]:
         else:
             fix = "Import the folder that has it too, if the interface needs its types."
             yield codes.INCLUDE_NOT_FOUND.finding(message, *at, fix=fix)
+
+
+def lacks_system_header(error: CompilerError) -> bool:
+    """Whether the error is about a header of the system, which no folder of code has."""
+    match = _MISSING.match(error.message)
+    return match is not None and match["path"] in _OF_THE_SYSTEM
 
 
 _MISSING = re.compile(r"'(?P<path>[^']*)' file not found")

@@ -68,5 +68,7 @@ class CodeProject(NamedTuple):
     """What the head of the generated header says: `model`, `version`, `tool`."""
     findings: tuple[Finding, ...] = ()
     folder: Path = Path()
+    expressions: frozenset[str] = frozenset()
+    """Variables and members that the code has, whatever they are for: of `u.bus.speed` also `u.bus` and `u`."""
     left_out: tuple[CFunction, ...] = ()
     """Functions that the header of the calls declares, and nothing calls."""

@@ -18,7 +18,7 @@ from sigcat.function.c_project.pointers import pointer_interface, takes_pointers
 from sigcat.function.c_project.project import Call, CodeProject, Interface, Signature
 from sigcat.function.c_project.remarks import cycle_time_of
 from sigcat.function.c_project.usable import usable
-from sigcat.function.c_project.values import Code
+from sigcat.function.c_project.values import Code, values_of
 
 _STEP_SIZE = re.compile(r"\bTiming\s*\.\s*stepSize0?\s*=\s*(?P<time>[0-9.]+(?:[eE][-+]?[0-9]+)?)")
 _DEFINITION = re.compile(r"[A-Za-z_]\w*(?:=[^\0\n]*)?", re.ASCII)
@@ -76,6 +76,7 @@ def _project(files: CodeFiles, code: Code, group: Group, machine: str) -> CodePr
         definitions=files.definitions,
         machine=machine,
         title=_title(files.texts.get(header, "")),
+        expressions=frozenset(_expressions(signature, whole, code)),
         left_out=tuple(_left_out(group, code.declarations)),
         findings=in_order([*findings, *_word_size(machine, declarations)]),
     )
@@ -88,6 +89,18 @@ def _interface(group: Group, code: Code, linked: frozenset[str]) -> tuple[Signat
         found = pointer_interface(group, code)
         return ("pointers" if found.objects else "globals"), found
     return "globals", global_interface(group, code, linked)
+
+
+def _expressions(signature: Signature, interface: Interface, code: Code) -> Iterator[str]:
+    """Everything that can be named, with what it is in."""
+    values = [*interface.inputs, *interface.outputs, *interface.parameters]
+    if signature == "globals":
+        values += [
+            each for one in code.declarations.variables for each in values_of(one.name, one.type, one.place, code)
+        ]
+    for value in values:
+        yield value.expression
+        yield from (value.expression[: match.start()] for match in re.finditer(r"[.\[]", value.expression))
 
 
 def _left_out(group: Group, declarations: Declarations) -> Iterator[CFunction]:
@@ -188,7 +201,7 @@ def _full_name(function: CFunction, group: Group) -> str:
 def _headers(group: Group, interface: Interface, declarations: Declarations) -> Iterator[str]:
     """Headers that declare the calls and the values, without those that these include."""
     places = [each.place.file for each in group.functions]
-    if not group.owner and not interface.objects:
+    if not group.owner and not interface.arguments:
         places += [each.place.file for each in _declared_values(interface, declarations)]
     wanted = [path for path in dict.fromkeys(places) if Path(path).suffix.lower() in HEADERS]
     within = {each for path in wanted for each in declarations.all_included(path) if each != path}

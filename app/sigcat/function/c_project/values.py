@@ -31,6 +31,8 @@ class Value(NamedTuple):
     """What it holds at first."""
     is_const: bool = False
     defined_by: str = "function"
+    c_type: str = ""
+    """Type in C, with its qualifiers, of what the adapter has to define."""
     key: str = ""
     """What functions name it by that use it: of a member its key, of a variable its name."""
     problem: str = ""

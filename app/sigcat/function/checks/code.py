@@ -226,9 +226,9 @@ def _definers(function: FunctionJson) -> Problems:
             message = f"The adapter must define a variable by its name, not {each.expression!r}."
             fix = f"List {root_of(each.expression) or 'it'!r} under `objects` of `code` with its type and `definedBy: adapter`."
             yield _undefinable(each, message, fix)
-        elif each.datatype is not None and not _is_plain(each.datatype, types):
+        elif each.datatype is not None and not each.c_type and not _is_plain(each.datatype, types):
             message = f"The adapter must know the type of {each.expression!r} in C, and has none for a struct or an open array."
-            fix = "List it under `objects` of `code`, with its type."
+            fix = "Give its `cType`."
             yield _undefinable(each, message, fix)
 
 

@@ -12,6 +12,7 @@ from sigcat.function.checks.error_references import check_error_references
 from sigcat.function.checks.modes import check_modes
 from sigcat.function.checks.names import check_names
 from sigcat.function.checks.supervision import check_supervision
+from sigcat.function.checks.times import check_times
 from sigcat.function.checks.types import check_types
 from sigcat.function.checks.unfit import check_texts
 from sigcat.function.checks.words import check_words
@@ -39,6 +40,7 @@ def _problems(function: FunctionJson, known_errors: Collection[str]) -> Iterator
     yield from check_supervision(function, known_errors)
     yield from check_error_references(function, known_errors)
     yield from check_modes(function)
+    yield from check_times(function)
     yield from check_types(function)
     yield from check_code(function)
     yield from check_elements(function)

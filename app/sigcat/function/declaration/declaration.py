@@ -14,6 +14,7 @@ from sigcat.function.declaration.form import Asil, DeclarationModel, Duration, N
 from sigcat.function.document.document import Document
 from sigcat.function.document.read_yaml import read_yaml
 from sigcat.function.document.structure import structural_findings
+from sigcat.function.function_json.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.wire import Integer, Number
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.names import last_name
@@ -36,6 +37,7 @@ class DataItem(DeclarationModel):
     name: Text | None = Field(None, description="Name inside the function; the last name of the path if absent.")
     variable: Text | None = Field(None, description="Expression of the C code that holds the value.")
     defined_by: DefinedBy | None = Field(None, description=DEFINED_BY)
+    c_type: CTypeName | None = Field(None, description=C_TYPE)
     members: dict[str, Text] | None = Field(None, description=_MEMBERS)
     asil: Asil | None = Field(None, description="ASIL; the one of the catalogue if absent.")
     access: Literal["Immediate", "Buffered"] | None = Field(None, description="Immediate, or buffered for a call.")
@@ -96,6 +98,7 @@ class ParameterItem(DeclarationModel):
     )
     variable: Text | None = Field(None, description="Expression of the C code that holds the value.")
     defined_by: DefinedBy | None = Field(None, description=DEFINED_BY)
+    c_type: CTypeName | None = Field(None, description=C_TYPE)
     members: dict[str, Text] | None = Field(None, description=_MEMBERS)
     asil: Asil | None = Field(None, description="ASIL; the one of the catalogue if absent.")
     key: Text | None = Field(None, description="Key under which the value is stored; the name if absent.")
@@ -145,6 +148,7 @@ class ErrorItem(DeclarationModel):
         None, description="Expression of the C code that holds the state of the error, written before a call."
     )
     defined_by: DefinedBy | None = Field(None, description=DEFINED_BY)
+    c_type: CTypeName | None = Field(None, description=C_TYPE)
     reset: Text | None = Field(
         None,
         description="What the error waits for: `restart`, or a signal that the function consumes, by its path or name, which "
@@ -160,6 +164,7 @@ class ReactionItem(DeclarationModel):
         None, description="Expression of the C code that holds the condition, written before a call."
     )
     defined_by: DefinedBy | None = Field(None, description=DEFINED_BY)
+    c_type: CTypeName | None = Field(None, description=C_TYPE)
     initial: Text | None = Field(
         None, description="Condition before any is known: one of its enumeration; INACTIVE if absent."
     )
@@ -250,6 +255,7 @@ class ModeOutItem(DeclarationModel):
 
     variable: Text | None = Field(None, description="Expression of the C code that holds the mode.")
     defined_by: DefinedBy | None = Field(None, description=DEFINED_BY)
+    c_type: CTypeName | None = Field(None, description=C_TYPE)
     values: dict[str, Integer] | None = Field(
         None,
         description="Numbers of the modes in the code; their positions in the catalogue's list, from 0, if absent.",

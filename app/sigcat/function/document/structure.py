@@ -40,6 +40,8 @@ _PATTERNS = {
     r"^[A-Za-z][A-Za-z0-9_]{0,127}(::[A-Za-z][A-Za-z0-9_]{0,127})*$": "C++ namespaces such as eco::control",
     r"^[A-Za-z][A-Za-z0-9_]{0,127}$": "letters, digits and underscores, a letter first, 128 at most",
     r"^[A-Za-z_][A-Za-z0-9_]{0,127}$": "letters, digits and underscores, no digit first, 128 at most",
+    r"^(volatile )?((un)?signed|((un)?signed )?(char|short|int|long|long long|short int|long int|long long int)|float|double|_Bool"
+    r"|((enum|struct) )?[A-Za-z_][A-Za-z0-9_]{0,127})$": "a type of C such as boolean_T or volatile unsigned char",
 }
 """What patterns of the models ask for."""
 _BOUNDS = {

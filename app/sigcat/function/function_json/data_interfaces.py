@@ -16,6 +16,7 @@ from sigcat.function.document.field_types import (
     Words,
 )
 from sigcat.function.document.text import Text
+from sigcat.function.function_json.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.code import DEFINED_BY, MEMBERS, Member
 from sigcat.function.function_json.datatype import EnumerationValue
 from sigcat.function.function_json.wire import (
@@ -107,6 +108,7 @@ class Signal(WireModel):
         "Variable", "Expression of the C code that holds the value.", default=None, source=OWN
     )
     defined_by: Definer | None = own("DefinedBy", DEFINED_BY)
+    c_type: CTypeName | None = own("CType", C_TYPE)
     members: tuple[Member, ...] | None = own("Members", MEMBERS, strict=False)
     timeout_start: TimeoutStart | None = own(
         "TimeoutStart",
@@ -191,6 +193,7 @@ class DataQueue(WireModel):
         "Variable", "Expression of the C code that holds the queue.", default=None, source=OWN
     )
     defined_by: Definer | None = own("DefinedBy", DEFINED_BY)
+    c_type: CTypeName | None = own("CType", C_TYPE)
     members: tuple[Member, ...] | None = own("Members", MEMBERS, strict=False)
     timeout_start: TimeoutStart | None = own("TimeoutStart", "As in a signal.")
     timeout_value: TimeoutValue | None = own("TimeoutValue", "As in a signal.")
@@ -247,6 +250,7 @@ class ParameterInterface(WireModel):
     factor: NumberText | None = own("Factor", "As in a signal.")
     offset: NumberText | None = own("Offset", "As in a signal.", unit=PHYSICAL)
     defined_by: Definer | None = own("DefinedBy", DEFINED_BY)
+    c_type: CTypeName | None = own("CType", C_TYPE)
     members: tuple[Member, ...] | None = own("Members", MEMBERS, strict=False)
     key: Name | None = own("Key", "Key under which the value is stored; the name of the parameter if absent.")
     storage: Name | None = own("Storage", "Key-value storage that holds it; that of `Code` if absent.")

@@ -1,9 +1,14 @@
 """A call of the function: when it runs, how it is supervised, what it reads and writes."""
 
+from typing import Any
+
+from pydantic import field_serializer, model_validator
+
 from sigcat.function.document.field_types import CIdentifier, Name, Quantity, VssPath, Words
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import Checkpoint
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.duration import exact_time
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.function.function_json.wire import OWN, TABLE, Integer, Number, WireModel, described, own
@@ -50,7 +55,12 @@ class Runnable(WireModel):
     name: Name = described("Name", "Name of the call: <FunctionName>_Init, _Step or _Terminate.")
     description: Text = described("Description", "What the call does.")
     run_type: Name = described("Runtype", "Init, Cyclic, EventTriggered or Shutdown.")
-    cycle_time: Integer | None = described("Cycletime", "Time from one call to the next.", default=None, unit="ms")
+    cycle_time: Number | None = described("Cycletime", "Time from one call to the next.", default=None, unit="ms")
+    cycle_time_nanoseconds: Integer | None = own(
+        "CycletimeNanoseconds",
+        "The cycle time, where it is not whole milliseconds; `Cycletime` is absent then.",
+        unit="ns",
+    )
     stack_size: Quantity | None = described(
         "StackSize", "Stack that the call needs, as a number in a text.", default=None, unit="bytes"
     )
@@ -95,3 +105,13 @@ class Runnable(WireModel):
     )
     checkpoint: Checkpoint | None = own("Checkpoint", "Place of the call in the graph of the logical supervision.")
     overrun_error: Name | None = own("OverrunError", "Error interface that is set when activations were missed.")
+
+    @model_validator(mode="before")
+    @classmethod
+    def _exact(cls, data: Any) -> Any:
+        return exact_time(data, "cycle_time", "Cycletime")
+
+    @field_serializer("cycle_time")
+    def _published(self, time: float | None) -> int | None:
+        """The published schema has whole milliseconds only."""
+        return int(time) if time is not None and time == int(time) else None

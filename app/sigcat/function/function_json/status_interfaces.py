@@ -1,9 +1,16 @@
 """Interfaces that say how the function is: errors, safety reactions and modes."""
 
+import math
+from typing import Any
+
+from pydantic import field_serializer, model_validator
+
 from sigcat.function.document.field_types import CExpression, Definer, Name, Quantity, UnknownAction, VssPath, Words
 from sigcat.function.document.text import Text
+from sigcat.function.function_json.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.code import DEFINED_BY
 from sigcat.function.function_json.datatype import EnumerationValue
+from sigcat.function.function_json.duration import exact_time
 from sigcat.function.function_json.wire import OWN, TABLE, Integer, Number, TypeReference, WireModel, described, own
 
 
@@ -26,9 +33,13 @@ class ErrorInterface(WireModel):
         "Ignition cycles after which the error is confirmed; 0 if they do not count.",
         unit="ignition cycles",
     )
-    maturation_time: Integer = described(
+    maturation_time: Number = described(
         "MaturationTime", "How long the error has to be present to be confirmed; 0 if it is at once.", unit="ms"
     )
+    maturation_time_nanoseconds: Integer | None = own(
+        "MaturationTimeNanoseconds", "The maturation time, where it is not whole milliseconds; `MaturationTime` is rounded up then.",
+        unit="ns",
+    )  # fmt: skip
     severity: Words = described("Severity", "What the error leads to.")
     reset_time: Number | None = described(
         "ResetTime", "Time from the reset condition to the reset of the error.", default=None, unit="ms", source=TABLE
@@ -45,11 +56,22 @@ class ErrorInterface(WireModel):
         "StatusVariable", "Expression of the C code that holds the state of the error, written before a call."
     )
     defined_by: Definer | None = own("DefinedBy", DEFINED_BY)
+    c_type: CTypeName | None = own("CType", C_TYPE)
     reset: Name | None = own(
         "Reset",
         "What the error has to wait for: Restart, or the name of a signal that the function consumes and that is not 0 "
         "while the reset condition holds. If absent, the error is reset when it is no longer present.",
     )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _exact(cls, data: Any) -> Any:
+        return exact_time(data, "maturation_time", "MaturationTime")
+
+    @field_serializer("maturation_time")
+    def _published(self, time: float) -> int:
+        """The published schema has whole milliseconds only."""
+        return math.ceil(time)
 
 
 class SafetyReaction(WireModel):
@@ -67,6 +89,7 @@ class SafetyReaction(WireModel):
         "Variable", "Expression of the C code that holds the condition, written before a call."
     )
     defined_by: Definer | None = own("DefinedBy", DEFINED_BY)
+    c_type: CTypeName | None = own("CType", C_TYPE)
     initial: Name | None = own("Initial", "Condition before any is known: one of the enumeration; INACTIVE if absent.")
     timeout: Quantity | None = own(
         "Timeout", "Longest time between two values from outside, as a number in a text.", unit="ms"
@@ -84,6 +107,7 @@ class ModeInterface(WireModel):
     vss_path: VssPath | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
     variable: CExpression | None = own("Variable", "Expression of the C code that holds the mode.")
     defined_by: Definer | None = own("DefinedBy", DEFINED_BY)
+    c_type: CTypeName | None = own("CType", C_TYPE)
     initial: Name | None = own("Initial", "Mode before the first one is received; the first of `Modes` if absent.")
     unknown_action: UnknownAction | None = own(
         "UnknownAction", "What a mode that is none of `Modes` leads to: Keep the last one, also if absent, or Initial."

@@ -31,6 +31,8 @@ class CodeVariable(NamedTuple):
     datatype: str | None = None
     """Reference to the datatype; None where it is a number that the adapter and the function agree on."""
     defined_by: str | None = None
+    c_type: str | None = None
+    """Type in C, as declared or as agreed on."""
 
 
 def variables(function: FunctionJson) -> Iterator[CodeVariable]:
@@ -47,17 +49,18 @@ def _of_data(function: FunctionJson) -> Iterator[CodeVariable]:
         place = Place(located.component.name, located.pointer, Subject("data", name))
         if item.variable:
             at = (*pointer, "Variable")
-            yield CodeVariable(at, item.variable, place, name, item.datatype, item.defined_by)
+            yield CodeVariable(at, item.variable, place, name, item.datatype, item.defined_by, item.c_type)
         if isinstance(item, DataQueue) and item.count_variable:
             at = (*pointer, "CountVariable")
-            yield CodeVariable(at, item.count_variable, place, f"{name} count", None, item.defined_by)
+            yield CodeVariable(at, item.count_variable, place, f"{name} count", None, item.defined_by, "uint32_t")
 
 
 def _of_statuses(function: FunctionJson) -> Iterator[CodeVariable]:
     for pointer, located, error in errors(function):
         place = Place(located.component.name, located.pointer, Subject("error", error.name))
         if error.variable:
-            yield CodeVariable((*pointer, "Variable"), error.variable, place, error.name, None, error.defined_by)
+            at, datatype = (*pointer, "Variable"), error.datatype
+            yield CodeVariable(at, error.variable, place, error.name, datatype, error.defined_by, error.c_type)
         if error.status_variable:
             at, holds = (*pointer, "StatusVariable"), f"{error.name} status"
             yield CodeVariable(at, error.status_variable, place, holds, error.datatype, error.defined_by)
@@ -65,7 +68,8 @@ def _of_statuses(function: FunctionJson) -> Iterator[CodeVariable]:
         if reaction.variable:
             place = Place(located.component.name, located.pointer, Subject("safety_reaction", reaction.name))
             at = (*pointer, "Variable")
-            yield CodeVariable(at, reaction.variable, place, reaction.name, reaction.datatype, reaction.defined_by)
+            datatype, defined_by, c_type = reaction.datatype, reaction.defined_by, reaction.c_type
+            yield CodeVariable(at, reaction.variable, place, reaction.name, datatype, defined_by, c_type)
 
 
 def _of_methods(function: FunctionJson) -> Iterator[CodeVariable]:
@@ -74,7 +78,9 @@ def _of_methods(function: FunctionJson) -> Iterator[CodeVariable]:
         yield from _of_arguments(pointer, place, method)
         for key, expression in (("Request", method.request_variable), ("Status", method.status_variable)):
             if expression:
-                yield CodeVariable((*pointer, f"{key}Variable"), expression, place, f"{method.name} {key}")
+                yield CodeVariable(
+                    (*pointer, f"{key}Variable"), expression, place, f"{method.name} {key}", c_type="uint8_t"
+                )
 
 
 def _of_arguments(pointer: Pointer, place: Place, method: MethodInterface) -> Iterator[CodeVariable]:
@@ -90,4 +96,4 @@ def _of_modes(function: FunctionJson) -> Iterator[CodeVariable]:
         if mode.variable:
             place = Place("", (), Subject("mode", mode.name))
             at = ("ModeInterfaceList", index, "Variable")
-            yield CodeVariable(at, mode.variable, place, mode.name, mode.datatype, mode.defined_by)
+            yield CodeVariable(at, mode.variable, place, mode.name, mode.datatype, mode.defined_by, mode.c_type)

@@ -1,6 +1,6 @@
 """The text of a function.yaml: every entry with the line of the code that it comes from."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -8,6 +8,7 @@ from sigcat.asil import Level, rank
 from sigcat.catalogue.near_signals import PLACEHOLDER
 from sigcat.function.c_project.declarations import Place
 from sigcat.function.c_project.project import Call, CodeProject
+from sigcat.function.function_json.duration import whole_nanoseconds
 from sigcat.function.importing.parameters import ParameterEntry
 from sigcat.function.importing.signals import Signal
 from sigcat.function.importing.yaml_text import comment, entry, flow, scalar
@@ -32,6 +33,8 @@ class Draft(NamedTuple):
     """Last names of the scheduling interfaces that the catalogue has for the function already."""
     errors: tuple[str, ...] = ()
     """Interface names of the errors that the catalogue has for the function."""
+    data: Mapping[str, Mapping[str, Any]] = {}
+    """Signals that the function defines, and branches above them, by path."""
 
 
 def function_text(draft: Draft) -> str:
@@ -71,12 +74,8 @@ def to_do(draft: Draft) -> Iterator[str]:
         yield f"choose {unchosen} path{'s' if unchosen > 1 else ''} (those with {PLACEHOLDER})."
     for call in draft.project.calls:
         if call.kind == "step" and cycle_time(call) is None and _last_name(call, draft.project) not in draft.known:
-            told = (
-                f"must be whole milliseconds, not {call.cycle_time:g} ms"
-                if call.cycle_time
-                else "the code does not tell"
-            )
-            yield f"give the cycle time of {call_name(call, draft)}, which {told}; {ASSUMED_CYCLE} ms is assumed."
+            why = "is not whole nanoseconds" if call.cycle_time else "the code does not tell"
+            yield f"give the cycle time of {call_name(call, draft)}, which {why}; {ASSUMED_CYCLE} ms is assumed."
     without_unit = sum(bool(signal.catalogue_unit and not signal.unit) for signal in draft.signals)
     if without_unit:
         yield f"check {without_unit} unit{'s' if without_unit > 1 else ''}: where the code tells none, that of the catalogue is assumed."
@@ -92,10 +91,12 @@ def to_do(draft: Draft) -> Iterator[str]:
     yield "describe the function, and give each entry its ASIL: QM is assumed."
 
 
-def cycle_time(call: Call) -> int | None:
-    """Time in whole milliseconds from one call to the next; None if the code tells no such time."""
+def cycle_time(call: Call) -> float | int | None:
+    """Time in ms from one call to the next; None if the code tells no time of whole nanoseconds."""
     time = call.cycle_time
-    return int(time) if time and time == int(time) else None
+    if not time or whole_nanoseconds(time) is None:
+        return None
+    return int(time) if time == int(time) else time
 
 
 def _code(draft: Draft) -> Iterator[str]:
@@ -120,7 +121,8 @@ def _code(draft: Draft) -> Iterator[str]:
     if project.interface.objects:
         yield "  objects:"
     for each in project.interface.objects:
-        keys = {"name": each.name, "type": each.type, "member": each.member or None}
+        by_adapter = "adapter" if project.signature == "globals" else None  # with pointers the adapter always does
+        keys = {"name": each.name, "type": each.type, "member": each.member or None, "definedBy": by_adapter}
         yield f"    - {flow({key: text for key, text in keys.items() if text})}{_from(each.place, draft)}"
 
 
@@ -143,7 +145,11 @@ def _from(place: Place, draft: Draft) -> str:
 
 
 def _at(place: Place, draft: Draft) -> str:
-    return f"{_below(draft.folder, place.file)}:{place.line}"
+    return _in(draft.folder, place)
+
+
+def _in(folder: str, place: Place) -> str:
+    return f"{_below(folder, place.file)}:{place.line}"
 
 
 # -- what the function defines ------------------------------------------------------------------------------------
@@ -154,20 +160,35 @@ def _define(draft: Draft) -> Iterator[str]:
     parameters = [each for each in draft.parameters if each.definition]
     named = [(_last_name(call, draft.project), call) for call in draft.project.calls]
     calls = [each for each in named if each[0] not in draft.known]
-    if parameters or calls:
+    if parameters or calls or draft.data:
         yield "define:"
+    if draft.data:
+        yield "  data:"
+    for path, definition in draft.data.items():
+        yield from data_definition(path, definition)
     if parameters:
         yield "  parameters:"
     for parameter in parameters:
-        place = _from(parameter.value.place, draft)
-        yield f"    {scalar(parameter.name)}:{place} {parameter.value.type_name}"
-        yield from (comment(6, note) for note in parameter.notes)
-        yield from (entry(6, key, value) for key, value in parameter.definition.items())
+        yield from parameter_definition(parameter, draft)
     if calls:
         yield "  scheduling:"
     for name, call in calls:
         yield f"    {name}:"
         yield from (entry(6, key, value) for key, value in _schedule(call, draft).items())
+
+
+def data_definition(path: str, definition: Mapping[str, Any]) -> Iterator[str]:
+    """A signal, or a branch above it."""
+    yield f"    {path}:"
+    yield from (entry(6, key, value) for key, value in definition.items())
+
+
+def parameter_definition(parameter: ParameterEntry, draft: Draft) -> Iterator[str]:
+    """A parameter with its default."""
+    place = _from(parameter.value.place, draft)
+    yield f"    {scalar(parameter.name)}:{place} {parameter.value.type_name}"
+    yield from (comment(6, note) for note in parameter.notes)
+    yield from (entry(6, key, value) for key, value in parameter.definition.items())
 
 
 def _schedule(call: Call, draft: Draft) -> dict[str, Any]:
@@ -221,32 +242,34 @@ def _components(draft: Draft) -> Iterator[str]:
         if call.returns and call.kind == "init":
             yield f"{entry(8, 'success', 0)}  # assumed"
         if call.kind == "step":
-            yield from _data([each for each in draft.signals if _is_of(each.value.key, call, steps)], draft)
+            yield from data_lines([each for each in draft.signals if is_of(each.value.key, call, steps)], draft)
             if call is steps[0] and draft.errors:
                 yield entry(8, "errors", draft.errors)
-            yield from _parameters([each for each in draft.parameters if _is_of(each.value.key, call, steps)])
+            yield from parameter_lines([each for each in draft.parameters if is_of(each.value.key, call, steps)])
 
 
-def _is_of(key: str, call: Call, steps: Sequence[Call]) -> bool:
+def is_of(key: str, call: Call, steps: Sequence[Call]) -> bool:
     """Whether a step uses a value; the first one has what none of several is known to use."""
     using = [step for step in steps if key in step.use.used or key in step.use.written]
     return call in using[:1] if using else call is steps[0]
 
 
-def _data(signals: Sequence[Signal], draft: Draft) -> Iterator[str]:
+def data_lines(signals: Sequence[Signal], draft: Draft) -> Iterator[str]:
+    """The entries of a call's data."""
     if signals:
         yield "        data:"
     for signal in signals:
-        yield from (comment(10, line) for line in _said_of(signal, draft))
+        yield from (comment(10, line) for line in said_of(signal, draft.folder))
         yield f"          - path: {scalar(signal.path)}"
         yield from (entry(12, key, value) for key, value in signal.keys.items())
 
 
-def _said_of(signal: Signal, draft: Draft) -> Iterator[str]:
+def said_of(signal: Signal, folder: str) -> Iterator[str]:
+    """Comments on a signal: first its line in the code."""
     value, remark = signal.value, signal.value.remark
     count = f"[{value.length}]" if value.length else ""
     said = f" {remark.text}" if remark.text else ""
-    yield f"{_at(value.place, draft)} {value.type_name}{count}{said}"
+    yield f"{_in(folder, value.place)} {value.type_name}{count}{said}"
     if signal.near:
         yield f"Near: {', '.join(signal.near)}"
     if signal.why:
@@ -257,7 +280,8 @@ def _said_of(signal: Signal, draft: Draft) -> Iterator[str]:
         yield f"No unit of the catalogue: {remark.unit}"
 
 
-def _parameters(parameters: Iterable[ParameterEntry]) -> Iterator[str]:
+def parameter_lines(parameters: Iterable[ParameterEntry]) -> Iterator[str]:
+    """The entries of a call's parameters."""
     listed = list(parameters)
     if listed:
         yield "        parameters:"

@@ -1,6 +1,6 @@
 """A folder of C code to a function.yaml that is checked."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -14,6 +14,7 @@ from sigcat.function.c_project.values import Value
 from sigcat.function.declaration.scaffold import checked_name, checked_schema
 from sigcat.function.function_file import check_function
 from sigcat.function.importing.function_text import Draft, function_text, to_do
+from sigcat.function.importing.own_signals import checked_branch, defined_under
 from sigcat.function.importing.parameters import parameters_of
 from sigcat.function.importing.signals import Role, Signal, signals_of
 from sigcat.real_path import real_path
@@ -38,19 +39,44 @@ def import_code(
     schema: str,
     model: str = "",
     definitions: Sequence[str] = (),
+    branch: str = "",
 ) -> Imported:
-    """The function.yaml for the code in a folder, to be written into `target`. Raises UsageError, InputRefused."""
+    """The function.yaml for the code in a folder, to be written into `target`. Raises UsageError, InputRefused.
+
+    Signals that are not certain to be in the catalogue are defined below `branch`, if there is one.
+    """
     checked_name(name)
+    if branch:
+        checked_branch(branch, catalogue)
     checked_schema(schema)
     project = read_project(folder, name, model, definitions)
-    signals = tuple(signals_of(tuple(_values(project)), catalogue, project.model))
+    draft = draft_of(name, project, folder, target, catalogue, schema, branch)
+    return Imported(function_text(draft), _summary(draft), tuple(to_do(draft)), shown(project, folder))
+
+
+def draft_of(
+    name: str,
+    project: CodeProject,
+    folder: Path,
+    target: Path,
+    catalogue: Catalogue,
+    schema: str,
+    branch: str = "",
+    paths: Collection[str] = (),
+    parameter_names: Collection[str] = (),
+) -> Draft:
+    """The draft of the function.yaml for a project. Paths and names are those that its file has already."""
+    signals = tuple(signals_of(tuple(_values(project)), catalogue, project.model, paths))
     known = _of_function(name, "Parameter", catalogue)
-    parameters = tuple(parameters_of(project.interface.parameters, catalogue.vocabulary, known))
+    parameters = tuple(parameters_of(project.interface.parameters, catalogue.vocabulary, known, parameter_names))
     scheduled = frozenset(_of_function(name, "Scheduling", catalogue))
     errors = tuple(interface_name(node.path) for node in _of_function(name, "Error", catalogue).values())
-    draft = Draft(name, project, signals, parameters, _below(folder, target), schema, scheduled, errors)
+    draft = Draft(name, project, signals, parameters, below(folder, target), schema, scheduled, errors)
     draft = _checked(draft, catalogue)
-    return Imported(function_text(draft), _summary(draft), tuple(to_do(draft)), _shown(project, folder))
+    if branch:
+        defined, data = defined_under(branch, name, draft.signals, catalogue)
+        draft = draft._replace(signals=defined, data=data)
+    return draft
 
 
 def _of_function(name: str, category: str, catalogue: Catalogue) -> dict[str, Node]:
@@ -65,7 +91,7 @@ def _values(project: CodeProject) -> Iterator[tuple[Role, Value]]:
     yield from (("provided", value) for value in project.interface.outputs)
 
 
-def _below(folder: Path, target: Path) -> str:
+def below(folder: Path, target: Path) -> str:
     """The folder of the code as seen from the file: the code moves with its declaration."""
     try:
         return real_path(folder).relative_to(real_path(target)).as_posix()
@@ -102,7 +128,7 @@ def _summary(draft: Draft) -> str:
     return f"{listed} of {draft.project.model or 'the code'}"
 
 
-def _shown(project: CodeProject, folder: Path) -> tuple[Finding, ...]:
+def shown(project: CodeProject, folder: Path) -> tuple[Finding, ...]:
     """Findings with paths as they are seen from here."""
     assert not has_errors(project.findings)
     return tuple(

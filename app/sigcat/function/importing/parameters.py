@@ -29,19 +29,24 @@ class ParameterEntry(NamedTuple):
 
 
 def parameters_of(
-    values: Iterable[Value], vocabulary: Vocabulary, known: Mapping[str, Node]
+    values: Iterable[Value], vocabulary: Vocabulary, known: Mapping[str, Node], names: Iterable[str] = ()
 ) -> Iterator[ParameterEntry]:
-    """An entry for each parameter that can be set. `known` are those of the function in the catalogue, by last name."""
+    """An entry for each parameter that can be set. `known` are those of the function in the catalogue, by last name.
+
+    `names` are those that others have already.
+    """
     settable = [value for value in values if not value.is_const]
-    taken, said = set[str](), set[str]()
+    taken, said = {name.lower() for name in names}, set[str]()
     for value, own in zip(settable, unique_names(settable), strict=True):
-        name = _free(f"Is{_camel(own)}" if value.datatype == "boolean" else _camel(own), taken)
+        name = free_name(
+            f"Is{starting_with_letter(own)}" if value.datatype == "boolean" else starting_with_letter(own), taken
+        )
         if name in known:
             keys = _keys(value, known[name].path, own)
             yield ParameterEntry(value, name, {}, {**keys, **_stored_otherwise(value, known[name])})
             continue
-        description = _description(value, own, said, vocabulary)
-        definition = _definition(value, unit_of(value.remark.units, vocabulary), description)
+        description = described(value, own, said, vocabulary, "Parameter")
+        definition = physical_definition(value, unit_of(value.remark.units, vocabulary), description)
         yield ParameterEntry(value, name, definition, _keys(value, name, own), tuple(_notes(value, definition)))
 
 
@@ -51,7 +56,7 @@ def _stored_otherwise(value: Value, node: Node) -> dict[str, Any]:
     return {"datatype": datatype} if datatype != node.values["datatype"] else {}
 
 
-def _free(name: str, taken: set[str]) -> str:
+def free_name(name: str, taken: set[str]) -> str:
     """A name that no other one has; names that differ in case alone are one in C of some platforms."""
     free = next(
         each for each in chain((name,), (f"{name}{number}" for number in count(2))) if each.lower() not in taken
@@ -60,21 +65,22 @@ def _free(name: str, taken: set[str]) -> str:
     return free
 
 
-def _description(value: Value, own: str, said: set[str], vocabulary: Vocabulary) -> str:
+def described(value: Value, own: str, said: set[str], vocabulary: Vocabulary, kind: str) -> str:
     """What the comment says, as a sentence, with the name where another one says the same."""
     text = without_unit(value.remark.text, value.remark.units, vocabulary)
-    sentence = _sentence(text) if text else f"Parameter {own} of the code."
+    sentence = _sentence(text) if text else f"{kind} {own} of the code."
     sentence = f"{sentence[:-1]} ({own})." if sentence in said else sentence
     said.add(sentence)
     return sentence
 
 
-def _camel(name: str) -> str:
+def starting_with_letter(name: str) -> str:
+    """A name in CamelCase."""
     text = camel_case(name)
     return text if text[:1].isalpha() else f"P{text}"
 
 
-def _definition(value: Value, unit: str, description: str) -> dict[str, Any]:
+def physical_definition(value: Value, unit: str, description: str) -> dict[str, Any]:
     """What the catalogue would say, in physical values."""
     is_scaled = factor_of(value) is not None
     smallest, largest = _range(value)
@@ -145,6 +151,7 @@ def _keys(value: Value, name: str, own: str) -> dict[str, Any]:
         "name": own if own != name else None,
         "variable": value.expression,
         "definedBy": "adapter" if value.defined_by == "adapter" else None,
+        "cType": value.c_type or None,
         "datatype": f"{value.datatype}{'[]' if value.length else ''}" if factor is not None else None,
         "factor": factor,
         "offset": value.remark.offset if factor is not None else None,

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from itertools import islice
 from typing import Any, Literal, NamedTuple
 
 from sigcat.asil import Level, level_of
@@ -58,6 +59,7 @@ class Signal(NamedTuple):
             "name": self.name,
             "variable": value.expression,
             "definedBy": "adapter" if value.defined_by == "adapter" else None,
+            "cType": value.c_type or None,
             "datatype": f"{value.datatype}{'[]' if value.length else ''}",
             "unit": self.unit,
             "factor": remark.factor if is_scaled else None,
@@ -80,11 +82,13 @@ class Signal(NamedTuple):
         return self.to_be_chosen(placeholder(root, self.name), (self.path,), why)
 
 
-def signals_of(values: Sequence[tuple[Role, Value]], catalogue: Catalogue, model: str) -> Iterator[Signal]:
-    """A signal for each value, in order."""
+def signals_of(
+    values: Sequence[tuple[Role, Value]], catalogue: Catalogue, model: str, paths: Collection[str] = ()
+) -> Iterator[Signal]:
+    """A signal for each value, in order; `paths` are those of others."""
     known = NearSignals(catalogue)
     root = catalogue.roots[0].path if catalogue.roots else "Vehicle"
-    used: set[str] = set()
+    used = set(paths)
     names = unique_names([value for _, value in values])
     for (role, value), name in zip(values, names, strict=True):
         near = known.near(_meant(value, model), _COMPARED)
@@ -96,7 +100,13 @@ def signals_of(values: Sequence[tuple[Role, Value]], catalogue: Catalogue, model
             yield _chosen(signal, node)
         else:
             path = _free(placeholder(root, _meant(value, model)), placeholder(root, name), used)
-            yield signal.to_be_chosen(path, tuple(one.node.path for one in near[:_SHOWN]), why)
+            yield signal.to_be_chosen(path, _proposed(near, signal.unit), why)
+
+
+def _proposed(near: Sequence[Near], unit: str) -> tuple[str, ...]:
+    """Signals that share a whole word with the name, or the unit with the code."""
+    found = (one.node for one in near if one.shares_word or (unit and one.node.values.get("unit") == unit))
+    return tuple(node.path for node in islice(found, _SHOWN))
 
 
 def _chosen(signal: Signal, node: Node) -> Signal:

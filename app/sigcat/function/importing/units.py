@@ -57,8 +57,10 @@ def unit_of(texts: Iterable[str], vocabulary: Vocabulary) -> str:
 
 
 def without_unit(text: str, texts: Iterable[str], vocabulary: Vocabulary) -> str:
-    """A description without the unit that it begins with: of `m/s: speed` `speed`."""
+    """A description without the unit that it begins with, or has in brackets: of `m/s: speed` and `speed [m/s]` `speed`."""
     for each in texts:
+        if f"[{each}]" in text and unit_of([each], vocabulary):
+            return " ".join(text.replace(f"[{each}]", " ").split()).strip(" ,;:")
         rest = text.removeprefix(each)
         if rest != text and not rest[:1].isalnum() and unit_of([each], vocabulary):
             return rest.lstrip(" ,;:")

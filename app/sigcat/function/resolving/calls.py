@@ -17,7 +17,6 @@ from sigcat.function.resolving.contracts import contract
 from sigcat.function.resolving.interfaces import (  # fmt: skip
     asil_of,
     error_name,
-    integer_of,
     interface_node,
     mapping_of,
     number_of,
@@ -46,7 +45,7 @@ def call(item: RunnableItem, at: Pointer, context: Context) -> Resolving[Part[Ru
         name=interface_name(node.path),
         description=Text(str(node.values.get("description") or "")),
         run_type=text_of(node, "runType") or "",
-        cycle_time=(yield from integer_of(node, "cycleTime", at)),
+        cycle_time=(yield from number_of(node, "cycleTime", at)),
         stack_size=plain_text((yield from number_of(node, "stackSize", at))),
         previous_runnable=", ".join((yield from texts_of(node, "previousRunnable", at))) or None,
         execution_offset=plain_text((yield from number_of(node, "executionOffset", at))),

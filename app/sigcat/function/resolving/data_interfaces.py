@@ -87,6 +87,7 @@ def _common(item: DataItem | ParameterItem, value: Value) -> dict[str, Any]:
         "conversion_offset": as_text(value.conversion.offset) if value.conversion else None,
         "variable": item.variable,
         "defined_by": word(item.defined_by),
+        "c_type": item.c_type,
         "members": members(item.members),
         "init_elements": value.init_elements,
     }

@@ -84,15 +84,6 @@ def number_of(node: Node, name: str, at: Pointer) -> Resolving[float | None]:
     return None
 
 
-def integer_of(node: Node, name: str, at: Pointer) -> Resolving[int | None]:
-    """Value of an attribute that Function JSON has as a whole number only."""
-    value = yield from number_of(node, name, at)
-    if value is None or value == int(value):
-        return None if value is None else int(value)
-    yield _not_expected(node, name, "a whole number", at)
-    return None
-
-
 def texts_of(node: Node, name: str, at: Pointer) -> Resolving[tuple[str, ...]]:
     """Value of an attribute that has to be a text or a list of texts."""
     value = node.values.get(name)

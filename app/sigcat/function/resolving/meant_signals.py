@@ -17,7 +17,9 @@ class MeantSignals:
         """A sentence that proposes the signals with the words of the last name; of a path to be chosen, the nearest."""
         near = self._near.near(last_name(path)) if may_compare(len(self._catalogue.nodes)) else ()
         meant = [
-            one.node.path for one in near if is_to_be_chosen(path) or (one.has_all and one.wanted > 1 and one.whole > 1)
+            one.node.path
+            for one in near
+            if (is_to_be_chosen(path) and one.shares_word) or (one.has_all and one.wanted > 1 and one.whole > 1)
         ]
         return f"Did you mean {either(map(repr, meant))}?" if meant else ""
 

@@ -53,6 +53,7 @@ def _with_code(
     fields: dict[str, Any] = {
         "variable": item.variable,
         "defined_by": word(item.defined_by),
+        "c_type": item.c_type,
         "values": listed(item.values) if item.values else None,
     }
     if isinstance(item, ModeInItem):

@@ -1,5 +1,6 @@
 """Numbers between YAML, exact fractions and the texts of Function JSON."""
 
+from decimal import Decimal
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any
@@ -20,7 +21,7 @@ def optional_number(value: Fraction | None) -> float | None:
 
 def plain_text(number: float | None) -> str | None:
     """A number as a text of Function JSON: 200.0 → `200`."""
-    return None if number is None else str(int(number) if number == int(number) else number)
+    return None if number is None else str(int(number)) if number == int(number) else f"{Decimal(repr(number)):f}"
 
 
 def shown(value: Fraction) -> str:

@@ -11,7 +11,7 @@ from sigcat.function.function_json.status_interfaces import ErrorInterface, Safe
 from sigcat.function.function_json.type_list import symbols_of
 from sigcat.function.resolving.code import word
 from sigcat.function.resolving.context import Context, Resolving
-from sigcat.function.resolving.interfaces import asil_of, integer_of, interface_node, number_of, text_of, texts_of
+from sigcat.function.resolving.interfaces import asil_of, interface_node, number_of, text_of, texts_of
 from sigcat.function.resolving.numbers import plain_text
 from sigcat.function.resolving.part import Part, written
 
@@ -28,7 +28,7 @@ def error(item: ErrorItem, at: Pointer, context: Context) -> Resolving[Part[Erro
         dependencies=(yield from texts_of(node, "dependency", at)),
         occurrence_count_limit=item.occurrence_count_limit,
         ignition_count_limit=item.ignition_count_limit,
-        maturation_time=(yield from integer_of(node, "maturationTime", at)) or 0,
+        maturation_time=(yield from number_of(node, "maturationTime", at)) or 0,
         severity=text_of(node, "severity") or "",
         reset_time=(yield from number_of(node, "resetTime", at)),
         reset_condition=optional(text_of(node, "resetCondition")),
@@ -37,6 +37,7 @@ def error(item: ErrorItem, at: Pointer, context: Context) -> Resolving[Part[Erro
         variable=item.variable,
         status_variable=item.status_variable,
         defined_by=word(item.defined_by),
+        c_type=item.c_type,
         reset=_reset(item.reset, context),
     )
     return Part(made, Origin(at, written(item, at)))
@@ -61,6 +62,7 @@ def safety_reaction(item: ReactionItem, at: Pointer, context: Context) -> Resolv
         vss_path=node.path,
         variable=item.variable,
         defined_by=word(item.defined_by),
+        c_type=item.c_type,
         initial=item.initial,
         timeout=plain_text(item.timeout),
     )

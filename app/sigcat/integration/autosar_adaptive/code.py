@@ -15,6 +15,7 @@ from sigcat.function.document.field_types import (
     Name,
     NumberText,
 )
+from sigcat.function.function_json.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.code import Checkpoint, Member
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.wire import OWN, Integer, WireModel, described, own
@@ -44,6 +45,7 @@ class ParameterCode(WireModel):
     factor: NumberText | None = own("Factor", "Scaling in the code: physical value = stored value × factor + offset.")
     offset: NumberText | None = own("Offset", "Offset of the scaling.")
     defined_by: Definer | None = own("DefinedBy", "Function or Adapter: whose code defines the variable.")
+    c_type: CTypeName | None = own("CType", C_TYPE)
     members: tuple[Member, ...] | None = own("Members", "Members of the struct in C.", strict=False)
     key: Name | None = own("Key", "Key under which the value is stored.")
     storage: Name | None = own("Storage", "Key-value storage that holds it.")

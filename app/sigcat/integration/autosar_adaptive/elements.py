@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.duration import time_in_a_name
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.status_interfaces import ErrorInterface
 from sigcat.integration.autosar_adaptive.context import Context
@@ -156,10 +157,10 @@ def group_of(element: Element) -> str:
     if element.kind is ErrorInterface:
         return FIELD_GROUP
     cycle = cycle_of(element)
-    return EVENT_GROUP if cycle is None else f"Cycle{cycle}ms"
+    return EVENT_GROUP if cycle is None else f"Cycle{time_in_a_name(cycle)}"
 
 
-def cycle_of(element: Element) -> int | None:
+def cycle_of(element: Element) -> float | None:
     """Cycle of the call that provides it, in ms."""
     side = element.leading
     return side.item.call.cycle_time if side.provides and side.item.call else None

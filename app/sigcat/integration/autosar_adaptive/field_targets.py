@@ -39,7 +39,7 @@ _SIGNAL = {
         for field in (
             "AsilLevel", "Timeout", "Access", "Default", "InitValue", "RangeErrorAction", "TimeoutError", "Type",
             "Resolution", "ConversionFactor", "ConversionOffset", "AsilInfo", "QueueLength",
-            "ExternalProvider", "DefinedBy", "Members", "TimeoutStart", "TimeoutValue", "TimeoutRecovery", "RangeError",
+            "ExternalProvider", "DefinedBy", "CType", "Members", "TimeoutStart", "TimeoutValue", "TimeoutRecovery", "RangeError",
             "InitElements", "DefaultElements", "Overflow", "OverflowError", "ValuesPerStep", "CountVariable",
             "E2eError",
         )
@@ -58,8 +58,8 @@ _ERROR: dict[str, FieldTarget | str] = {
     **{
         field: f"Error/{field}"
         for field in (
-            "Dependancy", "OccurenceCountLimit", "IgnitionCountLimit", "MaturationTime", "Severity", "ResetTime",
-            "ResetCondition", "AsilLevel", "Variable", "StatusVariable", "DefinedBy", "Reset",
+            "Dependancy", "OccurenceCountLimit", "IgnitionCountLimit", "MaturationTime", "MaturationTimeNanoseconds", "Severity", "ResetTime",
+            "ResetCondition", "AsilLevel", "Variable", "StatusVariable", "DefinedBy", "CType", "Reset",
         )
     },
 }  # fmt: skip
@@ -67,18 +67,18 @@ _REACTION: dict[str, FieldTarget | str] = {
     **_STATUS_HEAD,
     **{
         field: f"SafetyReaction/{field}"
-        for field in ("ErrorList", "AsilLevel", "Variable", "DefinedBy", "Initial", "Timeout")
+        for field in ("ErrorList", "AsilLevel", "Variable", "DefinedBy", "CType", "Initial", "Timeout")
     },
 }  # fmt: skip
 _MODE: dict[str, FieldTarget | str] = {
     **_STATUS_HEAD, "Direction": FieldTarget("Role", _PLACE),
     **{
         field: f"Mode/{field}"
-        for field in ("Modes", "Variable", "DefinedBy", "Initial", "UnknownAction", "UnknownError", "Values")
+        for field in ("Modes", "Variable", "DefinedBy", "CType", "Initial", "UnknownAction", "UnknownError", "Values")
     },
 }  # fmt: skip
 _CALL: dict[str, FieldTarget | str] = {
-    "Runtype": "RunType", "Cycletime": "CycleTime", "Scheduling": FieldTarget("Scheduling", _PROCESS),
+    "Runtype": "RunType", "Cycletime": "CycleTime", "CycletimeNanoseconds": "CycleTime", "Scheduling": FieldTarget("Scheduling", _PROCESS),
     "Priority": FieldTarget("Priority", _PROCESS), "SupervisionType": "SupervisionType",
     "funcContractList": FieldTarget("ServiceInterfaceList and ParameterList", "each interface has entries of its own"),
     **{

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from sigcat.function.function_json.duration import milliseconds
+from sigcat.function.function_json.duration import milliseconds, time_in_a_name
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import INIT, STEP, TERMINATE
@@ -92,9 +92,8 @@ def _data_received(runnable: model.Runnable, port: str, element: str) -> model.E
 
 
 def _timing(runnable: model.Runnable, cycle: float, offset: float) -> model.Event:
-    number = int(cycle) if cycle == int(cycle) else cycle
     return model.Event(
-        name=short_name(f"{runnable.name}_{number}ms"), kind="Timing", runnable=runnable.name, period=in_seconds(cycle),
+        name=short_name(f"{runnable.name}_{time_in_a_name(cycle)}"), kind="Timing", runnable=runnable.name, period=in_seconds(cycle),
         offset=in_seconds(offset),
     )  # fmt: skip
 

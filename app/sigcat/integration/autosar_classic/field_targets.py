@@ -42,7 +42,7 @@ _DATA: _Targets = {
     "E2eError": FieldTarget("{port}/Elements/TransformerErrors", "what the transformer rejects is told to the core"),
     **_core(
         "Min", "Max", "Variable", "Factor", "Offset", "RangeErrorAction", "TimeoutError", "Type", "Resolution",
-        "ConversionFactor", "ConversionOffset", "DefinedBy", "Members", "TimeoutStart", "TimeoutValue",
+        "ConversionFactor", "ConversionOffset", "DefinedBy", "CType", "Members", "TimeoutStart", "TimeoutValue",
         "TimeoutRecovery", "RangeError", "Overflow", "OverflowError", "ValuesPerStep", "CountVariable",
     ),
 }  # fmt: skip
@@ -62,22 +62,23 @@ _ERROR: _Targets = {
     "Severity": "DiagnosticEvents/Severity", "OccurenceCountLimit": "DiagnosticEvents/OccurrenceCountLimit",
     "IgnitionCountLimit": "DiagnosticEvents/IgnitionCountLimit",
     "MaturationTime": FieldTarget("SourceFunctionList", "the core matures the error: DEM debounces nothing"),
+    "MaturationTimeNanoseconds": FieldTarget("SourceFunctionList", "the core matures the error: DEM debounces nothing"),
     "Dependancy": FieldTarget("Ports", "a required port for each error of another component; the core decides"),
-    **_core("ResetTime", "ResetCondition", "Variable", "StatusVariable", "DefinedBy", "Reset"),
+    **_core("ResetTime", "ResetCondition", "Variable", "StatusVariable", "DefinedBy", "CType", "Reset"),
 }  # fmt: skip
 _REACTION: _Targets = {
     **_HEAD, "ErrorList": "Inhibitions/Events", "Initial": "{port}/Elements/InitValue",
-    "Timeout": FieldTarget("{port}/Elements/Uses/Timeout", "the core judges it"), **_core("Variable", "DefinedBy"),
+    "Timeout": FieldTarget("{port}/Elements/Uses/Timeout", "the core judges it"), **_core("Variable", "DefinedBy", "CType"),
 }  # fmt: skip
 _MODE: _Targets = {
     **_HEAD, "Datatype": "ModeGroups/Type", "VssPath": FieldTarget("SourceFunctionList", "modes are named by their interface"),
     "Description": "{port}/Description", "Direction": "{port}/Direction", "Modes": "ModeGroups/Modes",
     "Initial": "ModeGroups/InitialMode",
-    **_core("Variable", "DefinedBy", "UnknownAction", "UnknownError", "Values"),
+    **_core("Variable", "DefinedBy", "CType", "UnknownAction", "UnknownError", "Values"),
 }  # fmt: skip
 _CALL: _Targets = {
     "Name": "{runnable}/Call", "Description": "{runnable}/Description", "Runtype": "{runnable}/Role",
-    "Cycletime": "Events/Period", "ExecOffset": "Events/Offset",
+    "Cycletime": "Events/Period", "CycletimeNanoseconds": "Events/Period", "ExecOffset": "Events/Offset",
     "EventList": FieldTarget("Events", "a data received event for each, of the runnable that takes what comes"),
     "DebounceDelay": FieldTarget("SourceFunctionList", "the core debounces; a timing event at each tick asks it"),
     "StackSize": "{runnable}/StackSize and MemorySections",
@@ -100,7 +101,7 @@ _PARAMETER: _Targets = {
     "Interfacetype": FieldTarget("ParameterInterfaces or NvBlocks", "PersistenceMemory is kept, the others are calibrated"),
     "Attribute": FieldTarget("NvBlocks/Parameters", "what is learned is kept"),
     **_core(
-        "Default", "RangeErrorAction", "ConversionFactor", "ConversionOffset", "Variable", "Factor", "Offset", "DefinedBy",
+        "Default", "RangeErrorAction", "ConversionFactor", "ConversionOffset", "Variable", "Factor", "Offset", "DefinedBy", "CType",
         "Members", "Key", "Storage", "RangeError",
     ),
 }  # fmt: skip

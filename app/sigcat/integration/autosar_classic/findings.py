@@ -79,9 +79,14 @@ def _report_call(call: Runnable, context: Context) -> None:
         message = f"{call.name} must have a cycle time, or events that start it: no event starts its runnable."
         context.findings.report(codes.RUNNABLE_WITHOUT_EVENT, message, subject, "Give `cycleTime` in its scheduling.")
     for key, time in (("Cycletime", call.cycle_time), ("ExecOffset", milliseconds(call.execution_offset))):
-        if time and (Fraction(str(time)) * 1000) % context.settings.tick:
+        microseconds = Fraction(str(time or 0)) * 1000
+        if microseconds % context.settings.tick:
             message = f"{key} of {call.name} must be a multiple of the counter's tick, {context.settings.tick} µs, not {time} ms."
-            fix = "Correct it in the function, or set `tick` under `autosarClassic` in the deployment file."
+            fix = (
+                "Correct it in the function, or set `tick` under `autosarClassic` in the deployment file."
+                if microseconds.denominator == 1
+                else "AUTOSAR Classic counts whole microseconds: correct it in the function."
+            )
             context.findings.report(codes.TIME_NOT_IN_TICKS, message, subject, fix, key=key)
 
 

@@ -53,7 +53,7 @@ _DATA: Targets = {
     "Variable": _FIELD + ": Variable",
     "E2eError": FieldTarget("ComponentList", "ROS 2 checks no messages end to end; it is never set"),
     **dict.fromkeys(
-        ("DefinedBy", "Members", "TimeoutStart", "TimeoutValue", "TimeoutRecovery", "RangeError", "InitElements",
+        ("DefinedBy", "CType", "Members", "TimeoutStart", "TimeoutValue", "TimeoutRecovery", "RangeError", "InitElements",
          "DefaultElements", "Overflow", "OverflowError", "ValuesPerStep", "CountVariable"),
         _CORE,
     ),
@@ -81,7 +81,7 @@ _PARAMETER: Targets = {
     "Variable": "{parameter}: Variable",
     "InitElements": "{parameter}: Default",
     **dict.fromkeys(("Factor", "Offset"), "{parameter}: Conversion"),
-    **dict.fromkeys(("DefinedBy", "Members", "Key", "Storage", "RangeError"), _CORE),
+    **dict.fromkeys(("DefinedBy", "CType", "Members", "Key", "Storage", "RangeError"), _CORE),
 }
 _METHOD: Targets = {
     "Name": "{service}: MethodName",
@@ -99,12 +99,13 @@ _ERROR: Targets = {
     "OccurenceCountLimit": "{status}: OccurenceCountLimit",
     "IgnitionCountLimit": FieldTarget("{status}: IgnitionCountLimit", "each configuring begins a cycle"),
     "MaturationTime": "{status}: MaturationTime",
+    "MaturationTimeNanoseconds": "{status}: MaturationTime",
     "Severity": "{status}: Severity and Level",
     "ResetTime": "{status}: ResetTime",
     "ResetCondition": FieldTarget("{status}: ResetCondition", "in words, for people"),
     "AsilLevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
     "VssPath": "{topic}: VssPath; {status}: VssPath",
-    **dict.fromkeys(("Variable", "StatusVariable", "DefinedBy", "Reset"), _CORE),
+    **dict.fromkeys(("Variable", "StatusVariable", "DefinedBy", "CType", "Reset"), _CORE),
 }
 _REACTION: Targets = {
     "Name": "{topic}: InterfaceName; {condition}: SafetyReaction",
@@ -113,7 +114,7 @@ _REACTION: Targets = {
     "ErrorList": "{condition}: Statuses",
     "AsilLevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
     "VssPath": "{topic}: VssPath; {condition}: VssPath",
-    **dict.fromkeys(("Variable", "DefinedBy", "Initial", "Timeout"), _CORE),
+    **dict.fromkeys(("Variable", "DefinedBy", "CType", "Initial", "Timeout"), _CORE),
 }
 _CALL_IN_C: Targets = dict.fromkeys(
     ("Symbol", "Arguments", "SuccessValue", "PreProcessing", "PostProcessing", "Checkpoint", "OverrunError"), _CORE
@@ -123,6 +124,7 @@ _CALL: Targets = {
     "Description": _VERBATIM,
     "Runtype": "{schedule}: Trigger",
     "Cycletime": "{schedule}: Period",
+    "CycletimeNanoseconds": "{schedule}: Period",
     "StackSize": FieldTarget(NOT_CARRIED, "a thread has the stack size of the process"),
     "PrevRunnable": FieldTarget("{schedule}: After", "a call of the same node; the life cycle runs init first"),
     "ExecOffset": "{schedule}: Offset",
@@ -144,7 +146,7 @@ _TRANSITIONS: Targets = {
     **_CALL_IN_C,
     **{
         field: FieldTarget("ComponentList", "a transition runs when it is asked for, in the thread of the service")
-        for field in ("Cycletime", "ExecOffset", "ParallelProcessing", "Scheduling", "DebounceDelay", "Priority",
+        for field in ("Cycletime", "CycletimeNanoseconds", "ExecOffset", "ParallelProcessing", "Scheduling", "DebounceDelay", "Priority",
                       "Watchdog", "SupervisionType", "PrevRunnable", "EventList", "Description", "VssPath")
     },
     "Name": "{schedule}: Runnables",
@@ -161,7 +163,7 @@ _MODE_INTERFACE: Targets = {
     "Modes": "message {message}: Constants",
     "VssPath": "{topic}: VssPath",
     **dict.fromkeys(
-        ("Variable", "DefinedBy", "Initial", "UnknownAction", "UnknownError", "Values"),
+        ("Variable", "DefinedBy", "CType", "Initial", "UnknownAction", "UnknownError", "Values"),
         _CORE,
     ),
 }

@@ -317,7 +317,7 @@ class Diagnostic(WireModel):
     message: Text = described("Message", "Text of the status while the error is present.", source=OWN)
     level: Name = described("Level", "Level while the error is confirmed: WARN or ERROR.", source=OWN)
     severity: Words = described("Severity", "What the error leads to.", source=OWN)
-    maturation_time: Integer = described("MaturationTime", "Time until confirmed.", unit="ms", source=OWN)
+    maturation_time: Number = described("MaturationTime", "Time until confirmed.", unit="ms", source=OWN)
     occurrence_count_limit: Integer = described("OccurenceCountLimit", "Occurrences until confirmed.", source=OWN)
     ignition_count_limit: Integer = described(
         "IgnitionCountLimit", "Ignition cycles with the error until confirmed; each configuring begins one.", source=OWN

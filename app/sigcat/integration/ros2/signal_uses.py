@@ -62,7 +62,7 @@ class SignalUse(NamedTuple):
         return asil_of(self.data.asil_level or self.runnable.asil_level)
 
     @property
-    def cycle(self) -> int | None:
+    def cycle(self) -> float | None:
         """Cycle of the call, in ms, if it has one."""
         return self.runnable.cycle_time if run_kind(self.runnable) == CYCLIC else None
 

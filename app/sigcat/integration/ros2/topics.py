@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.function.document.text import Text
+from sigcat.function.function_json.duration import time_in_a_name
 from sigcat.integration.finding_collector import FindingCollector
 from sigcat.integration.ros2.common_types import STAMP
 from sigcat.integration.ros2.conversions import conversion, to_catalogue
@@ -100,13 +101,13 @@ class _Together(NamedTuple):
 
     queued: frozenset[str]
     """Keys of signals that a side queues: a topic of their own has the depth of the queue."""
-    shared: frozenset[tuple[str, int | None]]
+    shared: frozenset[tuple[str, float | None]]
     """Functions and cycles in which several calls provide signals: one message has what one call writes."""
 
     @classmethod
     def of(cls, uses: Iterable[SignalUse], providers: Iterable[SignalUse]) -> "_Together":
         """Of every use of the set, and the first provider of each signal."""
-        calls: dict[tuple[str, int | None], set[str]] = {}
+        calls: dict[tuple[str, float | None], set[str]] = {}
         for use in providers:
             calls.setdefault((use.part.function_name, use.cycle), set()).add(f"{use.part.name}.{use.runnable.name}")
         return cls(
@@ -139,7 +140,7 @@ def _group(use: SignalUse, providing: SignalUse | None, together: _Together, set
     if settings.topics == "cycle" and providing and providing.cycle and use.key not in together.queued:
         is_shared = (provider, providing.cycle) in together.shared
         call = (f"{providing.part.name}_{providing.runnable.name}",) if is_shared else ()
-        names = (provider, *call, f"Cycle{providing.cycle}ms")
+        names = (provider, *call, f"Cycle{time_in_a_name(providing.cycle)}")
         title = f"What {' '.join((provider, *call))} provides every {providing.cycle} ms."
         return _Group(names, "".join(map(camel_case, names)), title)
     if settings.topics == "function":
@@ -301,7 +302,7 @@ def _interface(mine: Sequence[SignalUse]) -> str:
 
 
 def _check_timeouts(mine: Sequence[SignalUse], topic: Topic, findings: FindingCollector) -> None:
-    slowest: dict[str, int] = {}
+    slowest: dict[str, float] = {}
     for use in topic.uses:
         if use.is_provider and use.cycle:
             slowest[use.key] = max(use.cycle, slowest.get(use.key, 0))

@@ -12,6 +12,7 @@ from sigcat.errors import InputRefused
 from sigcat.findings import Finding, in_order
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.walk import parts
+from sigcat.runs.building.clashes import clashes
 from sigcat.runs.building.commands import Compilation
 from sigcat.runs.building.diagnostics import Diagnostic, diagnostics
 from sigcat.runs.connections import Member
@@ -43,9 +44,20 @@ def refused(failed: Sequence[Said], members: Sequence[Member], cores: Sequence[C
         file.name: _Generated(member, file, core.origins)
         for member, core in zip(members, cores, strict=True) for file in core.files
     }  # fmt: skip
-    findings = in_order([finding for said in failed for finding in _findings(said, members, generated)])
+    told = [tuple(_causes(said, members)) or tuple(_findings(said, members, generated)) for said in failed]
+    findings = in_order(tuple(dict.fromkeys(finding for each in told for finding in each)))
     words = "" if findings else f"\n{failed[0].text.strip()}"
     return InputRefused(f"The functions cannot be run: {_doing(failed[0], generated)} failed.{words}", findings)
+
+
+def _causes(said: Said, members: Sequence[Member]) -> Iterator[Finding]:
+    """Names that headers replace, if generated code does not compile: these explain all errors there."""
+    one = said.compilation
+    if one is None or one.member is None or not one.source.stem.endswith(("_adapter", "_driver")):
+        return
+    member = members[one.member]
+    header = one.source.with_name(member.plan.header_file)
+    yield from clashes(member, f"{header.read_text()}\n{one.source.read_text()}")
 
 
 def _doing(said: Said, generated: Mapping[str, _Generated]) -> str:

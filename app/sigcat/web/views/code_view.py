@@ -111,7 +111,7 @@ def _said(notes: list[str]) -> tuple[str, ...]:
 
 def _of_data(item: Signal | DataQueue) -> list[str]:
     return [
-        _defined(item.defined_by),
+        _defined(item),
         f"starts with {item.init_elements}" if item.init_elements else "",
         _late(item),
         _out_of_range(item.range_error_action, item.range_error),
@@ -156,15 +156,16 @@ def _members(item: Signal | DataQueue | ParameterInterface) -> str:
     return f"members: {names}" if names else ""
 
 
-def _defined(by: str | None) -> str:
-    return "defined by the adapter" if by == "Adapter" else ""
+def _defined(item: Signal | DataQueue | ParameterInterface | ErrorInterface | SafetyReaction | ModeInterface) -> str:
+    as_type = f" as {item.c_type}" if item.c_type else ""
+    return f"defined by the adapter{as_type}" if item.defined_by == "Adapter" else ""
 
 
 def _of_parameter(parameter: ParameterInterface) -> list[str]:
     key = f"key {parameter.key}" if parameter.key else ""
     stored = " ".join(filter(None, (key, f"in {parameter.storage}" if parameter.storage else "")))
     return [
-        _defined(parameter.defined_by),
+        _defined(parameter),
         f"starts with {parameter.init_elements}" if parameter.init_elements else "",
         _out_of_range(parameter.range_error_action, parameter.range_error),
         f"stored under {stored}" if key else f"stored {stored}" if stored else "",
@@ -174,20 +175,20 @@ def _of_parameter(parameter: ParameterInterface) -> list[str]:
 
 def _of_error(error: ErrorInterface) -> list[str]:
     reset = "a restart" if error.reset == "Restart" else error.reset
-    return [_defined(error.defined_by), f"reset by {reset}" if reset else ""]
+    return [_defined(error), f"reset by {reset}" if reset else ""]
 
 
 def _of_reaction(reaction: SafetyReaction) -> list[str]:
     initial = f"initially {reaction.initial}" if reaction.initial else ""
     silent = f"ACTIVE after {reaction.timeout} ms without a value" if reaction.timeout else ""
-    return [_defined(reaction.defined_by), initial, silent]
+    return [_defined(reaction), initial, silent]
 
 
 def _of_mode(mode: ModeInterface) -> list[str]:
     unknown = {"Keep": "keeps the last", "Initial": "takes the initial one"}.get(mode.unknown_action or "", "")
     said = ", ".join(filter(None, (unknown, f"sets {mode.unknown_error}" if mode.unknown_error else "")))
     return [
-        _defined(mode.defined_by),
+        _defined(mode),
         f"initially {mode.initial}" if mode.initial else "",
         f"unknown: {said}" if said else "",
         ", ".join(f"{each.symbol} is {each.value}" for each in mode.values or ()),

@@ -46,17 +46,44 @@ CoreAcc_Adapter CoreAcc_Adapter_Instance;
 #define CORE_ACC_ADAPTER_SIZE_OF(variable) sizeof(((void)0, variable))
 #endif
 
+/* Kinds of numbers: 1 unsigned, 2 signed, 3 floating, 4 boolean; 0 is any other type, or a language before C11. */
+#if !defined(__cplusplus) && defined(__GNUC__) && !defined(__STRICT_ANSI__)
+#define CORE_ACC_ADAPTER_GENERIC __extension__ _Generic
+#elif !defined(__cplusplus) && defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 201112L)
+#define CORE_ACC_ADAPTER_GENERIC _Generic
+#endif
+#if defined(CORE_ACC_ADAPTER_GENERIC)
+#define CORE_ACC_ADAPTER_KIND(value) CORE_ACC_ADAPTER_GENERIC((value), \
+    _Bool: 4, float: 3, double: 3, long double: 3, \
+    signed char: 2, short: 2, int: 2, long: 2, long long: 2, \
+    unsigned char: 1, unsigned short: 1, unsigned int: 1, unsigned long: 1, unsigned long long: 1, default: 0)
+#else
+#define CORE_ACC_ADAPTER_KIND(value) 0
+#endif
+/* A number keeps its value in a type of its kind, and an unsigned one in a signed type that is wider. */
+#define CORE_ACC_ADAPTER_AGREES(from, to, is_wider) \
+    ((CORE_ACC_ADAPTER_KIND(from) == 0) || (CORE_ACC_ADAPTER_KIND(to) == 0) || \
+     (CORE_ACC_ADAPTER_KIND(from) == CORE_ACC_ADAPTER_KIND(to)) || \
+     ((CORE_ACC_ADAPTER_KIND(from) == 1) && (CORE_ACC_ADAPTER_KIND(to) == 2) && (is_wider)))
+
+#define CORE_ACC_ADAPTER_WHOLE(variable) \
+    CORE_ACC_ADAPTER_CHECK(CORE_ACC_ADAPTER_KIND(variable) != 3, \
+        variable_must_be_an_integer, #variable " must be an integer, not a floating-point number")
 #define CORE_ACC_ADAPTER_HOLDS(variable, type) \
-    CORE_ACC_ADAPTER_CHECK(CORE_ACC_ADAPTER_SIZE_OF(variable) >= sizeof(type), \
+    CORE_ACC_ADAPTER_CHECK((CORE_ACC_ADAPTER_SIZE_OF(variable) >= sizeof(type)) && \
+        CORE_ACC_ADAPTER_AGREES((type)0, variable, CORE_ACC_ADAPTER_SIZE_OF(variable) > sizeof(type)), \
         variable_must_not_be_narrower_than_declared, #variable " must be " #type)
 #define CORE_ACC_ADAPTER_FITS(variable, type) \
-    CORE_ACC_ADAPTER_CHECK(CORE_ACC_ADAPTER_SIZE_OF(variable) <= sizeof(type), \
+    CORE_ACC_ADAPTER_CHECK((CORE_ACC_ADAPTER_SIZE_OF(variable) <= sizeof(type)) && \
+        CORE_ACC_ADAPTER_AGREES(variable, (type)0, CORE_ACC_ADAPTER_SIZE_OF(variable) < sizeof(type)), \
         variable_must_not_be_wider_than_declared, #variable " must be " #type)
 
-/* Variables of CoreAcc are as large as declared: a build fails where one is not. */
+/* Variables of CoreAcc have the declared kind, sign and size, or the build fails. */
 CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Veh.BrkCylP, double);
 CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Veh.SteerWhlAg, double);
+CORE_ACC_ADAPTER_WHOLE(core_inputs.bus_ACCIn.Bus_Cust.EnaGACC);
 CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Cust.EgoVehMass, double);
+CORE_ACC_ADAPTER_WHOLE(core_inputs.bus_ACCIn.Bus_Cust.EgoVehDshbSpdUnit);
 CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Veh.EgoVehALgt, double);
 CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Veh.EgoVehSpd, double);
 CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Cust.SetSpd, float);
@@ -111,7 +138,7 @@ static void CoreAcc_Adapter_Suspend(CoreAcc_Adapter_Error *error)
 }
 
 /* Whether a value is late, judged in each snapshot. What is late stays so until enough new values have come. */
-static void CoreAcc_Adapter_Judge(CoreAcc_Adapter_Clock *clock, const CoreAcc_Adapter_Reception *reception,
+static void CoreAcc_Adapter_Judge(CoreAcc_Adapter_Clock *own_clock, const CoreAcc_Adapter_Reception *reception,
     uint64_t entered,
     uint64_t time_out, uint32_t recovery, bool starts_with_first, uint64_t t)
 {
@@ -119,17 +146,17 @@ static void CoreAcc_Adapter_Judge(CoreAcc_Adapter_Clock *clock, const CoreAcc_Ad
     const uint64_t last = (is_there && (reception->time > entered)) ? reception->time : entered;
 
     if ((is_there || !starts_with_first) && ((t - last) > time_out)) {
-        clock->is_late = true;
-        clock->count = reception->count;
-    } else if (clock->is_late && ((reception->count - clock->count) >= recovery)) {
-        clock->is_late = false;
+        own_clock->is_late = true;
+        own_clock->count = reception->count;
+    } else if (own_clock->is_late && ((reception->count - own_clock->count) >= recovery)) {
+        own_clock->is_late = false;
     } else {
         /* as before */
     }
-    if (clock->is_late) {
-        clock->verdict = CORE_ACC_ADAPTER_PRESENT;
+    if (own_clock->is_late) {
+        own_clock->verdict = CORE_ACC_ADAPTER_PRESENT;
     } else {
-        clock->verdict = is_there ? CORE_ACC_ADAPTER_ABSENT : CORE_ACC_ADAPTER_NOT_JUDGED;
+        own_clock->verdict = is_there ? CORE_ACC_ADAPTER_ABSENT : CORE_ACC_ADAPTER_NOT_JUDGED;
     }
 }
 

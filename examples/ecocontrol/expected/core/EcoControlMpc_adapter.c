@@ -44,18 +44,44 @@
 #define ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) sizeof(((void)0, variable))
 #endif
 
+/* Kinds of numbers: 1 unsigned, 2 signed, 3 floating, 4 boolean; 0 is any other type, or a language before C11. */
+#if !defined(__cplusplus) && defined(__GNUC__) && !defined(__STRICT_ANSI__)
+#define ECO_CONTROL_MPC_ADAPTER_GENERIC __extension__ _Generic
+#elif !defined(__cplusplus) && defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 201112L)
+#define ECO_CONTROL_MPC_ADAPTER_GENERIC _Generic
+#endif
+#if defined(ECO_CONTROL_MPC_ADAPTER_GENERIC)
+#define ECO_CONTROL_MPC_ADAPTER_KIND(value) ECO_CONTROL_MPC_ADAPTER_GENERIC((value), \
+    _Bool: 4, float: 3, double: 3, long double: 3, \
+    signed char: 2, short: 2, int: 2, long: 2, long long: 2, \
+    unsigned char: 1, unsigned short: 1, unsigned int: 1, unsigned long: 1, unsigned long long: 1, default: 0)
+#else
+#define ECO_CONTROL_MPC_ADAPTER_KIND(value) 0
+#endif
+/* A number keeps its value in a type of its kind, and an unsigned one in a signed type that is wider. */
+#define ECO_CONTROL_MPC_ADAPTER_AGREES(from, to, is_wider) \
+    ((ECO_CONTROL_MPC_ADAPTER_KIND(from) == 0) || (ECO_CONTROL_MPC_ADAPTER_KIND(to) == 0) || \
+     (ECO_CONTROL_MPC_ADAPTER_KIND(from) == ECO_CONTROL_MPC_ADAPTER_KIND(to)) || \
+     ((ECO_CONTROL_MPC_ADAPTER_KIND(from) == 1) && (ECO_CONTROL_MPC_ADAPTER_KIND(to) == 2) && (is_wider)))
+
 #define ECO_CONTROL_MPC_ADAPTER_SELF ((EcoControlMpc_Adapter *)0)
+#define ECO_CONTROL_MPC_ADAPTER_WHOLE(variable) \
+    ECO_CONTROL_MPC_ADAPTER_CHECK(ECO_CONTROL_MPC_ADAPTER_KIND(variable) != 3, \
+        variable_must_be_an_integer, #variable " must be an integer, not a floating-point number")
 #define ECO_CONTROL_MPC_ADAPTER_HOLDS(variable, type) \
-    ECO_CONTROL_MPC_ADAPTER_CHECK(ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) >= sizeof(type), \
+    ECO_CONTROL_MPC_ADAPTER_CHECK((ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) >= sizeof(type)) && \
+        ECO_CONTROL_MPC_ADAPTER_AGREES((type)0, variable, ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) > sizeof(type)), \
         variable_must_not_be_narrower_than_declared, #variable " must be " #type)
 #define ECO_CONTROL_MPC_ADAPTER_FITS(variable, type) \
-    ECO_CONTROL_MPC_ADAPTER_CHECK(ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) <= sizeof(type), \
+    ECO_CONTROL_MPC_ADAPTER_CHECK((ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) <= sizeof(type)) && \
+        ECO_CONTROL_MPC_ADAPTER_AGREES(variable, (type)0, ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) < sizeof(type)), \
         variable_must_not_be_wider_than_declared, #variable " must be " #type)
 #define ECO_CONTROL_MPC_ADAPTER_HAS(variable, count) \
     ECO_CONTROL_MPC_ADAPTER_CHECK(sizeof(variable) == ((size_t)(count) * sizeof((variable)[0])), \
         variable_must_have_as_many_elements_as_declared, #variable " must have " #count " elements")
 
-/* Variables of EcoControlMpc are as large as declared: a build fails where one is not. */
+/* Variables of EcoControlMpc have the declared kind, sign and size, or the build fails. */
+ECO_CONTROL_MPC_ADAPTER_WHOLE(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.EnaMpc);
 ECO_CONTROL_MPC_ADAPTER_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.EgoSpd, float);
 ECO_CONTROL_MPC_ADAPTER_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.SetSpd, float);
 ECO_CONTROL_MPC_ADAPTER_HAS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.HorizonAlt, 50);
@@ -111,7 +137,7 @@ static void EcoControlMpc_Adapter_Suspend(EcoControlMpc_Adapter_Error *error)
 }
 
 /* Whether a value is late, judged in each snapshot. What is late stays so until enough new values have come. */
-static void EcoControlMpc_Adapter_Judge(EcoControlMpc_Adapter_Clock *clock,
+static void EcoControlMpc_Adapter_Judge(EcoControlMpc_Adapter_Clock *own_clock,
     const EcoControlMpc_Adapter_Reception *reception, uint64_t entered,
     uint64_t time_out, uint32_t recovery, bool starts_with_first, uint64_t t)
 {
@@ -119,17 +145,17 @@ static void EcoControlMpc_Adapter_Judge(EcoControlMpc_Adapter_Clock *clock,
     const uint64_t last = (is_there && (reception->time > entered)) ? reception->time : entered;
 
     if ((is_there || !starts_with_first) && ((t - last) > time_out)) {
-        clock->is_late = true;
-        clock->count = reception->count;
-    } else if (clock->is_late && ((reception->count - clock->count) >= recovery)) {
-        clock->is_late = false;
+        own_clock->is_late = true;
+        own_clock->count = reception->count;
+    } else if (own_clock->is_late && ((reception->count - own_clock->count) >= recovery)) {
+        own_clock->is_late = false;
     } else {
         /* as before */
     }
-    if (clock->is_late) {
-        clock->verdict = ECO_CONTROL_MPC_ADAPTER_PRESENT;
+    if (own_clock->is_late) {
+        own_clock->verdict = ECO_CONTROL_MPC_ADAPTER_PRESENT;
     } else {
-        clock->verdict = is_there ? ECO_CONTROL_MPC_ADAPTER_ABSENT : ECO_CONTROL_MPC_ADAPTER_NOT_JUDGED;
+        own_clock->verdict = is_there ? ECO_CONTROL_MPC_ADAPTER_ABSENT : ECO_CONTROL_MPC_ADAPTER_NOT_JUDGED;
     }
 }
 

@@ -46,14 +46,36 @@ WheelSpeedCalculation_Adapter WheelSpeedCalculation_Adapter_Instance;
 #define WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) sizeof(((void)0, variable))
 #endif
 
+/* Kinds of numbers: 1 unsigned, 2 signed, 3 floating, 4 boolean; 0 is any other type, or a language before C11. */
+#if !defined(__cplusplus) && defined(__GNUC__) && !defined(__STRICT_ANSI__)
+#define WHEEL_SPEED_CALCULATION_ADAPTER_GENERIC __extension__ _Generic
+#elif !defined(__cplusplus) && defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 201112L)
+#define WHEEL_SPEED_CALCULATION_ADAPTER_GENERIC _Generic
+#endif
+#if defined(WHEEL_SPEED_CALCULATION_ADAPTER_GENERIC)
+#define WHEEL_SPEED_CALCULATION_ADAPTER_KIND(value) WHEEL_SPEED_CALCULATION_ADAPTER_GENERIC((value), \
+    _Bool: 4, float: 3, double: 3, long double: 3, \
+    signed char: 2, short: 2, int: 2, long: 2, long long: 2, \
+    unsigned char: 1, unsigned short: 1, unsigned int: 1, unsigned long: 1, unsigned long long: 1, default: 0)
+#else
+#define WHEEL_SPEED_CALCULATION_ADAPTER_KIND(value) 0
+#endif
+/* A number keeps its value in a type of its kind, and an unsigned one in a signed type that is wider. */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_AGREES(from, to, is_wider) \
+    ((WHEEL_SPEED_CALCULATION_ADAPTER_KIND(from) == 0) || (WHEEL_SPEED_CALCULATION_ADAPTER_KIND(to) == 0) || \
+     (WHEEL_SPEED_CALCULATION_ADAPTER_KIND(from) == WHEEL_SPEED_CALCULATION_ADAPTER_KIND(to)) || \
+     ((WHEEL_SPEED_CALCULATION_ADAPTER_KIND(from) == 1) && (WHEEL_SPEED_CALCULATION_ADAPTER_KIND(to) == 2) && (is_wider)))
+
 #define WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(variable, type) \
-    WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) >= sizeof(type), \
+    WHEEL_SPEED_CALCULATION_ADAPTER_CHECK((WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) >= sizeof(type)) && \
+        WHEEL_SPEED_CALCULATION_ADAPTER_AGREES((type)0, variable, WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) > sizeof(type)), \
         variable_must_not_be_narrower_than_declared, #variable " must be " #type)
 #define WHEEL_SPEED_CALCULATION_ADAPTER_FITS(variable, type) \
-    WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) <= sizeof(type), \
+    WHEEL_SPEED_CALCULATION_ADAPTER_CHECK((WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) <= sizeof(type)) && \
+        WHEEL_SPEED_CALCULATION_ADAPTER_AGREES(variable, (type)0, WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) < sizeof(type)), \
         variable_must_not_be_wider_than_declared, #variable " must be " #type)
 
-/* Variables of WheelSpeedCalculation are as large as declared: a build fails where one is not. */
+/* Variables of WheelSpeedCalculation have the declared kind, sign and size, or the build fails. */
 WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_in.WhlRotFL, float);
 WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_in.WhlRotFR, float);
 WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_in.WhlRotRL, float);

@@ -52,24 +52,24 @@ def judge(prefix: str, macro: str) -> Lines:
     """Whether a value is late, judged in each snapshot. What is late stays so until enough new values have come."""
     return lines(f"""
         /* Whether a value is late, judged in each snapshot. What is late stays so until enough new values have come. */
-        static void {prefix}_Judge({prefix}_Clock *clock, const {prefix}_Reception *reception, uint64_t entered,
+        static void {prefix}_Judge({prefix}_Clock *own_clock, const {prefix}_Reception *reception, uint64_t entered,
             uint64_t time_out, uint32_t recovery, bool starts_with_first, uint64_t t)
         {{
             const bool is_there = reception->is_there;
             const uint64_t last = (is_there && (reception->time > entered)) ? reception->time : entered;
 
             if ((is_there || !starts_with_first) && ((t - last) > time_out)) {{
-                clock->is_late = true;
-                clock->count = reception->count;
-            }} else if (clock->is_late && ((reception->count - clock->count) >= recovery)) {{
-                clock->is_late = false;
+                own_clock->is_late = true;
+                own_clock->count = reception->count;
+            }} else if (own_clock->is_late && ((reception->count - own_clock->count) >= recovery)) {{
+                own_clock->is_late = false;
             }} else {{
                 /* as before */
             }}
-            if (clock->is_late) {{
-                clock->verdict = {macro}_PRESENT;
+            if (own_clock->is_late) {{
+                own_clock->verdict = {macro}_PRESENT;
             }} else {{
-                clock->verdict = is_there ? {macro}_ABSENT : {macro}_NOT_JUDGED;
+                own_clock->verdict = is_there ? {macro}_ABSENT : {macro}_NOT_JUDGED;
             }}
         }}
     """)

@@ -114,8 +114,16 @@ _BREAKS = (" || ", " && ", " ? ", " : ", ", ", " = ", "(")
 
 
 def wrapped(part: Lines) -> Lines:
-    """Lines that are not wider than a page: a comment goes before its line, a long line is broken where it can be."""
-    return tuple(each for line in part for each in _wrapped(line))
+    """Lines that are not wider than a page: a comment goes before its line, a long line is broken where it can be.
+
+    A macro of several lines stays as it is.
+    """
+    before = (Line(""), *part)
+    return tuple(
+        each
+        for previous, line in zip(before, part, strict=False)
+        for each in ((line,) if previous.text.endswith("\\") else _wrapped(line))
+    )
 
 
 def _wrapped(line: Line) -> Lines:

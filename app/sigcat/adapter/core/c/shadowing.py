@@ -8,7 +8,8 @@ from sigcat.adapter.core.c.scope import MARK
 from sigcat.adapter.core.plan import GLOBALS, Call, CorePlan
 
 _LOCAL = re.compile(r"\s+(?:static )?(?:const )?[A-Za-z_]\w* \*?([A-Za-z_]\w*)(?:\[[^]]*\])?(?: = .*)?;")
-_HEAD = re.compile(r"(?:static )?[A-Za-z_][\w ]* \*?\w+\((.*)\)")
+_HEAD = re.compile(r"^(?:static )?[A-Za-z_][\w ]* \*?\w+\(([^(){};]*)\)$", re.MULTILINE)
+"""It may have several lines."""
 _ARGUMENT = re.compile(r"(\w+)(?:,|$)")
 _NAME = re.compile(r"(?<![\w.>])[A-Za-z_]\w*")
 
@@ -35,11 +36,10 @@ def _renamed(text: str, taken: re.Pattern[str]) -> str:
 
 
 def _locals(part: Lines) -> Iterator[str]:
+    for head in _HEAD.finditer("\n".join(line.text for line in part)):
+        yield from _ARGUMENT.findall(head[1])
     for line in part:
-        head, local = _HEAD.fullmatch(line.text), _LOCAL.fullmatch(line.text)
-        if head:
-            yield from _ARGUMENT.findall(head[1])
-        elif local:
+        if local := _LOCAL.fullmatch(line.text):
             yield local[1]
 
 

@@ -1,4 +1,4 @@
-"""Sizes of the function's own variables, held against what is declared of them while the core is compiled (section 14)."""
+"""Types of the function's own variables, compared with what is declared of them while the core is compiled (section 14)."""
 
 from collections.abc import Iterator
 
@@ -10,6 +10,8 @@ from sigcat.function.document.text_filters import block_comment
 
 PUT, GOT = "HOLDS", "FITS"
 """A variable that numbers are put into may be wider than declared; one that they are got from may be narrower."""
+WHOLE = "WHOLE"
+"""A flag or an enumeration may be in an integer of any size, but not in a floating-point variable."""
 
 
 def sizes(scope: Scope) -> list[Lines]:
@@ -18,9 +20,11 @@ def sizes(scope: Scope) -> list[Lines]:
     if not checks:
         return []
     text = lines(
-        block_comment(f"Variables of {scope.plan.function} are as large as declared: a build fails where one is not.")
+        block_comment(f"Variables of {scope.plan.function} have the declared kind, sign and size, or the build fails.")
     )
-    return [_assertion(scope), _macros(scope, "\n".join(line.text for line in checks)), (*text, *dict.fromkeys(checks))]
+    macros = _macros(scope, "\n".join(line.text for line in checks))
+    kinds = _kinds(scope, "\n".join(line.text for line in macros))
+    return [_assertion(scope), kinds, macros, (*text, *dict.fromkeys(checks))]
 
 
 def _assertion(scope: Scope) -> Lines:
@@ -54,9 +58,63 @@ def _assertion(scope: Scope) -> Lines:
     """)
 
 
+def _kinds(scope: Scope, macros: str) -> Lines:
+    """The macros that tell kinds of numbers, if the checks use them."""
+    kind = _kind_in_cpp(scope) if scope.is_cpp else _kind_in_c(scope)
+    if scope.constant("AGREES") in macros:
+        return joined([kind, _agreement(scope)])
+    return kind if scope.constant("KIND") in macros else ()
+
+
+def _kind_in_c(scope: Scope) -> Lines:
+    kind, generic = scope.constant("KIND"), scope.constant("GENERIC")
+    return lines(f"""
+        /* Kinds of numbers: 1 unsigned, 2 signed, 3 floating, 4 boolean; 0 is any other type, or a language before C11. */
+        #if !defined(__cplusplus) && defined(__GNUC__) && !defined(__STRICT_ANSI__)
+        #define {generic} __extension__ _Generic
+        #elif !defined(__cplusplus) && defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 201112L)
+        #define {generic} _Generic
+        #endif
+        #if defined({generic})
+        #define {kind}(value) {generic}((value), \\
+            _Bool: 4, float: 3, double: 3, long double: 3, \\
+            signed char: 2, short: 2, int: 2, long: 2, long long: 2, \\
+            unsigned char: 1, unsigned short: 1, unsigned int: 1, unsigned long: 1, unsigned long long: 1, default: 0)
+        #else
+        #define {kind}(value) 0
+        #endif
+    """)
+
+
+def _kind_in_cpp(scope: Scope) -> Lines:
+    name = f"{scope.prefix}_KindOf"
+    return lines(f"""
+        /* Kinds of numbers: 1 unsigned, 2 signed, 3 floating, 4 boolean; 0 is any other type. */
+        template <typename T> constexpr int {name}()
+        {{
+            return std::is_same<T, bool>::value ? 4 : std::is_floating_point<T>::value ? 3
+                : (!std::is_integral<T>::value || std::is_same<T, char>::value) ? 0 : std::is_signed<T>::value ? 2 : 1;
+        }}
+        #define {scope.constant("KIND")}(value) \\
+            {name}<std::remove_cv<std::remove_reference<decltype(value)>::type>::type>()
+    """)
+
+
+def _agreement(scope: Scope) -> Lines:
+    kind = scope.constant("KIND")
+    return lines(f"""
+        /* A number keeps its value in a type of its kind, and an unsigned one in a signed type that is wider. */
+        #define {scope.constant("AGREES")}(from, to, is_wider) \\
+            (({kind}(from) == 0) || ({kind}(to) == 0) || \\
+             ({kind}(from) == {kind}(to)) || \\
+             (({kind}(from) == 1) && ({kind}(to) == 2) && (is_wider)))
+    """)
+
+
 _MACROS = {
-    "HOLDS": ("variable, type", "{size}(variable) >= sizeof(type)", "variable_must_not_be_narrower_than_declared", '#variable " must be " #type'),
-    "FITS": ("variable, type", "{size}(variable) <= sizeof(type)", "variable_must_not_be_wider_than_declared", '#variable " must be " #type'),
+    "WHOLE": ("variable", "{kind}(variable) != 3", "variable_must_be_an_integer", '#variable " must be an integer, not a floating-point number"'),
+    "HOLDS": ("variable, type", "({size}(variable) >= sizeof(type)) && \\\n        {agrees}((type)0, variable, {size}(variable) > sizeof(type))", "variable_must_not_be_narrower_than_declared", '#variable " must be " #type'),
+    "FITS": ("variable, type", "({size}(variable) <= sizeof(type)) && \\\n        {agrees}(variable, (type)0, {size}(variable) < sizeof(type))", "variable_must_not_be_wider_than_declared", '#variable " must be " #type'),
     "HAS": ("variable, count", "sizeof(variable) == ((size_t)(count) * sizeof((variable)[0]))", "variable_must_have_as_many_elements_as_declared", '#variable " must have " #count " elements"'),
     "HAS_ROOM": ("variable, count", "sizeof(variable) >= ((size_t)(count) * sizeof((variable)[0]))", "variable_must_have_at_least_as_many_elements_as_declared", '#variable " must have at least " #count " elements"'),
 }  # fmt: skip
@@ -65,14 +123,15 @@ _MACROS = {
 
 def _macros(scope: Scope, text: str) -> Lines:
     """Those that a text uses."""
-    check, size = scope.constant("CHECK"), scope.constant("SIZE_OF")
+    check = scope.constant("CHECK")
+    names = {"size": scope.constant("SIZE_OF"), "kind": scope.constant("KIND"), "agrees": scope.constant("AGREES")}
     nobody = "static_cast<{0} *>(nullptr)" if scope.is_cpp else "(({0} *)0)"
     rows = [f"#define {scope.constant('SELF')} {nobody.format(scope.prefix)}"] if "SELF" in text else []
     for name, (arguments, holds, declared, message) in _MACROS.items():
         macro = scope.constant(name)
         if f"{macro}(" in text:
             rows.append(
-                f"#define {macro}({arguments}) \\\n    {check}({holds.format(size=size)}, \\\n        {declared}, {message})"
+                f"#define {macro}({arguments}) \\\n    {check}({holds.format(**names)}, \\\n        {declared}, {message})"
             )
     return lines("\n".join(rows))
 
@@ -133,13 +192,17 @@ def _of_leaf(
     if leaf.length is not None:
         yield _check("HAS", f"{variable}{place.partition('[i]')[0]}", str(leaf.length), pointer, scope)
     number = leaf.element.target if macro == PUT else leaf.element.source
-    if not leaf.element.is_enumeration and not number.is_boolean:
-        yield _check(macro, f"{variable}{place.replace('[i]', '[0]')}", number.c, pointer, scope)
+    target = f"{variable}{place.replace('[i]', '[0]')}"
+    if leaf.element.is_enumeration or number.is_boolean:
+        yield _check(WHOLE, target, "", pointer, scope)
+    else:
+        yield _check(macro, target, number.c, pointer, scope)
 
 
 def _check(macro: str, variable: str, declared: str, pointer: Pointer, scope: Scope) -> Lines:
-    """A variable held against its declared type or number of elements."""
-    return (Line(f"{scope.constant(macro)}({_outside(variable, scope)}, {declared});", pointer),)
+    """A variable compared with its declared type or number of elements."""
+    arguments = ", ".join(filter(None, (_outside(variable, scope), declared)))
+    return (Line(f"{scope.constant(macro)}({arguments});", pointer),)
 
 
 def _outside(variable: str, scope: Scope) -> str:

@@ -25,25 +25,27 @@ def source(scope: Scope, title: Lines, header_name: str) -> Lines:
     """The whole source."""
     body = _without_unused_tables(_functions(scope))
     text = "\n".join(line.text for line in joined(body))
+    checks = sizes(scope)
     return spaced([
         title,
-        _includes(text, header_name, is_cpp=scope.is_cpp),
+        _includes(text, header_name, is_cpp=scope.is_cpp, has_checks=bool(checks)),
         _mark(scope),
         _evaluation(scope),
         *_variables(scope),
-        *sizes(scope),
+        *checks,
         *used_functions(text, scope.prefix, scope.macro),
         *body,
     ])  # fmt: skip
 
 
-def _includes(text: str, header_name: str, *, is_cpp: bool) -> Lines:
+def _includes(text: str, header_name: str, *, is_cpp: bool, has_checks: bool) -> Lines:
     known = (
         ("<float.h>", True),
         ("<math.h>", "_Quiet" in text or "_ToFloat(" in text),
         ("<stddef.h>", True),
         ("<string.h>", "mem" in text),
         ("<new>", is_cpp),
+        ("<type_traits>", is_cpp and has_checks),
     )
     rows = [f"#include {c_string(header_name)}", "", *(f"#include {name}" for name, is_used in known if is_used)]
     return lines("\n".join(rows))

@@ -3,7 +3,7 @@
 from clang.cindex import AccessSpecifier, Cursor, CursorKind, StorageClass, TypeKind
 
 from sigcat.function.c_project.libclang.answer import Answer, Json, file_of, place_of, qualified
-from sigcat.function.c_project.libclang.types_of_c import member_of, type_of
+from sigcat.function.c_project.libclang.types_of_c import member_of, type_of, written_type
 from sigcat.function.c_project.libclang.uses import uses_of
 from sigcat.function.c_project.libclang.values_of_c import value_of
 
@@ -64,6 +64,7 @@ def _variable(cursor: Cursor, answer: Answer) -> Json:
     return {
         "name": qualified(cursor),
         "type": type_of(cursor.type, answer),
+        "written": written_type(cursor.type),
         "const": is_const,
         "static": cursor.storage_class == StorageClass.STATIC,
         "defined": cursor.storage_class != StorageClass.EXTERN or has_value,

@@ -5,7 +5,7 @@ from typing import Any
 
 from clang.cindex import Cursor, CursorKind, TypeKind
 
-from sigcat.function.c_project.libclang.answer import Answer, Json, place_of, qualified
+from sigcat.function.c_project.libclang.answer import Answer, Json, file_of, place_of, qualified
 
 _DEEPEST = 12
 _INT = 4
@@ -79,8 +79,33 @@ def _names(kind: Any) -> list[str]:
             break
         names.append(qualified(declaration))
         kind = declaration.underlying_typedef_type
-    spelled = _unqualified(kind.spelling)
-    return names if "(" in spelled else [*names, spelled]
+    spelled = next((each for each in (kind.spelling, kind.get_canonical().spelling) if "(" not in each), "")
+    return [*names, _unqualified(spelled)] if spelled else names
+
+
+def written_type(kind: Any) -> str:
+    """The name by which other files declare a variable of this type, of an array that of its elements.
+
+    A name that only a source knows is replaced by what it stands for.
+    """
+    while kind.get_canonical().kind == TypeKind.CONSTANTARRAY:
+        kind = _inner(kind.get_array_element_type(), kind.get_canonical().get_array_element_type())
+    volatile = "volatile " if kind.get_canonical().is_volatile_qualified() and "volatile" not in kind.spelling else ""
+    declaration = kind.get_declaration()
+    if declaration.kind == CursorKind.NO_DECL_FOUND or not file_of(declaration).endswith(_SOURCES):
+        return volatile + _plain_bool(kind.spelling)
+    canonical = kind.get_canonical()
+    if canonical.kind == TypeKind.ENUM:
+        return volatile + str(canonical.get_declaration().enum_type.spelling)
+    return volatile + _plain_bool(canonical.spelling)
+
+
+_SOURCES = (".c", ".cc", ".cpp", ".cxx")
+
+
+def _plain_bool(name: str) -> str:
+    """Without a name that only <stdbool.h> has."""
+    return " ".join("_Bool" if word == "bool" else word for word in name.split())
 
 
 def _unqualified(name: str) -> str:

@@ -1,0 +1,186 @@
+"""Variables of the code, compared with the headers that declare them, where these and libclang are at hand."""
+
+import re
+from collections.abc import Iterator, Mapping
+from importlib.util import find_spec
+from pathlib import Path
+from typing import NamedTuple
+
+from sigcat import codes
+from sigcat.errors import InputRefused
+from sigcat.findings import Finding
+from sigcat.function.c_project.c_types import vss_datatype
+from sigcat.function.c_project.declarations import CType, Declarations
+from sigcat.function.c_project.files import CodeFiles, headers_of
+from sigcat.function.c_project.parsing import lacks_system_header, parse_unit
+from sigcat.function.document.document import Pointer
+from sigcat.function.function_json.code import CLASS, GLOBALS, POINTERS, CodeInterface, is_inside
+from sigcat.function.function_json.datatype import Datatype, innermost
+from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.function.function_json.role import PROVIDER
+from sigcat.function.function_json.variables import CodeVariable, variables
+from sigcat.function.function_json.walk import data
+
+_ADAPTER = "Adapter"
+_UNIT = "sigcat-variables"
+_PROBE = "sigcat_variable_"
+_SIZED = re.compile(r"(?P<unsigned>u?)int(?P<bits>8|16|32|64)_t")
+_FLOATING = {"float": 32, "double": 64}
+
+
+class _Number(NamedTuple):
+    """Kind and size of a number."""
+
+    sort: str
+    bits: int
+
+    def fits(self, other: "_Number") -> bool:
+        """Whether every number of this type is one of another type."""
+        is_widened = (self.sort, other.sort) == ("unsigned", "signed") and self.bits < other.bits
+        return is_widened or (self.sort == other.sort and self.bits <= other.bits)
+
+
+class _Question(NamedTuple):
+    """A line of the text that clang is given, and what of the declaration it was made from."""
+
+    text: str
+    pointer: Pointer
+    variable: CodeVariable | None = None
+    is_definition: bool = False
+
+
+def unfit_variables(function: ResolvedFunction) -> Iterator[Finding]:
+    """A finding for each variable whose type is not the declared one. Headers that are incomplete are not compared."""
+    code = function.function.code
+    if code is None or function.origin is None or not code.headers or find_spec("clang") is None:
+        return
+    if not all(map(is_inside, (*code.headers, *(code.include_folders or ())))):
+        return
+    folder = Path(function.document.name).parent
+    texts = headers_of(folder, code.headers, code.include_folders or ())
+    if texts is None:
+        return
+    questions = tuple(each for each in _questions(function, code) if each.text.isprintable())  # in one line
+    answers = _answers(code, texts, questions)
+    if answers is not None:
+        yield from _compared(function, questions, answers, len(_head(code)))
+
+
+def _head(code: CodeInterface) -> list[str]:
+    return ["#include <stdint.h>", "#include <stdbool.h>", *(f'#include "{each}"' for each in code.headers or ())]
+
+
+def _answers(code: CodeInterface, texts: Mapping[str, str], questions: tuple[_Question, ...]) -> Declarations | None:
+    unit = f"{_UNIT}.{'cpp' if code.signature == CLASS else 'c'}"
+    text = "\n".join([*_head(code), *(each.text for each in questions), ""])
+    definitions = tuple(each.as_option for each in code.definitions or ())
+    try:
+        found = parse_unit(CodeFiles({**texts, unit: text}, definitions=definitions), unit)
+    except InputRefused:
+        return None
+    before = len(_head(code))
+    is_incomplete = any(
+        not lacks_system_header(error) and not (error.place.file == unit and error.place.line > before)
+        for error in found.errors
+    )
+    return None if is_incomplete else found
+
+
+# -- questions ----------------------------------------------------------------------------------------------------
+
+
+def _questions(function: ResolvedFunction, code: CodeInterface) -> Iterator[_Question]:
+    """A line that has the type of each variable, and one that declares again what the adapter defines."""
+    datatypes = {each.reference: each for each in function.function.datatypes}
+    for index, each in enumerate(code.objects or ()):
+        if code.signature == GLOBALS and each.defined_by == _ADAPTER:
+            text = f"extern {each.type} {each.name};"
+            yield _Question(text, ("Code", "Objects", index, "Type"), is_definition=True)
+    for number, variable in enumerate(variables(function.function)):
+        if variable.defined_by == _ADAPTER and code.signature == GLOBALS:
+            yield from _definition(variable, datatypes)
+        word = "decltype" if code.signature == CLASS else "__typeof__"
+        text = f"extern {word}({_seen(variable.expression, code)}) {_PROBE}{number};"
+        yield _Question(text, variable.pointer, variable)
+
+
+def _definition(variable: CodeVariable, datatypes: Mapping[str, Datatype]) -> Iterator[_Question]:
+    """As the adapter would write it."""
+    datatype = datatypes.get(variable.datatype or "")
+    element = innermost(variable.datatype or "", datatypes)
+    c_type = variable.c_type or (element.c_definition if element and element.kind is None else "")
+    length = f"[{datatype.length}]" if datatype and datatype.kind == "array" and datatype.length else ""
+    if c_type and re.fullmatch(r"[A-Za-z_]\w*", variable.expression, re.ASCII):
+        at = (*variable.pointer[:-1], "CType" if variable.c_type else "DefinedBy")
+        yield _Question(f"extern {c_type} {variable.expression}{length};", at, variable, is_definition=True)
+
+
+def _seen(expression: str, code: CodeInterface) -> str:
+    """A variable, seen from outside of an instance."""
+    if code.signature == CLASS:
+        return f"(({code.class_name} *)0)->{expression}"
+    if code.signature == POINTERS:
+        types = {each.name: each.type for each in code.objects or ()}
+        names = "|".join(map(re.escape, types)) or r"(?!)"
+        return re.sub(rf"(?<![\w.>])({names})\b", lambda match: f"(*({types[match[1]]} *)0)", expression)
+    return expression
+
+
+# -- answers ------------------------------------------------------------------------------------------------------
+
+
+def _compared(
+    function: ResolvedFunction, questions: tuple[_Question, ...], answers: Declarations, before: int
+) -> Iterator[Finding]:
+    wrong = {error.place.line: error.message for error in answers.errors}
+    types = {each.place.line: each.type for each in answers.variables if each.name.startswith(_PROBE)}
+    provided = {pointer for pointer, _, item in data(function.function) if item.role == PROVIDER}
+    datatypes = {each.reference: each for each in function.function.datatypes}
+    for line, question in enumerate(questions, before + 1):
+        if question.is_definition:
+            if line in wrong:
+                yield _not_definable(function, question, wrong[line])
+        elif question.variable and line in types and line not in wrong:
+            is_read = question.pointer[:-1] in provided
+            yield from _unfit(function, question.variable, types[line], datatypes, is_read=is_read)
+
+
+def _not_definable(function: ResolvedFunction, question: _Question, said: str) -> Finding:
+    message = f"The adapter must define the variable as the header declares it; clang says: {said}."
+    fix = "Give the type of the header as `cType`." if question.variable else "Correct the type."
+    return function.finding(codes.VARIABLE_TYPE_UNFIT, question.pointer, message, fix)
+
+
+def _unfit(
+    function: ResolvedFunction,
+    variable: CodeVariable,
+    found: CType,
+    datatypes: Mapping[str, Datatype],
+    *,
+    is_read: bool,
+) -> Iterator[Finding]:
+    kind = found.target
+    while kind.kind == "array" and kind.of:
+        kind = kind.of
+    datatype = innermost(variable.datatype or "", datatypes)
+    if kind.kind != "number" or datatype is None or "char" in kind.names[-1:]:
+        return
+    has, declared = _Number(kind.sort, kind.bits), _number(datatype)
+    if declared is None:
+        if has.sort == "floating" and datatype.kind != "struct" and datatype.vss_datatype != "string":
+            message = f"{variable.expression!r} must be an integer; the header has {kind.name}."
+            yield function.finding(codes.VARIABLE_TYPE_UNFIT, variable.pointer, message, "Correct the code.")
+    elif not (has.fits(declared) if is_read else declared.fits(has)):
+        message = f"{variable.expression!r} must be {datatype.c_definition}; the header has {kind.name}."
+        fix = f"Give `datatype: {vss_datatype(kind)}`, or correct the code."
+        yield function.finding(codes.VARIABLE_TYPE_UNFIT, variable.pointer, message, fix)
+
+
+def _number(datatype: Datatype) -> _Number | None:
+    """The number that a datatype is; None for a flag, an enumeration or anything else."""
+    if datatype.kind is not None:
+        return None
+    if datatype.c_definition in _FLOATING:
+        return _Number("floating", _FLOATING[datatype.c_definition])
+    match = _SIZED.fullmatch(datatype.c_definition)
+    return _Number("unsigned" if match["unsigned"] else "signed", int(match["bits"])) if match else None

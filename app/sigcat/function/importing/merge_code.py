@@ -1,0 +1,366 @@
+"""Code that was generated again, merged into its function.yaml: what a person wrote stays."""
+
+import re
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from yaml.nodes import MappingNode, Node, SequenceNode
+
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.reading.yaml_document import read_document
+from sigcat.errors import InputRefused
+from sigcat.findings import Finding
+from sigcat.function.c_project.project import Call, CodeProject
+from sigcat.function.c_project.read_project import read_project
+from sigcat.function.c_project.values import Value
+from sigcat.function.declaration.declaration import Declaration, read_declaration
+from sigcat.function.importing.added_entries import added
+from sigcat.function.importing.function_text import Draft, said_of
+from sigcat.function.importing.import_code import below, draft_of, shown
+from sigcat.function.importing.own_signals import checked_branch
+from sigcat.function.importing.signals import Signal
+from sigcat.function.importing.start_values import factor_of
+from sigcat.function.importing.yaml_edits import (
+    Edit,
+    Text,
+    edited,
+    entries_of,
+    inline,
+    items_of,
+    text_of,
+    value_at,
+)
+from sigcat.function.importing.yaml_text import comment, scalar
+from sigcat.names import last_name
+
+_PLAIN = re.compile(r"[A-Za-z_]\w*(?:\.\w+|\[\d+\])*", re.ASCII)
+_MADE = re.compile(r"\s*# \S+\.(?:h|hh|hpp|hxx|c|cc|cpp|cxx):\d+\b")
+"""A comment that the import wrote."""
+_BOM = "\ufeff"
+
+
+class Merged(NamedTuple):
+    """The text of a function.yaml after a merge, and a line for each change."""
+
+    text: str
+    report: tuple[str, ...]
+    findings: tuple[Finding, ...]
+
+
+class _Entry(NamedTuple):
+    """An entry of `data` or `parameters` that names a variable."""
+
+    kind: str
+    listed: SequenceNode
+    number: int
+    node: MappingNode
+    variable: str
+
+
+class _Known(NamedTuple):
+    """The present code."""
+
+    project: CodeProject
+    values: Mapping[str, tuple[str, Value]]
+    """Role and value, by the expression."""
+
+    def is_gone(self, variable: str) -> bool:
+        """Whether the code has no such variable any more."""
+        return bool(_PLAIN.fullmatch(variable)) and variable not in self.project.expressions
+
+
+def merge_code(
+    data: bytes,
+    file: Path,
+    folder: Path,
+    catalogue: Catalogue,
+    model: str = "",
+    definitions: Sequence[str] = (),
+    branch: str = "",
+) -> Merged:
+    """The function.yaml with the variables that the code in a folder has now. Raises UsageError, InputRefused."""
+    if branch:
+        checked_branch(branch, catalogue)
+    declared = read_declaration(data, str(file))
+    if declared.declaration is None:
+        raise InputRefused(f"{file} cannot be updated: it has errors.", declared.findings)
+    declaration = declared.declaration
+    project = read_project(folder, declaration.function, model, definitions or _definitions(declaration))
+    known = _Known(project, _values(project))
+    text = data.decode("utf-8").removeprefix(_BOM).replace("\r\n", "\n")
+    text, gone = _without_gone(text, known)
+    text, changed = _with_changes(text, known, catalogue, below(folder, file.parent))
+    new = _new(project, set(_variables(declared.document.value)))
+    draft = draft_of(declaration.function, new, folder, file.parent, catalogue, "", branch, *_taken(declaration))
+    text = _in_place(added(text, draft), draft)
+    if b"\r\n" in data:
+        text = text.replace("\n", "\r\n")
+    merged = read_declaration(text.encode(), str(file))
+    if merged.declaration is None:
+        raise InputRefused(f"{file} cannot be updated: what it would become has errors.", merged.findings)
+    report = (*gone, *changed, *_new_entries(draft), *_calls_and_sources(declaration, project, draft))
+    return Merged(text, report, shown(project, folder))
+
+
+def _definitions(declaration: Declaration) -> list[str]:
+    given = declaration.code.definitions if declaration.code else {}
+    return [name if value is None else f"{name}={value}" for name, value in given.items()]
+
+
+def _values(project: CodeProject) -> dict[str, tuple[str, Value]]:
+    interface = project.interface
+    roles = (("consumed", interface.inputs), ("provided", interface.outputs), ("parameter", interface.parameters))
+    return {value.expression: (role, value) for role, values in roles for value in values if not value.problem}
+
+
+def _new(project: CodeProject, variables: Collection[str]) -> CodeProject:
+    """The project with those values alone that the file does not name."""
+    whole = project.interface
+    inputs, outputs, parameters = (
+        tuple(value for value in values if value.expression not in variables)
+        for values in (whole.inputs, whole.outputs, whole.parameters)
+    )
+    return project._replace(interface=whole._replace(inputs=inputs, outputs=outputs, parameters=parameters))
+
+
+def _variables(value: Any) -> Iterator[str]:
+    """Every variable that a file names, whatever it holds."""
+    if isinstance(value, dict):
+        for key, each in value.items():
+            if isinstance(each, str) and str(key).lower().endswith("variable"):
+                yield each
+            yield from _variables(each)
+    elif isinstance(value, list):
+        for each in value:
+            yield from _variables(each)
+
+
+def _taken(declaration: Declaration) -> tuple[frozenset[str], frozenset[str]]:
+    """Paths of the file's signals and last names of its parameters."""
+    runnables = [call for component in declaration.components for call in component.runnables]
+    paths = {item.path for call in runnables for item in call.data}
+    names = {last_name(item.path) for call in runnables for item in call.parameters}
+    define = declaration.define
+    return frozenset(paths), frozenset({*names, *(define.parameters if define else ())})
+
+
+# -- entries ------------------------------------------------------------------------------------------------------
+
+
+def _root(text: str) -> Node | None:
+    return read_document(text.encode(), "function.yaml").root
+
+
+def _entries(root: Node | None) -> Iterator[_Entry]:
+    for component in items_of(value_at(root, "components")):
+        for runnable in items_of(value_at(component, "runnables")):
+            for kind in ("data", "parameters"):
+                listed = value_at(runnable, kind)
+                for index, node in enumerate(items_of(listed)):
+                    variable = text_of(value_at(node, "variable"))
+                    if variable and isinstance(node, MappingNode) and isinstance(listed, SequenceNode):
+                        yield _Entry(kind, listed, index, node, variable)
+
+
+def _without_gone(text: str, known: _Known) -> tuple[str, tuple[str, ...]]:
+    """Without the entries of variables that are gone, one after the other: each moves those behind it."""
+    report: list[str] = []
+    while found := next((each for each in _entries(_root(text)) if known.is_gone(each.variable)), None):
+        path = text_of(value_at(found.node, "path")) or ""
+        report.append(f"gone: {found.variable} ({path})")
+        text = _without(text, found, path)
+    return text, tuple(report)
+
+
+def _without(text: str, entry: _Entry, path: str) -> str:
+    whole, root = Text(text), _root(text)
+    if len(entry.listed.value) > 1 or entry.listed.flow_style:
+        text = edited(text, [whole.without_item(entry.listed, entry.number)])
+    else:  # the key goes with its only item
+        owner = _owner(root, entry.listed, entry.kind)
+        text = edited(text, [whole.without_key(owner, entry.kind)])
+    defined = value_at(root, "define", entry.kind)
+    is_used = any(text_of(value_at(each.node, "path")) == path for each in _entries(_root(text)))
+    return _without_definition(text, entry.kind, path) if path in entries_of(defined) and not is_used else text
+
+
+def _owner(root: Node | None, listed: SequenceNode, kind: str) -> Node:
+    at = listed.start_mark.index
+    return next(
+        runnable
+        for component in items_of(value_at(root, "components"))
+        for runnable in items_of(value_at(component, "runnables"))
+        if (found := value_at(runnable, kind)) is not None and found.start_mark.index == at
+    )
+
+
+def _without_definition(text: str, kind: str, name: str) -> str:
+    """Remove a definition that nothing refers to any more."""
+    root = _root(text)
+    define = value_at(root, "define")
+    definitions = value_at(define, kind)
+    assert root is not None
+    assert define is not None
+    assert definitions is not None
+    whole = Text(text)
+    if len(entries_of(definitions)) > 1:
+        return edited(text, [whole.without_key(definitions, name)])
+    if len(entries_of(define)) > 1:
+        return edited(text, [whole.without_key(define, kind)])
+    return edited(text, [whole.without_key(root, "define")])
+
+
+# -- changes ------------------------------------------------------------------------------------------------------
+
+
+def _with_changes(text: str, known: _Known, catalogue: Catalogue, folder: str) -> tuple[str, tuple[str, ...]]:
+    root, whole = _root(text), Text(text)
+    edits: list[Edit] = []
+    report: list[str] = []
+    for entry in _entries(root):
+        if entry.variable not in known.values:
+            continue
+        role, value = known.values[entry.variable]
+        if (role == "parameter") != (entry.kind == "parameters"):
+            report.append(f"kept: {entry.variable} is {role} in the code; move it by hand")
+            continue
+        changes = _changes(entry, role, value, root, catalogue)
+        for node, key, before, now in changes:
+            edits += whole.set_value(node, key, now, "variable" if node is entry.node else "datatype")
+            report.append(f"changed: {entry.variable}: {key} {_word(before)} → {_word(now)}")
+        report += _kept(entry, value)
+        edits += _comment(entry, value, whole, folder)
+    return edited(text, edits), tuple(dict.fromkeys(report))
+
+
+_Change = tuple[Node, str, Any, Any]
+"""The mapping, its key, and the value before and now."""
+
+
+def _changes(entry: _Entry, role: str, value: Value, root: Node | None, catalogue: Catalogue) -> Iterator[_Change]:
+    """Differences in types and scales, where the code decides."""
+    node = entry.node
+    if entry.kind == "data" and text_of(value_at(node, "role")) != role:
+        yield node, "role", text_of(value_at(node, "role")), role
+    is_scaled = value.datatype not in ("float", "double", "boolean")
+    derived = {
+        "definedBy": "adapter" if value.defined_by == "adapter" else None,
+        "cType": value.c_type or None,
+    }
+    for key, now in derived.items():
+        before = text_of(value_at(node, key))
+        if before != now and not (key == "definedBy" and before == "function" and now is None):
+            yield node, key, before, now
+    for key, number in (("factor", value.remark.factor), ("offset", value.remark.offset)):
+        given = text_of(value_at(node, key))
+        if is_scaled and number is not None and (given is None or float(given) != number):
+            yield node, key, given, number
+    yield from _datatypes(entry, value, root, catalogue)
+    yield from _numbers(entry, value, root)
+
+
+def _datatypes(entry: _Entry, value: Value, root: Node | None, catalogue: Catalogue) -> Iterator[_Change]:
+    """Differences in the datatype of the entry, or of the definition in the file."""
+    now = f"{value.datatype}{'[]' if value.length else ''}"
+    path = text_of(value_at(entry.node, "path")) or ""
+    defined = value_at(root, "define", entry.kind, path)
+    before = text_of(value_at(entry.node, "datatype"))
+    is_enumeration = value_at(defined, "allowed") is not None
+    if before is not None and before != now:
+        yield entry.node, "datatype", before, now
+    elif before is None and defined is None and (known := _of_catalogue(path, catalogue)) not in ("", now):
+        yield entry.node, "datatype", known, now
+    if defined is None or is_enumeration:
+        return
+    own = text_of(value_at(defined, "datatype"))
+    if factor_of(value) is None and own == (before or own) and own != now:
+        yield defined, "datatype", own, now
+    length = text_of(value_at(defined, "arraysize"))
+    if (length or "0") != str(value.length):
+        yield defined, "arraysize", length, value.length or None
+
+
+def _of_catalogue(path: str, catalogue: Catalogue) -> str:
+    """The datatype of a signal; empty where there is none, or it is an enumeration."""
+    node = catalogue.get(path)
+    return str(node.values.get("datatype") or "") if node and not node.values.get("allowed") else ""
+
+
+def _numbers(entry: _Entry, value: Value, root: Node | None) -> Iterator[_Change]:
+    """Numbers of an enumeration, by its own names or those of the catalogue, which end its own."""
+    node, own = entry.node, {each.name: each.value for each in value.constants}
+    before = {key: text_of(each) for key, (_, each) in entries_of(value_at(node, "values")).items()}
+    found = {key: _number(key, value) for key in before}
+    renamed = {key: found[key] if found[key] is not None else int(number or 0) for key, number in before.items()}
+    defined = value_at(root, "define", entry.kind, text_of(value_at(node, "path")) or "")
+    allowed = [text_of(each) for each in items_of(value_at(defined, "allowed"))]
+    has_own_names = own.keys() >= before.keys() and allowed == list(before)
+    now = own if has_own_names else renamed
+    if has_own_names and list(own) != allowed and defined is not None:
+        yield defined, "allowed", allowed, list(own)
+    if value.constants and {key: str(number) for key, number in now.items()} != before:
+        yield node, "values", before, now
+
+
+def _number(name: str, value: Value) -> int | None:
+    plain = re.sub(r"[\W_]", "", name).lower()
+    return next(
+        (each.value for each in value.constants if re.sub(r"[\W_]", "", each.name).lower().endswith(plain)), None
+    )
+
+
+def _kept(entry: _Entry, value: Value) -> Iterator[str]:
+    """Ranges that a person may have chosen."""
+    for key, now in (("min", value.remark.min), ("max", value.remark.max)):
+        given = text_of(value_at(entry.node, key))
+        if now is not None and given is not None and float(given) != now:
+            yield f"kept: {entry.variable}: {key} {given}; the code has {now:g}"
+
+
+def _comment(entry: _Entry, value: Value, whole: Text, folder: str) -> Iterator[Edit]:
+    """The line that the import wrote, with the line of the code where the variable is now."""
+    made = [(at, line) for at, line in whole.comments_above(entry.node) if _MADE.match(line)]
+    for at, line in made if entry.kind == "data" else ():
+        signal = Signal(value, "consumed", "", "")
+        now = comment(len(line) - len(line.lstrip()), next(said_of(signal, folder)))
+        if now != line:
+            yield Edit(at, at + len(line), now)
+
+
+def _word(value: Any) -> str:
+    return "none" if value is None else inline(value)
+
+
+# -- the report ---------------------------------------------------------------------------------------------------
+
+
+def _in_place(text: str, draft: Draft) -> str:
+    """Comments that name lines of calls and objects, with the lines where they are now."""
+    project = draft.project
+    for each in (*((call.symbol, call.place) for call in project.calls),
+                 *((one.name, one.place) for one in project.interface.objects)):  # fmt: skip
+        name, place = re.escape(scalar(each[0])), each[1]
+        now = f"{Path(draft.folder, place.file).as_posix()}:{place.line}"
+        text = re.sub(rf"^(.*\b(?:symbol|name): {name}\b.*  # )\S+:\d+$", rf"\g<1>{now}", text, flags=re.MULTILINE)
+    return text
+
+
+def _new_entries(draft: Draft) -> Iterator[str]:
+    yield from (f"new: {each.value.expression} ({each.path})" for each in draft.signals)
+    yield from (f"new: {each.value.expression} ({each.keys['path']})" for each in draft.parameters)
+
+
+def _calls_and_sources(declaration: Declaration, project: CodeProject, draft: Draft) -> Iterator[str]:
+    """Calls and sources that the file does not name: a person adds them."""
+    known = {call.symbol or call.interface for each in declaration.components for call in each.runnables}
+    yield from (f"kept: the call {call.symbol} is not in the file" for call in project.calls if _is_new(call, known))
+    listed = {Path(each).as_posix() for each in (declaration.code.sources if declaration.code else ())}
+    for source in project.sources:
+        path = Path(draft.folder, source).as_posix()
+        if path not in listed:
+            yield f"kept: the source {path} is not among `sources`"
+
+
+def _is_new(call: Call, known: Collection[str]) -> bool:
+    return call.symbol not in known

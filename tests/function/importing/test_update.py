@@ -1,0 +1,182 @@
+"""Code that was generated again is merged into its function.yaml: what a person wrote stays."""
+
+import pytest
+
+from sigcat.cli import main
+
+HEADER = """\
+#pragma once
+typedef unsigned char boolean_T;
+typedef enum { OFF_M, ON_M } md_t;
+extern boolean_T Enabled;          /* '<Root>/Enabled' */
+extern short Pressure;             /* '<Root>/Pressure' [kPa] */
+extern volatile unsigned char Vol; /* '<Root>/Vol' [percent] */
+extern md_t Md;                    /* '<Root>/Md' */
+extern float Gain;                 /* Variable: Gain */
+extern float Duty;                 /* '<S1>/Duty' [%] [0,100] */
+void Pump_initialize(void);
+void Pump_step(void);              /* Sample time: [0.01s, 0.0s] */
+"""
+SOURCE = """\
+#include "Pump.h"
+float Duty;
+float Gain = 2.5F;
+void Pump_initialize(void) {}
+void Pump_step(void) { Duty = Gain * (Enabled + Vol + Md + Pressure); }
+"""
+NEXT = (
+    HEADER.replace("extern short Pressure;             /* '<Root>/Pressure' [kPa] */\n", "")
+    .replace("extern boolean_T Enabled;", "extern float Flow;                 /* '<Root>/Flow' Flow of the coolant */\nextern boolean_T Enabled;")
+    .replace("volatile unsigned char Vol", "unsigned short Vol")
+    .replace("OFF_M, ON_M", "OFF_M, STANDBY_M, ON_M")
+    .replace("extern float Gain;                 /* Variable: Gain */", "extern float Limit;                /* Variable: Limit */")
+    .replace("[0,100]", "[0,90]")
+)  # fmt: skip
+NEXT_SOURCE = SOURCE.replace("Gain = 2.5F", "Limit = 7.0F").replace("Gain *", "Limit *").replace("Pressure", "Flow")
+
+
+@pytest.fixture
+def folder(tmp_path):
+    write(tmp_path, HEADER, SOURCE)
+    assert main(["function", "new", "Pump", "--from-c", str(tmp_path), "--define-under", "Vehicle.Pump"]) == 0
+    return tmp_path
+
+
+def write(folder, header, source):
+    (folder / "Pump.h").write_text(header)
+    (folder / "Pump.c").write_text(source)
+
+
+def update(folder, *options):
+    return main(["function", "update", str(folder / "function.yaml"), "--from-c", str(folder), *options])
+
+
+def test_code_that_is_the_same_changes_nothing(folder, capsys):
+    before = (folder / "function.yaml").read_bytes()
+    capsys.readouterr()
+    assert update(folder) == 0
+    assert capsys.readouterr().out == "nothing changed\n"
+    assert (folder / "function.yaml").read_bytes() == before
+
+
+def test_new_gone_and_changed_variables_are_listed_and_applied(folder, capsys):
+    write(folder, NEXT, NEXT_SOURCE)
+    capsys.readouterr()
+    assert update(folder, "--define-under", "Vehicle.Pump") == 0
+    assert capsys.readouterr().out.splitlines() == [
+        "gone: Pressure (Vehicle.Pump.Pressure)",
+        "gone: Gain (Gain)",
+        "changed: Vol: cType volatile unsigned char → unsigned short",
+        "changed: Vol: datatype uint8 → uint16",
+        "changed: Md: allowed [OFF_M, ON_M] → [OFF_M, STANDBY_M, ON_M]",
+        'changed: Md: values {OFF_M: "0", ON_M: "1"} → {OFF_M: 0, STANDBY_M: 1, ON_M: 2}',
+        "kept: Duty: max 100; the code has 90",
+        "new: Flow (Vehicle.Pump.Flow)",
+        "new: Limit (Limit)",
+    ]
+    text = (folder / "function.yaml").read_text()
+    assert "Pressure" not in text
+    assert "Gain" not in text
+    assert (
+        "    Vehicle.Pump.Flow:\n      datatype: float\n      asil: QM\n      description: Flow of the coolant.\n"
+        in text
+    )
+    assert "          # Pump.h:4 float Flow of the coolant\n          - path: Vehicle.Pump.Flow\n" in text
+    assert "default: 7" in text
+    assert main(["lint", str(folder / "function.yaml")]) == 0
+    assert main(["simulate", str(folder / "function.yaml"), "--duration", "0.05"]) == 0
+    capsys.readouterr()
+    update(folder)
+    assert capsys.readouterr().out == "kept: Duty: max 100; the code has 90\n"
+
+
+def test_what_a_person_wrote_stays(folder):
+    file = folder / "function.yaml"
+    mine = (
+        file.read_text()
+        .replace("responsible: Name of a team", 'responsible: "Pump team"  # ask them, äöü')
+        .replace("            variable: Vol\n", "            variable: Vol  # of the tank\n            provider: Tank\n\n            timeout: 0.5\n")
+        .replace("          # Pump.h:6", "          # A remark of mine.\n          # Pump.h:6")
+        .replace("path: Vehicle.Pump.IsEnabled", "path: Vehicle.Speed")
+    )  # fmt: skip
+    file.write_text(mine)
+    write(folder, NEXT, NEXT_SOURCE)
+    update(folder)
+    text = file.read_text()
+    for each in (
+        'responsible: "Pump team"  # ask them, äöü\n',
+        "            variable: Vol  # of the tank\n            provider: Tank\n\n            timeout: 0.5\n",
+        "          # A remark of mine.\n          # Pump.h:6 unsigned short",
+        "path: Vehicle.Speed\n",
+        "path: Vehicle.TODO.Flow\n",
+    ):
+        assert each in text
+    removed = {line for line in mine.splitlines() if line not in text.splitlines()}
+    assert not any(word in line for line in removed for word in ("mine", "tank", "team", "Speed", "Tank"))
+
+
+def test_entries_in_braces_and_other_line_ends_stay_so(folder, capsys):
+    file = folder / "function.yaml"
+    file.write_bytes(
+        b"""function: Pump
+description: Pumps.
+responsible: Pump team
+code: {signature: globals, headers: [Pump.h], sources: [Pump.c]}
+components:
+  - name: Pump
+    runnables:
+      - {interface: Init, symbol: Pump_initialize}
+      - {interface: Step, symbol: Pump_step, data: [
+          {path: Vehicle.Pump.Pressure, role: consumed, variable: Pressure, datatype: int16},  # mine
+          {path: Vehicle.Pump.Duty, role: provided, variable: Duty}]}
+      - Terminate
+define:
+  data: {Vehicle.Pump: {type: branch, description: Signals.}, Vehicle.Pump.Pressure: {datatype: int16, asil: QM, description: Pressure.},
+    Vehicle.Pump.Duty: {datatype: float, asil: QM, description: Duty.}}
+  scheduling: {Init: {description: Prepares., asil: QM}, Step: {description: Works., asil: QM, cycleTime: 10}, Terminate: {description: Ends., asil: QM}}
+""".replace(b"\n", b"\r\n")
+    )
+    write(folder, NEXT, NEXT_SOURCE)
+    assert update(folder, "--define-under", "Vehicle.Pump") == 0
+    data = file.read_bytes()
+    assert data.count(b"\n") == data.count(b"\r\n")
+    assert b"Pressure" not in data
+    assert (
+        b"{path: Vehicle.Pump.Duty, role: provided, variable: Duty}, {path: Vehicle.Pump.Flow, role: consumed" in data
+    )
+    capsys.readouterr()
+    main(["lint", str(file)])
+    assert "F00" not in capsys.readouterr().out
+    update(folder)
+    assert "new" not in capsys.readouterr().out
+
+
+def test_variables_of_errors_and_expressions_by_hand_are_left_alone(folder, capsys):
+    file = folder / "function.yaml"
+    text = file.read_text()
+    step = "      - interface: Pump_Step\n"
+    assert step in text
+    file.write_text(
+        text.replace(step, f"{step}        errors: [{{interface: Late, variable: Enabled}}]\n")
+        .replace("variable: Pressure\n", "variable: '*(&Pressure)'\n")
+        .replace("define:\n", "define:\n  errors:\n    Late: {description: It is late., maturationTime: 0, resetTime: 0, resetCondition: It is over., severity: Off., asil: QM}\n")
+    )  # fmt: skip
+    write(folder, NEXT, NEXT_SOURCE)
+    capsys.readouterr()
+    assert update(folder) == 0
+    said = capsys.readouterr().out
+    assert "Pressure" not in said
+    assert "Enabled" not in said
+
+
+@pytest.mark.parametrize("text", ["function: [", "- a list\n", "function: Pump\ncomponents: 3\n"])
+def test_a_file_with_errors_is_told_and_stays(text, folder, capsys):
+    (folder / "function.yaml").write_text(text)
+    assert update(folder) == 1
+    assert "function.yaml:" in capsys.readouterr().err
+    assert (folder / "function.yaml").read_text() == text
+
+
+def test_the_folder_has_to_be_named(folder, capsys):
+    assert main(["function", "update", str(folder / "function.yaml")]) == 2
+    assert "--from-c" in capsys.readouterr().err
