@@ -3,12 +3,13 @@
 import argparse
 import sys
 import tempfile
+from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.command_parser import positive
 from sigcat.cli.ended_by_signals import ended_by_signals
-from sigcat.cli.output import write_bytes, write_text
+from sigcat.cli.output import opened, write_text
 from sigcat.cli.output_options import FORMATS, add_output, add_outputs
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import InputRefused, UsageError, existing_file
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from sigcat.findings import Finding
     from sigcat.runs.prepare import Prepared
     from sigcat.runs.recording.trace_file import Trace
+    from sigcat.runs.running.rows import Block
     from sigcat.runs.simulate import Settings
     from sigcat.runs.stored_file import Stored, StoredFile
 
@@ -87,19 +89,29 @@ def _simulate(arguments: argparse.Namespace, found: "list[Finding]", folder: Pat
     from sigcat.adapter.toolchain import toolchain
     from sigcat.runs.simulate import simulate as run
     from sigcat.runs.stored_file import EMPTY, stored_text
-    from sigcat.runs.written import check_plotted, signals_of, written
+    from sigcat.runs.written import check_plotted, echoes, form_of, signals_of
 
-    forms = _forms(arguments)
+    listed = _forms(arguments)
     tools = toolchain()
     prepared, trace = _prepared(arguments, found, folder)
     check_plotted(arguments.plot, signals_of(prepared, trace))
     stored = _stored(arguments.stored, prepared) if arguments.stored is not None else EMPTY
-    simulated = run(prepared, trace, _settings(arguments, stored.values), tools)
+    settings = _settings(arguments, stored.values)._replace(echoes=echoes([form for _, form in listed]))
+    with ExitStack() as files:
+        forms = [
+            form_of(form, files.enter_context(opened(path)), prepared, trace, arguments.plot) for path, form in listed
+        ]
+
+        def take(block: "Block") -> None:
+            for form in forms:
+                form.take(block)
+
+        simulated = run(prepared, trace, settings, tools, take)
+        for form in forms:
+            form.finish()
     _told(simulated.findings, found)
     for each in simulated.memory:
         print(each.text, file=sys.stderr)
-    for path, form in forms:
-        write_bytes(written(form, simulated, prepared, trace, arguments.plot), path)
     if simulated.stop is not None:
         raise simulated.stop
     if arguments.stored is not None:

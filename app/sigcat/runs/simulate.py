@@ -1,7 +1,7 @@
 """Functions are run with a trace, in simulated time: built in a folder that goes away again, then run to the end."""
 
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
@@ -18,12 +18,14 @@ from sigcat.runs.prepare import Prepared
 from sigcat.runs.recording.recorded import Recorded
 from sigcat.runs.recording.shapes import Value, packing
 from sigcat.runs.recording.trace_file import Trace, moments
-from sigcat.runs.running.rows import InitFails, Row, Stored
+from sigcat.runs.running.process import Limits
+from sigcat.runs.running.rows import Block, InitFails, Layout, Progress, Row, Stored, decoded, scanner
 from sigcat.runs.running.run import Command, Stopped, run
 from sigcat.runs.running.written_input import Span, write_input
 from sigcat.runs.stops import refusal
 
-INPUT = "input"
+INPUT, RESULTS = "input", "results"
+MIB = 1 << 20
 
 
 class Settings(NamedTuple):
@@ -41,25 +43,63 @@ class Settings(NamedTuple):
     """Functions that end without a word, by name, and when, in ns."""
     prints: Path | None = None
     """A file for what functions print; None: it goes where our errors go."""
+    memory_limit: int = 2048 * MIB
+    """Bytes that the process may allocate."""
+    output_limit: int = 1024 * MIB
+    """Bytes that the functions may print, and of a file that they write."""
+    echoes: bool = False
+    """Whether blocks have what is received, too."""
 
 
 class Simulated(NamedTuple):
     """What happened in a run."""
 
-    rows: tuple[Recorded, ...]
     kept: Mapping[Kept, Value]
     """What the functions keep for the next ignition cycle."""
     findings: tuple[Finding, ...]
     stop: InputRefused | None
     """Why it did not come to its end."""
-    end: int
-    """When it was to end, in ns."""
     memory: tuple[Memory, ...] = ()
     """What the core of each function takes, if that was asked for."""
 
 
-def simulate(prepared: Prepared, trace: Trace | None, settings: Settings, tools: Toolchain) -> Simulated:
-    """Run the functions. Raises InputRefused if the trace cannot be used, or the code cannot be built."""
+Take = Callable[[Block], None]
+"""A function that takes rows as they come."""
+
+
+class Collected:
+    """Takes rows, and keeps all of them: memory grows with the length of the run."""
+
+    def __init__(self, prepared: Prepared) -> None:
+        self.rows: list[Recorded] = []
+        self._prepared, self._layout = prepared, layout_of(prepared)
+
+    def __call__(self, block: Block) -> None:
+        """Take a block."""
+        found = decoded(block, self._layout)
+        self.rows += [recorded(row, self._prepared) for row in found if isinstance(row, Row)]
+
+
+def layout_of(prepared: Prepared) -> Layout:
+    """Values of records of the driver."""
+    connections = prepared.connections
+    return Layout(*([packing(each.shape) for each in listed]
+                    for listed in (connections.exits, connections.entries, prepared.numbers.kept)))  # fmt: skip
+
+
+def recorded(row: Row, prepared: Prepared) -> Recorded:
+    """A row with names."""
+    exits = prepared.connections.exits
+    call = prepared.numbers.calls[row.call] if row.call is not None else None
+    values = tuple([(exits[number].names[0], value) for number, value in row.values])
+    return Recorded(row.time, call.interface if call else "", values)
+
+
+def simulate(prepared: Prepared, trace: Trace | None, settings: Settings, tools: Toolchain, take: Take) -> Simulated:
+    """Run the functions; rows are taken as they come.
+
+    Raises InputRefused if the trace cannot be used, or the code cannot be built: then no row was taken.
+    """
     with tempfile.TemporaryDirectory(prefix="sigcat-") as name:
         folder = Path(name)
         members = prepared.connections.members
@@ -68,10 +108,12 @@ def simulate(prepared: Prepared, trace: Trace | None, settings: Settings, tools:
         check_length(members, start, end, trace, span.line if settings.duration is None else None)
         program = build(prepared.connections, prepared.numbers, folder, tools)
         memory = memory_of(members, folder, tools) if settings.tells_memory else ()
+        limits = Limits(settings.step_limit, settings.output_limit)
         command = Command(
-            program, folder / INPUT, start, end, settings.ignition_cycle, settings.step_limit, settings.prints
-        )
-        return _run(prepared, command, trace)._replace(memory=memory)
+            (str(program),), folder / INPUT, folder / RESULTS, start, end, settings.ignition_cycle, settings.echoes,
+            settings.memory_limit, limits, settings.prints,
+        )  # fmt: skip
+        return _run(prepared, command, trace, take)._replace(memory=memory)
 
 
 def _write_input(prepared: Prepared, trace: Trace | None, settings: Settings, path: Path) -> Span:
@@ -92,31 +134,23 @@ def _times(span: Span, settings: Settings) -> tuple[int, int]:
     return start, span.last
 
 
-def _run(prepared: Prepared, command: Command, trace: Trace | None) -> Simulated:
-    exits = [packing(each.shape) for each in prepared.connections.exits]
-    kept = [packing(each.shape) for each in prepared.numbers.kept]
-    rows: list[Recorded] = []
+def _run(prepared: Prepared, command: Command, trace: Trace | None, take: Take) -> Simulated:
+    layout, progress = layout_of(prepared), Progress()
     left: dict[Kept, Value] = {}
     findings: list[Finding] = []
     stop = None
     try:
-        for event in run(command, exits, kept):
-            if isinstance(event, Row):
-                rows.append(_recorded(event, prepared))
+        for event in run(command, layout, scanner(layout), progress):
+            if isinstance(event, Block):
+                take(event)
             elif isinstance(event, Stored):
                 left[prepared.numbers.kept[event.kept]] = event.value
             elif isinstance(event, InitFails):
                 findings.append(_init_fails(prepared, event.member))
     except Stopped as stopped:
-        stop = refusal(stopped, prepared, trace, rows, command.step_limit)
-    return Simulated(tuple(rows), left, tuple(findings), stop, command.end)
-
-
-def _recorded(row: Row, prepared: Prepared) -> Recorded:
-    exits = prepared.connections.exits
-    call = prepared.numbers.calls[row.call] if row.call is not None else None
-    values = tuple([(exits[number].names[0], value) for number, value in row.values])
-    return Recorded(row.time, call.interface if call else "", values)
+        sent = {number: layout.exits[number].unpack(data) for number, data in progress.last.items()}
+        stop = refusal(stopped, prepared, trace, sent, command.limits)
+    return Simulated(left, tuple(findings), stop)
 
 
 def _init_fails(prepared: Prepared, index: int) -> Finding:

@@ -172,14 +172,18 @@ def cell_of(value: Value, shape: Shape) -> str:
     return json_text(value, shape)
 
 
-def json_text(value: Value, shape: Shape) -> str:
-    """The text of a value within a document of JSON."""
+def json_text(value: Value, shape: Shape, null: str = "") -> str:
+    """The text of a value within a document of JSON; `null` stands for numbers that JSON does not have."""
     if isinstance(shape, Array):
-        return f"[{','.join(json_text(element, shape.element) for element in value)}]"
+        return f"[{','.join(json_text(element, shape.element, null) for element in value)}]"
     if isinstance(shape, Number):
         text = _number_text(value, shape)
-        return _JSON_WORDS.get(text) or (json.dumps(text) if shape.symbols and not _is_number(text) else text)
-    return f"{{{','.join(f'{json.dumps(name)}:{json_text(value[name], field)}' for name, field in shape.fields)}}}"
+        if word := _JSON_WORDS.get(text):
+            return null or word
+        return json.dumps(text) if shape.symbols and not _is_number(text) else text
+    return (
+        f"{{{','.join(f'{json.dumps(name)}:{json_text(value[name], field, null)}' for name, field in shape.fields)}}}"
+    )
 
 
 _JSON_WORDS = {"nan": "NaN", "inf": "Infinity", "-inf": "-Infinity"}

@@ -58,7 +58,7 @@ class _Axis(NamedTuple):
 
     def share(self, value: float) -> float:
         """Where a value is, from 0 to 1."""
-        return min(max((value - self.low) / (self.high - self.low), 0.0), 1.0)
+        return min(max((value - self.low) / (self.high - self.low), 0.0), 1.0) if self.low < self.high else 0.0
 
 
 def picture(

@@ -32,6 +32,8 @@ class Known(NamedTuple):
     ends_rows: bool = False
     """Whether every row ends with a line break, as in what a run wrote: a row without one was cut, and its last cell
     may be."""
+    inputs: tuple[tuple[str, ...], ...] = ()
+    """The names of each input that a trace should have."""
 
 
 class Moment(NamedTuple):
@@ -128,6 +130,7 @@ class _Header(NamedTuple):
         for index, name in enumerate(self.names[1:], 1):
             yield from self._of_column(index, name, is_again=name in seen)
             seen.add(name)
+        yield from missing_inputs(self.known, seen, self.file)
 
     def _of_column(self, index: int, name: str, *, is_again: bool) -> Iterator[Finding]:
         if is_again:
@@ -145,6 +148,14 @@ class _Header(NamedTuple):
 
     def _finding(self, rule: RuleCode, index: int, message: str, fix: str) -> Finding:
         return rule.finding(message, self.file, self.row.line, _column(self.row, index), fix=fix)
+
+
+def missing_inputs(known: Known, columns: Collection[str], file: str) -> Iterator[Finding]:
+    """A note about inputs that a trace does not have."""
+    missing = dict.fromkeys(names[0] for names in known.inputs if not set(names) & set(columns))
+    if missing:
+        message = f"The trace has no column for {', '.join(missing)}: the functions run with the start values."
+        yield codes.INPUT_WITHOUT_COLUMN.finding(message, file, 1, 1)
 
 
 # -- rows ---------------------------------------------------------------------------------------------------------
