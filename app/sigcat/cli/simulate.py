@@ -2,7 +2,6 @@
 
 import argparse
 import sys
-import tempfile
 from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -15,6 +14,7 @@ from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import InputRefused, UsageError, existing_file
 
 if TYPE_CHECKING:
+    import ctypes
     from collections.abc import Iterable
 
     from sigcat.findings import Finding
@@ -74,8 +74,8 @@ def simulate(arguments: argparse.Namespace) -> int:
 
     found: list[Finding] = []
     try:
-        with ended_by_signals(), tempfile.TemporaryDirectory(prefix="sigcat-trace-") as folder:
-            return _simulate(arguments, found, Path(folder))
+        with ended_by_signals():
+            return _simulate(arguments, found)
     except InputRefused as refused:
         found += refused.findings
         raise
@@ -84,7 +84,7 @@ def simulate(arguments: argparse.Namespace) -> int:
             write_text(report(found, arguments.format, sources_of(found)), arguments.report)
 
 
-def _simulate(arguments: argparse.Namespace, found: "list[Finding]", folder: Path) -> int:
+def _simulate(arguments: argparse.Namespace, found: "list[Finding]") -> int:
     """Write what the functions send, also if they do not come to the end: then InputRefused is raised."""
     from sigcat.adapter.toolchain import toolchain
     from sigcat.runs.simulate import simulate as run
@@ -93,7 +93,7 @@ def _simulate(arguments: argparse.Namespace, found: "list[Finding]", folder: Pat
 
     listed = _forms(arguments)
     tools = toolchain()
-    prepared, trace = _prepared(arguments, found, folder)
+    prepared, trace = _prepared(arguments, found)
     check_plotted(arguments.plot, signals_of(prepared, trace))
     stored = _stored(arguments.stored, prepared) if arguments.stored is not None else EMPTY
     settings = _settings(arguments, stored.values)._replace(echoes=echoes([form for _, form in listed]))
@@ -102,9 +102,9 @@ def _simulate(arguments: argparse.Namespace, found: "list[Finding]", folder: Pat
             form_of(form, files.enter_context(opened(path)), prepared, trace, arguments.plot) for path, form in listed
         ]
 
-        def take(block: "Block") -> None:
+        def take(block: "Block", library: "ctypes.CDLL | None") -> None:
             for form in forms:
-                form.take(block)
+                form.take(block, library)
 
         simulated = run(prepared, trace, settings, tools, take)
         for form in forms:
@@ -135,12 +135,11 @@ def _forms(arguments: argparse.Namespace) -> "list[tuple[Path | None, str]]":
     return [(path, form or CSV) for path, form in forms] or [(None, CSV)]
 
 
-def _prepared(arguments: argparse.Namespace, found: "list[Finding]", folder: Path) -> "tuple[Prepared, Trace | None]":
+def _prepared(arguments: argparse.Namespace, found: "list[Finding]") -> "tuple[Prepared, Trace | None]":
     """The functions and the trace; what is found in them goes to standard error."""
     from sigcat.integration.reading import read_functions
     from sigcat.runs.prepare import prepare
-    from sigcat.runs.recording.mcap_trace import as_csv
-    from sigcat.runs.recording.trace_file import open_trace
+    from sigcat.runs.recording.traces import open_trace
 
     catalogue = read_tree(arguments)
     sources = [(existing_file(path).read_bytes(), str(path)) for path in arguments.functions]
@@ -151,7 +150,7 @@ def _prepared(arguments: argparse.Namespace, found: "list[Finding]", folder: Pat
     if arguments.trace is None:
         return prepared, None
     known = prepared.known_columns((*catalogue.nodes, *catalogue.interfaces))
-    trace = open_trace(as_csv(existing_file(arguments.trace), folder), known)
+    trace = open_trace(existing_file(arguments.trace), known)
     _told(trace.findings, found)
     return prepared, trace
 

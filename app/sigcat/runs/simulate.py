@@ -1,5 +1,6 @@
 """Functions are run with a trace, in simulated time: built in a folder that goes away again, then run to the end."""
 
+import ctypes
 import tempfile
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -10,22 +11,28 @@ from sigcat.adapter.toolchain import Toolchain
 from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding
 from sigcat.runs.building.build import build
+from sigcat.runs.building.library import convert_library
 from sigcat.runs.building.memory import Memory, memory_of
 from sigcat.runs.driver.tables import targets_of
 from sigcat.runs.kept import Kept
-from sigcat.runs.length import check_length
+from sigcat.runs.length import check_length, cyclic_calls
 from sigcat.runs.prepare import Prepared
 from sigcat.runs.recording.recorded import Recorded
 from sigcat.runs.recording.shapes import Value, packing
-from sigcat.runs.recording.trace_file import Trace, moments
+from sigcat.runs.recording.trace_file import Trace
+from sigcat.runs.recording.traces import moments
+from sigcat.runs.running.converted_input import convert_csv, convert_mcap
+from sigcat.runs.running.fast_scan import fast_scanner
 from sigcat.runs.running.process import Limits
 from sigcat.runs.running.rows import Block, InitFails, Layout, Progress, Row, Stored, decoded, scanner
 from sigcat.runs.running.run import Command, Stopped, run
-from sigcat.runs.running.written_input import Span, write_input
+from sigcat.runs.running.written_input import Span, targets_by_column, write_kept, write_rows
 from sigcat.runs.stops import refusal
 
 INPUT, RESULTS = "input", "results"
 MIB = 1 << 20
+LONG_BYTES, LONG_CALLS = MIB, 50_000
+"""From a trace of so many bytes, or so many calls, on, the library in C converts it."""
 
 
 class Settings(NamedTuple):
@@ -63,8 +70,8 @@ class Simulated(NamedTuple):
     """What the core of each function takes, if that was asked for."""
 
 
-Take = Callable[[Block], None]
-"""A function that takes rows as they come."""
+Take = Callable[[Block, ctypes.CDLL | None], None]
+"""A function that takes rows as they come, and the library that converts them where there is one."""
 
 
 class Collected:
@@ -74,8 +81,9 @@ class Collected:
         self.rows: list[Recorded] = []
         self._prepared, self._layout = prepared, layout_of(prepared)
 
-    def __call__(self, block: Block) -> None:
+    def __call__(self, block: Block, library: ctypes.CDLL | None) -> None:
         """Take a block."""
+        del library
         found = decoded(block, self._layout)
         self.rows += [recorded(row, self._prepared) for row in found if isinstance(row, Row)]
 
@@ -103,7 +111,8 @@ def simulate(prepared: Prepared, trace: Trace | None, settings: Settings, tools:
     with tempfile.TemporaryDirectory(prefix="sigcat-") as name:
         folder = Path(name)
         members = prepared.connections.members
-        span = _write_input(prepared, trace, settings, folder / INPUT)
+        library = convert_library(folder, tools) if _is_long(prepared, trace, settings.duration) else None
+        span, notes = _write_input(prepared, trace, settings, folder / INPUT, library)
         start, end = _times(span, settings)
         check_length(members, start, end, trace, span.line if settings.duration is None else None)
         program = build(prepared.connections, prepared.numbers, folder, tools)
@@ -113,16 +122,29 @@ def simulate(prepared: Prepared, trace: Trace | None, settings: Settings, tools:
             (str(program),), folder / INPUT, folder / RESULTS, start, end, settings.ignition_cycle, settings.echoes,
             settings.memory_limit, limits, settings.prints,
         )  # fmt: skip
-        return _run(prepared, command, trace, take)._replace(memory=memory)
+        done = _run(prepared, command, trace, take, library)
+        return done._replace(memory=memory, findings=(*notes, *done.findings))
 
 
-def _write_input(prepared: Prepared, trace: Trace | None, settings: Settings, path: Path) -> Span:
+def _write_input(
+    prepared: Prepared, trace: Trace | None, settings: Settings, path: Path, library: ctypes.CDLL | None
+) -> tuple[Span, tuple[Finding, ...]]:
     connections, numbers = prepared.connections, prepared.numbers
-    rows = moments(trace) if trace else iter(())
+    targets, by_column = targets_of(connections, numbers), targets_by_column(connections, numbers)
     with path.open("wb") as file:
-        return write_input(
-            file, settings.kept, rows, targets_of(connections, numbers), connections, numbers, settings.gone
-        )
+        write_kept(file, settings.kept, targets, numbers)
+        if trace is not None and trace.known is not None:
+            return convert_mcap(file, trace, by_column, targets, library)
+        if trace is not None and library is not None and not settings.gone:
+            return convert_csv(file, trace, by_column, targets, library), ()
+        rows = moments(trace) if trace else iter(())
+        return write_rows(file, rows, targets, connections, numbers, settings.gone), ()
+
+
+def _is_long(prepared: Prepared, trace: Trace | None, duration: int | None) -> bool:
+    """Whether a run takes longer than it takes to compile what makes it shorter."""
+    calls = cyclic_calls(prepared.connections.members, duration or 0)
+    return calls > LONG_CALLS or (trace is not None and trace.file.stat().st_size > LONG_BYTES)
 
 
 def _times(span: Span, settings: Settings) -> tuple[int, int]:
@@ -134,21 +156,24 @@ def _times(span: Span, settings: Settings) -> tuple[int, int]:
     return start, span.last
 
 
-def _run(prepared: Prepared, command: Command, trace: Trace | None, take: Take) -> Simulated:
+def _run(
+    prepared: Prepared, command: Command, trace: Trace | None, take: Take, library: ctypes.CDLL | None
+) -> Simulated:
     layout, progress = layout_of(prepared), Progress()
+    scan = fast_scanner(layout, len(prepared.numbers.calls), library) if library else scanner(layout)
     left: dict[Kept, Value] = {}
     findings: list[Finding] = []
     stop = None
     try:
-        for event in run(command, layout, scanner(layout), progress):
+        for event in run(command, layout, scan, progress):
             if isinstance(event, Block):
-                take(event)
+                take(event, library)
             elif isinstance(event, Stored):
                 left[prepared.numbers.kept[event.kept]] = event.value
             elif isinstance(event, InitFails):
                 findings.append(_init_fails(prepared, event.member))
     except Stopped as stopped:
-        sent = {number: layout.exits[number].unpack(data) for number, data in progress.last.items()}
+        sent = {number: layout.exits[number].unpack(data) for number, data in progress.sent().items()}
         stop = refusal(stopped, prepared, trace, sent, command.limits)
     return Simulated(left, tuple(findings), stop)
 

@@ -10,7 +10,8 @@ from sigcat.runs.prepare import Prepared
 from sigcat.runs.recording.cells import cell_of
 from sigcat.runs.recording.shapes import Value
 from sigcat.runs.recording.times import seconds
-from sigcat.runs.recording.trace_file import Trace, moments
+from sigcat.runs.recording.trace_file import Trace
+from sigcat.runs.recording.traces import moments
 from sigcat.runs.running.process import Limits
 from sigcat.runs.running.run import Stopped
 

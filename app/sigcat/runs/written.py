@@ -1,10 +1,13 @@
 """A run in its forms, as it goes on: CSV, MCAP, or a picture of some signals."""
 
-from collections.abc import Iterator, Mapping, Sequence
+import ctypes
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import BinaryIO, NamedTuple, Protocol
 
 from sigcat.errors import UsageError
 from sigcat.names import did_you_mean
+from sigcat.runs.converting.layout import ShapeTables, Unfit, csv_tables, mcap_tables
+from sigcat.runs.converting.library import Writer
 from sigcat.runs.prepare import Prepared
 from sigcat.runs.recording.csv_file import csv_header, csv_lines
 from sigcat.runs.recording.mcap_file import McapFile, call_text, check_mcap, message_text
@@ -48,8 +51,8 @@ def check_plotted(names: Sequence[str], signals: Signals) -> None:
 class Form(Protocol):
     """A file that takes blocks of a run as they come."""
 
-    def take(self, block: Block) -> None:
-        """Write a block."""
+    def take(self, block: Block, library: ctypes.CDLL | None) -> None:
+        """Write a block; the library, where there is one, converts it."""
         ...
 
     def finish(self) -> None:
@@ -87,14 +90,55 @@ def _names_of_entries(prepared: Prepared, trace: Trace | None) -> Mapping[int, s
 class _Csv:
     def __init__(self, file: BinaryIO, prepared: Prepared) -> None:
         self._file, self._prepared, self._layout = file, prepared, layout_of(prepared)
+        self._fast = _Fast(self._tables)
         file.write(csv_header(prepared.columns).encode())
 
-    def take(self, block: Block) -> None:
-        rows = (recorded(row, self._prepared) for row in decoded(block, self._layout) if isinstance(row, Row))
-        self._file.write("".join(csv_lines(rows, self._prepared.columns)).encode())
+    def take(self, block: Block, library: ctypes.CDLL | None) -> None:
+        at = self._fast.write(block.data, library, Writer.csv, self._file.write)
+        if at < len(block.data):
+            rows = decoded(Block(block.data[at:]), self._layout)
+            named = (recorded(row, self._prepared) for row in rows if isinstance(row, Row))
+            self._file.write("".join(csv_lines(named, self._prepared.columns)).encode())
 
     def finish(self) -> None:
         pass
+
+    def _tables(self) -> ShapeTables:
+        places = {name: place for place, name in enumerate(self._prepared.columns)}
+        exits = [(each.shape, places[each.name]) for each in self._prepared.connections.exits]
+        calls = [call.interface if call else "" for call in self._prepared.numbers.calls]
+        return csv_tables(exits, [each.shape for each in self._prepared.connections.entries], calls, len(places))
+
+
+class _Fast:
+    """Writes blocks by the library, as far as it takes them."""
+
+    def __init__(self, tables: Callable[[], ShapeTables]) -> None:
+        self._tables = tables
+        self._is_fit = True
+        self.writer: Writer | None = None
+
+    def write(self, data: bytes, library: ctypes.CDLL | None, how: "_How", put: Callable[[bytes], object]) -> int:
+        """Write a block, or the first part of it. Where the rest begins, which is for Python."""
+        at = 0
+        writer = self._writer(library)
+        while writer is not None and at < len(data):
+            at, text, is_left = how(writer, data, at)
+            put(text)
+            if is_left:
+                break
+        return at
+
+    def _writer(self, library: ctypes.CDLL | None) -> Writer | None:
+        if self.writer is None and library is not None and self._is_fit:
+            try:
+                self.writer = Writer(library, self._tables())
+            except Unfit:
+                self._is_fit = False
+        return self.writer
+
+
+_How = Callable[[Writer, bytes, int], tuple[int, bytes, bool]]
 
 
 class _Samples:
@@ -109,7 +153,7 @@ class _Samples:
         for each in decoded(block, self._layout):
             if isinstance(each, Received):
                 name = self._named.get(each.entry)
-                if name in self._signals.shapes:
+                if name is not None and name in self._signals.shapes:
                     yield Sample(each.time, name, each.value)
                 continue
             row = recorded(each, self._prepared)
@@ -121,17 +165,33 @@ class _Samples:
 class _Mcap:
     def __init__(self, file: BinaryIO, prepared: Prepared, signals: Signals, named: Mapping[int, str]) -> None:
         check_mcap()
+        self._prepared, self._named = prepared, named
         calls = {call.interface: None for call in prepared.numbers.calls if call}
         self._file = McapFile(file, {**signals.shapes, **calls}, signals.units)
         self._samples, self._shapes = _Samples(prepared, signals, named), signals.shapes
+        self._fast = _Fast(self._tables)
 
-    def take(self, block: Block) -> None:
-        for time, name, value in self._samples.of(block):
+    def take(self, block: Block, library: ctypes.CDLL | None) -> None:
+        at = self._fast.write(block.data, library, Writer.mcap, self._file.add_records)
+        if self._fast.writer is not None:
+            self._file.indexes = self._fast.writer.indexes
+        for time, name, value in self._samples.of(Block(block.data[at:])):
             shape = self._shapes.get(name)
             self._file.add(name, time, message_text(value, shape) if shape else call_text(time))
 
     def finish(self) -> None:
         self._file.finish()
+
+    def _tables(self) -> ShapeTables:
+        channels, connections = self._file.channels, self._prepared.connections
+        exits = [(each.shape, channels[each.name]) for each in connections.exits]
+        named = (self._named.get(number, "") for number in range(len(connections.entries)))
+        entries = [
+            (each.shape, channels.get(name) if name in self._shapes else None)
+            for each, name in zip(connections.entries, named, strict=True)
+        ]
+        names = [call.interface if call else "" for call in self._prepared.numbers.calls]
+        return mcap_tables(exits, entries, [(name, channels.get(name)) for name in names])
 
 
 class _Svg:
@@ -143,7 +203,8 @@ class _Svg:
         self._series = {name: SeriesCollector() for name in plotted}
         self._ends: list[Sample] = []
 
-    def take(self, block: Block) -> None:
+    def take(self, block: Block, library: ctypes.CDLL | None) -> None:
+        del library
         for time, name, value in self._samples.of(block):
             self._ends = [*self._ends[:1], Sample(time, "", 0)]
             if name in self._series:

@@ -6,7 +6,7 @@ The records come from the package `mcap`; chunks are made here, of whole blocks 
 import json
 import struct
 import zlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, BinaryIO
 
 from sigcat.errors import UsageError
@@ -52,6 +52,8 @@ class McapFile:
         self._last = 0
         self.channels = {name: index for index, name in enumerate(topics, 1)}
         """Numbers of topics."""
+        self.indexes: Callable[[bytes], list[tuple[int, bytes]]] = indexes_of
+        """The function that finds times and places of messages, by channel."""
         self._write(_MAGIC)
         Header(profile="", library="sigcat").write(self._builder)
         for name, index in self.channels.items():
@@ -60,23 +62,27 @@ class McapFile:
             Schema(id=index, name=name, encoding="jsonschema", data=data).write(self._builder)
             topic = f"/{name.replace('.', '/')}"
             Channel(id=index, topic=topic, message_encoding="json", schema_id=index, metadata={}).write(self._builder)
-        self._records = self._builder.end()
+        self._records = self._ended()
         self._write(self._records)
 
     def add(self, name: str, time: int, text: str) -> None:
         """Add a message of JSON."""
         data = text.encode()
-        self._messages += _MESSAGE.pack(5, 22 + len(data), self.channels[name], 0, time, time) + data
-        if len(self._messages) >= CHUNK_BYTES:
-            self.flush()
+        self.add_records(_MESSAGE.pack(5, 22 + len(data), self.channels[name], 0, time, time) + data)
 
-    def flush(self) -> None:
+    def add_records(self, messages: bytes) -> None:
+        """Add records of messages."""
+        self._messages += messages
+        if len(self._messages) >= CHUNK_BYTES:
+            self._flush()
+
+    def _flush(self) -> None:
         """Write a chunk of the messages since the last one."""
         data, self._messages = bytes(self._messages), bytearray()
         if data:
-            self.add_chunk(data, _indexes(data))
+            self._add_chunk(data, self.indexes(data))
 
-    def add_chunk(self, data: bytes, indexes: Sequence[tuple[int, bytes]]) -> None:
+    def _add_chunk(self, data: bytes, indexes: Sequence[tuple[int, bytes]]) -> None:
         """Write a chunk of records of messages, with the times and places of the messages of each channel."""
         import zstandard
         from mcap.records import Chunk, ChunkIndex
@@ -85,7 +91,7 @@ class McapFile:
         last = max(_times(entries)[1] for _, entries in indexes)
         packed = zstandard.compress(data, 1)
         Chunk("zstd", packed, last, first, zlib.crc32(data), len(data)).write(self._builder)
-        begin, chunk = self._at, self._builder.end()
+        begin, chunk = self._at, self._ended()
         self._write(chunk)
         places, before = {}, self._at
         for channel, entries in indexes:
@@ -97,16 +103,16 @@ class McapFile:
             message_end_time=last, message_start_time=first, message_index_length=self._at - before,
             message_index_offsets=places, uncompressed_size=len(data),
         ).write(self._builder)  # fmt: skip
-        self._chunks.append(self._builder.end())
+        self._chunks.append(self._ended())
         self._first, self._last = first if self._first is None else min(self._first, first), max(self._last, last)
 
     def finish(self) -> None:
         """Write the rest and the summary."""
         from mcap.records import DataEnd, Statistics
 
-        self.flush()
+        self._flush()
         DataEnd(0).write(self._builder)
-        self._write(self._builder.end())
+        self._write(self._ended())
         begin = self._at
         total = len(self.channels)
         Statistics(
@@ -114,13 +120,17 @@ class McapFile:
             message_count=sum(self._counts.values()), message_end_time=self._last, message_start_time=self._first or 0,
             metadata_count=0, schema_count=total,
         ).write(self._builder)  # fmt: skip
-        parts = (_after_header(self._records), self._builder.end(), *self._chunks)
+        parts = (_after_header(self._records), self._ended(), *self._chunks)
         crc = 0
         for part in parts:
             self._write(part)
             crc = zlib.crc32(part, crc)
         footer = _FOOTER.pack(2, 20, begin, 0)
         self._write(footer + struct.pack("<I", zlib.crc32(footer, crc)) + _MAGIC)
+
+    def _ended(self) -> bytes:
+        """The records since the last time."""
+        return bytes(self._builder.end())  # type: ignore[no-untyped-call]
 
     def _write(self, data: bytes) -> None:
         self._file.write(data)
@@ -133,7 +143,7 @@ def _after_header(records: bytes) -> bytes:
     return records[_LENGTH.size + length :]
 
 
-def _indexes(data: bytes) -> list[tuple[int, bytes]]:
+def indexes_of(data: bytes) -> list[tuple[int, bytes]]:
     """Times and places of messages, by channel."""
     found: dict[int, bytearray] = {}
     at = 0

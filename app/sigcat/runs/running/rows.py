@@ -1,7 +1,7 @@
 """Results of the driver: events, and blocks of whole rows, which are decoded only where their values are needed."""
 
 import struct
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple, Protocol
 
 from sigcat.runs.recording.shapes import Packing, Value
@@ -82,6 +82,7 @@ class Progress:
         self.time: int | None = None
         """When the last call began."""
         self.last: dict[int, bytes] = {}
+        self.sent: Callable[[], Mapping[int, bytes]] = lambda: self.last
         """What was sent last, by the numbers of exits."""
 
 

@@ -27,18 +27,22 @@ class Span(NamedTuple):
     """That of the last row."""
 
 
-def write_input(
-    file: BinaryIO, kept: Mapping[Kept, Value], rows: Iterable[Moment], targets: Sequence[Target],
-    connections: Connections, numbers: Numbers, gone: Mapping[str, int] = {},
-) -> Span:  # fmt: skip
-    """Write what is kept from before, then the trace. Raises InputRefused with what is wrong with the trace.
-
-    `gone` says of functions, by name, from when on nothing of them is called.
-    """
+def write_kept(file: BinaryIO, kept: Mapping[Kept, Value], targets: Sequence[Target], numbers: Numbers) -> None:
+    """Write what is kept from before."""
     stored = [(number, target) for number, target in enumerate(targets) if target.kind == "STORED"]
     for (number, target), each in zip(stored, numbers.kept, strict=True):
         if each in kept:
             file.write(_ENTRY.pack(number) + target.packing.pack(kept[each]))
+
+
+def write_rows(
+    file: BinaryIO, rows: Iterable[Moment], targets: Sequence[Target], connections: Connections, numbers: Numbers,
+    gone: Mapping[str, int],
+) -> Span:  # fmt: skip
+    """Write a trace. Raises InputRefused with what is wrong with it.
+
+    `gone` says of functions, by name, from when on nothing of them is called.
+    """
     indexes = {member.name: index for index, member in enumerate(connections.members)}
     first = next(number for number, target in enumerate(targets) if target.kind == "GONE")
     ends = sorted((time, first + indexes[name]) for name, time in gone.items())
