@@ -7,7 +7,8 @@ import json
 import struct
 import zlib
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, BinaryIO
+from concurrent.futures import Future, ThreadPoolExecutor
+from typing import Any, BinaryIO, NamedTuple
 
 from sigcat.errors import UsageError
 from sigcat.runs.recording.cells import json_text
@@ -46,6 +47,8 @@ class McapFile:
         self._file, self._builder = file, RecordBuilder()
         self._at = 0
         self._messages = bytearray()
+        self._maker = ThreadPoolExecutor(1)
+        self._made: Future[_Packed] | None = None
         self._chunks: list[bytes] = []
         self._counts: dict[int, int] = {}
         self._first: int | None = None
@@ -77,20 +80,20 @@ class McapFile:
             self._flush()
 
     def _flush(self) -> None:
-        """Write a chunk of the messages since the last one."""
+        """Let a chunk be made of the messages since the last one, and write the one before it."""
         data, self._messages = bytes(self._messages), bytearray()
-        if data:
-            self._add_chunk(data, self.indexes(data))
+        before, self._made = self._made, self._maker.submit(_packed, data, self.indexes) if data else None
+        if before is not None:
+            self._add_chunk(before.result())
 
-    def _add_chunk(self, data: bytes, indexes: Sequence[tuple[int, bytes]]) -> None:
+    def _add_chunk(self, made: "_Packed") -> None:
         """Write a chunk of records of messages, with the times and places of the messages of each channel."""
-        import zstandard
         from mcap.records import Chunk, ChunkIndex
 
+        indexes, data = made.indexes, made.data
         first = min(_times(entries)[0] for _, entries in indexes)
         last = max(_times(entries)[1] for _, entries in indexes)
-        packed = zstandard.compress(data, 1)
-        Chunk("zstd", packed, last, first, zlib.crc32(data), len(data)).write(self._builder)
+        Chunk("zstd", data, last, first, made.checksum, made.size).write(self._builder)
         begin, chunk = self._at, self._ended()
         self._write(chunk)
         places, before = {}, self._at
@@ -99,9 +102,9 @@ class McapFile:
             self._write(_LENGTH.pack(7, 6 + len(entries)) + struct.pack("<HI", channel, len(entries)) + entries)
             self._counts[channel] = self._counts.get(channel, 0) + len(entries) // 16
         ChunkIndex(
-            chunk_length=len(chunk), chunk_start_offset=begin, compression="zstd", compressed_size=len(packed),
+            chunk_length=len(chunk), chunk_start_offset=begin, compression="zstd", compressed_size=len(data),
             message_end_time=last, message_start_time=first, message_index_length=self._at - before,
-            message_index_offsets=places, uncompressed_size=len(data),
+            message_index_offsets=places, uncompressed_size=made.size,
         ).write(self._builder)  # fmt: skip
         self._chunks.append(self._ended())
         self._first, self._last = first if self._first is None else min(self._first, first), max(self._last, last)
@@ -111,6 +114,8 @@ class McapFile:
         from mcap.records import DataEnd, Statistics
 
         self._flush()
+        self._flush()
+        self._maker.shutdown()
         DataEnd(0).write(self._builder)
         self._write(self._ended())
         begin = self._at
@@ -135,6 +140,21 @@ class McapFile:
     def _write(self, data: bytes) -> None:
         self._file.write(data)
         self._at += len(data)
+
+
+class _Packed(NamedTuple):
+    """Messages, compressed."""
+
+    data: bytes
+    size: int
+    checksum: int
+    indexes: Sequence[tuple[int, bytes]]
+
+
+def _packed(messages: bytes, indexes: Callable[[bytes], Sequence[tuple[int, bytes]]]) -> _Packed:
+    import zstandard
+
+    return _Packed(zstandard.compress(messages, 1), len(messages), zlib.crc32(messages), indexes(messages))
 
 
 def _after_header(records: bytes) -> bytes:
