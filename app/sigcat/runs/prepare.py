@@ -37,6 +37,12 @@ class Prepared(NamedTuple):
         return Known({**durations, **connections.received}, others, inputs=connections.inputs)
 
     @property
+    def inputs(self) -> frozenset[str]:
+        """All names of what functions receive, and of calls."""
+        names = {name for each in self.connections.entries for name in each.names}
+        return frozenset(names | {call.interface for call in self.numbers.calls if call})
+
+    @property
     def known_in_drive(self) -> Known:
         """What the columns of a drive may be, which has more than these functions need."""
         return self.known_columns(())._replace(others=None, inputs=())

@@ -11,6 +11,7 @@ from sigcat.adapter.toolchain import Toolchain
 from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding
 from sigcat.runs.building.build import build
+from sigcat.runs.building.coverage import FLAGS, report_coverage
 from sigcat.runs.building.library import convert_library
 from sigcat.runs.building.memory import Memory, memory_of
 from sigcat.runs.driver.tables import targets_of
@@ -26,6 +27,7 @@ from sigcat.runs.running.fast_scan import fast_scanner
 from sigcat.runs.running.process import Limits
 from sigcat.runs.running.rows import Block, InitFails, Layout, Progress, Row, Stored, decoded, scanner
 from sigcat.runs.running.run import Command, Stopped, run
+from sigcat.runs.running.sandbox import sandbox
 from sigcat.runs.running.written_input import Span, targets_by_column, write_kept, write_rows
 from sigcat.runs.stops import refusal
 
@@ -56,6 +58,9 @@ class Settings(NamedTuple):
     """Bytes that the functions may print, and of a file that they write."""
     echoes: bool = False
     """Whether blocks have what is received, too."""
+    is_sandboxed: bool = False
+    coverage: Path | None = None
+    """A folder for reports about the coverage of the code."""
 
 
 class Simulated(NamedTuple):
@@ -115,15 +120,26 @@ def simulate(prepared: Prepared, trace: Trace | None, settings: Settings, tools:
         span, notes = _write_input(prepared, trace, settings, folder / INPUT, library)
         start, end = _times(span, settings)
         check_length(members, start, end, trace, span.line if settings.duration is None else None)
-        program = build(prepared.connections, prepared.numbers, folder, tools)
+        flags = FLAGS if settings.coverage else ()
+        program = build(prepared.connections, prepared.numbers, folder, tools, flags)
         memory = memory_of(members, folder, tools) if settings.tells_memory else ()
         limits = Limits(settings.step_limit, settings.output_limit)
         command = Command(
-            (str(program),), folder / INPUT, folder / RESULTS, start, end, settings.ignition_cycle, settings.echoes,
-            settings.memory_limit, limits, settings.prints,
+            (*_sandbox(settings, folder), str(program)), folder / INPUT, folder / RESULTS, start, end,
+            settings.ignition_cycle, settings.echoes, settings.memory_limit, limits, settings.prints, settings.is_sandboxed,
         )  # fmt: skip
         done = _run(prepared, command, trace, take, library)
+        if settings.coverage is not None and done.stop is None:
+            report_coverage(members, folder, settings.coverage, tools)
         return done._replace(memory=memory, findings=(*notes, *done.findings))
+
+
+def _sandbox(settings: Settings, folder: Path) -> tuple[str, ...]:
+    """What the program is started by: nothing, or a sandbox that writes to nothing but the results."""
+    if not settings.is_sandboxed:
+        return ()
+    (folder / RESULTS).touch()
+    return sandbox((), (folder,)) if settings.coverage else sandbox((folder,), (folder / RESULTS,))
 
 
 def _write_input(

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import math
 import struct
 from array import array
 from collections import deque
@@ -10,14 +11,15 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from io import BytesIO
 from pathlib import Path
-from typing import BinaryIO, NamedTuple
+from typing import Any, BinaryIO, NamedTuple
 
 from sigcat import codes
 from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding, has_errors, shown
 from sigcat.limits import TRACE_FINDINGS
 from sigcat.names import did_you_mean
-from sigcat.runs.recording.cells import Unfit, value_of
+from sigcat.runs.recording.cells import Unfit, exact_float, fitted, value_of
+from sigcat.runs.recording.shapes import Shape, Value
 from sigcat.runs.recording.times import LATEST, seconds
 from sigcat.runs.recording.trace_file import TIME, Known, Moment, Trace, missing_inputs
 
@@ -247,8 +249,8 @@ class Topics:
 
     def moment(self, message: Message) -> Moment | None:
         """The value of a message; None if it has none, or nobody receives it."""
-        cell = _cell(self._path, message)
-        if cell is None:
+        given = _value(self._path, message)
+        if given is None:
             return None
         self.values += 1
         shape = self._known.received.get(message.name)
@@ -256,7 +258,7 @@ class Topics:
             self._note(message.name)
             return None
         try:
-            return Moment(message.time, ((message.name, value_of(cell, shape)),))
+            return Moment(message.time, ((message.name, _fitted(given, shape)),))
         except Unfit as reason:
             at = f"at {seconds(message.time)} s"
             self._add(codes.TRACE_VALUE_UNFIT.finding(
@@ -301,21 +303,38 @@ def mcap_moments(trace: Trace) -> Iterator[Moment]:
     topics.check()
 
 
-def _cell(path: Path, message: Message) -> str | None:
-    """Its value as a cell of CSV: where there is a symbol, it says what the number means; null is `nan`."""
+def _fitted(given: Any, shape: Shape) -> Value:
+    """A value in a shape. Raises Unfit."""
+    return value_of(given, shape) if isinstance(given, str) else fitted(given, shape)
+
+
+def _value(path: Path, message: Message) -> Any:
+    """The value of a message, None if it has none: where there is a symbol, it says what the number means; null is NaN."""
     try:
-        found = json.loads(message.data)
+        found = json.loads(message.data, parse_float=exact_float)
     except (ValueError, RecursionError):
         text = f"A message of {shown(f'/{message.name}')} must be JSON, at {seconds(message.time)} s."
         raise _refused(path, text, _FIX) from None
     if not isinstance(found, dict) or "value" not in found:
         return None
-    value, symbol = found["value"], found.get("symbol")
-    if isinstance(symbol, str):
-        return symbol
-    if value is None:
+    symbol = found.get("symbol")
+    return symbol if isinstance(symbol, str) else _with_nan(found["value"])
+
+
+def _with_nan(value: Any) -> Any:
+    if isinstance(value, list):
+        return [_with_nan(each) for each in value]
+    if isinstance(value, dict):
+        return {name: _with_nan(each) for name, each in value.items()}
+    return math.nan if value is None else value
+
+
+def _cell(path: Path, message: Message) -> str | None:
+    """Its value as a cell of CSV."""
+    value = _value(path, message)
+    if isinstance(value, float) and math.isnan(value):
         return "nan"
-    return value if isinstance(value, str) else json.dumps(value)
+    return value if value is None or isinstance(value, str) else json.dumps(value)
 
 
 def _refused(path: Path, message: str, fix: str) -> InputRefused:

@@ -34,6 +34,8 @@ class Known(NamedTuple):
     may be."""
     inputs: tuple[tuple[str, ...], ...] = ()
     """The names of each input that a trace should have."""
+    unused: str = "the functions do not receive it, or one of them provides it"
+    """Why one of the others is left out."""
 
 
 class Moment(NamedTuple):
@@ -172,7 +174,7 @@ class _Header(NamedTuple):
         elif name in self.known.received or name == CALL or self.known.others is None:
             return
         elif name in self.known.others:
-            message = f"{name} is left out: the functions do not receive it, or one of them provides it."
+            message = f"{name} is left out: {self.known.unused}."
             yield self._finding(codes.TRACE_COLUMN_UNUSED, index, message, "")
         else:
             hint = did_you_mean(name, [*self.known.received, *self.known.others])
@@ -192,6 +194,13 @@ def missing_inputs(known: Known, columns: Collection[str], file: str) -> Iterato
 
 
 # -- rows ---------------------------------------------------------------------------------------------------------
+
+
+def column_in(trace: Trace, line: int, name: str) -> int:
+    """Where the cell of a column begins in a line, from 1."""
+    with trace.file.open("rb") as data:
+        text = next(islice(data, line - 1, None), b"").decode().rstrip("\r\n")
+    return _column(_Row(line, text, ()), trace.columns.index(name))
 
 
 def _moment(trace: Trace, row: _Row, last: int, findings: list[Finding]) -> Moment | Finding | None:

@@ -29,6 +29,8 @@ class Command(NamedTuple):
     limits: Limits
     prints: Path | None = None
     """A file for what functions print; None: it goes where our errors go."""
+    is_sandboxed: bool = False
+    """Whether another program starts it, whose status says by which signal it ended."""
 
     @property
     def arguments(self) -> tuple[str, ...]:
@@ -63,9 +65,19 @@ def run(command: Command, layout: Layout, scan: Scan, progress: Progress) -> Ite
             yield event  # the process goes on to its end: it still writes what was measured
     except (Damaged, Ended, Garbled, Hangs, PrintsTooMuch) as stopped:
         if not is_finished:
-            raise _stopped(stopped, progress, command.start) from None
+            raise _stopped(_unpacked(stopped, command), progress, command.start) from None
     if not is_finished:
         raise _stopped(Ended(0), progress, command.start)
+
+
+def _unpacked(why: Exception, command: Command) -> Exception:
+    """Why it stopped, whoever started it."""
+    is_signal = command.is_sandboxed and isinstance(why, Ended) and why.status > _SIGNAL
+    return Ended(_SIGNAL - why.status) if is_signal and isinstance(why, Ended) else why
+
+
+_SIGNAL = 128
+"""A status above it is a signal."""
 
 
 def _stopped(why: Exception, progress: Progress, start: int) -> Stopped:
