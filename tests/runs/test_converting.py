@@ -13,6 +13,7 @@ from scripts.cases import ROOT, RUNS
 from sigcat.adapter.toolchain import toolchain
 from sigcat.cli import main
 from sigcat.errors import InputRefused
+from sigcat.findings import Finding
 from sigcat.runs import simulate
 from sigcat.runs.building.library import convert_library
 from sigcat.runs.converting.layout import csv_tables, mcap_tables
@@ -61,7 +62,8 @@ def _both(text, folder, library):
     by_column = {name: [index, index] if name == "int8" else [index] for index, name in enumerate(SHAPES)}
 
     def by_python(written):
-        rows = list(_until_refused(moments(trace), found := []))
+        found: list[Finding] = []
+        rows = list(_until_refused(moments(trace), found))
         written.write(b"".join(moment_bytes(row, by_column, targets) for row in rows))
         return found, [(row.time, row.line) for row in rows][-1:]
 
