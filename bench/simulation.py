@@ -12,7 +12,7 @@ from bench.rows import Bench, Missing, Row, at_most
 from sigcat.adapter.toolchain import toolchain
 from sigcat.errors import UsageError
 
-_ROWS, _IN, _OUT = 300_000, 40, 10
+_ROWS, _IN, _OUT = 100_000, 40, 10
 _MOST = 100
 """Megabytes."""
 

@@ -1,4 +1,4 @@
-"""A run in its forms, as it goes on: CSV, MCAP, or a picture of some signals."""
+"""Files of a run, written while it runs: CSV, MCAP, or a picture of some signals."""
 
 import ctypes
 from collections.abc import Callable, Iterator, Mapping, Sequence

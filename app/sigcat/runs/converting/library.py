@@ -10,8 +10,7 @@ from sigcat.runs.converting.layout import ColumnTables, ShapeTables
 
 SOURCE = Path(__file__).with_name("sigcat_convert.c")
 _U64 = ctypes.c_uint64
-_READ_ROOM = 4 << 20
-_WRITE_ROOM = 4 << 20
+_READ_ROOM = _WRITE_ROOM = 1 << 20
 
 
 class _Reading(ctypes.Structure):

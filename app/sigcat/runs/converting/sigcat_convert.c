@@ -426,6 +426,20 @@ static const char *end_of_word(const char *at, const char *end)
     return at;
 }
 
+/* Whether an object of JSON has no `value`, as that of a call. */
+static bool has_no_value(const char *at, const char *end)
+{
+    if (end - at < 2 || *at != '{' || end[-1] != '}') {
+        return false;
+    }
+    for (; at + 7 <= end; at++) {
+        if (*at == '\\' || memcmp(at, "\"value\"", 7) == 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /* {"value": 1.5} or {"value": 2, "symbol": "ON"}, with or without spaces. */
 static bool read_message(const char *at, const char *end, const column *of, const reading *state, unsigned char *to)
 {
@@ -495,8 +509,12 @@ API uint64_t sigcat_read_mcap(reading *state, const int32_t *channels, const cha
         const int32_t place = (each.kind == MESSAGE) ? channels[each.channel] : UNKNOWN;
         if (place != IGNORED) {
             const column *of = (place == UNKNOWN) ? NULL : &state->columns[place];
+            const char *const data_end = each.data + each.data_size;
             unsigned char value[8];
-            if (of == NULL || (of->kind != SKIPPED && !read_message(each.data, each.data + each.data_size, of, state, value))) {
+            if (of != NULL && of->kind != SKIPPED && has_no_value(each.data, data_end)) {
+                of = &state->columns[0];
+            }
+            if (of == NULL || (of->kind != SKIPPED && !read_message(each.data, data_end, of, state, value))) {
                 state->is_left = 1U;
                 break;
             }

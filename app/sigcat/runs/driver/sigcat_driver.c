@@ -80,7 +80,7 @@ static void wait_for_room(uint64_t written)
     while (written - __atomic_load_n(results.taken, __ATOMIC_ACQUIRE) >= results.size) {
         const struct timespec moment = {0, 50000};
         if (getppid() != reader) {
-            _exit(EXIT_FAILURE); /* nobody reads any more */
+            _exit(EXIT_FAILURE); /* the reader has gone */
         }
         (void)nanosleep(&moment, NULL);
     }

@@ -14,7 +14,7 @@ from sigcat.errors import UsageError
 from sigcat.runs.recording.cells import json_text
 from sigcat.runs.recording.shapes import Array, Number, Shape, Value
 
-CHUNK_BYTES = 2 << 20
+CHUNK_BYTES = 1 << 20
 _MAGIC = b"\x89MCAP0\r\n"
 _MESSAGE = struct.Struct("<BQHIQQ")
 """Opcode, length, channel, sequence, and the time twice."""

@@ -248,7 +248,7 @@ class Topics:
         """Messages with a value."""
 
     def moment(self, message: Message) -> Moment | None:
-        """The value of a message; None if it has none, or nobody receives it."""
+        """The value of a message; None if it has none, or it is not received."""
         given = _value(self._path, message)
         if given is None:
             return None

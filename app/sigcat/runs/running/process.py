@@ -147,7 +147,7 @@ class _Printed:
             os.close(self._target)
 
     def _write(self, piece: bytes) -> None:
-        with suppress(OSError):  # nobody reads it
+        with suppress(OSError):  # its reader has gone
             while piece:
                 piece = piece[os.write(self._target, piece) :]
 

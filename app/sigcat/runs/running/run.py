@@ -71,7 +71,7 @@ def run(command: Command, layout: Layout, scan: Scan, progress: Progress) -> Ite
 
 
 def _unpacked(why: Exception, command: Command) -> Exception:
-    """Why it stopped, whoever started it."""
+    """The reason without the sandbox: its status says by which signal the program ended."""
     is_signal = command.is_sandboxed and isinstance(why, Ended) and why.status > _SIGNAL
     return Ended(_SIGNAL - why.status) if is_signal and isinstance(why, Ended) else why
 
