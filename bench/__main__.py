@@ -8,11 +8,24 @@ import tempfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from bench import browser, comparison, core, cycles, gateway, lint, ros2, rows, service, stored_run, transport
+from bench import (
+    browser,
+    comparison,
+    core,
+    cycles,
+    gateway,
+    lint,
+    ros2,
+    rows,
+    service,
+    simulation,
+    stored_run,
+    transport,
+)
 from bench.rows import Bench, Missing, Row
 
 ROWS = {
-    **rows.ROWS, **lint.ROWS, **core.ROWS, **stored_run.ROWS, **gateway.ROWS, **comparison.ROWS, **transport.ROWS, **cycles.ROWS, **ros2.ROWS,
+    **rows.ROWS, **lint.ROWS, **core.ROWS, **stored_run.ROWS, **simulation.ROWS, **gateway.ROWS, **comparison.ROWS, **transport.ROWS, **cycles.ROWS, **ros2.ROWS,
     **browser.ROWS,
 }  # fmt: skip
 SERVICE = {"service"}

@@ -52,3 +52,27 @@ def test_a_float_has_as_few_digits_as_give_it_again(bits):
 )
 def test_a_float_stands_there_as_one_would_write_it(number, text):
     assert cell_of(struct.unpack("<f", struct.pack("<f", number))[0], Number("float")) == text
+
+
+BETWEEN = "1.00000005960464477539062500001"
+"""Just above the middle of two floats, which its double is."""
+
+
+@pytest.mark.parametrize(
+    ("text", "nearest"),
+    [
+        (BETWEEN, "3f800001"),
+        ("1.000000059604644775390625", "3f800000"),
+        ("1.00000005960464477539062499999", "3f800000"),
+        (f"-{BETWEEN}", "bf800001"),
+        ("16777217.0000000000000000001", "4b800001"),
+        ("16777217", "4b800000"),
+        ("7.006492321624085354618647916449580656401309709382578858785341419448955413429303e-46", "00000000"),
+        ("7.006492321624085354618647916449580656401309709382578858785341419448955413429304e-46", "00000001"),
+        ("340282356779733661637539395458142568447", "7f7fffff"),
+    ],
+)
+def test_a_float_is_rounded_once(text, nearest):
+    for shape, cell in ((Number("float"), text), (Array(Number("float"), 1), f"[{text}]")):
+        packed = packing(shape).pack(value_of(cell, shape))
+        assert struct.unpack("<I", packed) == (int(nearest, 16),)

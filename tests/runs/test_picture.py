@@ -4,7 +4,7 @@ import math
 import xml.etree.ElementTree as ET
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from sigcat.runs.recording.picture import HEIGHT, LEFT, WIDTH, picture
@@ -52,6 +52,7 @@ def test_a_peak_is_never_lost():
     assert top < panel.top + 0.1 * HEIGHT
 
 
+@example([(2**62, 0.0), (2**62 - 1, 0.0)])
 @given(st.lists(st.tuples(st.integers(0, 2**62), st.floats()), max_size=20))
 def test_whatever_comes_is_drawn_within_its_panel(values):
     made = drawn(sorted(values, key=lambda each: each[0]))

@@ -115,6 +115,19 @@ def test_what_functions_keep_that_do_not_run_stays_in_the_file(case):
     assert stored["Filter"]["ignitionCycle"] == 1
 
 
+def test_numbers_of_functions_that_do_not_run_keep_their_digits(case):
+    kept = '{"Other": {"x": 1e400, "y": 1.00000005960464477539062500001, "ä": [], "z": {}}}'
+    Path("stored.json").write_text(kept)
+    assert case("--stored", "stored.json") == (0, [])
+    text = Path("stored.json").read_text()
+    assert '"x": 1e400,' in text
+    assert '"y": 1.00000005960464477539062500001,' in text
+    assert "Infinity" not in text
+    document = json.loads(text)
+    assert document["Other"] == json.loads(kept)["Other"]
+    assert list(document) == ["Other", "Filter", "Counter"]
+
+
 STORING = """
 function: Storing
 description: Keeps two parameters under one key.
@@ -363,7 +376,7 @@ def test_it_runs_as_long_as_one_says(case):
 
 
 def test_a_trace_of_nothing_has_no_length(case):
-    Path("trace.csv").write_text("time,Vehicle.Speed\n")
+    Path("trace.csv").write_text("time,Vehicle.Speed,Filter_Mode_In\n")
     assert case() == (2, ["sigcat: there is no row in the trace: say with --duration how long to run"])
     assert case("--duration", "0.1") == (0, [])
 

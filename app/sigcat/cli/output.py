@@ -3,9 +3,10 @@
 import errno
 import os
 import sys
-from collections.abc import Iterable
-from contextlib import suppress
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import BinaryIO
 
 from sigcat.errors import InputRefused, UsageError, must_be_a_file
 
@@ -44,6 +45,33 @@ def write_bytes(data: bytes, output: Path | None) -> None:
         raise UsageError(f"{target.parent}: there is no such folder")
     else:
         _replace(target, data)
+
+
+@contextmanager
+def opened(output: Path | None) -> Iterator[BinaryIO]:
+    """A file to write to bit by bit: standard output, or one that appears when the block ends without an error."""
+    if output is None or str(output) == "-":
+        yield sys.stdout.buffer
+        sys.stdout.buffer.flush()
+        return
+    if output.is_dir():
+        raise UsageError(must_be_a_file(output))
+    target = Path(os.path.realpath(output))
+    if output.exists() and not output.is_file():
+        with output.open("wb") as file:
+            yield file
+        return
+    if not target.parent.is_dir():
+        raise UsageError(f"{target.parent}: there is no such folder")
+    temporary = target.with_name(f".{target.name}.{os.getpid()}")
+    try:
+        with temporary.open("wb") as file:
+            yield file
+        if target.exists():
+            temporary.chmod(target.stat().st_mode & 0o777)
+        temporary.replace(target)
+    finally:
+        temporary.unlink(missing_ok=True)
 
 
 def write_lines(lines: Iterable[str], output: Path | None) -> None:

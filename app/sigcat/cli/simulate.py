@@ -2,25 +2,30 @@
 
 import argparse
 import sys
-import tempfile
+from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.command_parser import positive
 from sigcat.cli.ended_by_signals import ended_by_signals
-from sigcat.cli.output import write_bytes, write_text
-from sigcat.cli.output_options import FORMATS, add_output, add_outputs
+from sigcat.cli.output import opened, write_text
+from sigcat.cli.output_options import FORMATS, add_output, add_outputs, make_folder
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import InputRefused, UsageError, existing_file
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    import ctypes
+    from collections.abc import Collection, Iterable
 
+    from sigcat.adapter.toolchain import Toolchain
     from sigcat.findings import Finding
+    from sigcat.runs.expecting.expect import Expected
     from sigcat.runs.prepare import Prepared
     from sigcat.runs.recording.trace_file import Trace
+    from sigcat.runs.running.rows import Block
     from sigcat.runs.simulate import Settings
     from sigcat.runs.stored_file import Stored, StoredFile
+    from sigcat.runs.written import Form
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -57,6 +62,35 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "--stored", type=Path, metavar="FILE",
         help="what the functions keep, as JSON: parameters and counts of errors; read if it is there, and written at the end",
     )  # fmt: skip
+    parser.add_argument(
+        "--expect",
+        type=Path,
+        metavar="EXPECTED",
+        help="compare the outputs with those of this CSV file; exit 1 if they differ",
+    )
+    parser.add_argument(
+        "--tolerance", action="append", default=[], metavar="[NAME=]NUMBER",
+        help="accepted difference of numbers: 0.01, or a share of what is expected, 1%%; of one output with its NAME",
+    )  # fmt: skip
+    add_output(parser, "--differences", metavar="FILE", help="an .svg of the first differences from --expect")
+    add_output(parser, "--junit", metavar="FILE", help="a JUnit report with a test case for each output of --expect")
+    add_output(
+        parser,
+        "--coverage",
+        metavar="FOLDER",
+        help="write the coverage of the functions' code here, as Cobertura XML and HTML",
+    )
+    parser.add_argument(
+        "--memory-limit", type=positive(int), default=2048, metavar="MIB",
+        help="memory that the functions may allocate (default: %(default)s)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--output-limit", type=positive(int), default=1024, metavar="MIB",
+        help="what the functions may print, and write to one file (default: %(default)s)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--sandbox", action="store_true", help="run the functions in bubblewrap: without the network and without files"
+    )
     add_output(parser, "--report", metavar="FILE", help="write what is found here, too")
     parser.add_argument("--format", choices=FORMATS, default="json", help="form of the report (default: %(default)s)")
     parser.add_argument(
@@ -72,8 +106,8 @@ def simulate(arguments: argparse.Namespace) -> int:
 
     found: list[Finding] = []
     try:
-        with ended_by_signals(), tempfile.TemporaryDirectory(prefix="sigcat-trace-") as folder:
-            return _simulate(arguments, found, Path(folder))
+        with ended_by_signals():
+            return _simulate(arguments, found)
     except InputRefused as refused:
         found += refused.findings
         raise
@@ -82,29 +116,92 @@ def simulate(arguments: argparse.Namespace) -> int:
             write_text(report(found, arguments.format, sources_of(found)), arguments.report)
 
 
-def _simulate(arguments: argparse.Namespace, found: "list[Finding]", folder: Path) -> int:
+def _simulate(arguments: argparse.Namespace, found: "list[Finding]") -> int:
     """Write what the functions send, also if they do not come to the end: then InputRefused is raised."""
     from sigcat.adapter.toolchain import toolchain
     from sigcat.runs.simulate import simulate as run
     from sigcat.runs.stored_file import EMPTY, stored_text
-    from sigcat.runs.written import check_plotted, signals_of, written
+    from sigcat.runs.written import check_plotted, echoes, form_of, signals_of
 
-    forms = _forms(arguments)
+    listed = _forms(arguments)
     tools = toolchain()
-    prepared, trace = _prepared(arguments, found, folder)
+    _check(arguments, tools)
+    prepared, trace, paths = _prepared(arguments, found)
     check_plotted(arguments.plot, signals_of(prepared, trace))
+    expected = _expected(arguments, prepared, paths, found)
     stored = _stored(arguments.stored, prepared) if arguments.stored is not None else EMPTY
-    simulated = run(prepared, trace, _settings(arguments, stored.values), tools)
+    settings = _settings(arguments, stored.values)._replace(echoes=echoes([form for _, form in listed]))
+    with ExitStack() as files:
+        forms: list[Form] = [
+            form_of(form, files.enter_context(opened(path)), prepared, trace, arguments.plot) for path, form in listed
+        ]
+        forms += [expected] if expected else []
+
+        def take(block: "Block", library: "ctypes.CDLL | None") -> None:
+            for form in forms:
+                form.take(block, library)
+
+        simulated = run(prepared, trace, settings, tools, take)
+        for form in forms:
+            form.finish()
     _told(simulated.findings, found)
     for each in simulated.memory:
         print(each.text, file=sys.stderr)
-    for path, form in forms:
-        write_bytes(written(form, simulated, prepared, trace, arguments.plot), path)
+    if expected is not None:
+        _write_differences(arguments, expected, prepared, str(simulated.stop or ""))
     if simulated.stop is not None:
         raise simulated.stop
     if arguments.stored is not None:
         write_text(stored_text(simulated.kept, prepared.connections.members, stored.others), arguments.stored)
+    if expected is not None:
+        _refuse_differences(arguments.expect, expected)
     return 0
+
+
+def _check(arguments: argparse.Namespace, tools: "Toolchain") -> None:
+    """Raise UsageError for what cannot be done here."""
+    from sigcat.runs.building.coverage import check_coverage
+    from sigcat.runs.running.sandbox import check_sandbox
+
+    if arguments.expect is None and (arguments.tolerance or arguments.differences or arguments.junit):
+        raise UsageError("--tolerance, --differences and --junit need --expect FILE")
+    if arguments.coverage is not None:
+        check_coverage(tools)
+        make_folder(arguments.coverage)
+    if arguments.sandbox:
+        check_sandbox()
+
+
+def _expected(
+    arguments: argparse.Namespace, prepared: "Prepared", paths: "Collection[str]", found: "list[Finding]"
+) -> "Expected | None":
+    """What compares the run with a file, if one is given."""
+    from sigcat.runs.expecting.expect import Expected
+
+    if arguments.expect is None:
+        return None
+    expected = Expected(existing_file(arguments.expect), prepared, paths, arguments.tolerance)
+    _told(expected.trace.findings, found)
+    return expected
+
+
+def _write_differences(arguments: argparse.Namespace, expected: "Expected", prepared: "Prepared", stop: str) -> None:
+    from sigcat.runs.expecting.reports import differences_svg, junit
+
+    if arguments.junit is not None:
+        write_text(junit(expected.columns, str(arguments.expect), stop), arguments.junit)
+    if arguments.differences is not None:
+        write_text(differences_svg(expected.columns, prepared.connections.units), arguments.differences)
+
+
+def _refuse_differences(file: Path, expected: "Expected") -> None:
+    """Say that all is as expected. Raises InputRefused if it is not."""
+    from sigcat.runs.expecting.reports import findings_of, summary
+
+    text = summary(expected.columns, str(file))
+    if findings := findings_of(expected.columns, expected.trace):
+        raise InputRefused(text, findings)
+    print(f"sigcat: {text}", file=sys.stderr)
 
 
 def _forms(arguments: argparse.Namespace) -> "list[tuple[Path | None, str]]":
@@ -123,12 +220,13 @@ def _forms(arguments: argparse.Namespace) -> "list[tuple[Path | None, str]]":
     return [(path, form or CSV) for path, form in forms] or [(None, CSV)]
 
 
-def _prepared(arguments: argparse.Namespace, found: "list[Finding]", folder: Path) -> "tuple[Prepared, Trace | None]":
+def _prepared(
+    arguments: argparse.Namespace, found: "list[Finding]"
+) -> "tuple[Prepared, Trace | None, Collection[str]]":
     """The functions and the trace; what is found in them goes to standard error."""
     from sigcat.integration.reading import read_functions
     from sigcat.runs.prepare import prepare
-    from sigcat.runs.recording.mcap_trace import as_csv
-    from sigcat.runs.recording.trace_file import open_trace
+    from sigcat.runs.recording.traces import open_trace
 
     catalogue = read_tree(arguments)
     sources = [(existing_file(path).read_bytes(), str(path)) for path in arguments.functions]
@@ -136,12 +234,13 @@ def _prepared(arguments: argparse.Namespace, found: "list[Finding]", folder: Pat
     _told(findings, found)
     prepared = prepare(functions)
     _told(prepared.findings, found)
+    paths = (*catalogue.nodes, *catalogue.interfaces)
     if arguments.trace is None:
-        return prepared, None
-    known = prepared.known_columns((*catalogue.nodes, *catalogue.interfaces))
-    trace = open_trace(as_csv(existing_file(arguments.trace), folder), known)
+        return prepared, None, paths
+    known = prepared.known_columns(paths)
+    trace = open_trace(existing_file(arguments.trace), known)
     _told(trace.findings, found)
-    return prepared, trace
+    return prepared, trace, paths
 
 
 def _told(findings: "Iterable[Finding]", found: "list[Finding]") -> None:
@@ -161,7 +260,11 @@ def _stored(path: Path, prepared: "Prepared") -> "StoredFile":
 
 def _settings(arguments: argparse.Namespace, stored: "Stored") -> "Settings":
     from sigcat.runs.recording.times import NANOSECONDS
-    from sigcat.runs.simulate import Settings
+    from sigcat.runs.simulate import MIB, Settings
 
     duration = None if arguments.duration is None else round(arguments.duration * NANOSECONDS)
-    return Settings(duration, arguments.ignition_cycle, arguments.step_limit, stored, tells_memory=arguments.memory)
+    return Settings(
+        duration, arguments.ignition_cycle, arguments.step_limit, stored, tells_memory=arguments.memory,
+        memory_limit=arguments.memory_limit * MIB, output_limit=arguments.output_limit * MIB,
+        is_sandboxed=arguments.sandbox, coverage=arguments.coverage,
+    )  # fmt: skip

@@ -96,15 +96,29 @@ class Connections(NamedTuple):
     @property
     def received(self) -> Mapping[str, Shape]:
         """What comes from outside, by every name that it has."""
+        return {name: entry.shape for entry in self._outside for name in entry.names}
+
+    @property
+    def inputs(self) -> tuple[tuple[str, ...], ...]:
+        """The names of each signal and mode that is received from outside."""
+        found = (each for each in self._outside if each.receiver in _signals_and_modes(self.members[each.member].plan))
+        return tuple(entry.names for entry in found if not entry.is_answer)
+
+    @property
+    def _outside(self) -> Iterator[Entry]:
         inside = {target for route in self.routes for target in route} | self.servers.keys()
-        outside = (entry for index, entry in enumerate(self.entries) if index not in inside)
-        return {name: entry.shape for entry in outside for name in entry.names}
+        return (entry for index, entry in enumerate(self.entries) if index not in inside)
 
     @property
     def units(self) -> Mapping[str, str]:
         """Units of the catalogue, by every name of what has one."""
         ends = [(each.names, each.unit) for each in self.entries] + [(each.names, each.unit) for each in self.exits]
         return {name: unit for names, unit in ends for name in names if unit}
+
+
+def _signals_and_modes(plan: CorePlan) -> set[str]:
+    modes = {plan.mode_in.named.name} if plan.mode_in else set()
+    return modes | {port.name for port in plan.ports}
 
 
 def connect(members: Sequence[Member]) -> Connections:

@@ -33,12 +33,19 @@ class Prepared(NamedTuple):
         connections = self.connections
         durations = {call.interface: SECONDS for call in self.numbers.calls if call}
         names = [each.names for each in connections.entries] + [each.names for each in connections.exits]
-        return Known({**durations, **connections.received}, {*paths, *(name for each in names for name in each)})
+        others = {*paths, *(name for each in names for name in each)}
+        return Known({**durations, **connections.received}, others, inputs=connections.inputs)
+
+    @property
+    def inputs(self) -> frozenset[str]:
+        """All names of what functions receive, and of calls."""
+        names = {name for each in self.connections.entries for name in each.names}
+        return frozenset(names | {call.interface for call in self.numbers.calls if call})
 
     @property
     def known_in_drive(self) -> Known:
         """What the columns of a drive may be, which has more than these functions need."""
-        return self.known_columns(())._replace(others=None)
+        return self.known_columns(())._replace(others=None, inputs=())
 
 
 def prepare(functions: Sequence[ResolvedFunction]) -> Prepared:

@@ -1,7 +1,8 @@
 """Functions are run with a trace, in simulated time: built in a folder that goes away again, then run to the end."""
 
+import ctypes
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
@@ -10,20 +11,30 @@ from sigcat.adapter.toolchain import Toolchain
 from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding
 from sigcat.runs.building.build import build
+from sigcat.runs.building.coverage import FLAGS, report_coverage
+from sigcat.runs.building.library import convert_library
 from sigcat.runs.building.memory import Memory, memory_of
 from sigcat.runs.driver.tables import targets_of
 from sigcat.runs.kept import Kept
-from sigcat.runs.length import check_length
+from sigcat.runs.length import check_length, cyclic_calls
 from sigcat.runs.prepare import Prepared
 from sigcat.runs.recording.recorded import Recorded
 from sigcat.runs.recording.shapes import Value, packing
-from sigcat.runs.recording.trace_file import Trace, moments
-from sigcat.runs.running.rows import InitFails, Row, Stored
+from sigcat.runs.recording.trace_file import Trace
+from sigcat.runs.recording.traces import moments
+from sigcat.runs.running.converted_input import convert_csv, convert_mcap
+from sigcat.runs.running.fast_scan import fast_scanner
+from sigcat.runs.running.process import Limits
+from sigcat.runs.running.rows import Block, InitFails, Layout, Progress, Row, Stored, decoded, scanner
 from sigcat.runs.running.run import Command, Stopped, run
-from sigcat.runs.running.written_input import Span, write_input
+from sigcat.runs.running.sandbox import sandbox
+from sigcat.runs.running.written_input import Span, targets_by_column, write_kept, write_rows
 from sigcat.runs.stops import refusal
 
-INPUT = "input"
+INPUT, RESULTS = "input", "results"
+MIB = 1 << 20
+LONG_BYTES, LONG_CALLS = MIB, 50_000
+"""From a trace of so many bytes, or so many calls, on, the library in C converts it."""
 
 
 class Settings(NamedTuple):
@@ -41,46 +52,115 @@ class Settings(NamedTuple):
     """Functions that end without a word, by name, and when, in ns."""
     prints: Path | None = None
     """A file for what functions print; None: it goes where our errors go."""
+    memory_limit: int = 2048 * MIB
+    """Bytes that the process may allocate."""
+    output_limit: int = 1024 * MIB
+    """Bytes that the functions may print, and of a file that they write."""
+    echoes: bool = False
+    """Whether blocks have what is received, too."""
+    is_sandboxed: bool = False
+    coverage: Path | None = None
+    """A folder for reports about the coverage of the code."""
 
 
 class Simulated(NamedTuple):
     """What happened in a run."""
 
-    rows: tuple[Recorded, ...]
     kept: Mapping[Kept, Value]
     """What the functions keep for the next ignition cycle."""
     findings: tuple[Finding, ...]
     stop: InputRefused | None
     """Why it did not come to its end."""
-    end: int
-    """When it was to end, in ns."""
     memory: tuple[Memory, ...] = ()
     """What the core of each function takes, if that was asked for."""
 
 
-def simulate(prepared: Prepared, trace: Trace | None, settings: Settings, tools: Toolchain) -> Simulated:
-    """Run the functions. Raises InputRefused if the trace cannot be used, or the code cannot be built."""
+Take = Callable[[Block, ctypes.CDLL | None], None]
+"""A function that takes rows as they come, and the library that converts them where there is one."""
+
+
+class Collected:
+    """Takes rows, and keeps all of them: memory grows with the length of the run."""
+
+    def __init__(self, prepared: Prepared) -> None:
+        self.rows: list[Recorded] = []
+        self._prepared, self._layout = prepared, layout_of(prepared)
+
+    def __call__(self, block: Block, library: ctypes.CDLL | None) -> None:
+        """Take a block."""
+        del library
+        found = decoded(block, self._layout)
+        self.rows += [recorded(row, self._prepared) for row in found if isinstance(row, Row)]
+
+
+def layout_of(prepared: Prepared) -> Layout:
+    """Values of records of the driver."""
+    connections = prepared.connections
+    return Layout(*([packing(each.shape) for each in listed]
+                    for listed in (connections.exits, connections.entries, prepared.numbers.kept)))  # fmt: skip
+
+
+def recorded(row: Row, prepared: Prepared) -> Recorded:
+    """A row with names."""
+    exits = prepared.connections.exits
+    call = prepared.numbers.calls[row.call] if row.call is not None else None
+    values = tuple([(exits[number].names[0], value) for number, value in row.values])
+    return Recorded(row.time, call.interface if call else "", values)
+
+
+def simulate(prepared: Prepared, trace: Trace | None, settings: Settings, tools: Toolchain, take: Take) -> Simulated:
+    """Run the functions; rows are taken as they come.
+
+    Raises InputRefused if the trace cannot be used, or the code cannot be built: then no row was taken.
+    """
     with tempfile.TemporaryDirectory(prefix="sigcat-") as name:
         folder = Path(name)
         members = prepared.connections.members
-        span = _write_input(prepared, trace, settings, folder / INPUT)
+        library = convert_library(folder, tools) if _is_long(prepared, trace, settings.duration) else None
+        span, notes = _write_input(prepared, trace, settings, folder / INPUT, library)
         start, end = _times(span, settings)
         check_length(members, start, end, trace, span.line if settings.duration is None else None)
-        program = build(prepared.connections, prepared.numbers, folder, tools)
+        flags = FLAGS if settings.coverage else ()
+        program = build(prepared.connections, prepared.numbers, folder, tools, flags)
         memory = memory_of(members, folder, tools) if settings.tells_memory else ()
+        limits = Limits(settings.step_limit, settings.output_limit)
         command = Command(
-            program, folder / INPUT, start, end, settings.ignition_cycle, settings.step_limit, settings.prints
-        )
-        return _run(prepared, command, trace)._replace(memory=memory)
+            (*_sandbox(settings, folder), str(program)), folder / INPUT, folder / RESULTS, start, end,
+            settings.ignition_cycle, settings.echoes, settings.memory_limit, limits, settings.prints, settings.is_sandboxed,
+        )  # fmt: skip
+        done = _run(prepared, command, trace, take, library)
+        if settings.coverage is not None and done.stop is None:
+            report_coverage(members, folder, settings.coverage, tools)
+        return done._replace(memory=memory, findings=(*notes, *done.findings))
 
 
-def _write_input(prepared: Prepared, trace: Trace | None, settings: Settings, path: Path) -> Span:
+def _sandbox(settings: Settings, folder: Path) -> tuple[str, ...]:
+    """What the program is started by: nothing, or a sandbox that writes to nothing but the results."""
+    if not settings.is_sandboxed:
+        return ()
+    (folder / RESULTS).touch()
+    return sandbox((), (folder,)) if settings.coverage else sandbox((folder,), (folder / RESULTS,))
+
+
+def _write_input(
+    prepared: Prepared, trace: Trace | None, settings: Settings, path: Path, library: ctypes.CDLL | None
+) -> tuple[Span, tuple[Finding, ...]]:
     connections, numbers = prepared.connections, prepared.numbers
-    rows = moments(trace) if trace else iter(())
+    targets, by_column = targets_of(connections, numbers), targets_by_column(connections, numbers)
     with path.open("wb") as file:
-        return write_input(
-            file, settings.kept, rows, targets_of(connections, numbers), connections, numbers, settings.gone
-        )
+        write_kept(file, settings.kept, targets, numbers)
+        if trace is not None and trace.known is not None:
+            return convert_mcap(file, trace, by_column, targets, library)
+        if trace is not None and library is not None and not settings.gone:
+            return convert_csv(file, trace, by_column, targets, library), ()
+        rows = moments(trace) if trace else iter(())
+        return write_rows(file, rows, targets, connections, numbers, settings.gone), ()
+
+
+def _is_long(prepared: Prepared, trace: Trace | None, duration: int | None) -> bool:
+    """Whether a run takes longer than it takes to compile what makes it shorter."""
+    calls = cyclic_calls(prepared.connections.members, duration or 0)
+    return calls > LONG_CALLS or (trace is not None and trace.file.stat().st_size > LONG_BYTES)
 
 
 def _times(span: Span, settings: Settings) -> tuple[int, int]:
@@ -92,31 +172,26 @@ def _times(span: Span, settings: Settings) -> tuple[int, int]:
     return start, span.last
 
 
-def _run(prepared: Prepared, command: Command, trace: Trace | None) -> Simulated:
-    exits = [packing(each.shape) for each in prepared.connections.exits]
-    kept = [packing(each.shape) for each in prepared.numbers.kept]
-    rows: list[Recorded] = []
+def _run(
+    prepared: Prepared, command: Command, trace: Trace | None, take: Take, library: ctypes.CDLL | None
+) -> Simulated:
+    layout, progress = layout_of(prepared), Progress()
+    scan = fast_scanner(layout, len(prepared.numbers.calls), library) if library else scanner(layout)
     left: dict[Kept, Value] = {}
     findings: list[Finding] = []
     stop = None
     try:
-        for event in run(command, exits, kept):
-            if isinstance(event, Row):
-                rows.append(_recorded(event, prepared))
+        for event in run(command, layout, scan, progress):
+            if isinstance(event, Block):
+                take(event, library)
             elif isinstance(event, Stored):
                 left[prepared.numbers.kept[event.kept]] = event.value
             elif isinstance(event, InitFails):
                 findings.append(_init_fails(prepared, event.member))
     except Stopped as stopped:
-        stop = refusal(stopped, prepared, trace, rows, command.step_limit)
-    return Simulated(tuple(rows), left, tuple(findings), stop, command.end)
-
-
-def _recorded(row: Row, prepared: Prepared) -> Recorded:
-    exits = prepared.connections.exits
-    call = prepared.numbers.calls[row.call] if row.call is not None else None
-    values = tuple([(exits[number].names[0], value) for number, value in row.values])
-    return Recorded(row.time, call.interface if call else "", values)
+        sent = {number: layout.exits[number].unpack(data) for number, data in progress.sent().items()}
+        stop = refusal(stopped, prepared, trace, sent, command.limits)
+    return Simulated(left, tuple(findings), stop)
 
 
 def _init_fails(prepared: Prepared, index: int) -> Finding:

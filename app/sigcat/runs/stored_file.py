@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 from sigcat.errors import UsageError
 from sigcat.runs.connections import Member
 from sigcat.runs.kept import Kept
-from sigcat.runs.recording.cells import Unfit, fitted, json_text
+from sigcat.runs.recording.cells import Literal, Unfit, exact_float, fitted, json_text
 from sigcat.runs.recording.shapes import Value
 
 Stored = Mapping[Kept, Value]
@@ -25,7 +25,18 @@ def stored_text(stored: Stored, members: Sequence[Member], others: Mapping[str, 
             section.setdefault(each.section, {})[each.name] = found
         else:
             section[each.section] = found
-    return f"{json.dumps(document, indent=2, ensure_ascii=False)}\n"
+    return f"{_text(document, 0)}\n"
+
+
+def _text(value: Any, depth: int) -> str:
+    """A value of JSON as `json.dumps` writes it with an indent of 2; numbers that others wrote keep their digits."""
+    inner = "\n" + "  " * (depth + 1)
+    if isinstance(value, Mapping) and value:
+        fields = (f"{json.dumps(key, ensure_ascii=False)}: {_text(each, depth + 1)}" for key, each in value.items())
+        return f"{{{inner}{f',{inner}'.join(fields)}{inner[:-2]}}}"
+    if isinstance(value, list) and value:
+        return f"[{inner}{f',{inner}'.join(_text(each, depth + 1) for each in value)}{inner[:-2]}]"
+    return value.text if isinstance(value, Literal) else json.dumps(value, ensure_ascii=False)
 
 
 class StoredFile(NamedTuple):
@@ -44,7 +55,7 @@ EMPTY = StoredFile({}, {})
 def read_stored(data: bytes, name: str, kept: Sequence[Kept], members: Sequence[Member]) -> StoredFile:
     """The values of a file. Raises UsageError, also for what a function of the run does not keep: it would be lost."""
     try:
-        document = json.loads(data)
+        document = json.loads(data, parse_float=exact_float)
     except (ValueError, RecursionError):
         document = None
     if not isinstance(document, dict):

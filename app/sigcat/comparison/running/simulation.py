@@ -18,7 +18,7 @@ from sigcat.runs.prepare import Prepared
 from sigcat.runs.recording.cells import cell_of
 from sigcat.runs.recording.recorded import Recorded
 from sigcat.runs.recording.trace_file import open_trace
-from sigcat.runs.simulate import Settings, simulate
+from sigcat.runs.simulate import Collected, Settings, simulate
 
 NAME = "simulate"
 
@@ -46,10 +46,11 @@ def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
     prints = run / f"{NAME}.txt"
     duration = max(drive.end_ns - begin_of(drive.trace, prepared), 0)
     settings = Settings(duration, step_limit=drive.step_limit_s, gone=gone, prints=prints)
+    collected = Collected(prepared)
     with _measuring(run / marks.NAME):
-        simulated = simulate(prepared, trace, settings, _with_marks(toolchain(), prepared, run))
+        simulated = simulate(prepared, trace, settings, _with_marks(toolchain(), prepared, run), collected)
     marked = marks.read_marks(prepared.connections, run / marks.NAME, 0)
-    sent = sent_by_name(simulated.rows, prepared)
+    sent = sent_by_name(collected.rows, prepared)
     write_recorded(sent, run / "recorded.csv")
     return Recording(
         NAME,

@@ -20,16 +20,19 @@ PROGRAM = "run.exe" if os.name == "nt" else "run"
 _DRIVER = Path(__file__).parents[1] / "driver"
 
 
-def build(connections: Connections, numbers: Numbers, folder: Path, tools: Toolchain) -> Path:
-    """The program of a set of functions, made in a folder. Raises InputRefused with what the compiler says."""
+def build(connections: Connections, numbers: Numbers, folder: Path, tools: Toolchain, own: Sequence[str] = ()) -> Path:
+    """The program of a set of functions, made in a folder. Raises InputRefused with what the compiler says.
+
+    `own` are further flags for the code of functions, and for the linker.
+    """
     cores = [core_files(member.plan) for member in connections.members]
     _write(connections, numbers, cores, folder)
-    compiled = tuple(compilations(connections.members, folder, tools))
+    compiled = tuple(compilations(connections.members, folder, tools, own))
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         failed = [said for said in pool.map(_compiled, compiled) if said]
     program = folder / PROGRAM
     if not failed:
-        said = _said(linking(compiled, program, tools), None)
+        said = _said(linking(compiled, program, tools, own), None)
         failed = [said] if said else []
     if failed:
         raise refused(failed, connections.members, cores)

@@ -32,15 +32,20 @@ def is_cpp(source: Path) -> bool:
     return source.suffix in _CPP or source.suffix == ".C"
 
 
-def compilations(members: Sequence[Member], folder: Path, tools: Toolchain) -> Iterator[Compilation]:
-    """What there is to compile. What is generated is in the folder, and everything compiled goes there."""
+def compilations(
+    members: Sequence[Member], folder: Path, tools: Toolchain, own: Sequence[str] = ()
+) -> Iterator[Compilation]:
+    """What there is to compile. What is generated is in the folder, and everything compiled goes there.
+
+    `own` are further flags for the code of functions.
+    """
     for name in ("sigcat_driver.c", "sigcat_tables.c"):
         yield _compilation(None, folder / name, folder / f"{name}.o", (), tools)
     for index, member in enumerate(members):
-        yield from _of_member(index, member, folder, tools)
+        yield from _of_member(index, member, folder, tools, own)
 
 
-def _of_member(index: int, member: Member, folder: Path, tools: Toolchain) -> Iterator[Compilation]:
+def _of_member(index: int, member: Member, folder: Path, tools: Toolchain, own: Sequence[str]) -> Iterator[Compilation]:
     code = member.function.function.code or CodeInterface(signature="")
     flags = (*_definitions(code), *_folders(code, member, folder))
     for kind in ("adapter", "driver"):
@@ -48,7 +53,7 @@ def _of_member(index: int, member: Member, folder: Path, tools: Toolchain) -> It
         strict = () if is_cpp(found) else _OF_CORE
         yield _compilation(index, found, folder / f"{found.name}.o", (*strict, *flags), tools)
     for number, source in enumerate(code.sources or ()):
-        yield _compilation(index, member.folder / source, folder / f"{member.name}.{number}.o", flags, tools)
+        yield _compilation(index, member.folder / source, folder / f"{member.name}.{number}.o", (*flags, *own), tools)
 
 
 def _compilation(member: int | None, source: Path, output: Path, flags: Sequence[str], tools: Toolchain) -> Compilation:
@@ -67,7 +72,9 @@ def _folders(code: CodeInterface, member: Member, folder: Path) -> list[str]:
     return [f"-I{each.absolute()}" for each in (*own, folder)]
 
 
-def linking(compiled: Sequence[Compilation], program: Path, tools: Toolchain) -> tuple[str, ...]:
+def linking(
+    compiled: Sequence[Compilation], program: Path, tools: Toolchain, flags: Sequence[str] = ()
+) -> tuple[str, ...]:
     """The command that links everything."""
     linker = tools.compiler(is_cpp=any(is_cpp(each.source) for each in compiled))
-    return (*linker, "-o", str(program), *(str(each.output) for each in compiled), "-lm")
+    return (*linker, "-o", str(program), *(str(each.output) for each in compiled), *flags, "-lm")

@@ -1,8 +1,11 @@
 /*
- * Runs functions in simulated time: `driver INPUT START END IGNITION_CYCLE`.
+ * Runs functions in simulated time: `driver INPUT RESULTS START END IGNITION_CYCLE ECHO MEMORY FILES`.
  *
- * INPUT has records of a time, an entry and a value, by time. What happens is written to standard output, as records of
- * a tag, a number and a time. Times are in nanoseconds. What the functions print goes to standard error.
+ * INPUT has records of an entry and a value, by time; the entry SIGCAT_NONE has the time of those that follow.
+ * RESULTS is a file that both processes map: records of a tag, a number, a time and a value. No descriptor leads to it.
+ * ECHO is 1 if RESULTS repeats what is received. MEMORY and FILES limit, in bytes, what the process may allocate beyond
+ * what it starts with, and the size of a file that it writes; 0 is no limit. Times are in nanoseconds. What the
+ * functions print goes to standard error.
  */
 
 #if !defined(_WIN32)
@@ -15,18 +18,21 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #if defined(_WIN32)
-#include <fcntl.h>
 #include <io.h>
-#define dup _dup
-#define dup2 _dup2
-#define fdopen _fdopen
+#include <windows.h>
+#include <fcntl.h>
 #else
+#include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #endif
 
+#define SIGCAT_RING_HEAD 128U /* bytes before those of the ring: how many were written, and how many were taken */
 #define ROUNDS 100000U /* of calls at one time; after so many, they trigger each other without end */
 
 typedef struct {
@@ -36,9 +42,9 @@ typedef struct {
     bool is_gone; /* nothing of it is called any more, not even its end */
 } running;
 
-static FILE *input;
-static FILE *results;
 static uint64_t now;
+static uint64_t rows; /* that were reported */
+static bool is_echoing;
 static bool has_sent;
 static running *running_calls;
 static uint64_t *durations; /* of calls */
@@ -46,42 +52,80 @@ static uint64_t *durations; /* of calls */
 static struct {
     uint64_t time;
     uint32_t entry;
-    unsigned char *value;
+    const unsigned char *value;
     bool is_there;
 } next;
 
 /* -- what happens ------------------------------------------------------------------------------------------------ */
 
-static void tell(char tag, uint32_t number)
+/* A ring that the process that reads it maps, too: what is in it stays there, however this one ends. */
+static struct {
+    uint64_t *written; /* bytes in all */
+    const uint64_t *taken;
+    unsigned char *bytes;
+    uint64_t size;
+} results;
+
+static void wait_for_room(uint64_t written)
+{
+#if defined(_WIN32)
+    while (written - __atomic_load_n(results.taken, __ATOMIC_ACQUIRE) >= results.size) {
+        Sleep(1U);
+    }
+#else
+    static pid_t reader;
+    if (reader == 0) {
+        reader = getppid();
+    }
+    while (written - __atomic_load_n(results.taken, __ATOMIC_ACQUIRE) >= results.size) {
+        const struct timespec moment = {0, 50000};
+        if (getppid() != reader) {
+            _exit(EXIT_FAILURE); /* the reader has gone */
+        }
+        (void)nanosleep(&moment, NULL);
+    }
+#endif
+}
+
+static void put(const void *bytes, size_t size)
+{
+    const unsigned char *from = bytes;
+    uint64_t written = *results.written;
+    while (size > 0U) {
+        uint64_t room;
+        wait_for_room(written);
+        room = results.size - (written - __atomic_load_n(results.taken, __ATOMIC_ACQUIRE));
+        room = (room < size) ? room : size;
+        room = (room < results.size - written % results.size) ? room : results.size - written % results.size;
+        (void)memcpy(&results.bytes[written % results.size], from, room);
+        from += room;
+        size -= room;
+        written += room;
+        __atomic_store_n(results.written, written, __ATOMIC_RELEASE);
+    }
+}
+
+static void report(char tag, uint32_t number)
 {
     unsigned char record[13];
     record[0] = (unsigned char)tag;
     (void)memcpy(&record[1], &number, sizeof(number));
     (void)memcpy(&record[5], &now, sizeof(now));
-    if (fwrite(record, sizeof(record), 1, results) != 1) {
-        exit(EXIT_FAILURE); /* nobody reads any more */
-    }
+    put(record, sizeof(record));
 }
 
-static void tell_value(char tag, uint32_t number, const unsigned char *bytes, size_t size)
+static void report_value(char tag, uint32_t number, const unsigned char *bytes, size_t size)
 {
-    tell(tag, number);
-    if (size > 0 && fwrite(bytes, size, 1, results) != 1) {
-        exit(EXIT_FAILURE);
-    }
+    report(tag, number);
+    put(bytes, size);
 }
 
-/* Everything up to here is known, whatever the function does. */
-static void tell_call(uint32_t call)
-{
-    tell('B', call);
-    (void)fflush(results);
-}
-
-static void tell_row(uint32_t call)
+/* Rows are numbered: the process that reads them knows if one is missing. */
+static void report_row(uint32_t call)
 {
     if (has_sent || (call != SIGCAT_NONE)) {
-        tell('E', call);
+        report_value('E', call, (const unsigned char *)&rows, sizeof(rows));
+        rows++;
     }
     has_sent = false;
 }
@@ -89,7 +133,7 @@ static void tell_row(uint32_t call)
 void sigcat_sends(uint32_t number, const unsigned char *bytes)
 {
     const sigcat_exit *sent = &sigcat_exits[number];
-    tell_value('S', number, bytes, sent->size);
+    report_value('S', number, bytes, sent->size);
     has_sent = true;
     for (uint32_t i = 0; i < sent->count; i++) {
         const sigcat_entry *entry = &sigcat_entries[sent->entries[i]];
@@ -109,7 +153,7 @@ bool sigcat_serves(uint32_t function, uint32_t method, const unsigned char *argu
 
 void sigcat_stores(uint32_t number, const unsigned char *bytes, size_t size)
 {
-    tell_value('K', number, bytes, size);
+    report_value('K', number, bytes, size);
 }
 
 const unsigned char *sigcat_take(const unsigned char *from, void *to, size_t size)
@@ -126,12 +170,60 @@ unsigned char *sigcat_put(unsigned char *to, const void *from, size_t size)
 
 /* -- the trace --------------------------------------------------------------------------------------------------- */
 
+static struct {
+    int file;
+    unsigned char *bytes;
+    size_t size, at, end;
+} input;
+
+/* So many bytes, which stay until the next ones are asked for; NULL at the end of the file. */
+static const unsigned char *read_bytes(size_t size)
+{
+    const unsigned char *found;
+    while (input.end - input.at < size) {
+        long count;
+        (void)memmove(input.bytes, &input.bytes[input.at], input.end - input.at);
+        input.end -= input.at;
+        input.at = 0;
+        count = (long)read(input.file, &input.bytes[input.end], (unsigned)(input.size - input.end));
+        if (count < 0) {
+            _exit(EXIT_FAILURE);
+        }
+        if (count == 0) {
+            return NULL;
+        }
+        input.end += (size_t)count;
+    }
+    found = &input.bytes[input.at];
+    input.at += size;
+    return found;
+}
+
+static bool read_entry(void)
+{
+    const unsigned char *found = read_bytes(sizeof(next.entry));
+    if (found != NULL) {
+        (void)memcpy(&next.entry, found, sizeof(next.entry));
+    }
+    return found != NULL;
+}
+
 static void read_next(void)
 {
-    next.is_there = fread(&next.time, sizeof(next.time), 1, input) == 1
-        && fread(&next.entry, sizeof(next.entry), 1, input) == 1
-        && next.entry < sigcat_entry_count
-        && fread(next.value, sigcat_entries[next.entry].size, 1, input) == 1;
+    next.is_there = read_entry();
+    while (next.is_there && next.entry == SIGCAT_NONE) {
+        const unsigned char *found = read_bytes(sizeof(next.time));
+        if (found != NULL) {
+            (void)memcpy(&next.time, found, sizeof(next.time));
+        }
+        next.is_there = found != NULL && read_entry();
+    }
+    if (next.is_there) {
+        next.value = (next.entry < sigcat_entry_count) ? read_bytes(sigcat_entries[next.entry].size) : NULL;
+        if (next.value == NULL) {
+            _exit(EXIT_FAILURE);
+        }
+    }
 }
 
 static void take(void)
@@ -142,6 +234,9 @@ static void take(void)
         running_calls[entry->function].is_gone = true;
         running_calls[entry->function].is_busy = false;
     } else if (entry->kind == SIGCAT_VALUE) {
+        if (is_echoing) {
+            report_value('R', next.entry, next.value, entry->size);
+        }
         function->receive(entry->number, next.value, now);
     } else if (entry->kind == SIGCAT_DURATION) {
         (void)memcpy(&durations[entry->number], next.value, sizeof(uint64_t));
@@ -172,7 +267,7 @@ static void supervise_function(uint32_t function)
 {
     sigcat_functions[function]->supervise(now);
     sigcat_functions[function]->send();
-    tell_row(SIGCAT_NONE);
+    report_row(SIGCAT_NONE);
 }
 
 /* Whether something is sent. */
@@ -183,7 +278,7 @@ static bool end_call(uint32_t function)
     sigcat_functions[function]->send();
     call->is_busy = false;
     const bool sends = has_sent;
-    tell_row(sigcat_functions[function]->first + call->call);
+    report_row(sigcat_functions[function]->first + call->call);
     return sends;
 }
 
@@ -205,9 +300,9 @@ static void run_call(uint32_t function, uint32_t call)
     called->set_input(call, now);
     called->begin(call, now);
     called->send();
-    tell_call(number);
+    report('B', number);
     called->run(call);
-    tell('D', number);
+    report('D', number);
 
     running_calls[function].call = call;
     running_calls[function].is_busy = true;
@@ -215,7 +310,7 @@ static void run_call(uint32_t function, uint32_t call)
     if (durations[number] == 0) {
         (void)end_call(function);
     } else {
-        tell_row(SIGCAT_NONE);
+        report_row(SIGCAT_NONE);
     }
 }
 
@@ -284,16 +379,16 @@ static void begin(uint32_t ignition_cycle)
     take_stored();
     for (uint32_t i = 0; i < sigcat_function_count; i++) {
         const sigcat_function *function = sigcat_functions[i];
-        tell_call(function->init);
+        report('B', function->init);
         if (!function->start_up(ignition_cycle)) {
-            tell('F', i);
+            report('F', i);
         }
-        tell('D', function->init);
+        report('D', function->init);
     }
     for (uint32_t i = 0; i < sigcat_function_count; i++) {
         sigcat_functions[i]->start(now);
         sigcat_functions[i]->send();
-        tell_row(sigcat_functions[i]->init);
+        report_row(sigcat_functions[i]->init);
     }
 }
 
@@ -318,54 +413,137 @@ static void finish(void)
         if (running_calls[i].is_gone) {
             continue;
         }
-        tell_call(function->terminate);
+        report('B', function->terminate);
         function->terminate_at(now);
-        tell('D', function->terminate);
+        report('D', function->terminate);
         function->send();
-        tell_row(function->terminate);
+        report_row(function->terminate);
         function->store();
     }
 }
 
 /* -- the process ------------------------------------------------------------------------------------------------- */
 
-static bool open_files(const char *name)
-{
-    const int own = dup(1);
-    (void)dup2(2, 1);
 #if defined(_WIN32)
-    (void)_setmode(own, _O_BINARY);
+static bool map_results(const char *name)
+{
+    const HANDLE file = CreateFileA(name, GENERIC_READ | GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_WRITE, NULL,
+                                    OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL, NULL);
+    const HANDLE mapping = CreateFileMappingA(file, NULL, PAGE_READWRITE, 0, 0, NULL);
+    results.size = (uint64_t)GetFileSize(file, NULL) - SIGCAT_RING_HEAD;
+    results.written = mapping != NULL ? MapViewOfFile(mapping, FILE_MAP_ALL_ACCESS, 0, 0, 0) : NULL;
+    return results.written != NULL;
+}
+
+static bool open_input(const char *name)
+{
+    input.file = _open(name, _O_RDONLY | _O_BINARY);
+    return input.file >= 0;
+}
+
+static void limit(uint64_t memory, uint64_t files)
+{
+    (void)memory; /* a job object would be it */
+    (void)files;
+}
 #else
-    const struct rlimit none = {0, 0};
-    (void)setrlimit(RLIMIT_CORE, &none);
+static bool map_results(const char *name)
+{
+    struct stat status;
+    const int file = open(name, O_RDWR | O_CLOEXEC);
+    void *mapped = MAP_FAILED;
+    if (file >= 0 && fstat(file, &status) == 0) {
+        results.size = (uint64_t)status.st_size - SIGCAT_RING_HEAD;
+        mapped = mmap(NULL, (size_t)status.st_size, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+        (void)close(file);
+    }
+    results.written = (mapped != MAP_FAILED) ? mapped : NULL;
+    return mapped != MAP_FAILED;
+}
+
+/* The trace is read by a descriptor above those that the process may open from then on. */
+static bool open_input(const char *name)
+{
+    struct rlimit files;
+    const int low = open(name, O_RDONLY | O_CLOEXEC);
+    if (low < 0 || getrlimit(RLIMIT_NOFILE, &files) != 0 || files.rlim_cur < 64U) {
+        return false;
+    }
+    files.rlim_cur = (files.rlim_cur > 4096U) ? 4096U : files.rlim_cur;
+    input.file = fcntl(low, F_DUPFD_CLOEXEC, (int)files.rlim_cur - 1);
+    (void)close(low);
+    files.rlim_cur--;
+    return input.file >= 0 && setrlimit(RLIMIT_NOFILE, &files) == 0;
+}
+
+static uint64_t bytes_at_start(void)
+{
+    unsigned long pages = 0;
+    FILE *file = fopen("/proc/self/statm", "r");
+    if (file != NULL) {
+        (void)fscanf(file, "%lu", &pages);
+        (void)fclose(file);
+    }
+    return (uint64_t)pages * (uint64_t)sysconf(_SC_PAGESIZE);
+}
+
+static void limit_one(int what, uint64_t most)
+{
+    struct rlimit found;
+    if (getrlimit(what, &found) == 0 && (rlim_t)most < found.rlim_max) {
+        found.rlim_cur = (rlim_t)most;
+        found.rlim_max = (rlim_t)most;
+        (void)setrlimit(what, &found);
+    }
+}
+
+static void limit(uint64_t memory, uint64_t files)
+{
+    limit_one(RLIMIT_CORE, 0U);
+    if (memory > 0U) {
+        limit_one(RLIMIT_AS, bytes_at_start() + memory);
+    }
+    if (files > 0U) {
+        limit_one(RLIMIT_FSIZE, files);
+    }
+}
 #endif
-    results = fdopen(own, "wb");
-    input = fopen(name, "rb");
-    return results != NULL && input != NULL;
+
+static bool open_files(const char *trace, const char *ring)
+{
+    if (!map_results(ring) || !open_input(trace)) {
+        return false;
+    }
+    results.taken = &results.written[SIGCAT_RING_HEAD / 2U / sizeof(uint64_t)];
+    results.bytes = (unsigned char *)results.written + SIGCAT_RING_HEAD;
+    return true;
 }
 
 static bool make_room(void)
 {
     running_calls = calloc(sigcat_function_count, sizeof(*running_calls));
     durations = calloc((size_t)sigcat_call_count + 1U, sizeof(*durations));
-    next.value = malloc(sigcat_largest);
-    return running_calls != NULL && durations != NULL && next.value != NULL;
+    input.size = (sigcat_largest > 65536U) ? sigcat_largest : 65536U;
+    input.bytes = malloc(input.size);
+    return running_calls != NULL && durations != NULL && input.bytes != NULL;
 }
 
 int main(int count, char **arguments)
 {
-    if (count != 5 || !open_files(arguments[1]) || !make_room()) {
+    if (count != 9 || !open_files(arguments[1], arguments[2]) || !make_room()) {
         return EXIT_FAILURE;
     }
-    now = strtoull(arguments[2], NULL, 10);
-    const uint64_t end = strtoull(arguments[3], NULL, 10);
+    now = strtoull(arguments[3], NULL, 10);
+    const uint64_t end = strtoull(arguments[4], NULL, 10);
+    is_echoing = arguments[6][0] == '1';
+    limit(strtoull(arguments[7], NULL, 10), strtoull(arguments[8], NULL, 10));
     read_next();
-    begin((uint32_t)strtoul(arguments[4], NULL, 10));
+    begin((uint32_t)strtoul(arguments[5], NULL, 10));
     if (run_until(end)) {
         finish();
-        tell('Z', 0);
+        report('Z', 0);
     } else {
-        tell('L', 0);
+        report('L', 0);
     }
-    return (fclose(results) == 0) ? EXIT_SUCCESS : EXIT_FAILURE;
+    return EXIT_SUCCESS;
 }

@@ -7,6 +7,7 @@ of enumerations, lists and mappings of JSON for arrays and structs.
 import json
 import math
 import struct
+from decimal import Decimal
 from functools import lru_cache
 from typing import Any
 
@@ -18,6 +19,8 @@ from sigcat.runs.recording.times import nanoseconds
 
 LARGEST_FLOAT = float(struct.unpack(">f", bytes.fromhex("7f7fffff"))[0])
 _SMALLEST_NORMAL = 2.0**-126
+_WHOLE = 2**53
+"""Up to here a double holds every whole number."""
 _BOOLEANS = {"true": True, "false": False}
 
 
@@ -29,6 +32,25 @@ class Unfit(Exception):
         self.fix = fix
 
 
+class Literal(float):
+    """A number of JSON that its double does not tell all of: one beyond doubles, or between two floats."""
+
+    text: str
+
+    @classmethod
+    def of(cls, number: float, text: str) -> "Literal":
+        """A number with its text."""
+        found = cls(number)
+        found.text = text
+        return found
+
+
+def exact_float(text: str) -> float:
+    """A number with a point of JSON, for `parse_float`; with its text where that is needed to round it once."""
+    number = float(text)
+    return Literal.of(number, text) if math.isinf(number) or _is_between_floats(number) else number
+
+
 # -- reading ------------------------------------------------------------------------------------------------------
 
 
@@ -37,7 +59,7 @@ def value_of(text: str, shape: Shape) -> Value:
     if isinstance(shape, Number):
         return _number(text.strip(), shape)
     try:
-        given = json.loads(text)
+        given = json.loads(text, parse_float=exact_float)
     except (ValueError, RecursionError):
         what = "a JSON list" if isinstance(shape, Array) else "a JSON mapping"
         raise Unfit(f"must be {what}, not {shown(text)}") from None
@@ -65,12 +87,16 @@ def _are_numbers(given: list[Any], shape: Shape) -> bool:
     """Whether these need no further look: most arrays are of many numbers with a point."""
     if not isinstance(shape, Number) or shape.datatype not in FLOATING or {*map(type, given)} - {int, float}:
         return False
-    return all(-LARGEST_FLOAT <= each <= LARGEST_FLOAT for each in given)
+    return all(
+        -LARGEST_FLOAT <= each <= LARGEST_FLOAT and (type(each) is float or abs(each) <= _WHOLE) for each in given
+    )
 
 
 def _text(given: Any) -> str:
     if isinstance(given, bool):
         return "true" if given else "false"
+    if isinstance(given, Literal):
+        return given.text
     return repr(given) if isinstance(given, int | float) else shown(given)
 
 
@@ -137,9 +163,25 @@ def _floating(text: str, datatype: str) -> float:
     number = _float(text)
     if number is None:
         raise Unfit(f"must be a number, not {shown(text)}")
+    number = _to_round_once(number, text) if datatype == "float" else number
     if not -LARGEST_FLOAT <= number <= LARGEST_FLOAT and not _is_held(number, text, datatype):
         raise Unfit(f"must fit a {datatype}, not {shown(text)}")
     return number
+
+
+def _to_round_once(number: float, text: str) -> float:
+    """A double that gives the float nearest to a text. One between two floats is moved to the side of the text."""
+    if not _is_between_floats(number):
+        return number
+    exact, double = Decimal(text), Decimal(number)
+    return number if exact == double else math.nextafter(number, math.inf if exact > double else -math.inf)
+
+
+def _is_between_floats(number: float) -> bool:
+    """Whether two floats are equally near."""
+    if abs(number) < _SMALLEST_NORMAL:
+        return math.ldexp(abs(number), 150) % 2 == 1
+    return int.from_bytes(struct.pack("<d", number)[:4], "little") & 0x1FFFFFFF == 0x10000000
 
 
 def _float(text: str) -> float | None:
@@ -172,14 +214,18 @@ def cell_of(value: Value, shape: Shape) -> str:
     return json_text(value, shape)
 
 
-def json_text(value: Value, shape: Shape) -> str:
-    """The text of a value within a document of JSON."""
+def json_text(value: Value, shape: Shape, null: str = "") -> str:
+    """The text of a value within a document of JSON; `null` stands for numbers that JSON does not have."""
     if isinstance(shape, Array):
-        return f"[{','.join(json_text(element, shape.element) for element in value)}]"
+        return f"[{','.join(json_text(element, shape.element, null) for element in value)}]"
     if isinstance(shape, Number):
         text = _number_text(value, shape)
-        return _JSON_WORDS.get(text) or (json.dumps(text) if shape.symbols and not _is_number(text) else text)
-    return f"{{{','.join(f'{json.dumps(name)}:{json_text(value[name], field)}' for name, field in shape.fields)}}}"
+        if word := _JSON_WORDS.get(text):
+            return null or word
+        return json.dumps(text) if shape.symbols and not _is_number(text) else text
+    return (
+        f"{{{','.join(f'{json.dumps(name)}:{json_text(value[name], field, null)}' for name, field in shape.fields)}}}"
+    )
 
 
 _JSON_WORDS = {"nan": "NaN", "inf": "Infinity", "-inf": "-Infinity"}

@@ -9,13 +9,13 @@ from sigcat.runs.recording.times import seconds
 from sigcat.runs.recording.trace_file import CALL, TIME
 
 
-def csv_text(rows: Iterable[Recorded], columns: Mapping[str, Shape]) -> str:
-    """The whole file. The same rows give the same bytes."""
-    return "".join(_lines(rows, columns))
+def csv_header(columns: Iterable[str]) -> str:
+    """The first line."""
+    return _line([TIME, CALL, *columns])
 
 
-def _lines(rows: Iterable[Recorded], columns: Mapping[str, Shape]) -> Iterator[str]:
-    yield _line([TIME, CALL, *columns])
+def csv_lines(rows: Iterable[Recorded], columns: Mapping[str, Shape]) -> Iterator[str]:
+    """Lines of rows. The same rows give the same bytes."""
     places = {name: index for index, name in enumerate(columns, 2)}
     for row in rows:
         for each in split(row) if _has_doubles(row) else (row,):
@@ -30,12 +30,13 @@ def _has_doubles(row: Recorded) -> bool:
 
 
 def _line(cells: Iterable[str]) -> str:
-    return ",".join([_quoted(cell) if _SPECIAL.intersection(cell) else cell for cell in cells]) + "\n"
+    return ",".join([quoted(cell) if _SPECIAL.intersection(cell) else cell for cell in cells]) + "\n"
 
 
 _SPECIAL = frozenset(',"\r\n')
 
 
-def _quoted(cell: str) -> str:
+def quoted(cell: str) -> str:
+    """A cell in quotes."""
     doubled = cell.replace('"', '""')
     return f'"{doubled}"'

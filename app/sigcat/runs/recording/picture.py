@@ -6,6 +6,7 @@ largest of them, so that no peak is lost and a picture of hours stays small.
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
 from sigcat.runs.recording.samples import Sample
@@ -37,6 +38,8 @@ class Panel(NamedTuple):
     """On its own axis; places from the top of the picture."""
     path: str
     """Commands of an SVG path."""
+    beside: str = ""
+    """Those of a second line, such as what is expected."""
 
 
 class Picture(NamedTuple):
@@ -58,12 +61,17 @@ class _Axis(NamedTuple):
 
     def share(self, value: float) -> float:
         """Where a value is, from 0 to 1."""
-        return min(max((value - self.low) / (self.high - self.low), 0.0), 1.0)
+        return min(max((value - self.low) / (self.high - self.low), 0.0), 1.0) if self.low < self.high else 0.0
+
+
+Beside = Mapping[str, Sequence[tuple[int, float]]]
+"""Points of second lines, by name."""
 
 
 def picture(
-    names: Sequence[str], shapes: Mapping[str, Shape], units: Mapping[str, str], found: Iterable[Sample]
-) -> Picture:
+    names: Sequence[str], shapes: Mapping[str, Shape], units: Mapping[str, str], found: Iterable[Sample],
+    beside: Beside = MappingProxyType({}),
+) -> Picture:  # fmt: skip
     """The picture of the signals of these names, which are numbers."""
     points: dict[str, list[tuple[int, float]]] = {name: [] for name in names}
     first, last = math.inf, -math.inf
@@ -72,7 +80,10 @@ def picture(
         if name in points:
             points[name].append((time, float(value)))
     times = _Axis(first, last) if first < last else _Axis(*(_alone(first) if first <= last else (0, NANOSECONDS)))
-    panels = tuple(_panel(index, name, points[name], times, shapes[name], units) for index, name in enumerate(names))
+    panels = tuple(
+        _panel(index, name, points[name], beside.get(name, ()), times, shapes[name], units)
+        for index, name in enumerate(names)
+    )
     height = TOP + len(names) * (HEIGHT + GAP) - GAP + _FOOT
     return Picture(panels, _time_ticks(times), LEFT + WIDTH + RIGHT, height, times.low, times.high)
 
@@ -82,16 +93,24 @@ def _alone(time: float) -> tuple[float, float]:
 
 
 def _panel(
-    index: int, name: str, points: Sequence[tuple[int, float]], times: _Axis, shape: Shape, units: Mapping[str, str]
-) -> Panel:
+    index: int, name: str, points: Sequence[tuple[int, float]], beside: Sequence[tuple[int, float]], times: _Axis,
+    shape: Shape, units: Mapping[str, str],
+) -> Panel:  # fmt: skip
     assert isinstance(shape, Number)
     top = TOP + index * (HEIGHT + GAP)
-    named = _named(shape, points)
-    axis = _range(points, named)
+    both = [*points, *beside]
+    named = _named(shape, both)
+    axis = _range(both, named)
     ticks = named if named is not None else [(value, _short(value)) for value in _round_steps(axis)]
     placed = tuple(Tick(_y(value, axis, top), label) for value, label in ticks)
     unit = units.get(name, "").replace("^2", "²").replace("^3", "³")
-    return Panel(f"{name} [{unit}]" if unit else name, top, placed, _path(points, times, axis, top))
+    return Panel(
+        f"{name} [{unit}]" if unit else name,
+        top,
+        placed,
+        _path(points, times, axis, top),
+        _path(beside, times, axis, top),
+    )
 
 
 def _named(shape: Number, points: Sequence[tuple[int, float]]) -> list[tuple[float, str]] | None:

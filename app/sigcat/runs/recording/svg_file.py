@@ -1,20 +1,32 @@
 """A picture of signals as an SVG file that stands for itself, in light and in dark."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from sigcat.function.document.text_filters import xml_text
 from sigcat.runs.recording.picture import GAP, HEIGHT, LEFT, WIDTH, Panel, Picture
 
 _STYLE = (
     "text{font:12px system-ui,sans-serif;fill:#333}.title{font-weight:600}.label{text-anchor:end}.time{text-anchor:middle}"
-    ".frame{fill:none;stroke:#bbb}.mark{stroke:#ddd}.line{fill:none;stroke:#0b62a8;stroke-width:1.5}.page{fill:#fff}"
-    "@media(prefers-color-scheme:dark){text{fill:#ddd}.frame{stroke:#666}.mark{stroke:#444}.line{stroke:#6db3f2}.page{fill:#16181a}}"
+    ".frame{fill:none;stroke:#bbb}.mark{stroke:#ddd}.line{fill:none;stroke:#0b62a8;stroke-width:1.5}"
+    ".beside{fill:none;stroke:#c2410c;stroke-width:1.5;stroke-dasharray:5 3}.page{fill:#fff}"
+    "@media(prefers-color-scheme:dark){text{fill:#ddd}.frame{stroke:#666}.mark{stroke:#444}.line{stroke:#6db3f2}.beside{stroke:#fb923c}.page{fill:#16181a}}"
 )
 
 
 def svg_text(drawn: Picture) -> str:
     """The file."""
     return "\n".join(_lines(drawn)) + "\n"
+
+
+def stacked(drawn: Sequence[Picture]) -> str:
+    """Pictures below each other, each with its own axis of time."""
+    width = max((each.width for each in drawn), default=1)
+    parts, top = [], 0
+    for each in drawn:
+        parts.append(f'<svg y="{top}" width="{each.width}" height="{each.height}">\n{svg_text(each)}</svg>')
+        top += each.height
+    head = f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{max(top, 1)}" role="img">'
+    return "\n".join([head, *parts, "</svg>"]) + "\n"
 
 
 def _lines(drawn: Picture) -> Iterator[str]:
@@ -40,5 +52,7 @@ def _panel(panel: Panel, drawn: Picture) -> Iterator[str]:
     for tick in drawn.ticks:
         yield f'<path class="mark" d="M{tick.at:g} {top}v{HEIGHT}"/>'
     yield f'<rect class="frame" x="{LEFT}" y="{top}" width="{WIDTH}" height="{HEIGHT}"/>'
+    if panel.beside:
+        yield f'<path class="beside" d="{panel.beside}"/>'
     if panel.path:
         yield f'<path class="line" d="{panel.path}"/>'

@@ -4,7 +4,7 @@ its line and column, and a file of any size is read row by row.
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from itertools import islice
+from itertools import count, islice
 from pathlib import Path
 from typing import BinaryIO, NamedTuple
 
@@ -32,6 +32,10 @@ class Known(NamedTuple):
     ends_rows: bool = False
     """Whether every row ends with a line break, as in what a run wrote: a row without one was cut, and its last cell
     may be."""
+    inputs: tuple[tuple[str, ...], ...] = ()
+    """The names of each input that a trace should have."""
+    unused: str = "the functions do not receive it, or one of them provides it"
+    """Why one of the others is left out."""
 
 
 class Moment(NamedTuple):
@@ -60,6 +64,8 @@ class Trace(NamedTuple):
     """The index of the column of calls, if there is one."""
     ends_rows: bool
     """Whether a row without a line break at its end was cut."""
+    known: Known | None = None
+    """What the topics of a file in MCAP may be; None: it is CSV."""
 
 
 class _Row(NamedTuple):
@@ -70,11 +76,9 @@ class _Row(NamedTuple):
 
 def open_trace(file: Path, known: Known) -> Trace:
     """A trace by its header. Raises InputRefused if that cannot be used."""
-    with file.open("rb") as data:
-        header = next(_rows(data, str(file), ends_rows=known.ends_rows), None)
-    if isinstance(header, Finding):
-        raise _refused(file, (header,))
-    row = header or _Row(1, "", ())
+    row = _header(file, ends_rows=known.ends_rows)
+    if isinstance(row, Finding):
+        raise _refused(file, (row,))
     names = tuple(cell.strip() for cell in row.cells)
     most = TRACE_FINDINGS if known.others is None else None
     findings = tuple(islice(_Header(str(file), row, names, known).findings(), most))
@@ -87,22 +91,55 @@ def open_trace(file: Path, known: Known) -> Trace:
 
 def moments(trace: Trace) -> Iterator[Moment]:
     """The rows of a trace. Raises InputRefused at its end, with everything that was wrong with it."""
-    findings: list[Finding] = []
-    last = 0
+    lines = Lines(trace)
     with trace.file.open("rb") as data:
-        rows = _rows(data, str(trace.file), ends_rows=trace.ends_rows)
-        next(rows)
-        for row in rows:
-            found = row if isinstance(row, Finding) else _moment(trace, row, last, findings)
-            if isinstance(found, Moment):
-                last = found.time
+        lines.skip_header(data)
+        while not lines.is_over and (line := data.readline(TRACE_ROW_BYTES + 1)):
+            found = lines.moment(line)
+            if found is not None:
                 yield found
-            elif found is not None:
-                findings.append(found)
-            if len(findings) >= TRACE_FINDINGS:
-                break
-    if findings:
-        raise _refused(trace.file, tuple(findings))
+    lines.check()
+
+
+class Lines:
+    """Lines of a trace as they are read, and what is wrong with them."""
+
+    def __init__(self, trace: Trace) -> None:
+        self.number = 0
+        """Lines until now."""
+        self.last = 0
+        """Time of the last row."""
+        self._trace, self._findings, self._is_broken = trace, list[Finding](), False
+
+    @property
+    def is_over(self) -> bool:
+        """Whether no more lines are to be read."""
+        return self._is_broken or len(self._findings) >= TRACE_FINDINGS
+
+    def skip_header(self, data: BinaryIO) -> None:
+        """Read until after the header."""
+        while self._row(data.readline(TRACE_ROW_BYTES + 1)) is None:
+            pass
+
+    def moment(self, line: bytes) -> Moment | None:
+        """The row of a line, if it is not empty or wrong."""
+        row = self._row(line)
+        found = row if not isinstance(row, _Row) else _moment(self._trace, row, self.last, self._findings)
+        if isinstance(found, Finding):
+            self._findings.append(found)
+            self._is_broken = isinstance(row, Finding)
+            return None
+        self.last = found.time if found else self.last
+        return found
+
+    def check(self) -> None:
+        """Raise InputRefused if something is wrong."""
+        if self._findings:
+            raise _refused(self._trace.file, tuple(self._findings))
+
+    def _row(self, line: bytes) -> _Row | Finding | None:
+        self.number += 1
+        return _line(line, self.number, str(self._trace.file), ends_rows=self._trace.ends_rows)
 
 
 def _refused(file: Path, findings: tuple[Finding, ...]) -> InputRefused:
@@ -128,6 +165,7 @@ class _Header(NamedTuple):
         for index, name in enumerate(self.names[1:], 1):
             yield from self._of_column(index, name, is_again=name in seen)
             seen.add(name)
+        yield from missing_inputs(self.known, seen, self.file)
 
     def _of_column(self, index: int, name: str, *, is_again: bool) -> Iterator[Finding]:
         if is_again:
@@ -136,7 +174,7 @@ class _Header(NamedTuple):
         elif name in self.known.received or name == CALL or self.known.others is None:
             return
         elif name in self.known.others:
-            message = f"{name} is left out: the functions do not receive it, or one of them provides it."
+            message = f"{name} is left out: {self.known.unused}."
             yield self._finding(codes.TRACE_COLUMN_UNUSED, index, message, "")
         else:
             hint = did_you_mean(name, [*self.known.received, *self.known.others])
@@ -147,7 +185,22 @@ class _Header(NamedTuple):
         return rule.finding(message, self.file, self.row.line, _column(self.row, index), fix=fix)
 
 
+def missing_inputs(known: Known, columns: Collection[str], file: str) -> Iterator[Finding]:
+    """A note about inputs that a trace does not have."""
+    missing = dict.fromkeys(names[0] for names in known.inputs if not set(names) & set(columns))
+    if missing:
+        message = f"The trace has no column for {', '.join(missing)}: the functions run with the start values."
+        yield codes.INPUT_WITHOUT_COLUMN.finding(message, file, 1, 1)
+
+
 # -- rows ---------------------------------------------------------------------------------------------------------
+
+
+def column_in(trace: Trace, line: int, name: str) -> int:
+    """Where the cell of a column begins in a line, from 1."""
+    with trace.file.open("rb") as data:
+        text = next(islice(data, line - 1, None), b"").decode().rstrip("\r\n")
+    return _column(_Row(line, text, ()), trace.columns.index(name))
 
 
 def _moment(trace: Trace, row: _Row, last: int, findings: list[Finding]) -> Moment | Finding | None:
@@ -183,24 +236,26 @@ def _unfit_value(trace: Trace, row: _Row, index: int, reason: Unfit) -> Finding:
     return codes.TRACE_VALUE_UNFIT.finding(f"{name} {reason}.", *place, path=name, fix=reason.fix)
 
 
-def _rows(data: BinaryIO, file: str, *, ends_rows: bool) -> Iterator[_Row | Finding]:
-    """The rows that are not empty, or what is wrong with their form; after that, nothing."""
-    number = 0
-    while line := data.readline(TRACE_ROW_BYTES + 1):
-        number += 1
-        if len(line) > TRACE_ROW_BYTES:
-            message = f"A row must be shorter than {TRACE_ROW_BYTES // 2**20} MiB."
-            yield codes.TRACE_MALFORMED.finding(message, file, number, 1)
-            return
-        if ends_rows and not line.endswith(b"\n"):
-            message = "The row must end with a line break: it was cut, perhaps within a number."
-            yield codes.TRACE_MALFORMED.finding(message, file, number, 1, fix="Write the file whole.")
-            return
-        found = _row(line.removeprefix(b"\xef\xbb\xbf") if number == 1 else line, number, file)
-        if found is not None:
-            yield found
-        if isinstance(found, Finding):
-            return
+def _header(file: Path, *, ends_rows: bool) -> _Row | Finding:
+    """The first row that is not empty."""
+    with file.open("rb") as data:
+        for number in count(1):
+            line = data.readline(TRACE_ROW_BYTES + 1)
+            found = _line(line, number, str(file), ends_rows=ends_rows) if line else _Row(1, "", ())
+            if found is not None:
+                return found
+    raise AssertionError
+
+
+def _line(line: bytes, number: int, file: str, *, ends_rows: bool) -> _Row | Finding | None:
+    """The row of a line; None if it is empty."""
+    if len(line) > TRACE_ROW_BYTES:
+        message = f"A row must be shorter than {TRACE_ROW_BYTES // 2**20} MiB."
+        return codes.TRACE_MALFORMED.finding(message, file, number, 1)
+    if ends_rows and not line.endswith(b"\n"):
+        message = "The row must end with a line break: it was cut, perhaps within a number."
+        return codes.TRACE_MALFORMED.finding(message, file, number, 1, fix="Write the file whole.")
+    return _row(line.removeprefix(b"\xef\xbb\xbf") if number == 1 else line, number, file)
 
 
 def _row(line: bytes, number: int, file: str) -> _Row | Finding | None:

@@ -1,80 +1,98 @@
 """A run as it goes on, and why it stopped if it did."""
 
 import signal
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Literal, NamedTuple
 
-from sigcat.runs.recording.shapes import Packing
-from sigcat.runs.running.process import Ended, Hangs, told
-from sigcat.runs.running.rows import Begins, Event, Finished, NoEnd, Returns, events
+from sigcat.runs.running.process import Damaged, Ended, Hangs, Limits, PrintsTooMuch, results
+from sigcat.runs.running.rows import Event, Finished, Garbled, Layout, NoEnd, Progress, Scan, events
 
-Reason = Literal["crashes", "hangs", "no end"]
+Reason = Literal["crashes", "hangs", "no end", "garbled", "prints too much"]
 
 
 class Command(NamedTuple):
     """A program, and what it is given."""
 
-    program: Path
+    program: tuple[str, ...]
+    """With what it is started by, such as a sandbox."""
     input: Path
+    results: Path
     start: int
     end: int
     """In ns."""
     ignition_cycle: int
-    step_limit: float
-    """Seconds that a call may take."""
+    echoes: bool
+    """Whether results have what is received, too."""
+    memory: int
+    """Bytes that it may allocate."""
+    limits: Limits
     prints: Path | None = None
     """A file for what functions print; None: it goes where our errors go."""
+    is_sandboxed: bool = False
+    """Whether another program starts it, whose status says by which signal it ended."""
 
     @property
     def arguments(self) -> tuple[str, ...]:
-        """What the process is started with."""
-        return (str(self.program), str(self.input), str(self.start), str(self.end), str(self.ignition_cycle))
+        """Words that start the process."""
+        times = (str(self.start), str(self.end), str(self.ignition_cycle))
+        bounds = (str(int(self.echoes)), str(self.memory), str(self.limits.printed))
+        return (*self.program, str(self.input), str(self.results), *times, *bounds)
 
 
 class Stopped(Exception):
     """Why a run did not come to its end."""
 
-    def __init__(self, reason: Reason, begun: Begins | None, time: int, how: str = "") -> None:
+    def __init__(self, reason: Reason, begun: int | None, time: int, how: str = "") -> None:
         super().__init__(reason)
         self.reason: Reason = reason
         self.begun = begun
-        """The call that did not return; None if the process ended between calls."""
+        """Number of the call that did not return; None if the process ended between calls."""
         self.time = time
         self.how = how
-        """In words: the signal, or the status."""
+        """As text: the signal, the status, or what is wrong with the results."""
 
 
-def run(command: Command, exits: Sequence[Packing], kept: Sequence[Packing]) -> Iterator[Event]:
-    """What happens in a run. Raises Stopped if it does not come to its end."""
-    begun: Begins | None = None
-    time = command.start
+def run(command: Command, layout: Layout, scan: Scan, progress: Progress) -> Iterator[Event]:
+    """Events of a run. Raises Stopped if it does not come to its end."""
     is_finished = False
     try:
-        for event in events(told(command.arguments, command.step_limit, command.prints), exits, kept):
-            if isinstance(event, Begins):
-                begun, time = event, event.time
-            elif isinstance(event, Returns):
-                begun = None
-            elif isinstance(event, NoEnd):
+        pieces = results(command.arguments, command.results, command.limits, command.prints)
+        for event in events(pieces, layout, scan, progress):
+            if isinstance(event, NoEnd):
                 raise Stopped("no end", None, event.time)
-            elif isinstance(event, Finished):
-                is_finished = True  # the process goes on to its end: it still writes what was measured
-            yield event
-    except (Hangs, Ended) as stopped:
+            is_finished = is_finished or isinstance(event, Finished)
+            yield event  # the process goes on to its end: it still writes what was measured
+    except (Damaged, Ended, Garbled, Hangs, PrintsTooMuch) as stopped:
         if not is_finished:
-            raise _stopped(stopped, begun, time) from None
+            raise _stopped(_unpacked(stopped, command), progress, command.start) from None
     if not is_finished:
-        raise Stopped("crashes", begun, time, _in_words(0))
+        raise _stopped(Ended(0), progress, command.start)
 
 
-def _stopped(why: Hangs | Ended, begun: Begins | None, time: int) -> Stopped:
+def _unpacked(why: Exception, command: Command) -> Exception:
+    """The reason without the sandbox: its status says by which signal the program ended."""
+    is_signal = command.is_sandboxed and isinstance(why, Ended) and why.status > _SIGNAL
+    return Ended(_SIGNAL - why.status) if is_signal and isinstance(why, Ended) else why
+
+
+_SIGNAL = 128
+"""A status above it is a signal."""
+
+
+def _stopped(why: Exception, progress: Progress, start: int) -> Stopped:
+    begun = progress.begun[0] if progress.begun else None
+    time = start if progress.time is None else progress.time
+    if isinstance(why, Garbled | Damaged):
+        return Stopped("garbled", None, time, str(why) or "their place was written over")
+    if isinstance(why, PrintsTooMuch):
+        return Stopped("prints too much", begun, time)
     if isinstance(why, Ended):
-        return Stopped("crashes", begun, time, _in_words(why.status))
+        return Stopped("crashes", begun, time, _as_text(why.status))
     return Stopped("hangs", begun, time)
 
 
-def _in_words(status: int) -> str:
+def _as_text(status: int) -> str:
     """How a process ended: `SIGSEGV (Segmentation fault)`."""
     if status >= 0:
         return f"exit status {status}"

@@ -11,7 +11,10 @@ from sigcat.runs.kept import Kept
 from sigcat.runs.recording.shapes import Value
 from sigcat.runs.recording.trace_file import Moment
 
-_HEAD = struct.Struct("=QI")
+_ENTRY = struct.Struct("=I")
+_TIME = struct.Struct("=IQ")
+NO_ENTRY = 2**32 - 1
+"""What the time of those that follow begins with."""
 _YES = b"\x01"
 
 
@@ -24,22 +27,26 @@ class Span(NamedTuple):
     """That of the last row."""
 
 
-def write_input(
-    file: BinaryIO, kept: Mapping[Kept, Value], rows: Iterable[Moment], targets: Sequence[Target],
-    connections: Connections, numbers: Numbers, gone: Mapping[str, int] = {},
-) -> Span:  # fmt: skip
-    """Write what is kept from before, then the trace. Raises InputRefused with what is wrong with the trace.
-
-    `gone` says of functions, by name, from when on nothing of them is called.
-    """
+def write_kept(file: BinaryIO, kept: Mapping[Kept, Value], targets: Sequence[Target], numbers: Numbers) -> None:
+    """Write what is kept from before."""
     stored = [(number, target) for number, target in enumerate(targets) if target.kind == "STORED"]
     for (number, target), each in zip(stored, numbers.kept, strict=True):
         if each in kept:
-            file.write(_HEAD.pack(0, number) + target.packing.pack(kept[each]))
+            file.write(_ENTRY.pack(number) + target.packing.pack(kept[each]))
+
+
+def write_rows(
+    file: BinaryIO, rows: Iterable[Moment], targets: Sequence[Target], connections: Connections, numbers: Numbers,
+    gone: Mapping[str, int],
+) -> Span:  # fmt: skip
+    """Write a trace. Raises InputRefused with what is wrong with it.
+
+    `gone` says of functions, by name, from when on nothing of them is called.
+    """
     indexes = {member.name: index for index, member in enumerate(connections.members)}
     first = next(number for number, target in enumerate(targets) if target.kind == "GONE")
     ends = sorted((time, first + indexes[name]) for name, time in gone.items())
-    return _write_rows(file, rows, _targets_by_column(connections, numbers), targets, ends)
+    return _write_rows(file, rows, targets_by_column(connections, numbers), targets, ends)
 
 
 def _write_rows(
@@ -50,17 +57,29 @@ def _write_rows(
     for row in rows:
         time = row.time
         while left and left[0][0] <= time:
-            file.write(_HEAD.pack(*left.pop(0)) + _YES)
+            file.write(_end(*left.pop(0)))
         span = Span(time if span.first is None else span.first, time, row.line)
-        for column, value in row.values:
-            numbers = by_column[column]
-            data = targets[numbers[0]].packing.pack(value)
-            file.writelines(_HEAD.pack(time, number) + data for number in numbers)
-    file.writelines(_HEAD.pack(*end) + _YES for end in left)
+        file.write(moment_bytes(row, by_column, targets))
+    file.writelines(_end(*end) for end in left)
     return span
 
 
-def _targets_by_column(connections: Connections, numbers: Numbers) -> Mapping[str, Sequence[int]]:
+def _end(time: int, number: int) -> bytes:
+    return _TIME.pack(NO_ENTRY, time) + _ENTRY.pack(number) + _YES
+
+
+def moment_bytes(row: Moment, by_column: Mapping[str, Sequence[int]], targets: Sequence[Target]) -> bytes:
+    """The records of a row."""
+    parts = [_TIME.pack(NO_ENTRY, row.time)]
+    for column, value in row.values:
+        numbers = by_column[column]
+        data = targets[numbers[0]].packing.pack(value)
+        parts += [_ENTRY.pack(number) + data for number in numbers]
+    return b"".join(parts)
+
+
+def targets_by_column(connections: Connections, numbers: Numbers) -> Mapping[str, Sequence[int]]:
+    """The targets that get the values of a column, by its name."""
     found: dict[str, list[int]] = {}
     for number, entry in enumerate(connections.entries):
         for name in entry.names:
