@@ -19,6 +19,12 @@ def test_the_findings_are_as_expected(name):
     assert found == BAD_INPUT.text(name), "If that is meant, run `make generate`."
 
 
+def _merges(deep, wide):
+    """The attributes of one node, merged through so many mappings, each so many times."""
+    chain = (f"&m{n} {{k{n}: {{}}, <<: [{', '.join([f'*m{n - 1}'] * wide)}]}}" for n in range(1, deep))
+    return "\n".join(("A:", "  comment: &m0 {a: b}", *(f"  x{n}: {each}" for n, each in enumerate(chain, 1)))).encode()
+
+
 @pytest.mark.parametrize(
     ("text", "rule"),
     [
@@ -32,6 +38,10 @@ def test_the_findings_are_as_expected(name):
         (b"A:\n  type: 9" + b"9" * 5_000, "R014"),
         (b"%TAG ! tag:yaml.org,2002:\n---\nA: !!map {type: !!python/name:os branch}", "R014"),
         (b"A: &a {<<: *a}", "R014"),
+        (b"A: &a {x: {<<: [*a]}}", "R005"),
+        (b"a: &a {<<: x}", "R014"),
+        (_merges(70, 1), "R005"),
+        (_merges(60, 2), "R005"),
     ],
 )
 def test_hostile_text_is_one_finding(text, rule):

@@ -26,7 +26,6 @@ from sigcat.catalogue.reading.yaml_document import (
     Builder,
     Unbuildable,
     duplicate_keys,
-    merged_pairs,
     position,
     read_document,
 )
@@ -95,7 +94,7 @@ def _read_statements(
     _report_duplicates(root, source.name, "Node", "", findings)
     numbers: dict[str, int] = {}
     try:
-        pairs = merged_pairs(root)
+        pairs = builder.pairs(root)
     except Unbuildable as error:
         findings.append(_unbuildable(error, source.name, ""))
         return
@@ -188,7 +187,7 @@ def _attributes(node: MappingNode, builder: Builder) -> tuple[dict[str, Any], li
     values: dict[str, Any] = {}
     marks: list[int] = []
     collections: dict[str, Node] = {}
-    for key, value in merged_pairs(node):
+    for key, value in builder.pairs(node):
         name = sys.intern(key.value) if key.tag == TEXT else builder.key(key)
         if not isinstance(name, str):
             raise Unbuildable(f"The name of an attribute must be text, not {shown(name)}.", key)
