@@ -8,7 +8,7 @@ PORT ?= 8000
 .PHONY: help serve test real format lint types imports tests bench generate pictures kpi clients fuzz slow trust sbom audit lock clean run-autosar run-ros2 ros2
 
 help:  ## list the commands
-	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
+	@grep -hE '^[a-z0-9-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
 
 serve: .venv/serve  ## start the service with the shipped trees on http://127.0.0.1:8000
 	@$(BIN)/sigcat serve --host $(HOST) --port $(PORT)

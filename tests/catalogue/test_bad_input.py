@@ -104,7 +104,7 @@ def test_text_cannot_include_files():
 
 def test_a_path_of_300_names_is_refused():
     path = ".".join(["Vehicle"] + ["A"] * 300)
-    assert findings_of(f"{ROOT}{path}:\n  type: branch\n") == ["V024"]
+    assert findings_of(f"{ROOT}{path}:\n  type: branch\n") == ["R004"]
 
 
 def test_two_catalogues_with_different_units_live_in_one_process_on_two_threads(tmp_path):
@@ -154,8 +154,8 @@ def test_unreadable_units_are_a_finding(tmp_path):
         ("datatype: int8, min: 1e1", [("warning", "V027")]),
         ("datatype: int8, default: true", [("warning", "V027")]),
         ("datatype: string, delete: 'yes'", [("warning", "V027")]),
-        ("datatype: float, default: .nan", [("error", "V004")]),
-        ("datatype: float, acme: {least: -.inf}", [("error", "V004")]),
+        ("datatype: float, default: .nan", [("error", "V030")]),
+        ("datatype: float, acme: {least: -.inf}", [("error", "V030")]),
         ("datatype: float, arraysize: .nan", [("error", "V004")]),
         ("datatype: .nan", [("error", "V004")]),
         ("datatype: uint8, max: 0100", [("warning", "R018")]),
