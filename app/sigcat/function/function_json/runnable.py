@@ -1,5 +1,7 @@
 """A call of the function: when it runs, how it is supervised, what it reads and writes."""
 
+import re
+
 from sigcat.function.function_json.code import Checkpoint
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.methods import MethodInterface
@@ -93,3 +95,11 @@ class Runnable(WireModel):
     )
     checkpoint: Checkpoint | None = own("Checkpoint", "Place of the call in the graph of the logical supervision.")
     overrun_error: str | None = own("OverrunError", "Error interface that is set when activations were missed.")
+
+    @property
+    def priority_number(self) -> int | None:
+        """The number that the priority means; None for words."""
+        return int(self.priority) if _NUMBER.fullmatch(self.priority) else None
+
+
+_NUMBER = re.compile(r"\s*[+-]?[0-9]{1,18}\s*")
