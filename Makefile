@@ -8,7 +8,7 @@ PORT ?= 8000
 .PHONY: help serve test real format lint types imports tests bench generate pictures kpi clients fuzz slow trust sbom audit lock clean run-autosar run-ros2 ros2
 
 help:  ## list the commands
-	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
+	@grep -hE '^[a-z0-9-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
 
 serve: .venv/serve  ## start the service with the shipped trees on http://127.0.0.1:8000
 	@$(BIN)/sigcat serve --host $(HOST) --port $(PORT)
@@ -60,9 +60,10 @@ generate: .venv/dev  ## write everything that is generated: expected outputs of 
 clients: .venv/dev  ## generate a Python and a TypeScript client, and run the same round trip with each
 	$(BIN)/python -m scripts.clients
 
-fuzz: .venv/dev  ## the service against its whole contract and killed at random points, generated cores against their model, the bench under spoilt datagrams, for long
+fuzz: .venv/dev  ## the service against its whole contract and killed at random points, generated cores against their model, changed documents on every platform, the bench under spoilt datagrams, for long
 	SIGCAT_FUZZ=500 $(BIN)/pytest tests/api/test_contract.py tests/catalogue/hosting/test_killed.py
 	SIGCAT_FUZZ=500 $(BIN)/pytest -n auto tests/adapter/core/test_equivalence.py
+	SIGCAT_FUZZ=500 $(BIN)/pytest -n auto tests/adapter/test_mutated.py
 	SIGCAT_FUZZ=500 $(BIN)/pytest tests/adapter/autosar_adaptive/bench/test_hostile.py
 
 slow: .venv/dev  ## every test with all its repetitions: each format of whole trees, each page, each bomb at each address

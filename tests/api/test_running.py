@@ -115,7 +115,8 @@ def test_a_port_that_is_taken_is_said_and_ends_with_2() -> None:
         command = [sys.executable, "-m", "sigcat.cli", "serve", "--port", str(taken.getsockname()[1])]
         ended = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
     assert ended.returncode == 2
-    assert "in use" in ended.stderr
+    assert "in use. Choose another with --port" in ended.stderr
+    assert "{" not in ended.stderr
 
 
 def test_as_an_application_of_another_server_it_logs_and_watches_too(tmp_path: Path) -> None:

@@ -129,7 +129,10 @@ def test_without_a_tree_the_shipped_one_is_meant(capsys):
     ("arguments", "message"),
     [
         (["export", "json", "-s", "none.vspec"], "none.vspec: there is no such file"),
-        (["export", "json", "-s", "tree.vspec", "-o", "no/such/folder.json"], "there is no such folder"),
+        (
+            ["export", "json", "-s", "tree.vspec", "-o", "tree.vspec/folder/tree.json"],
+            "tree.vspec must be a folder, not a file",
+        ),
         (["export", "json", "-s", "tree.vspec", "-o", "."], "must be a file, not a folder"),
         (["export", "json", "-s", "tree.vspec", "-e", "min"], "name one attribute that VSS does not define"),
         (["show", "Vehicle.Sped", "-s", "tree.vspec"], "Did you mean Vehicle.Speed?"),
@@ -196,13 +199,14 @@ def test_every_command_explains_itself(command):
     assert "usage: sigcat" in result.stdout
 
 
-def test_what_vss_tools_takes_is_refused_unless_the_export_is_lenient(tmp_path, monkeypatch, capsys):
+def test_what_vss_tools_exports_is_exported_with_a_warning_unless_the_export_is_strict(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     Path("twice.vspec").write_text("Vehicle.Speed:\n  comment: One.\n  comment: Two.\n")
     arguments = ["export", "json", "-l", "twice.vspec", "-o", "tree.json"]
-    assert main(arguments) == 1
+    assert main([*arguments, "--strict"]) == 1
+    assert main(["export", "ros2interface", "-l", "twice.vspec", "-o", "tree.json", "--strict"]) == 1
     assert not Path("tree.json").exists()
-    assert main([*arguments, "--lenient"]) == 0
+    assert main(arguments) == 0
     assert "twice.vspec:3:3: warning R006" in capsys.readouterr().err
     assert json.loads(Path("tree.json").read_text())["Vehicle"]["children"]["Speed"]["comment"] == "Two."
 

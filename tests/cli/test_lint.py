@@ -102,6 +102,16 @@ def test_a_terminal_of_few_characters_gets_escapes():
 # -- exit statuses -------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.parametrize("folder", ["empty", "other"])
+def test_a_folder_without_a_file_to_check_is_not_green(tmp_path, monkeypatch, capsys, folder):
+    monkeypatch.chdir(tmp_path)
+    Path("empty").mkdir()
+    Path("other").mkdir()
+    Path("other/notes.yaml").write_text("a: b\n")
+    assert main(["lint", folder]) == 2
+    assert f"Nothing to check: {folder} has no .vspec" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("status", "arguments"),
     [
@@ -114,7 +124,7 @@ def test_a_terminal_of_few_characters_gets_escapes():
         (2, ["good.vspec", "--select", "Z9"]),
         (2, ["good.vspec", "--format", "xml"]),
         (2, ["good.vspec", "--nonsense"]),
-        (2, ["good.vspec", "-o", "no/such/folder/x"]),
+        (2, ["good.vspec", "-o", "good.vspec/x"]),
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else str(value),
 )

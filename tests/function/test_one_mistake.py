@@ -57,7 +57,7 @@ def test_the_function_that_they_change_is_sound():
         ([("Vehicle.Demo.Out, role", "Vehicle.Speed, role")], "F018", "Vehicle.Demo.Out:"),
         ([("{path: Vehicle.Function.Demo.Parameter.Gain}", "")], "F018", "Gain:"),
         ([("        safetyReactions: [Lost_SftyCondSts]\n", "")], "F018", "Lost:"),
-        ([("      - Demo_Terminate\n", "")], "F050", "- name: Demo"),
+        ([("      - Demo_Terminate\n", "")], "F018", "Terminate:"),
         ([("    - {mode: 'OFF', description: It is off., runnables: []}\n", "")], "F072", "active:"),
         ([("runnables: [Demo_Step]", "runnables: []")], "F073", "- interface: Demo_Step"),
         ([SECOND_STEP, ("      - Demo_Terminate", "      - Demo_BrakeStep\n      - Demo_Terminate"), ("runnables: []", "runnables: [BrakeStep]")],

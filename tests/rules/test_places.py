@@ -138,7 +138,7 @@ def test_the_message_names_the_prefixes_that_the_configuration_allows(tmp_path):
     [
         ("Vehicle.A:\n" + SENSOR.format("float").replace("A value.", "''"), "V10", ["V104"]),
         (SEATS + "  instances: Row[2,1]\n", "V", ["V018"]),
-        ("Vehicle.Speed.: {type: branch, description: A.}\n", "V", ["V024"]),
+        ("Vehicle.Cabin.: {type: branch, description: A.}\n", "V", ["V024"]),
         ("".join(map(BRANCH.format, ("Ab", "AB", "Ab.C", "AB.C"))), "V103", ["V103"]),
         ("".join(map(BRANCH.format, ("XyZ", "XyZ.A", "Xy", "Xy.Z", "Xy.Z.A"))), "P010", ["P010"]),
     ],

@@ -1,8 +1,10 @@
 """Run an application until it is stopped; requests under way are finished."""
 
+import errno
 import gc
 import json
 import logging
+import socket
 import sys
 
 import uvicorn
@@ -12,6 +14,7 @@ from sigcat.api.connections.http import HttpConnection
 from sigcat.api.request_lines import TIME, RequestLines
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import tell_errors
+from sigcat.errors import UsageError
 
 _log = logging.getLogger("sigcat")
 
@@ -22,8 +25,8 @@ class _Server(uvicorn.Server):
     async def startup(self, sockets: list[object] | None = None) -> None:  # type: ignore[override]
         await super().startup(sockets)  # type: ignore[arg-type]
         for server in self.servers:
-            for socket in server.sockets:
-                host, port = socket.getsockname()[:2]
+            for listening in server.sockets:
+                host, port = listening.getsockname()[:2]
                 shown = f"[{host}]" if ":" in host else host
                 print(f"sigcat is at http://{shown}:{port}  (Ctrl+C ends it)", flush=True)  # noqa: T201
 
@@ -41,7 +44,11 @@ class _Lines(logging.Formatter):
 
 
 def run(application: FastAPI, settings: Settings) -> None:
-    """Serve until a signal comes. Logs go to standard error. Ends the process with 2 if it cannot listen."""
+    """Serve until a signal comes. Logs go to standard error.
+
+    Raises UsageError if it cannot listen, and ends the process with 2 if the server finds this out later.
+    """
+    refuse_address_in_use(settings.host, settings.port)
     prepare(application, settings)
     try:
         _Server(uvicorn_config(application, settings)).run()
@@ -50,6 +57,25 @@ def run(application: FastAPI, settings: Settings) -> None:
 
 
 _COULD_NOT_RUN = 2
+
+
+def refuse_address_in_use(host: str, port: int) -> None:
+    """Raise UsageError if a host and a port cannot be listened on: the server would report it without advice."""
+    try:
+        addresses = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)
+        for family, kind, protocol, _, address in addresses:
+            with socket.socket(family, kind, protocol) as probe:
+                probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+                if family == socket.AF_INET6:
+                    probe.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, 1)
+                probe.bind(address)
+    except OSError as error:
+        if error.errno == errno.EADDRINUSE:
+            message = f"port {port} of {host} is in use. Choose another with --port, such as --port {port + 1}"
+            raise UsageError(f"{message}; --port 0 picks a free one.") from None
+        raise UsageError(
+            f"cannot listen on port {port} of {host}: {error.strerror}. Choose others with --host and --port."
+        ) from None
 
 
 def prepare(application: FastAPI, settings: Settings) -> None:

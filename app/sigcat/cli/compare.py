@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from sigcat.cli.command_parser import positive
 from sigcat.cli.ended_by_signals import ended_by_signals
-from sigcat.cli.output import write_bytes, write_text
-from sigcat.cli.output_options import add_outputs, make_folder
+from sigcat.cli.output import make_folder, write_bytes, write_text
+from sigcat.cli.output_options import add_outputs
 from sigcat.cli.tree_options import add_dbc, add_tree_options, read_tree
 from sigcat.errors import InputRefused, UsageError, existing_file
 from sigcat.names import did_you_mean
@@ -258,10 +258,7 @@ def _check_outputs(paths: "Iterable[Path]") -> None:
     for path in paths:
         if path.suffix and path.suffix.lower() not in _FORMS:
             raise UsageError(f"{path} must be a folder, or end in {', '.join(_FORMS[:-1])} or {_FORMS[-1]}")
-        if not path.suffix:
-            make_folder(path)
-        elif not path.parent.is_dir():
-            raise UsageError(f"{path.parent}: there is no such folder")
+        make_folder(path.parent if path.suffix else path)
 
 
 def _write(report: "Report", path: Path) -> None:

@@ -2,16 +2,16 @@
 
 import argparse
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sigcat.catalogue.exporting.exporter import TIMEOUT, Exporter, Option
 from sigcat.catalogue.exporting.exporters import EXPORTERS
-from sigcat.catalogue.exporting.shared_options import EXPAND
+from sigcat.catalogue.exporting.shared_options import EXPAND, STRICT
 from sigcat.cli.command_parser import CommandParser, positive
-from sigcat.cli.output import write_bytes
+from sigcat.cli.output import make_folder, write_bytes
 from sigcat.cli.output_options import Output, add_output, name_output, outputs_of, refuse_overwriting
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import UsageError
@@ -56,7 +56,8 @@ def export(arguments: argparse.Namespace) -> int:
     if output is None and exporter.is_folder:
         raise UsageError(f"{exporter.name} is a folder: name it with -o, or a file that ends in .zip")
     options = _given(arguments, exporter)
-    catalogue = read_tree(arguments, expanded=options.get(EXPAND.name, True), lenient=arguments.lenient)
+    expanded = options.get(EXPAND.name, True)
+    catalogue = read_tree(arguments, expanded=expanded, for_export=not options.get(STRICT.name))
     name = _name(output, exporter)
     result = exported(catalogue, exporter.name, options, output_name=name, timeout=arguments.timeout)
     for finding in result.findings:
@@ -66,7 +67,10 @@ def export(arguments: argparse.Namespace) -> int:
     named = {real_path(path) for path in outputs_of(arguments).values()}
     beside = (target for target, _ in targets if target is not None and real_path(target) not in named)
     refuse_overwriting(arguments, read, beside)
-    _write(targets, outputs_of(arguments).values())
+    if output is not None and exporter.is_folder and output.suffix != ".zip":
+        make_folder(output)  # also for an export without files
+    for target, data in targets:
+        write_bytes(data, target)
     return 0
 
 
@@ -84,9 +88,6 @@ def _fill(parser: argparse.ArgumentParser, exporter: Exporter) -> None:
     add_output(group, "-o", "--output", *exporter.output_also, dest="output", metavar=metavar, help=where)
     for option in exporter.options:
         _add_option(group, option)
-    group.add_argument(
-        "--lenient", action="store_true", help="take what vss-tools takes, with a warning: keys that are given twice"
-    )
     group.add_argument(
         "--timeout",
         type=positive(float),
@@ -174,11 +175,3 @@ def _targets(
         if file.option:
             target: Path = getattr(arguments, file.option)
             yield target / file.name if file.option in folders else target, file.data
-
-
-def _write(targets: "Sequence[tuple[Path | None, bytes]]", named: Iterable[Path]) -> None:
-    """Write each file, in folders that are made for those which nobody named."""
-    for target, data in targets:
-        if target is not None and target not in named:
-            target.parent.mkdir(parents=True, exist_ok=True)
-        write_bytes(data, target)

@@ -155,7 +155,6 @@ def new(arguments: argparse.Namespace) -> int:
     if file.exists():
         raise UsageError(f"{file} is there already")
     text = _imported(arguments, folder, schema) if arguments.from_c else scaffold(arguments.name, schema)
-    folder.mkdir(parents=True, exist_ok=True)
     if not arguments.schema:
         write_text(schema_text(), folder / SCHEMA_FILE)
     write_text(text, file)

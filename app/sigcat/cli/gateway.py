@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.command_parser import positive
-from sigcat.cli.output import write_lines, write_text
-from sigcat.cli.output_options import FORMATS, add_output, make_folder
+from sigcat.cli.output import make_folder, write_lines, write_text
+from sigcat.cli.output_options import FORMATS, add_output
 from sigcat.cli.tree_options import add_dbc, add_tree_options, read_tree
 from sigcat.errors import InputRefused, UsageError, existing_file
 

@@ -10,8 +10,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from sigcat.cli.output import write_bytes
-from sigcat.cli.output_options import add_output, make_folder
+from sigcat.cli.output import make_folder, write_bytes
+from sigcat.cli.output_options import add_output
 from sigcat.digest import digest_of
 from sigcat.errors import UsageError
 
@@ -47,7 +47,7 @@ def write_generated(
 ) -> None:
     """Write the files of a generator; if they are all that there is of it, remove what it has written there before.
 
-    The folder is made if its parent exists. Raises UsageError, before anything is written, if something would be lost that
+    The folder is created. Raises UsageError, before anything is written, if something would be lost that
     sigcat has not written.
     """
     make_folder(folder)

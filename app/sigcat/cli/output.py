@@ -30,7 +30,8 @@ def discard_output() -> None:
 def write_bytes(data: bytes, output: Path | None) -> None:
     """Write `data` to `output`, or to standard output.
 
-    A regular file is replaced when the new one is complete, through links too; a device or a pipe is written to.
+    A regular file is replaced when the new one is complete, through links too; a device or a pipe is written to. Missing
+    folders are created.
     """
     if output is None or str(output) == "-":
         sys.stdout.flush()
@@ -38,13 +39,10 @@ def write_bytes(data: bytes, output: Path | None) -> None:
         return
     if output.is_dir():
         raise UsageError(must_be_a_file(output))
-    target = Path(os.path.realpath(output))
     if output.exists() and not output.is_file():
         _write_to(output, data)
-    elif not target.parent.is_dir():
-        raise UsageError(f"{target.parent}: there is no such folder")
     else:
-        _replace(target, data)
+        _replace(_target(output), data)
 
 
 @contextmanager
@@ -81,13 +79,29 @@ def write_lines(lines: Iterable[str], output: Path | None) -> None:
         return
     if output.is_dir():
         raise UsageError(must_be_a_file(output))
-    target = Path(os.path.realpath(output))
     if output.exists() and not output.is_file():
         _write_lines_to(output, lines)
-    elif not target.parent.is_dir():
-        raise UsageError(f"{target.parent}: there is no such folder")
     else:
-        _replace_by_lines(target, lines)
+        _replace_by_lines(_target(output), lines)
+
+
+def _target(output: Path) -> Path:
+    """The regular file to write, links followed. Its folder is created, unless a link leads to one that is missing."""
+    target = Path(os.path.realpath(output))
+    if output.is_symlink() and not target.parent.is_dir():
+        raise UsageError(f"{output} leads to {target.parent}: there is no such folder")
+    make_folder(target.parent)
+    return target
+
+
+def make_folder(folder: Path) -> None:
+    """Create the folder to write to, and those above it. Raises UsageError if a file is in the way."""
+    for path in (folder, *folder.parents):
+        if path.exists():
+            if not path.is_dir():
+                raise UsageError(f"{path} must be a folder, not a file")
+            break
+    folder.mkdir(parents=True, exist_ok=True)
 
 
 def _write_lines_to(output: Path, lines: Iterable[str]) -> None:

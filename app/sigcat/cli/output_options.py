@@ -104,12 +104,3 @@ def _twice(outputs: list[Path]) -> Path | None:
             return path
         known.add(place)
     return None
-
-
-def make_folder(folder: Path) -> None:
-    """The folder to write to; it is made if its parent exists. Raises UsageError if it cannot be."""
-    if folder.exists() and not folder.is_dir():
-        raise UsageError(f"{folder} must be a folder, not a file")
-    if not folder.parent.is_dir():
-        raise UsageError(f"{folder.parent}: there is no such folder")
-    folder.mkdir(exist_ok=True)

@@ -49,17 +49,17 @@ def add_dbc(group: argparse._ActionsContainer, text: str) -> None:
     group.add_argument("--dbc", type=Path, action="append", default=[], metavar="FILE", help=f"{text}; may be repeated")
 
 
-def read_tree(arguments: argparse.Namespace, *, expanded: bool = True, lenient: bool = False) -> "Catalogue":
+def read_tree(arguments: argparse.Namespace, *, expanded: bool = True, for_export: bool = False) -> "Catalogue":
     """The catalogue that the options name. Its warnings go to standard error; errors raise InputRefused.
 
-    `lenient`: what vss-tools takes is a warning.
+    `for_export`: an error with which vss-tools exports a tree is a warning.
     """
-    from sigcat.catalogue.composing.lenient import as_vss_tools_takes_it
+    from sigcat.catalogue.exporting.stopping import with_exported_errors_as_warnings
     from sigcat.catalogue.hosting.source import load
 
     catalogue = load(tree_source(arguments), expanded=expanded)
     refuse_overwriting(arguments, (file.name for file in catalogue.files))
-    catalogue = as_vss_tools_takes_it(catalogue) if lenient else catalogue
+    catalogue = with_exported_errors_as_warnings(catalogue) if for_export else catalogue
     if has_errors(catalogue.findings):
         raise InputRefused("the tree has errors; nothing was done", catalogue.findings)
     for finding in catalogue.findings:

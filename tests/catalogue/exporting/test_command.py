@@ -38,6 +38,17 @@ def test_a_folder_is_written_into_a_folder(tree, as_a_command):
     assert (tree / "ros/cars/msg/Vehicle.msg").is_file()
 
 
+def test_a_folder_without_files_is_written_with_a_warning(tree, capsys):
+    assert main(["export", "ros2interface", "-s", "tree.vspec", "-o", "build/ros", "--topics", "NO_MATCH"]) == 0
+    assert list((tree / "build/ros").iterdir()) == []
+    assert "warning X002 vss-tools exported nothing as ros2interface." in capsys.readouterr().err
+
+
+def test_folders_above_a_file_are_created(tree):
+    assert main(["export", "json", "-s", "tree.vspec", "-o", "a/b/tree.json"]) == 0
+    assert (tree / "a/b/tree.json").is_file()
+
+
 @pytest.mark.parametrize(
     ("name", "spelled"),
     [

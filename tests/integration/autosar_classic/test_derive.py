@@ -225,6 +225,18 @@ def test_each_call_is_a_runnable_with_a_symbol_of_its_own(core_acc):
     assert runnable(core_acc, "Step").symbol == "CoreAcc_Run_Step"
 
 
+@pytest.mark.parametrize(("longest", "period"), [(7.4, 0.007), (30, 0.02), (0.4, 0.001)])
+def test_supervision_keeps_the_longest_period_of_the_core(longest, period):
+    """Of cycle and longest duration the shorter, in whole ticks, and a tick at least."""
+    limits = {"Min": 0, "Max": longest, "Ref": 0, "ErrorName": "Demo_Deadline_ErrorSts"}
+    call = {
+        "Cycletime": 20,
+        "Watchdog": {"DeadlineSupervision": limits, "AliveSupervision": None, "LogicalSupervision": None},
+    }
+    (demo,) = derive([function(call=call)]).model.components
+    assert [event.period for event in demo.events if event.runnable == "Supervise"] == [period]
+
+
 def test_a_cyclic_step_has_a_timing_event_in_seconds():
     call = {"Cycletime": 10, "ExecOffset": "2.5"}
     (demo,) = derive([function(signals=[at("Vehicle.Speed")], call=call)], deployed(autosarClassic={"tick": 500})).model.components  # fmt: skip

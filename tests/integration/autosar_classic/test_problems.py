@@ -283,3 +283,21 @@ def test_a_document_is_refused_for(written, change, said):
     found = problems(written, change)
     assert {rule for rule, _ in found} == {"K011"}
     assert any(said in finding.message and finding.fix and finding.line for finding in found.values()), found
+
+
+@pytest.mark.parametrize("uses", [None, [], "Renamed"])
+@pytest.mark.parametrize("kind", ["SenderReceiver", "Parameter"])
+def test_uses_have_to_lead_to_interfaces_of_the_function(written, kind, uses):
+    def change(document):
+        (port, *_) = (each for each in first(document)["Ports"] if each["Kind"] == kind)
+        if isinstance(uses, str):
+            port["Elements"][0]["Uses"][0]["Interface"] = uses
+        elif uses is None:
+            del port["Elements"][0]["Uses"]
+        else:
+            port["Elements"][0]["Uses"] = uses
+
+    (finding,) = problems(written, change).values()
+    assert "/Ports/" in finding.pointer
+    assert finding.line
+    assert "Renamed" in finding.message or "must have the interface of the function" in finding.message

@@ -281,9 +281,9 @@ def test_posted_text_gets_the_findings_of_an_overlay():
 @pytest.mark.parametrize(
     ("attributes", "rule"),
     [
-        ("min: .inf", "V004"),
-        ("max: -.inf", "V004"),
-        ("max: .nan", "V004"),
+        ("min: .inf", "V030"),
+        ("max: -.inf", "V030"),
+        ("max: .nan", "V030"),
         ("type: .nan", "V001"),
         ("unit: .inf", "V004"),
     ],

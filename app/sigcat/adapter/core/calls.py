@@ -44,7 +44,7 @@ def planned_call(
         cycle=cycle,
         offset=(yield from nanoseconds(call.execution_offset, (*at, "ExecOffset"))) or 0,
         debounce=(yield from nanoseconds(call.debounce_delay, (*at, "DebounceDelay"))) or 0,
-        priority=int(call.priority) if call.priority.strip().lstrip("+-").isdigit() else 0,
+        priority=call.priority_number or 0,
         previous=tuple(short_name(name, context.name) for name in previous),
         most_events=max((item.queue_length for item in queues), default=1),
         events_per_call=min((min(item.values_per_step or 1, item.queue_length) for item in queues), default=1),

@@ -83,7 +83,7 @@ def _input(item: Data, at: Pointer, port: str, taken: Mapping[str, object], cont
         value=value,
         is_immediate=(item.access or "").lower() == "immediate",
         time_out=time_out,
-        time_out_error=item.timeout_error,
+        time_out_error=item.timeout_error if time_out else None,
         range_error=item.range_error,
         e2e_error=item.e2e_error,
         queue=queue,

@@ -92,10 +92,10 @@ async def _export(
 ) -> Response:
     """The files of an export. JSON is sent while it is written."""
     if request.state.is_head:
-        refuse_unfit(catalogue, exporter)
+        refuse_unfit(catalogue, exporter, options)
         return _head(request, exporter.media_type)
     if exporter.stream is not None and (parts := exporter.stream(catalogue, options)) is not None:
-        refuse_unfit(catalogue, exporter)
+        refuse_unfit(catalogue, exporter, options)
         return _sent(request, parts, f"{catalogue.roots[0].name}{exporter.suffix}", exporter.media_type)
     key = (catalogue, exporter.name, repr(sorted(options.items())))
     bounds = settings.heavy_seconds, settings.heavy_bytes

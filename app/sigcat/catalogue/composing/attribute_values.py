@@ -23,8 +23,8 @@ def text(value: Any) -> Any:
 
 
 def _flag(value: Any) -> Any:
-    if isinstance(value, bool):
-        return value
+    if isinstance(value, bool) or value in (0, 1):
+        return bool(value)
     known = {"true": True, "yes": True, "on": True, "1": True, "false": False, "no": False, "off": False, "0": False}
     return known.get(str(value).lower(), NO_VALUE)
 

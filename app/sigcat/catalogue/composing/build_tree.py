@@ -54,13 +54,14 @@ def _children(draft: Draft) -> dict[str, Draft]:
 
 def _is_usable(path: str, definition: Definition, limits: Limits, findings: list[Finding]) -> bool:
     names = path.split(".")
+    position = definition.origin().position
     if "" in names:
-        message, fix = f"Path {path!r} has an empty name.", "Remove the extra dot."
-    elif len(names) > limits.path_names:
-        message, fix = f"The path has {len(names)} names; the limit is {limits.path_names}.", ""
-    else:
+        message = f"Path {path!r} has an empty name."
+        findings.append(codes.PATH_MALFORMED.finding(message, *position, path, fix="Remove the extra dot."))
+    if len(names) <= limits.path_names:
         return True
-    findings.append(codes.PATH_MALFORMED.finding(message, *definition.origin().position, path, fix=fix))
+    message = f"The path has {len(names)} names; the limit is {limits.path_names}."
+    findings.append(codes.NESTING_TOO_DEEP.finding(message, *position, path))
     return False
 
 
@@ -120,7 +121,8 @@ def _added_branch(path: str, below: str, definition: Definition, above: Draft | 
     fix = fix_of_undefined(path, did_you_mean(last_name(path), beside))
     rule = codes.BRANCH_UNDEFINED.graded("warning")  # composing goes on with the branch that is added here
     problem = Problem(rule, "", message, fix)
-    return Definition(path, definition.statements[:1], {"type": BRANCH}, (problem,))
+    is_named = bool(last_name(path))  # else the path below it is malformed, and the finding about that is enough
+    return Definition(path, definition.statements[:1], {"type": BRANCH}, (problem,) if is_named else ())
 
 
 def fix_of_undefined(branch: str, proposal: str) -> str:

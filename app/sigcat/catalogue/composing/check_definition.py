@@ -85,9 +85,7 @@ def _normalized(path: str, values: Mapping[str, Any], scope: Scope, problems: li
             problems.append(Problem(codes.ATTRIBUTE_OF_WRONG_KIND, name, message, fix))
         elif type(value) in _MAY_BE_INFINITE and name != "type" and not is_finite(value):
             message = f"`{name}` must be a finite number, not {shown(value)}."
-            problems.append(
-                Problem(codes.ATTRIBUTE_OF_WRONG_KIND, name, message, "Remove it: JSON has no such number.")
-            )
+            problems.append(Problem(codes.NUMBER_NOT_FINITE, name, message, "Remove it: JSON has no such number."))
         elif converted is not value:
             changed[name] = converted
     changed.update(whole_numbers({**values, **changed}))
@@ -151,7 +149,7 @@ def _instance_problems(values: Mapping[str, Any]) -> Iterator[Problem]:
             message = f"A space keeps {match[0]} of {str(entry)!r} from being a range."
             fix = f"Write {match[0].replace(' ', '')}."
             yield Problem(codes.RANGE_WITH_SPACE, "instances", message, fix, within=steps)
-        if match and int(match[1]) > int(match[2]):
+        elif match and int(match[1]) > int(match[2]):
             message = f"Range {match[0]} of {entry!r} runs backwards."
             fix = f"Write [{match[2]},{match[1]}]."
             yield Problem(codes.INSTANCES_RUN_BACKWARDS, "instances", message, fix, within=steps)

@@ -7,8 +7,7 @@ from typing import Any
 from sigcat.catalogue.model.definition import instances_of
 from sigcat.limits import COMPARED_INSTANCES
 
-_LAST_RANGE = re.compile(r".*(\[ *(\d+) *, *(\d+) *\]).*")
-"""With spaces it is a finding, and read as it was meant: nothing that follows from it has to be told."""
+_LAST_RANGE = re.compile(r".*(\[(\d+),(\d+)\]).*")
 
 
 def instance_names(entry: Any) -> Iterator[str]:
@@ -35,8 +34,11 @@ def count_instances(instances: Iterable[Any]) -> int:
 
 
 def levels_of_instances(values: Mapping[str, Any]) -> Iterator[frozenset[str]]:
-    """Names of instances, level by level: a list of single names is one level, as is each list in a list."""
-    instances = instances_of(values)
+    """Names of instances, level by level: a list of single names is one level, as is each list in a list.
+
+    A range with a space, which is a finding, counts as the range that was meant: nothing else is reported because of it.
+    """
+    instances = [_meant(entry) for entry in instances_of(values)]
     singles = [entry for entry in instances if not isinstance(entry, list) and "[" not in str(entry)]
     if len(singles) == len(instances):
         if singles:
@@ -44,6 +46,15 @@ def levels_of_instances(values: Mapping[str, Any]) -> Iterator[frozenset[str]]:
         return
     for entry in instances:
         yield frozenset(instance_names(entry)) if count_instances([entry]) <= COMPARED_INSTANCES else frozenset()
+
+
+def _meant(entry: Any) -> Any:
+    if isinstance(entry, list):
+        return [_meant(item) for item in entry]
+    return _SPACED_RANGE.sub(r"[\1,\2]", entry) if isinstance(entry, str) else entry
+
+
+_SPACED_RANGE = re.compile(r"\[ *(\d+) *, *(\d+) *\]")
 
 
 def _range_length(text: str) -> int:

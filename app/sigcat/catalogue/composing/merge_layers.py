@@ -5,6 +5,7 @@ Later statements win, attribute by attribute.
 
 from collections.abc import Collection, Iterable, Mapping
 from fnmatch import translate
+from itertools import groupby
 from re import compile as compile_pattern
 from typing import NamedTuple
 
@@ -71,10 +72,14 @@ def _add_statements(layer: Layer, stacks: Stacks, limits: Limits, findings: list
     """Put the statements of a layer on top of those below; the paths that they are about, in the layer's order."""
     changed: dict[str, None] = {}
     beyond = _beyond_limit(layer, stacks, limits, findings)
-    for statement in layer.statements:
-        if statement in beyond:
-            continue
-        for path in _paths(statement, stacks, findings):
+    for _, of_file in groupby(layer.statements, key=lambda statement: id(statement.file)):
+        said = {
+            path: statement
+            for statement in of_file
+            if statement not in beyond
+            for path in _paths(statement, stacks, findings)
+        }
+        for path, statement in said.items():
             stacks[path] = (*stacks[path], statement) if path in stacks else (statement,)
             changed[path] = None
     return changed
@@ -109,8 +114,11 @@ def _definition(path: str, stack: tuple[Statement, ...], scope: Scope, known: De
 
 
 def _paths(statement: Statement, stacks: Stacks, findings: list[Finding]) -> Iterable[str]:
-    """The path of a statement; for a wildcard path such as `Vehicle.*.Speed`, every path so far that it matches."""
-    if "*" not in statement.path:
+    """The path of a statement; for a wildcard path such as `Vehicle.*.Speed`, every path of the files before that it matches.
+
+    In the first file of a tree there are none, and vss-tools takes the path as it is.
+    """
+    if "*" not in statement.path or not stacks:
         return (statement.path,)
     matches = compile_pattern(translate(statement.path)).match
     paths = [path for path in stacks if matches(path)]

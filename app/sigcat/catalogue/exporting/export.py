@@ -8,6 +8,8 @@ from sigcat.catalogue.exporting.exporter import TIMEOUT, Exporter, Job
 from sigcat.catalogue.exporting.exporters import exporter_named
 from sigcat.catalogue.exporting.files import Export, ExportedFile
 from sigcat.catalogue.exporting.options import checked_options
+from sigcat.catalogue.exporting.shared_options import STRICT
+from sigcat.catalogue.exporting.stopping import stops_export
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.definition import Definition, instances_of
 from sigcat.errors import InputRefused, UsageError
@@ -44,22 +46,27 @@ def exported(
     """
     exporter = exporter_named(exporter_name)
     checked = checked_options(exporter, options or {})
-    refuse_unfit(catalogue, exporter)
+    refuse_unfit(catalogue, exporter, checked)
     name = output_name or f"{catalogue.roots[0].name}{exporter.suffix}"
     return exporter.run(Job(exporter, catalogue, checked, name, timeout, memory))
 
 
-def refuse_unfit(catalogue: Catalogue, exporter: Exporter) -> None:
+def refuse_unfit(catalogue: Catalogue, exporter: Exporter, options: Mapping[str, Any]) -> None:
     """Raises InputRefused for a catalogue that nothing can export, UsageError for one that has nothing to export."""
-    if has_errors(catalogue.findings) or not catalogue.roots:
+    stops = has_errors if options.get(STRICT.name) else _has_stopping_errors
+    if stops(catalogue.findings) or not catalogue.roots:
         raise InputRefused("The tree has errors; nothing was exported.", catalogue.findings)
     if exporter.needs_types and len(catalogue.roots) == 1:
         raise UsageError(
             f"The export {exporter.name} needs struct types, and the catalogue has none: give a types file."
         )
-    unsafe = tuple(_unsafe_names(catalogue))
+    unsafe = tuple(_unsafe_names(catalogue)) if exporter.is_folder or exporter.has_types_beside else ()
     if unsafe:
         raise InputRefused("The tree has names that cannot be exported.", unsafe)
+
+
+def _has_stopping_errors(findings: tuple[Finding, ...]) -> bool:
+    return any(map(stops_export, findings))
 
 
 def _unsafe_names(catalogue: Catalogue) -> Iterator[Finding]:

@@ -4,6 +4,7 @@ import json
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
+from sigcat.catalogue.composing.attribute_values import is_finite
 from sigcat.catalogue.composing.compose import unexpanded
 from sigcat.catalogue.exporting.exporter import Job
 from sigcat.catalogue.exporting.files import Export, ExportedFile
@@ -86,7 +87,7 @@ def _written_instances(node: Node) -> Iterator[list[Any]]:
 def _node_data(node: Node, instances: Mapping[str, list[Any]]) -> dict[str, Any]:
     data = {
         name: value
-        for name, value in node.definition.values.items()
+        for name, value in _finite_values(node.definition.values).items()
         if value is not None and value != [] and name not in _NOT_EXPORTED
     }
     if "instances" in data and isinstance(data["instances"], str):
@@ -96,6 +97,24 @@ def _node_data(node: Node, instances: Mapping[str, list[Any]]) -> dict[str, Any]
     if node.children:
         data["children"] = {child.name: _node_data(child, instances) for child in node.children}
     return data
+
+
+def _finite_values(values: Mapping[str, Any]) -> Mapping[str, Any]:
+    """The values as vss-tools has them in JSON: `null` is in the place of each number that is not finite, but for limits."""
+    if all(map(is_finite, values.values())):
+        return values
+    return {name: value if name in _INFINITE else _finite(value) for name, value in values.items()}
+
+
+_INFINITE = frozenset(("min", "max", "allowed"))
+
+
+def _finite(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _finite(item) for key, item in value.items()}
+    if isinstance(value, list):
+        return [_finite(item) for item in value]
+    return value if is_finite(value) else None
 
 
 def _json_value(value: Any) -> Any:

@@ -12,9 +12,12 @@ KEEP_INSTANCES = Option(
 TYPES_OUTPUT = Option("types-output", "output", "write the struct types to a file of their own")
 ALL_ATTRIBUTES = Option("extend-all-attributes", "switch", "keep all extended attributes", False)
 PRETTY = Option("pretty", "switch", "indent the output", False)
+STRICT = Option("strict", "switch", "refuse every tree with errors, and whatever --aborts can refuse", False)
+OWN_STRICT = Option("strict", "flag", "refuse every tree with errors", own=True)
+"""Of exporters for which vss-tools has no such option."""
 STRICTNESS = (
     Option("extended-attributes", "texts", "extended attribute to keep and to accept; may be repeated", also=("-e",)),
-    Option("strict", "switch", "refuse whatever --aborts can refuse", False),
+    STRICT,
     Option(
         "aborts", "texts", "kind of problem that ends the export; may be repeated",
         choices=("name-style", "unknown-attribute", "default-matches-first-allowed"), also=("-a",),

@@ -26,7 +26,6 @@ from sigcat.catalogue.reading.yaml_document import (
     Builder,
     Unbuildable,
     duplicate_keys,
-    merged_pairs,
     position,
     read_document,
 )
@@ -95,7 +94,7 @@ def _read_statements(
     _report_duplicates(root, source.name, "Node", "", findings)
     numbers: dict[str, int] = {}
     try:
-        pairs = merged_pairs(root)
+        pairs = builder.pairs(root)
     except Unbuildable as error:
         findings.append(_unbuildable(error, source.name, ""))
         return
@@ -132,17 +131,17 @@ def _read_statement(
         mark = marks.pop(list(values).index("includes"))
         includes_at = (values.pop("includes"), mark)
     mark = mark_of(key.start_mark, key.start_mark)
-    if nested := {name: inner for name in collections if (inner := _nested_node(name, values.get(name)))}:
-        _take_out(nested, path, node, source.name, values, marks, findings)
+    if nested := {name: inner for name in collections if (inner := nested_node(name, values.get(name)))}:
+        findings.append(_nodes_nested(nested, path, node, source.name))
     for name in filter(collections.__contains__, values):
         marks.extend(marks_of_items(collections[name], values[name]))
     statement = Statement(path, source, values, mark, array("Q", marks))
-    if includes_at is not None:
+    if includes_at is not None and includes_at[0] is not None:
         includes.extend(_include_list(statement, *includes_at, findings))
     return statement
 
 
-def _nested_node(name: str, value: Any) -> str:
+def nested_node(name: str, value: Any) -> str:
     """The name of a node that is written inside another one, right below it or under `children`, as an export has it."""
     if _is_node(value):
         return name
@@ -154,19 +153,13 @@ def _is_node(value: Any) -> bool:
     return isinstance(value, dict) and isinstance(value.get("type"), str) and value["type"] in _NODE_TYPES
 
 
-def _take_out(
-    nested: Mapping[str, str], path: str, node: MappingNode, file: str, values: dict[str, Any], marks: list[int],
-    findings: list[Finding],
-) -> None:  # fmt: skip
-    """Take nodes that are written inside another out of its attributes; told once of each node that holds some."""
+def _nodes_nested(nested: Mapping[str, str], path: str, node: MappingNode, file: str) -> Finding:
+    """One finding for each node in which others are written."""
     attribute, name = next(iter(nested.items()))
     message = f"{name!r} is written inside {path!r}, and nodes do not nest: it is taken for an attribute."
     key = next(key for key, _ in node.value if key.value == attribute)
     fix = f"Write `{path}.{name}:` at the beginning of a line, and so for each node below."
-    findings.append(codes.NODES_NESTED.finding(message, file, *position(key), path, fix=fix))
-    for each in nested:
-        marks.pop(list(values).index(each))
-        del values[each]
+    return codes.NODES_NESTED.finding(message, file, *position(key), path, fix=fix)
 
 
 def _is_list_of_nodes(root: Node) -> bool:
@@ -188,7 +181,7 @@ def _attributes(node: MappingNode, builder: Builder) -> tuple[dict[str, Any], li
     values: dict[str, Any] = {}
     marks: list[int] = []
     collections: dict[str, Node] = {}
-    for key, value in merged_pairs(node):
+    for key, value in builder.pairs(node):
         name = sys.intern(key.value) if key.tag == TEXT else builder.key(key)
         if not isinstance(name, str):
             raise Unbuildable(f"The name of an attribute must be text, not {shown(name)}.", key)

@@ -201,9 +201,13 @@ class Builder:
             if isinstance(node, SequenceNode):
                 return [self.value(item) for item in node.value]
             assert isinstance(node, MappingNode)
-            return {self.key(key): self.value(item) for key, item in merged_pairs(node)}
+            return {self.key(key): self.value(item) for key, item in self.pairs(node)}
         finally:
             self._above.discard(id(node))
+
+    def pairs(self, node: MappingNode) -> "Pairs":
+        """The pairs of a mapping with its merge keys resolved. Raises Unbuildable."""
+        return merged_pairs(node, self._left)
 
     def scalar(self, node: ScalarNode) -> Any:
         """The value of a scalar. Raises Unbuildable."""
@@ -231,28 +235,57 @@ class Builder:
         return self.scalar(node)
 
 
-def merged_pairs(node: MappingNode) -> list[tuple[Node, Node]]:
-    """The pairs of a mapping with its merge keys (`<<`) resolved: own keys win over merged ones."""
-    pairs: list[tuple[Node, Node]] = node.value
-    for key, _ in pairs:
-        if key.tag == _MERGE:
-            break
-    else:
+Pairs = list[tuple[Node, Node]]
+
+
+def merged_pairs(node: MappingNode, most: int = DEFAULT_LIMITS.values) -> Pairs:
+    """The pairs of a mapping with its merge keys (`<<`) resolved: own keys win over merged ones.
+
+    Raises Unbuildable, also where more than `most` pairs are merged.
+    """
+    return _Merging(most).pairs(node) if _has_merge_key(node) else node.value
+
+
+def _has_merge_key(node: MappingNode) -> bool:
+    return any(key.tag == _MERGE for key, _ in node.value)
+
+
+class _Merging:
+    """The merge keys of one mapping, followed as far as the merged mappings have some themselves."""
+
+    def __init__(self, most: int) -> None:
+        self._left = most
+        self._above: list[Node] = []
+
+    def pairs(self, node: MappingNode) -> Pairs:
+        """Pairs of the merged mappings, each before those that win over them, then the own ones."""
+        self._above.append(node)
+        merged: Pairs = []
+        for key, value in node.value:
+            if key.tag == _MERGE:
+                merged += self._sources(value)
+        self._above.pop()
+        return [*merged, *(pair for pair in node.value if pair[0].tag != _MERGE)]
+
+    def _sources(self, value: Node) -> Pairs:
+        pairs: Pairs = []
+        for source in reversed(value.value if isinstance(value, SequenceNode) else [value]):
+            pairs += self._source(source, value)
         return pairs
-    merged: list[tuple[Node, Node]] = []
-    own: list[tuple[Node, Node]] = []
-    for key, value in node.value:
-        if key.tag != _MERGE:
-            own.append((key, value))
-            continue
-        sources = value.value if isinstance(value, SequenceNode) else [value]
-        for source in reversed(sources):
-            if not isinstance(source, MappingNode) or source is node:
-                raise Unbuildable("`<<` must be a mapping or a list of mappings.", value)
-            merged.extend(source.value)
-    return merged + own
+
+    def _source(self, source: Node, value: Node) -> Pairs:
+        if not isinstance(source, MappingNode):
+            raise Unbuildable("`<<` must be a mapping or a list of mappings.", value)
+        if source in self._above:
+            raise Unbuildable("`<<` merges a mapping into itself.", value)
+        self._left -= 1 + len(source.value)
+        if self._left < 0 or len(self._above) > _MERGES_DEEP:
+            raise Unbuildable("The merge keys (`<<`) multiply.", value, codes.ALIAS_TO_ITSELF)
+        return self.pairs(source) if _has_merge_key(source) else source.value
 
 
+_MERGES_DEEP = 64
+"""Mappings that a mapping may merge one through another."""
 _MERGE = _STANDARD + "merge"
 _CONSTRUCTOR = SafeConstructor()
 

@@ -13,7 +13,7 @@ from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED, consumed_by, events_of
 from sigcat.function.function_json.walk import Located, data, errors, runnables
-from sigcat.names import did_you_mean, either
+from sigcat.names import did_you_mean
 
 Problems = Iterator[Problem]
 
@@ -28,19 +28,11 @@ def check_calls(function: FunctionJson) -> Problems:
     yield from _asil(function)
 
 
-_COMPLETE = ("Init", "Step", "Terminate")
-
-
 def _complete(function: FunctionJson) -> Problems:
     for i, component in enumerate(function.components):
         subject = Subject("component", component.name)
-        names = [runnable.name for runnable in component.runnables]
-        needed = (
-            _COMPLETE if function.code is None else ("Step",)
-        )  # code without init or terminate says so by their absence
-        lacking = [call for call in needed if not any(name.endswith(call) for name in names)]
-        if lacking:
-            message = f"Component {component.name!r} must have an Init, a Step and a Terminate call; it has no {either(lacking)}."
+        if not any(runnable.name.endswith("Step") for runnable in component.runnables):
+            message = f"Component {component.name!r} must have a Step call."
             yield Problem(codes.CALLS_INCOMPLETE, ("ComponentList", i), message, "", subject, cause=subject)
 
 

@@ -1,13 +1,11 @@
 """The order of calls: what `previous runnable`, priority, offset and run type say together."""
 
-import re
 from typing import NamedTuple
 
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.runnable import Runnable
 
 _PHASES = {"Init": 0, "Cyclic": 1, "EventTriggered": 1, "Shutdown": 2}
-_NUMBER = re.compile(r"\s*[+-]?\d{1,18}\s*")
 
 
 def previous_calls(runnable: Runnable) -> tuple[str, ...]:
@@ -41,13 +39,8 @@ def contradiction(runnable: Runnable, previous: Runnable) -> Contradiction | Non
 
 def _above(runnable: Runnable, previous: Runnable) -> Contradiction | None:
     """A higher priority runs first."""
-    priority, priority_before = priority_of(runnable), priority_of(previous)
+    priority, priority_before = runnable.priority_number, previous.priority_number
     if priority is not None and priority_before is not None and priority > priority_before:
         message = f"The priority of {runnable.name} must be at most {priority_before}, that of {previous.name}, after which it runs, not {priority}."
         return Contradiction(message, "Lower it, or remove the previous call.")
     return None
-
-
-def priority_of(runnable: Runnable) -> int | None:
-    """The number that a priority means; None for words."""
-    return int(runnable.priority) if _NUMBER.fullmatch(runnable.priority) else None

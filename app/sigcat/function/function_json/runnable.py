@@ -1,5 +1,6 @@
 """A call of the function: when it runs, how it is supervised, what it reads and writes."""
 
+import re
 from typing import Any
 
 from pydantic import field_serializer, model_validator
@@ -115,3 +116,11 @@ class Runnable(WireModel):
     def _published(self, time: float | None) -> int | None:
         """The published schema has whole milliseconds only."""
         return int(time) if time is not None and time == int(time) else None
+
+    @property
+    def priority_number(self) -> int | None:
+        """The number that the priority means; None for words."""
+        return int(self.priority) if _NUMBER.fullmatch(self.priority) else None
+
+
+_NUMBER = re.compile(r"\s*[+-]?[0-9]{1,18}\s*")

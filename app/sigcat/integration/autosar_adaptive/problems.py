@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator
 
 from sigcat.function.document.document import Pointer
+from sigcat.function.function_json.walk import parts
 from sigcat.integration.agreement import argument_counts
 from sigcat.integration.autosar_adaptive.identifiers import (
     EVENT_GROUPS,
@@ -20,6 +21,7 @@ from sigcat.integration.autosar_adaptive.model import (
     ServiceInterface,
     Services,
     TypeEntry,
+    Use,
 )
 from sigcat.integration.autosar_adaptive.processes import process_problems
 from sigcat.integration.autosar_adaptive.someip_settings import TransformationSettings
@@ -48,6 +50,7 @@ def problems_of(model: IntegrationModel) -> Iterator[Problem]:
     at: Pointer = ("ComponentList",)
     yield from _names((((*at, i), item.name) for i, item in enumerate(model.components)), "component")
     yield from _names((((*at, i), item.executable) for i, item in enumerate(model.components)), "executable")
+    yield from _uses(model)
     for index, component in enumerate(model.components):
         yield from _in_component(component, (*at, index), types)
     yield from _method_arguments(model)
@@ -60,6 +63,14 @@ def problems_of(model: IntegrationModel) -> Iterator[Problem]:
     further = [(position, each.processes or ()) for position, each in enumerate(model.components)]
     for position, listed in further:
         yield from _names((((*at, position, "Processes", i), each.name) for i, each in enumerate(listed)), "process")
+
+
+def _uses(model: IntegrationModel) -> Iterator[Problem]:
+    """Sides of events that have no interface of a function."""
+    for at, part in parts(model):
+        if isinstance(part, Use) and part.signal is None and part.queue is None:
+            message = f"A use of {part.component} must have `Signal` or `Queue`."
+            yield Problem(at, message, "Give the interface, as it is in Function JSON.")
 
 
 def _lengths(model: IntegrationModel, deployment: ArxmlDeployment) -> Iterator[Problem]:

@@ -34,8 +34,7 @@ def _events(
     if runnable.role == "Answer":
         yield from _answered(runnable, runnables)
     if runnable.role == "Supervise":
-        cycles = [each.call.cycle_time for each in behaviour.steps if each.call.cycle_time]
-        yield _timing(runnable, min(cycles, default=100), 0)
+        yield _timing(runnable, _period_of_supervision(behaviour), 0)
     if runnable.role == JUDGE_WINDOWS:
         yield _timing(runnable, behaviour.tick / 1000, 0)
     if runnable.role == "Method":
@@ -46,6 +45,16 @@ def _events(
         )  # fmt: skip
     if runnable.role == STEP:
         yield from _starts(runnable, behaviour, runnables)
+
+
+def _period_of_supervision(behaviour: Behaviour) -> float:
+    """The longest period that the core allows, in ms: the shortest of the cycles and longest durations, in whole ticks."""
+    cycles = [each.call.cycle_time for each in behaviour.steps if each.call.cycle_time]
+    deadlines = [each.call.watchdog.deadline for each in behaviour.steps if each.call.watchdog]
+    durations = [each.max for each in deadlines if each is not None and each.max > 0]
+    shortest = min((*cycles, *durations), default=100)
+    ticks = max(int(shortest * 1000 / behaviour.tick + 1e-6), 1)
+    return ticks * behaviour.tick / 1000
 
 
 def _starts(runnable: model.Runnable, behaviour: Behaviour, runnables: tuple[model.Runnable, ...]) -> Iterator[model.Event]:  # fmt: skip

@@ -5,6 +5,7 @@ from typing import Any
 
 from sigcat.catalogue.composing.attribute_values import hashed
 from sigcat.catalogue.model.definition import CORE_ATTRIBUTES, Definition
+from sigcat.catalogue.reading.vspec_file import nested_node
 from sigcat.findings import shown
 from sigcat.names import did_you_mean, nearest, parent_path
 from sigcat.rules.checks.kind import NodeTest, is_bound, listed, nested
@@ -193,7 +194,7 @@ def known_attributes(rule: Rule, tree: Tree) -> NodeTest:
         if definition.values.keys() <= known:
             return
         for attribute in definition.values:
-            if attribute not in known:
+            if attribute not in known and not nested_node(attribute, definition.values[attribute]):
                 yield _unknown(definition, attribute, known)
 
     return test

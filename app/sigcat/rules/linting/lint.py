@@ -18,6 +18,7 @@ from sigcat.catalogue.model.vocabulary import read_vocabulary
 from sigcat.catalogue.reading.layers import Layer, layer_from_text, read_layer
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.data import ROOT_FILE
+from sigcat.errors import UsageError
 from sigcat.file_kind import QUANTITY_NAMES, UNIT_NAMES
 from sigcat.findings import Finding, has_errors, in_order
 from sigcat.limits import DEFAULT_LIMITS
@@ -106,6 +107,9 @@ def _lint_paths(paths: Sequence[Path], options: LintOptions) -> LintResult:
     ]
     options = options._replace(types=type_files(sources, options))
     lint = _Lint(options, RuleSet(selected(every_rule, options)))
+    if not any(source.kind != "other" for source in sources) and any(path.is_dir() for path in paths):
+        named = ", ".join(map(str, paths))
+        raise UsageError(f"Nothing to check: {named} has no .vspec, units, function or rule file. Name another folder.")
     trees = _lint_trees([s.path for s in sources if s.kind == "tree"], lint)
     _lint_overlays([s.path for s in sources if s.kind == "overlay"], trees, lint)
     for source in sources:

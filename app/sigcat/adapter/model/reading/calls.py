@@ -1,5 +1,6 @@
 """Calls: when they are due, what they read and write, how they are supervised."""
 
+import re
 from collections.abc import Iterable, Mapping
 
 from sigcat.adapter.model.function import Call
@@ -48,10 +49,7 @@ def _listed(text: str | None) -> tuple[str, ...]:
 
 
 def _whole(text: str) -> int:
-    try:
-        return int(text)
-    except ValueError:
-        return 0
+    return int(text) if re.fullmatch(r"\s*[+-]?[0-9]{1,18}\s*", text) else 0
 
 
 def _triggers(runnable: Runnable, inputs: tuple[Input, ...]) -> tuple[Input, ...]:

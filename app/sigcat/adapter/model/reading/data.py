@@ -29,14 +29,15 @@ def port_key(item: Data) -> str:
 
 def input_of(item: Data, ports: Mapping[str, str], table: Table) -> Input:
     """What a call consumes."""
+    time_out = _time_out(item)
     return Input(
         port=ports[port_key(item)],
         names=tuple(name for name in (item.name, item.vss_path) if name),
         variable=item.variable or item.name,
         transfer=to_code(item, table),
         is_immediate=(item.access or "").lower() == "immediate",
-        time_out=_time_out(item),
-        time_out_error=item.timeout_error,
+        time_out=time_out,
+        time_out_error=item.timeout_error if time_out else None,
         range_error=item.range_error,
         e2e_error=item.e2e_error,
         queue=_queue(item) if isinstance(item, DataQueue) else None,

@@ -10,6 +10,7 @@ from sigcat.catalogue.exporting.shared_options import (
     ALL_ATTRIBUTES,
     EXPAND,
     KEEP_INSTANCES,
+    OWN_STRICT,
     PRETTY,
     STRICTNESS,
     TYPES_OUTPUT,
@@ -83,6 +84,7 @@ _ROS2 = (
     Option("output-vspec", "output", "write the selected signals as structs with time and value to this file too"),
     Option("timeseries", "choice", "services for a range of time", choices=_ACCESS),
     Option("timeseries-delete", "flag", "services that delete stored samples"),
+    OWN_STRICT,
 )  # fmt: skip
 _S2DM = (
     Option("modular", "switch", "write a file for each component", False),
@@ -105,6 +107,7 @@ _VHAL = (
     Option("override-vhal-units", "switch", "replace units of earlier exports", False),
     Option("override-vhal-datatype", "switch", "replace datatypes of earlier exports", False),
     Option("property-version", "number", "version of the AIDL interface", 4),
+    OWN_STRICT,
 )
 
 

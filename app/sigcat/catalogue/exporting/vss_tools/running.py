@@ -80,10 +80,14 @@ def _run(job: Job) -> Export:
         if failure:
             raise InputRefused(failure, _findings(reports if _is_strict(job) else news, job.catalogue))
         files = (*_main_files(job, folders.output), *_files_beside(job, folders))
-        if not any(not file.option for file in files):
-            message = f"vss-tools exported nothing as {job.exporter.name}."
-            raise InputRefused(message, _findings(news, job.catalogue))
-        return Export(files, (*_left_out(job.catalogue), *_findings(news, job.catalogue)))
+        found = (*_left_out(job.catalogue), *_findings(news, job.catalogue))
+        if any(not file.option for file in files):
+            return Export(files, found)
+        message = f"vss-tools exported nothing as {job.exporter.name}."
+        if not job.exporter.is_folder:
+            raise InputRefused(message, found)
+        fix = "Change the options that select signals, such as --topics, or the tree."
+        return Export(files, (*found, codes.EXPORTER_WARNS.finding(message, fix=fix)))
 
 
 def _is_strict(job: Job) -> bool:

@@ -1,0 +1,191 @@
+"""Whatever the linter lets through is generated: mistakes in documents are findings, never exceptions.
+
+`make fuzz` tries many more documents (SIGCAT_FUZZ is their number), other ones each time, and compiles and runs the cores. What it
+finds is a case here.
+"""
+
+import json
+import os
+import secrets
+import tempfile
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sigcat.adapter.core.cores import cores
+from sigcat.errors import InputRefused
+from sigcat.findings import has_errors
+from sigcat.function.function_file import check_function_json
+from sigcat.function.function_json.model import FunctionJson, to_json
+from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.integration.reading import read_functions
+from sigcat.limits import DEFAULT_LIMITS
+from sigcat.platforms.integrate import integrate
+from sigcat.platforms.platform import Generator, Options
+from sigcat.platforms.table import PLATFORMS
+from tests.adapter.core.compared import disagreement
+from tests.adapter.core.fixed import FIXED
+from tests.adapter.mutating import difference, mutated
+from tests.function.shipped import interfaces, resolved
+from tests.integration.autosar_adaptive.sets import examples
+
+FUZZ = int(os.environ.get("SIGCAT_FUZZ", "0"))
+FIRST = secrets.randbelow(2**32) if FUZZ else 0
+SEEDS = range(FIRST, FIRST + (FUZZ or 2))
+GENERATED = [(name, generator) for name, platform in PLATFORMS.items() for generator in platform.generators]
+
+
+@cache
+def example() -> Any:
+    """The Function JSON of an example, which uses most of what a function can say."""
+    (function,) = (each for each in examples() if each.info.function_name == "CoreAcc")
+    return json.loads(to_json(function))
+
+
+def read(document: Any) -> tuple[ResolvedFunction, ...]:
+    """The functions of a document. Raises InputRefused with its errors."""
+    return read_functions([(json.dumps(document, indent=1).encode(), "f.json")], interfaces()).functions
+
+
+def generate_all(document: Any) -> None:
+    """The core, and what each platform makes of the document."""
+    functions = read(document)
+    cores(functions)
+    for platform in PLATFORMS.values():
+        try:
+            integration = integrate(platform, functions).document
+        except InputRefused as refused:
+            assert refused.findings
+            continue
+        for generator in platform.generators:
+            files_of(generator, integration)
+
+
+def files_of(generator: Generator, integration: bytes) -> None:
+    for is_bench in {False, generator.has_bench}:
+        try:
+            assert generator.generate(integration, "i.json", DEFAULT_LIMITS, Options(bench=is_bench))
+        except InputRefused as refused:
+            assert refused.findings
+
+
+def is_refused(document: Any, make: Callable[[Any], None]) -> bool:
+    """Whether a document is refused with findings. Raises what else is raised."""
+    try:
+        make(document)
+    except InputRefused as refused:
+        assert refused.findings
+        return True
+    return False
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_function_is_generated_for_every_platform_or_refused_with_findings(seed):
+    document = mutated(example(), seed)
+    try:
+        is_refused(document, generate_all)
+    except Exception as error:
+        error.add_note("\n".join(difference(example(), document)))
+        raise
+
+
+@cache
+def integrated(name: str) -> Any:
+    return json.loads(integrate(PLATFORMS[name], [resolved(each) for each in examples()]).document)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize(("name", "generator"), GENERATED, ids=[f"{name} {each.name}" for name, each in GENERATED])
+def test_an_integration_is_generated_or_refused_with_findings(name, generator, seed):
+    document = mutated(integrated(name), seed)
+    try:
+        files_of(generator, json.dumps(document, indent=1).encode())
+    except Exception as error:
+        error.add_note("\n".join(difference(integrated(name), document)))
+        raise
+
+
+def compiled_and_run(document: FunctionJson, seed: int, folder: Path) -> str:
+    """Where the core and its model part; empty if the core is refused, or does what the model does."""
+    data = to_json(document)
+    checked = check_function_json(data, "f.json")
+    if has_errors(checked.findings) or checked.function is None or checked.resolved is None:
+        return ""
+    try:
+        cores([checked.resolved])
+    except InputRefused as refused:
+        assert refused.findings
+        return ""
+    return disagreement(checked.function, seed, 200, folder, ("-O0", "-w"))
+
+
+def without_time_out(document: Any) -> None:
+    """A signal keeps the error of its time-out, and loses the time-out."""
+    for each in list(_signals(document)):
+        if each.get("TimeoutError"):
+            each.pop("Timeout", None)
+
+
+def with_priority(text: str) -> Callable[[Any], None]:
+    """Each call has a priority that looks like a number."""
+
+    def change(document: Any) -> None:
+        for component in document["ComponentList"]:
+            for call in component["functionList"]:
+                call["Priority"] = text
+
+    return change
+
+
+def without_mode_variable(document: Any) -> None:
+    """Modes are not in the code."""
+    for each in document.get("ModeInterfaceList") or ():
+        each.pop("Variable", None)
+
+
+def _signals(document: Any) -> Any:
+    for component in document["ComponentList"]:
+        for call in component["functionList"]:
+            for contract in call.get("funcContractList") or ():
+                yield from contract.get("SignalList") or ()
+
+
+FOUND: dict[str, Callable[[Any], None]] = {
+    "an error of a time-out that is not there": without_time_out,
+    "a priority with two signs": with_priority("--5"),
+    "a priority with both signs": with_priority("+-5"),
+    "a priority that is a superscript": with_priority("²"),
+    "modes without variables": without_mode_variable,
+}
+"""What fuzzing has found."""
+
+
+@pytest.mark.parametrize("name", FOUND)
+def test_what_was_found_is_generated_for_every_platform(name):
+    document = json.loads(json.dumps(example()))
+    FOUND[name](document)
+    is_refused(document, generate_all)
+
+
+@pytest.mark.parametrize("name", ["time_outs", "errors"])
+@pytest.mark.parametrize("found", ["an error of a time-out that is not there", "a priority that is a superscript"])
+def test_what_was_found_is_compiled_and_run(name, found, tmp_path):
+    document = json.loads(to_json(FIXED[name]()))
+    FOUND[found](document)
+    assert disagreement(FunctionJson.model_validate(document, by_name=False), 1, 200, tmp_path, ("-O0", "-w")) == ""
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("name", ["conversions", "time_outs", "rejections", "errors", "schedules"])
+def test_cores_of_changed_documents_do_what_their_models_do(name, seed):
+    before = json.loads(to_json(FIXED[name]()))
+    after = mutated(before, seed)
+    try:
+        document = FunctionJson.model_validate(after, by_name=False)
+    except ValueError:
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        assert compiled_and_run(document, seed, Path(folder)) == "", "\n".join(difference(before, after))
