@@ -15,6 +15,10 @@ USUAL, REAL = "not real", "real"
 _ROOT = Path(__file__).parents[1]
 
 
+TIMES = "times and how they grow"
+"""The kind of tests that depend on the speed of the machine."""
+
+
 class Kind(NamedTuple):
     """Real parts of one kind."""
 
@@ -23,10 +27,33 @@ class Kind(NamedTuple):
     places: tuple[str, ...]
     """Folders, files and tests."""
     representatives: tuple[str, ...]
-    """Tests at these places that every run has: with all their cases, or one case of one."""
+    """Tests at these places that every run has: with all their cases, or one case of one. None where times are compared."""
 
 
 KINDS = (
+    Kind(
+        TIMES,
+        (
+            "tests/catalogue/comparing/test_compare.py::test_ten_times_the_signals_take_about_ten_times_as_long",
+            "tests/catalogue/comparing/test_official_releases.py::test_it_takes_less_time_than_to_read_one_of_them",
+            "tests/function/test_define.py::test_ten_times_the_definitions_take_about_ten_times_as_long",
+            "tests/function/test_document.py::test_unterminated_texts_are_refused_in_linear_time",
+            "tests/function/test_hostile.py::test_aliases_that_multiply_cost_no_more_than_a_megabyte_of_text",
+            "tests/function/test_hostile.py::test_ten_times_the_bytes_of_anything_take_about_ten_times_as_long",
+            "tests/function/test_hostile.py::test_ten_times_the_calls_are_put_in_order_in_about_ten_times_the_time",
+            "tests/function/test_hostile.py::test_ten_times_the_signals_are_built_in_about_ten_times_the_time",
+            "tests/function/test_hostile.py::test_ten_times_the_signals_are_validated_in_about_ten_times_the_time",
+            "tests/function/test_hostile.py::test_ten_times_the_wrong_signals_are_told_in_about_ten_times_the_time",
+            "tests/function/test_sets.py::test_ten_times_the_functions_take_about_ten_times_as_long",
+            "tests/integration/autosar_adaptive/test_refused.py::test_ten_times_the_signals_take_about_ten_times_as_long",
+            "tests/integration/autosar_classic/test_derive.py::test_ten_times_the_signals_take_about_ten_times_as_long",
+            "tests/integration/ros2/test_bad_input.py::test_ten_times_the_signals_take_about_ten_times_as_long",
+            "tests/integration/ros2/test_bad_input.py::test_ten_times_the_text_takes_about_ten_times_as_long",
+            "tests/comparison/running/test_launch.py::test_a_process_that_records_nothing_any_more_is_ended_and_told_as_hanging",
+            "tests/comparison/running/test_launch.py::test_a_process_that_records_slowly_has_all_its_time",
+        ),
+        (),
+    ),
     Kind(
         "nodes in real ROS 2",
         (

@@ -2,6 +2,7 @@
 
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from hypothesis import given, settings
@@ -35,7 +36,7 @@ def test_a_failure_of_a_search_is_tried_in_every_later_run(tmp_path, monkeypatch
     with pytest.raises(AssertionError):
         failed.obj()
     properties.note(failed)
-    report = SimpleNamespace(user_properties=failed.user_properties, failed=True)
+    report: Any = SimpleNamespace(user_properties=failed.user_properties, failed=True)
     assert "was added" in properties.write(report)
     assert properties.write(report) == "", "it is there already"
     assert properties.found(NAME) == [{"number": 1000}]
@@ -52,6 +53,6 @@ def item(examples=1000):
     def small(number):
         assert number < 1000
 
-    made = SimpleNamespace(nodeid=f"{NAME}[case]", obj=small, user_properties=[], add_marker=str)
+    made: Any = SimpleNamespace(nodeid=f"{NAME}[case]", obj=small, user_properties=[], add_marker=str)
     properties.prepare([made])
     return made
