@@ -21,7 +21,7 @@ from lifecycle_msgs.srv import ChangeState
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
-PATIENCE = 20.0
+PATIENCE = 60.0
 """Seconds after which what does not come will not come."""
 
 

@@ -87,7 +87,7 @@ def service() -> Iterator[Service]:
         address = process.stdout.readline().split()[3]
         yield Service(address, process.pid)
         process.terminate()
-        assert process.wait(15) in (0, -15)
+        assert process.wait(DEADLINE) in (0, -15)
 
 
 def _aliases(levels: int) -> bytes:

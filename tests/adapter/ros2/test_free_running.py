@@ -12,8 +12,6 @@ pytestmark = [ros2, slow]
 SECONDS = 300
 CYCLE = 0.05
 SPEED = ("vehicle/speed", "eco_control_interfaces/msg/Speed")
-LEAST = 0.9
-"""Of the cycles, that run even on a machine that has other work too."""
 
 
 def counted(status, *names):
@@ -22,6 +20,7 @@ def counted(status, *names):
 
 def test_each_cycle_is_a_step_or_is_told_as_missed(tmp_path):
     with running("C++", tmp_path, "core_acc", "eco_control_mpc") as peer:
+        before = time.monotonic()
         for node in ("eco_control_mpc", "core_acc"):
             peer.bring(node, CONFIGURE, ACTIVATE)
             peer.switch_on(node)
@@ -33,12 +32,9 @@ def test_each_cycle_is_a_step_or_is_told_as_missed(tmp_path):
             peer.publish(SPEED[0], {"speed": float(sent % 100)})
             sent += 1
             time.sleep(CYCLE)
-        time.sleep(2)
         for name, cycle in (("core_acc: CoreAcc_Step", CYCLE), ("eco_control_mpc: EcoControlMpc_Step", 10 * CYCLE)):
-            status = peer.finds(name, lambda found: True)
-            releases = (time.monotonic() - begin) / cycle
-            assert abs(counted(status, "steps", "missed") - releases) < 1.5 / cycle, status
-            assert counted(status, "steps") > LEAST * releases, status
+            due = (time.monotonic() - begin) / cycle
+            status = peer.finds(name, lambda found, due=due: counted(found, "steps", "missed") >= due)
+            assert counted(status, "steps", "missed") <= (time.monotonic() - before) / cycle + 1, status
         for node in ("core_acc", "eco_control_mpc"):
-            status = peer.finds(f"{node}: subscription {SPEED[0]}", lambda found: True)
-            assert counted(status, "messages", "skipped") == sent, status
+            peer.finds(f"{node}: subscription {SPEED[0]}", lambda found: counted(found, "messages", "skipped") == sent)
