@@ -11,7 +11,7 @@ from tests import real_parts
 from tests.real_parts import KINDS, REAL, TIMES, USUAL, Kind
 
 ROOT = Path(__file__).parents[1]
-PARTLY_REAL = ("tests/adapter/autosar_adaptive", "tests/rules/test_codes.py")
+PARTLY_REAL = ("tests/catalogue/hosting", "tests/rules/test_codes.py")
 """A folder with tests of both, and a file without a real part."""
 
 
