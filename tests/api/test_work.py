@@ -387,8 +387,7 @@ def test_a_catalogue_that_nobody_holds_is_forgotten(queue: WorkQueue) -> None:
 def test_equal_work_under_way_is_done_once_for_all(queue: WorkQueue, tmp_path: Path) -> None:
     async def crowd() -> list[str]:
         asked = [
-            asyncio.create_task(queue.of(client).run_once("key", noted, tmp_path, "x"))
-            for client in ("a", "b", "c")
+            asyncio.create_task(queue.of(client).run_once("key", noted, tmp_path, "x")) for client in ("a", "b", "c")
         ]
         await begun(tmp_path)
         asked[0].cancel()
