@@ -22,7 +22,7 @@ INTEGRATION = EXAMPLES / "ecocontrol/expected/ros2.json"
 NODES = ("core_acc_node", "eco_control_mpc_node")
 PACKAGES = {"C++": "eco_control", "Python": "eco_control_py"}
 LOCK_STEP = ("--ros-args", "-p", "lock_step:=true")
-PATIENCE = 30
+PATIENCE = 60
 """Seconds in which a process has to end."""
 
 

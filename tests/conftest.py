@@ -8,10 +8,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import hypothesis
 import pytest
 
-from tests import real_parts
+from tests import properties, real_parts
 from tests.judges import Verdicts, note
 from tests.needs import OFFICIAL
 
@@ -19,6 +18,7 @@ OF_THE_RUN = ("SIGCAT_BROWSER", "SIGCAT_FUZZ", "SIGCAT_SLOW")
 """Variables that say how to test."""
 IN_BROWSER = "tests/web/in_browser"
 _VERDICTS = Verdicts()
+_FOUND: list[str] = []
 _DATA = tempfile.TemporaryDirectory(prefix="sigcat-tests-")
 
 
@@ -33,6 +33,7 @@ def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line(
         "markers", "real: what `make real` runs and `make test` leaves out; see tests/real_parts.py"
     )
+    config.addinivalue_line("markers", "property: a property test; `make fuzz` searches with these")
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as a shell has it for what it starts in the background
         signal.signal(signal.SIGINT, signal.default_int_handler)
     os.environ["VSS_RELEASES"] = str(OFFICIAL)
@@ -41,8 +42,7 @@ def pytest_configure(config: pytest.Config) -> None:
             del os.environ[name]
     os.environ["SIGCAT_DATA"] = _DATA.name
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # hundreds of processes would compile everything again
-    hypothesis.settings.register_profile("untimed", deadline=None)  # how long an example takes is the machine's load
-    hypothesis.settings.load_profile("untimed")
+    properties.load_profile()
 
 
 @pytest.hookimpl(optionalhook=True)
@@ -74,6 +74,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     """Two tests of one name would be one to pytest-xdist; who stands for others must be there."""
     for item in items:
         real_parts.note(item)
+    properties.prepare(items)
     is_whole = not config.getoption("lf", default=False) and not any("::" in argument for argument in config.args)
     if is_whole and (missing := real_parts.missing(items)):
         raise pytest.UsageError(f"tests/real_parts.py names tests that are not there: {', '.join(missing)}")
@@ -87,15 +88,26 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
     note(item)
 
 
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo[None]) -> None:
+    """The report of a failed search has the example that failed."""
+    if call.excinfo:
+        properties.note(item)
+
+
 def pytest_runtest_logreport(report: pytest.TestReport) -> None:
-    """Judgements are counted."""
+    """Judgements are counted; what a search found is written to the file of examples."""
     _VERDICTS.add(report)
+    if "PYTEST_XDIST_WORKER" not in os.environ and (line := properties.write(report)):
+        _FOUND.append(line)
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
     """One line for each thing that was missing; what the judges said goes into the file that was named."""
     if file := config.getoption("--verdicts"):
         _VERDICTS.write(file)
+    for line in _FOUND:
+        terminalreporter.write_line(line)
     if line := real_parts.left_out(config.option.markexpr):
         terminalreporter.write_line(line)
     reasons = Counter(reason_of(report) for report in terminalreporter.stats.get("skipped", ()))

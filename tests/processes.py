@@ -29,6 +29,11 @@ def is_running(process: int) -> bool:
     return False
 
 
+def is_stopped(process: int) -> bool:
+    """Whether a signal has stopped the process."""
+    return (PROC / str(process) / "stat").read_text().rpartition(")")[2].split()[0] == "T"
+
+
 def memory(process: int) -> int:
     """Bytes that a process and all below it hold, what they share counted once."""
     total = 0

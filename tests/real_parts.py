@@ -15,23 +15,53 @@ USUAL, REAL = "not real", "real"
 _ROOT = Path(__file__).parents[1]
 
 
+TIMES = "times and memory, and how they grow"
+"""The kind of tests that depend on the speed of the machine."""
+
+
 class Kind(NamedTuple):
     """Real parts of one kind."""
 
     title: str
     """What its tests do, in the line that says what was left out."""
     places: tuple[str, ...]
-    """Folders, files and tests."""
+    """Folders, files, tests, and with a star at the end all tests whose names begin so."""
     representatives: tuple[str, ...]
-    """Tests at these places that every run has: with all their cases, or one case of one."""
+    """Tests at these places that every run has: with all their cases, or one case of one. None where times are compared."""
 
 
 KINDS = (
     Kind(
+        TIMES,
+        (
+            "tests/catalogue/comparing/test_compare.py::test_ten_times_the_signals_take_about_ten_times_as_long",
+            "tests/catalogue/comparing/test_official_releases.py::test_it_takes_less_time_than_to_read_one_of_them",
+            "tests/function/test_define.py::test_ten_times_the_definitions_take_about_ten_times_as_long",
+            "tests/function/test_document.py::test_unterminated_texts_are_refused_in_linear_time",
+            "tests/function/test_hostile.py::test_aliases_that_multiply_cost_no_more_than_a_megabyte_of_text",
+            "tests/function/test_hostile.py::test_ten_times_the_bytes_of_anything_take_about_ten_times_as_long",
+            "tests/function/test_hostile.py::test_ten_times_the_calls_are_put_in_order_in_about_ten_times_the_time",
+            "tests/function/test_hostile.py::test_ten_times_the_signals_are_built_in_about_ten_times_the_time",
+            "tests/function/test_hostile.py::test_ten_times_the_signals_are_validated_in_about_ten_times_the_time",
+            "tests/function/test_hostile.py::test_ten_times_the_wrong_signals_are_told_in_about_ten_times_the_time",
+            "tests/function/test_sets.py::test_ten_times_the_functions_take_about_ten_times_as_long",
+            "tests/integration/autosar_adaptive/test_refused.py::test_ten_times_the_signals_take_about_ten_times_as_long",
+            "tests/integration/autosar_classic/test_derive.py::test_ten_times_the_signals_take_about_ten_times_as_long",
+            "tests/integration/ros2/test_bad_input.py::test_ten_times_the_signals_take_about_ten_times_as_long",
+            "tests/integration/ros2/test_bad_input.py::test_ten_times_the_text_takes_about_ten_times_as_long",
+            "tests/comparison/running/test_launch.py::test_a_process_that_records_nothing_any_more_is_ended_and_told_as_hanging",
+            "tests/comparison/running/test_launch.py::test_a_process_that_records_slowly_has_all_its_time",
+            "tests/test_bench.py::test_a_catalogue_takes_no_more_than_six_times_its_json",
+        ),
+        (),
+    ),
+    Kind(
         "nodes in real ROS 2",
         (
+            "tests/adapter/ros2/test_bringup.py::test_the_launch_file_is_as_ament_flake8_wants_it",
             "tests/adapter/ros2/test_composition.py",
             "tests/adapter/ros2/test_cyclonedds.py",
+            "tests/adapter/ros2/test_end.py",
             "tests/adapter/ros2/test_environment.py",
             "tests/adapter/ros2/test_exceptions.py",
             "tests/adapter/ros2/test_free_running.py",
@@ -47,6 +77,7 @@ KINDS = (
             "tests/adapter/ros2/test_topics.py",
         ),
         (
+            "tests/adapter/ros2/test_bringup.py::test_the_launch_file_is_as_ament_flake8_wants_it[small]",
             "tests/adapter/ros2/test_environment.py::test_rclpy_starts",
             "tests/adapter/ros2/test_interfaces.py::test_rosidl_reads_every_field_with_its_unit[ecocontrol]",
             "tests/adapter/ros2/test_python_package.py::test_the_linters_of_ros_find_nothing[ament_pep257]",
@@ -82,6 +113,7 @@ KINDS = (
             "tests/adapter/autosar_adaptive/application/test_generate.py::test_no_compiler_warns_of_an_adapter_with_everything",
             "tests/adapter/autosar_adaptive/application/test_generate.py::test_services_may_have_the_names_of_members_and_of_keywords",
             "tests/adapter/autosar_adaptive/application/test_life.py",
+            "tests/adapter/autosar_adaptive/application/test_recorder.py",
             "tests/adapter/autosar_adaptive/application/test_run.py",
             "tests/adapter/autosar_adaptive/bench/test_discovery.py",
             "tests/adapter/autosar_adaptive/bench/test_e2e.py",
@@ -91,6 +123,7 @@ KINDS = (
             "tests/adapter/autosar_adaptive/bench/test_runtime.py",
             "tests/adapter/autosar_adaptive/bench/test_serialization.py",
             "tests/adapter/autosar_adaptive/bench/test_services.py",
+            "tests/adapter/autosar_adaptive/bench/test_stamps.py",
         ),
         (
             "tests/adapter/autosar_adaptive/application/test_generate.py::test_no_compiler_warns_of_adapters_with_little_and_of_names_that_are_easily_taken",
@@ -106,8 +139,11 @@ KINDS = (
     ),
     Kind(
         "drives played to every platform",
-        ("tests/comparison/running/test_platforms.py",),
-        ("tests/comparison/running/test_platforms.py::test_what_is_missing_is_told_in_one_line",),
+        ("tests/comparison/running/test_platforms.py", "tests/comparison/test_can_drive.py"),
+        (
+            "tests/comparison/running/test_platforms.py::test_what_is_missing_is_told_in_one_line",
+            "tests/comparison/test_can_drive.py::test_a_log_is_the_drive_that_it_was_recorded_from",
+        ),
     ),
     Kind(
         "attacks on a service",
@@ -133,12 +169,16 @@ KINDS = (
     Kind(
         "trees and exports beside those of vss-tools",
         (
+            "tests/api/test_openapi.py::test_every_example_works_and_is_answered_as_the_schema_says[export_*",
             "tests/catalogue/exporting/test_same_bytes.py",
             "tests/catalogue/test_official_trees.py",
             "tests/catalogue/test_shipped_tree.py::test_vss_tools_takes_it_without_a_complaint",
             "tests/function/test_define.py::test_vss_tools_takes_the_overlay_and_the_types_strictly",
+            "tests/overlays/test_overlays.py::test_vss_tools_takes_all_of_them_strictly_and_sees_the_same_nodes",
         ),
         (
+            "tests/api/test_openapi.py::test_every_example_works_and_is_answered_as_the_schema_says[export_csv]",
+            "tests/api/test_openapi.py::test_every_example_works_and_is_answered_as_the_schema_says[export_json]",
             "tests/catalogue/exporting/test_same_bytes.py::test_a_tree_with_everything[json -e ASILlevel]",
             "tests/catalogue/exporting/test_same_bytes.py::test_a_tree_with_everything[csv -e ASILlevel]",
         ),
@@ -154,10 +194,24 @@ KINDS = (
         ("tests/documentation/test_commands.py::test_pages_show_commands",),
     ),
     Kind(
-        "functions compiled and run",
-        ("tests/adapter/core/test_equivalence.py", "tests/runs/test_simulate.py"),
+        "linters of others that take long",
         (
-            "tests/adapter/core/test_equivalence.py::test_functions_at_random",
+            "tests/adapter/autosar_classic/test_components.py::test_cppcheck_finds_documented_deviations",
+            "tests/adapter/core/test_strict.py::test_cppcheck_finds_documented_deviations_in_examples",
+            "tests/clients/test_clients.py::test_the_document_passes_the_strict_rules_of_redocly",
+        ),
+        ("tests/adapter/autosar_classic/test_components.py::test_cppcheck_finds_documented_deviations[methods]",),
+    ),
+    Kind(
+        "functions compiled and run",
+        (
+            "tests/adapter/core/test_equivalence.py",
+            "tests/examples/test_sources.py::test_every_build_compiles_without_a_warning_and_answers_with_the_same_bits[cc-*",
+            "tests/examples/test_sources.py::test_every_build_compiles_without_a_warning_and_answers_with_the_same_bits[clang-*",
+            "tests/runs/test_simulate.py",
+        ),
+        (
+            "tests/adapter/core/test_equivalence.py::test_functions_for_each_subject[conversions]",
             "tests/runs/test_simulate.py::test_an_init_that_crashes_is_told",
             "tests/runs/test_simulate.py::test_the_drive_of_the_examples_goes_as_it_was_recorded",
             "tests/runs/test_simulate.py::test_what_functions_keep_is_in_a_file_that_the_next_run_reads",
@@ -207,7 +261,12 @@ def _representatives() -> list[str]:
 
 def is_at(name: str, places: Iterable[str]) -> bool:
     """Whether something is one of some places, or below it."""
-    return any(name == place or name.startswith((f"{place}/", f"{place}::", f"{place}[")) for place in places)
+    return any(name == place or name.startswith(_beginnings(place)) for place in places)
+
+
+def _beginnings(place: str) -> tuple[str, ...]:
+    """How names below a place begin."""
+    return (place[:-1],) if place.endswith("*") else (f"{place}/", f"{place}::", f"{place}[")
 
 
 def _are_below(name: str, places: Iterable[str]) -> bool:

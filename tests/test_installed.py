@@ -12,6 +12,8 @@ from pathlib import Path
 import httpx
 import pytest
 
+from tests.waiting import DEADLINE
+
 PROJECT = Path(__file__).parents[1]
 
 
@@ -55,11 +57,11 @@ def service(installed, environment, tmp_path_factory):
     assert process.stdout is not None
     address = next(word for word in process.stdout.readline().split() if word.startswith("http"))
     try:
-        with httpx.Client(base_url=address, timeout=30) as client:
+        with httpx.Client(base_url=address, timeout=DEADLINE) as client:
             yield client
     finally:
         process.terminate()
-        assert process.wait(20) in (0, -15)
+        assert process.wait(DEADLINE) in (0, -15)
 
 
 def test_the_data_travels_inside(installed):

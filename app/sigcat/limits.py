@@ -26,7 +26,7 @@ class Limits(NamedTuple):
     compared: int = 1_000_000_000
     """Characters of paths that the wildcard paths of one layer, such as `Vehicle.*.Speed`, are compared with."""
     pattern_seconds: float = 10.0
-    """Seconds for the patterns of one tree, all together; those left after that are not checked, and a finding says so."""
+    """Processor seconds for the patterns of one tree, all together; those left after that are not checked, and a finding says so."""
 
 
 DEFAULT_LIMITS = Limits()

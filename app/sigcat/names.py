@@ -41,6 +41,12 @@ def parent_path(path: str) -> str:
     return path.rpartition(".")[0]
 
 
+def is_well_formed(path: str, most: int) -> bool:
+    """Whether a dotted path has no empty name, and at most so many names."""
+    names = path.split(".")
+    return "" not in names and len(names) <= most
+
+
 def last_name(path: str) -> str:
     """Last name of a dotted path: `A.B.C` → `C`."""
     return path.rpartition(".")[2]

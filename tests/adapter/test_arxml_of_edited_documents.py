@@ -3,7 +3,7 @@
 import json
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sigcat.adapter.autosar_adaptive.arxml.generate import generate
@@ -23,6 +23,7 @@ from tests.adapter.arxml_made import METHOD, document, refused, tags, texts
 from tests.integration.autosar_adaptive.sets import at, derive, function, parameter, signal
 from tests.judges import judged_by
 from tests.needs import published, published_files
+from tests.properties import examples
 
 # -- Integration JSON from elsewhere -------------------------------------------------------------------------------------
 
@@ -174,7 +175,7 @@ def test_scalings_and_conversions_that_are_no_numbers_do_no_harm(number):
 
 
 @judged_by("autosar-data", "Whatever text or name a function has, its ARXML loads")
-@settings(max_examples=60)
+@examples(60)
 @given(st.text(max_size=200), st.text(max_size=200), st.text(max_size=200))
 def test_any_text_is_carried_and_any_name_has_a_place(name, path, text):
     one = function(

@@ -1,13 +1,14 @@
 """The whole contract, tried by schemathesis: no 5xx, no answer outside the schema, whatever is asked.
 
-SIGCAT_FUZZ is the number of examples for each operation; `make fuzz` takes many.
+SIGCAT_FUZZ is the number of examples for each operation; `make fuzz` takes many, and the requests that it finds are tried again.
 """
 
-import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+import pytest
 import schemathesis
 from hypothesis import HealthCheck, settings
 from schemathesis.specs.openapi.checks import (
@@ -21,9 +22,8 @@ from sigcat.api.application import create_app
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import Library, Source
 from tests.judges import judged_by
-from tests.needs import IS_SLOW_RUN
+from tests.properties import FUZZ, IS_SEARCH, PROPERTY, found, is_literal
 
-EXAMPLES = int(os.environ.get("SIGCAT_FUZZ", "8"))
 TREE = Path(__file__).parent / "tree"
 LIBRARY = Library([Source("interfaces", "A small tree", TREE / "tree.vspec", (TREE / "overlay.vspec",))])
 APP = create_app(LIBRARY, Settings(log="none"))
@@ -31,7 +31,7 @@ for schema in APP.openapi()["components"]["schemas"].values():
     if "properties" in schema:  # later versions may have more fields; this one has none that it does not name
         schema.setdefault("additionalProperties", False)
 SCHEMA = schemathesis.openapi.from_asgi("/openapi.json", APP)
-TRIED = SCHEMA if IS_SLOW_RUN or "SIGCAT_FUZZ" in os.environ else SCHEMA.exclude(path_regex=r"/export/(?!csv|avro)")
+TRIED = SCHEMA if IS_SEARCH else SCHEMA.exclude(path_regex=r"/export/(?!csv|avro)")
 """Formats of export differ in their options alone: a usual run takes two of them, which is half of all work here."""
 CHECKS = [
     schemathesis.checks.not_a_server_error,
@@ -40,12 +40,29 @@ CHECKS = [
     response_headers_conformance,
     response_schema_conformance,
 ]
-BOUNDED = settings(
-    max_examples=EXAMPLES,
-    derandomize=EXAMPLES < 50,
-    suppress_health_check=list(HealthCheck),
-    database=None,
-)
+BOUNDED = settings(max_examples=FUZZ or 8, suppress_health_check=list(HealthCheck))
+AGAIN = "tests/api/test_contract.py::test_requests_that_a_search_found"
+REQUEST = ("method", "path", "path_parameters", "query", "headers", "cookies", "body", "media_type")
+RECORDS: list[Callable[[str, object], None]] = []
+"""Adds a property to the report of the current test."""
+
+
+@pytest.fixture(autouse=True)
+def recorded(record_property: Callable[[str, object], None]) -> None:
+    """A test of a state machine has no fixtures of its own."""
+    RECORDS[:] = [record_property]
+
+
+@contextmanager
+def noted(case: "schemathesis.Case[Any]") -> Iterator[None]:
+    """Record the request if a check of its answer fails: the last one is the smallest."""
+    try:
+        yield
+    except BaseException:
+        parts = {name: getattr(case, name) for name in REQUEST if is_literal(repr(getattr(case, name)))}
+        if IS_SEARCH:
+            RECORDS[0](PROPERTY, (AGAIN, repr({"request": parts})))
+        raise
 
 
 @judged_by("schemathesis", "No answer outside the contract, whatever is asked")
@@ -54,15 +71,27 @@ BOUNDED = settings(
 def test_every_operation_answers_as_its_schema_says(
     case: "schemathesis.Case[Any]", record_property: Callable[[str, object], None]
 ) -> None:
-    case.call_and_validate(checks=CHECKS)
+    with noted(case):
+        case.call_and_validate(checks=CHECKS)
     record_property("judged", 1)
+
+
+def test_requests_that_a_search_found() -> None:
+    """A method that a path does not have must not be a failure of the server."""
+    for each in found(AGAIN):
+        parts = dict(each["request"])
+        operations = SCHEMA[parts.pop("path")]
+        is_own = parts["method"].lower() in [*operations]
+        operation = operations[parts["method"] if is_own else next(iter(operations))]
+        operation.Case(**parts).call_and_validate(checks=CHECKS if is_own else CHECKS[:1])
 
 
 class Journey(SCHEMA.as_state_machine()):  # type: ignore[misc]
     """Goes from answer to request along the links."""
 
     def validate_response(self, response: schemathesis.Response, case: "schemathesis.Case[Any]", **_: object) -> None:
-        case.validate_response(response, checks=CHECKS)
+        with noted(case):
+            case.validate_response(response, checks=CHECKS)
 
 
 TestJourney = Journey.TestCase

@@ -28,7 +28,7 @@ from sigcat.api.server import run
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import Library
 from tests.api.conftest import SOURCES
-settings = Settings(port=0, body_seconds=0.5, log="none")
+settings = Settings(port=0, body_seconds=3, log="none")
 run(create_app(Library(SOURCES), settings), settings)
 """
 SMALL = "/api/v1/catalogues/small"
@@ -87,7 +87,7 @@ def service() -> Iterator[Service]:
         address = process.stdout.readline().split()[3]
         yield Service(address, process.pid)
         process.terminate()
-        assert process.wait(15) in (0, -15)
+        assert process.wait(DEADLINE) in (0, -15)
 
 
 def _aliases(levels: int) -> bytes:

@@ -64,7 +64,7 @@ def test_what_is_under_way_is_finished_when_the_service_stops() -> None:
             wait_until(lambda: refuses_connections(service), "the service takes nothing new")
             connection.sendall(OVERLAY[20:])
             assert connection.recv(65536).startswith(b"HTTP/1.1 200 ")
-        assert service.process.wait(10) in (0, -signal.SIGTERM)
+        assert service.process.wait(DEADLINE) in (0, -signal.SIGTERM)
 
 
 def test_who_waits_longer_than_the_service_takes_to_stop_is_told_to_come_again() -> None:

@@ -221,11 +221,17 @@ def kept_in_worker() -> int:
     return len(worker._kept)
 
 
-def noted(file: Path, text: str) -> str:
-    with file.open("a") as notes:
+def noted(folder: Path, text: str) -> str:
+    """Note that work has begun, and continue when that is allowed."""
+    with (folder / "notes").open("a") as notes:
         notes.write(text)
-    time.sleep(0.3)
+    wait_until((folder / "goes_on").exists, "work may continue")
     return text
+
+
+async def begun(folder: Path) -> None:
+    """Wait until work has begun."""
+    await asyncio.to_thread(wait_until, (folder / "notes").exists, "work has begun")
 
 
 def test_a_worker_does_one_piece_of_work_after_another(queue: WorkQueue) -> None:
@@ -340,10 +346,10 @@ def test_so_is_the_zygote(queue: WorkQueue) -> None:
     assert done(queue, len, b"next") == 4
 
 
-def test_work_is_given_up_with_who_asked_for_it(queue: WorkQueue) -> None:
+def test_work_is_given_up_with_who_asked_for_it(queue: WorkQueue, tmp_path: Path) -> None:
     async def impatient() -> None:
-        task = asyncio.create_task(queue.of("somebody").run(time.sleep, DEADLINE))
-        await asyncio.sleep(0.1)
+        task = asyncio.create_task(queue.of("somebody").run(noted, tmp_path, "x"))
+        await begun(tmp_path)
         task.cancel()
 
     process = done(queue, os.getpid)
@@ -381,24 +387,25 @@ def test_a_catalogue_that_nobody_holds_is_forgotten(queue: WorkQueue) -> None:
 def test_equal_work_under_way_is_done_once_for_all(queue: WorkQueue, tmp_path: Path) -> None:
     async def crowd() -> list[str]:
         asked = [
-            asyncio.create_task(queue.of(client).run_once("key", noted, tmp_path / "notes", "x"))
-            for client in ("a", "b", "c")
+            asyncio.create_task(queue.of(client).run_once("key", noted, tmp_path, "x")) for client in ("a", "b", "c")
         ]
-        await asyncio.sleep(0.1)
+        await begun(tmp_path)
         asked[0].cancel()
+        await asyncio.sleep(0)
+        (tmp_path / "goes_on").touch()
         return await asyncio.gather(*asked[1:])
 
     assert run(crowd()) == ["x", "x"]
     assert (tmp_path / "notes").read_text() == "x"
-    assert run(queue.of("d").run_once("key", noted, tmp_path / "notes", "y")) == "y"
+    assert run(queue.of("d").run_once("key", noted, tmp_path, "y")) == "y"
 
 
-def test_equal_work_ends_when_all_who_asked_for_it_went_away(queue: WorkQueue) -> None:
+def test_equal_work_ends_when_all_who_asked_for_it_went_away(queue: WorkQueue, tmp_path: Path) -> None:
     async def crowd() -> Any:
         asked = [
-            asyncio.create_task(queue.of(client).run_once("key", time.sleep, DEADLINE)) for client in ("a", "b", "c")
+            asyncio.create_task(queue.of(client).run_once("key", noted, tmp_path, "x")) for client in ("a", "b", "c")
         ]
-        await asyncio.sleep(0.1)
+        await begun(tmp_path)
         for task in asked:
             assert queue.pending == 1
             task.cancel()

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from itertools import cycle
+from statistics import median
 from threading import Event
 from time import perf_counter, sleep
 from typing import NamedTuple
@@ -50,11 +51,17 @@ asyncio.run(main())
 """
 
 
+TIMES = 10
+"""How many times as long a request may take as one to a server that has nothing else to do."""
+UNHURRIED = 0.02
+"""Seconds that such a request counts for at least: of less, the ratio says nothing."""
+
+
 class Watched(NamedTuple):
     """What another client saw of the service meanwhile."""
 
     seconds: float
-    """Within which 99 of 100 of its requests were answered."""
+    """Median seconds of an answer."""
     floor: float
     """The same of a server that has nothing else to do, on the same machine at the same time."""
     memory: int
@@ -80,7 +87,7 @@ def test_work_of_others_keeps_nobody_from_reading(
         with attacked(service, texts) as answers:
             watched = watch(service, nothing)
         assert reasons <= set(answers)
-        assert watched.seconds < 0.2 + watched.floor
+        assert watched.seconds < TIMES * max(watched.floor, UNHURRIED)
         assert watched.memory < 2 * idle
         assert lint(service, b"Vehicle: {}").status_code == 200
 
@@ -137,8 +144,8 @@ def watch(service: Service, nothing: str) -> Watched:
             if number % 5 == 0:
                 held.append(memory(service.process.pid))
             sleep(0.01)
-    late, floors = (sorted(each)[int(OFTEN * 0.99)] for each in zip(*taken, strict=True))
-    return Watched(late, floors, max(held))
+    seconds, floors = zip(*taken, strict=True)
+    return Watched(median(seconds), median(floors), max(held))
 
 
 def seconds_for(client: httpx.Client, address: str) -> float:

@@ -2,7 +2,7 @@
 
 import json
 
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from sigcat.catalogue.composing.compose import compose
@@ -11,10 +11,11 @@ from sigcat.catalogue.model.vocabulary import EMPTY
 from sigcat.catalogue.reading.layers import layer_from_text
 from tests.catalogue.comparing.running import signal
 from tests.catalogue.trees import ROOT, catalogue_of
+from tests.properties import examples
 
 PATHS = st.sampled_from(
-    ["Vehicle", "Vehicle.A", "Vehicle.A.B", "Vehicle.A.B.C", "Vehicle.A.Row1", "Vehicle.A.Row1.B", "Vehicle.*", "Vehicle.A.*",
-     "Vehicle..X", "Other", "Other.A", "Nowhere.B"]
+    ["Vehicle", "Vehicle.A", "Vehicle.A.B", "Vehicle.A.B.C", "Vehicle.A.B.D", "Vehicle.A.Row1", "Vehicle.A.Row1.B", "Vehicle.*",
+     "Vehicle.A.*", "Vehicle..X", "Vehicle.A..X", "Other", "Other.A", "Nowhere.A", "Nowhere.B.C", "Nowhere.B.D", "Nowhere.B..X"]
 )  # fmt: skip
 ATTRIBUTES = st.fixed_dictionaries(
     {},
@@ -38,7 +39,7 @@ MEETS_IT_HIGHER_UP = {"Vehicle.A.B": {}, "Vehicle": {"type": "sensor"}}
 @given(TREES.map(json.dumps), OVERLAYS.map(json.dumps))
 @example(json.dumps(BRANCH_OF_THE_TREE_MISSES), json.dumps(MEETS_IT_HIGHER_UP))
 @example(json.dumps(BRANCH_OF_INSTANCES_MISSES), '{"Vehicle.A": {"type": "sensor"}}')
-@settings(max_examples=200)
+@examples(200)
 def test_the_findings_of_an_overlay_are_those_that_it_has_in_the_whole(tree, overlay):
     base = catalogue_of(tree)
     layer = layer_from_text(overlay.encode(), "posted")

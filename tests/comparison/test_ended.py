@@ -4,8 +4,7 @@ import os
 import signal
 import subprocess
 import sys
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 
@@ -13,6 +12,7 @@ import pytest
 
 from sigcat.data import EXAMPLES
 from tests import needs
+from tests.waiting import DEADLINE, wait_until
 
 pytestmark = [needs.cmake, needs.own_network]
 FAULTS = """
@@ -55,14 +55,6 @@ def with_name(text: str) -> Iterator[int]:
                     yield int(folder.name)
 
 
-def waited(until: Callable[[], bool], seconds: float) -> bool:
-    """Whether something holds, soon."""
-    end = time.monotonic() + seconds
-    while not until() and time.monotonic() < end:
-        time.sleep(0.05)
-    return until()
-
-
 @pytest.mark.parametrize(
     ("phase", "number"),
     [
@@ -79,13 +71,13 @@ def test_everything_ends_with_the_command(phase, number, built, tmp_path):
     arguments += ["--faults", str(tmp_path / "faults.yaml"), "--keep", str(built), "-o", str(report)]
     process = begun(arguments, phase)
     below = lambda: [each for each in with_name(str(built)) if each != process.pid]  # noqa: E731
-    assert waited(lambda: bool(below()), 60)
+    wait_until(below, "processes have begun")
     process.send_signal(number)
-    assert process.wait(30) == 128 + number
+    assert process.wait(DEADLINE) == 128 + number
     assert process.stderr is not None
     told = process.stderr.read()
     assert told.splitlines()[-1:] == [LAST]
     assert "cannot be built" not in told
     process.stderr.close()
-    assert waited(lambda: not below(), 10)
+    wait_until(lambda: not below(), "they are gone")
     assert not report.exists()

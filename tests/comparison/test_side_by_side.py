@@ -3,7 +3,6 @@
 import os
 import signal
 import threading
-import time
 from functools import partial
 from pathlib import Path
 
@@ -11,6 +10,7 @@ import pytest
 
 from sigcat.comparison.side_by_side import side_by_side
 from sigcat.players.commands import BuildFails, ran
+from tests.waiting import wait_until
 
 
 def test_answers_are_in_the_order_of_the_tasks():
@@ -54,6 +54,17 @@ def test_an_interrupt_ends_all_processes(tmp_path: Path):
     assert not any(_is_alive(path) for path in (tmp_path / "one", tmp_path / "other") if path.exists())
 
 
+def test_an_interrupt_while_tasks_are_being_started_ends_those_that_run(tmp_path):
+    def tasks():
+        yield _sleeping(tmp_path, "one")
+        wait_until((tmp_path / "one").exists, "the process has begun")
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        side_by_side(tasks())
+    assert not _is_alive(tmp_path / "one")
+
+
 def _sleeping(folder: Path, name: str):
     """A task whose process writes its id, and would go on for long."""
     return lambda: ran(["sh", "-c", f"echo $$ > {name}.new && mv {name}.new {name} && exec sleep 600"], folder=folder)
@@ -63,8 +74,7 @@ def _waiting(path: Path):
     """Until the process has begun."""
 
     def waits() -> None:
-        while not path.exists():
-            time.sleep(0.01)
+        wait_until(path.exists, "the process has begun")
 
     return waits
 

@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sigcat.function.document.document import Pointer
@@ -15,13 +15,13 @@ from sigcat.function.function_json.model import to_json
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from tests.function.shipped import FUNCTIONS, interfaces
 from tests.growth import LINEAR, growth, ratio
-from tests.needs import IS_SLOW_RUN
+from tests.properties import examples
 
 LEAVES = st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=8)
 ANYTHING = st.recursive(
     LEAVES, lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=4), inner, max_size=3)
 )
-QUICKLY = settings(max_examples=600 if IS_SLOW_RUN else 60, suppress_health_check=[HealthCheck.too_slow])
+QUICKLY = examples(60)
 DECLARATION = FUNCTIONS[0].read_bytes()
 FUNCTION = json.loads(to_json(build_function(DECLARATION, "f.yaml", interfaces())[0]))
 

@@ -10,7 +10,9 @@ header = sys.stdin.readline()
 columns = header.strip().split(",")[1:]
 words = os.environ.get("PLAYER", "")
 if "late" in words:
-    time.sleep(1)
+    (folder / "player_waits").touch()
+    while not (folder / "player_goes_on").exists():
+        time.sleep(0.01)
 print("unknown Vehicle.CurbWeight", flush=True)
 if "dies" in words:
     sys.exit("player: Not every component runs.")

@@ -3,8 +3,6 @@
 import os
 import struct
 import sys
-import threading
-import time
 from pathlib import Path
 
 import can
@@ -13,6 +11,8 @@ from can.interfaces.virtual import channels
 
 from sigcat.cli import main
 from sigcat.players.program import Program
+from tests.gateway.live_bus import sending
+from tests.waiting import wait_until
 
 DBC = """\
 VERSION ""
@@ -109,25 +109,20 @@ def test_functions_that_are_not_reached_are_told(run, player, told):
 
 
 def test_a_bus_is_carried_as_frames_come_once_everybody_listens(run, tmp_path):
-    """python-can's virtual bus; nothing is sent before the gateway listens, which it does when its player is ready."""
-    started = time.monotonic()
-    listens = []
+    """The gateway listens as soon as its player is ready."""
+    listeners = []
 
-    def send():
-        while len(channels["carried"]) < 2:
-            time.sleep(0.01)
-        listens.append(time.monotonic() - started)
-        for speed in (100, 200):
-            bus.send(can.Message(arbitration_id=256, is_extended_id=False, data=struct.pack("<HH", speed, 1)))
-            time.sleep(0.05)
+    def player_is_ready():
+        wait_until((tmp_path / "player_waits").exists, "the player has started")
+        listeners.extend(channels["carried"])
+        (tmp_path / "player_goes_on").touch()
 
-    with can.Bus(interface="virtual", channel="carried") as bus:
-        sender = threading.Thread(target=send)
-        sender.start()
-        rows, _ = run("--live", "virtual:carried", "--duration", "1", player="late")
-        sender.join()
+    speeds = [struct.pack("<HH", speed, 1) for speed in (100, 200)]
+    frames = [can.Message(0.05 * n, 256, is_extended_id=False, data=data) for n, data in enumerate(speeds)]
+    with sending("carried", frames, first=player_is_ready):
+        rows, _ = run("--live", "virtual:carried", player="late")
     assert [row.split(",")[1] for row in rows] == ["Vehicle.Speed", "1.0", "2.0"]
-    assert listens[0] > 1
+    assert len(listeners) == 1, "the sender alone"
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,7 @@
 """Tasks that wait for processes of their own, several at a time."""
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from typing import TypeVar
 
@@ -10,11 +10,11 @@ from sigcat.players.commands import GROUPS
 Answer = TypeVar("Answer")
 
 
-def side_by_side(tasks: Sequence[Callable[[], Answer]]) -> list[Answer]:
+def side_by_side(tasks: Iterable[Callable[[], Answer]]) -> list[Answer]:
     """What each task returns, in their order; as many run at a time as there are cores. Whoever interrupts them ends their processes."""
     with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        asked = [pool.submit(task) for task in tasks]
         try:
+            asked = [pool.submit(task) for task in tasks]
             return [each.result() for each in asked]
         except BaseException:
             with GROUPS.ended():

@@ -15,7 +15,7 @@ from typing import Self
 import pytest
 
 _UNSHARE = ("unshare", "--user", "--map-root-user", "--net")
-PATIENCE = 20.0
+PATIENCE = 60.0
 """Seconds after which what does not come will not come; on a machine that has other work too."""
 
 
@@ -91,6 +91,13 @@ class Program:
         assert line is not None, f"It must say {wanted}. {self._all()}"
         self.told.append(line)
         return line
+
+    def is_silent(self, within: float) -> bool:
+        """Whether it says nothing for a while; else its next line is taken."""
+        try:
+            return self._queue.get(timeout=within) is None
+        except queue.Empty:
+            return True
 
     def says_nothing_more(self, within: float) -> None:
         """It is silent for a while."""

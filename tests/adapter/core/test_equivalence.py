@@ -1,18 +1,18 @@
 """The generated core does what the model does: bit by bit, for functions and traces at random, thousands of lines long.
 
-`make fuzz` tries many more (SIGCAT_FUZZ is their number), other ones each time, and makes what it finds smaller.
+`make fuzz` tries many more, other ones each time, and makes what it finds smaller.
 """
 
-import os
-import secrets
+from pathlib import Path
+from tempfile import mkdtemp
 
 import pytest
-from hypothesis import HealthCheck, Phase, given, seed, settings
+from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 
 from sigcat.adapter.model.values.number_format import NumberFormat
 from sigcat.adapter.toolchain import EXACT
-from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.model import FunctionJson, to_json
 from tests.adapter.core import core_side
 from tests.adapter.core.compared import difference, disagreement
 from tests.adapter.core.fixed import FIXED
@@ -21,12 +21,9 @@ from tests.adapter.core.judges import SANITIZERS, has_fused_products, sanitizers
 from tests.adapter.core.script import bits
 from tests.adapter.core.subject import subject
 from tests.adapter.written import DOUBLE, function, signal, step
+from tests.properties import FUZZ, IS_SEARCH, examples
 
-FUZZ = int(os.environ.get("SIGCAT_FUZZ", "0"))
 LINES = 5000 if FUZZ else 2000
-FIRST = secrets.randbelow(2**32) if FUZZ else 0
-"""The first seed: a fuzzing run has others than the one before, and names them by its tests."""
-SEEDS = range(FIRST, FIRST + (FUZZ or 6))
 
 
 @pytest.fixture(scope="session")
@@ -41,24 +38,15 @@ def test_functions_for_each_subject(name, tmp_path, flags):
     assert disagreement(FIXED[name](), 1, LINES, tmp_path, flags) == ""
 
 
-@pytest.mark.parametrize("number", SEEDS)
-def test_functions_at_random(number, tmp_path, flags):
-    count = iter(range(10**6))
-
-    @seed(number)
-    @settings(
-        max_examples=20 if FUZZ else 2,
-        database=None,
-        suppress_health_check=list(HealthCheck),
-        phases=[Phase.generate, Phase.shrink] if FUZZ else [Phase.generate],
-    )
-    @given(functions(), st.integers(0, 2**32))
-    def agree(document: FunctionJson, trace: int) -> None:
-        folder = tmp_path / str(next(count))
-        folder.mkdir()
-        assert disagreement(document, trace, LINES, folder, flags) == "", folder
-
-    agree()
+@given(functions().map(to_json), st.integers(0, 2**32))
+@settings(
+    examples(12),
+    suppress_health_check=list(HealthCheck),
+    phases=[Phase.explicit, Phase.generate, *([Phase.shrink] if IS_SEARCH else [])],
+)
+def test_functions_at_random(tmp_path, flags, document, trace):
+    folder = Path(mkdtemp(dir=tmp_path))
+    assert disagreement(FunctionJson.model_validate_json(document), trace, LINES, folder, flags) == "", folder
 
 
 def test_a_product_is_not_fused_with_the_sum_on_a_processor_that_could(tmp_path):

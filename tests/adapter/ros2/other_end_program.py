@@ -20,7 +20,7 @@ from rclpy.executors import SingleThreadedExecutor
 from rclpy.parameter import Parameter, parameter_value_to_python
 from rclpy.qos import DurabilityPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 
-PATIENCE = 20.0
+PATIENCE = 60.0
 """Seconds after which what does not come will not come; on a machine that has other work too."""
 
 

@@ -21,7 +21,7 @@ from rclpy.parameter import Parameter as Value
 from rclpy.parameter import parameter_value_to_python
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
-PATIENCE = 20.0
+PATIENCE = 60.0
 """Seconds after which what does not come will not come."""
 
 

@@ -17,7 +17,7 @@ from tests.adapter.ros2.generated import write
 from tests.adapter.ros2.loopback import LOOPBACK
 
 PEER = Path(__file__).parent / "peer.py"
-PATIENCE = 30.0
+PATIENCE = 60.0
 STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Werror", "-ffp-contract=off", "-O1")
 
 

@@ -149,10 +149,8 @@ def test_a_step_waits_for_the_messages_that_it_names_and_says_if_they_do_not_com
     assert ask("change", "core_acc", "activate")
     ask("publish", "vehicle/speed", "eco_control_interfaces/msg/Speed", {"speed": 50.0}, "reliable")
     assert ask("step", "core_acc", STEP, 1, 50_000_000)["success"]
-    begin = time.monotonic()
     answer = ask("step", "core_acc", STEP, 2, 100_000_000)
     assert (answer["success"], answer["message"]) == (False, "not as many messages have come")
-    assert 9.0 < time.monotonic() - begin < 15.0
 
 
 def test_in_simulated_time_nothing_runs_until_the_time_has_come(ask, where, tmp_path):
@@ -236,11 +234,12 @@ def test_calls_are_counted_and_measured(ask, running):
     assert ask("change", "core_acc", "configure")
     ask("publish", "core_acc/mode_in", "eco_control_interfaces/msg/CoreAccModeIn", {"mode": 2}, "reliable")
     assert ask("change", "core_acc", "activate")
-    end, steps, told = time.monotonic() + 30.0, 0, {}
-    while steps <= 20 and time.monotonic() < end:
+
+    def after_many_steps():
         told = ask("diagnostics", "core_acc", "core_acc: CoreAcc_Step", "dropped", "0")
-        steps = int(told["steps"])
-    assert steps > 20
+        return told if int(told["steps"]) > 20 else None
+
+    told = wait_until(after_many_steps, "more than 20 steps have run")
     assert float(told["longest t_adapter [us]"]) >= float(told["t_adapter [us]"]) > 0.0
 
 
@@ -294,20 +293,18 @@ while True:
 
 
 def test_a_file_is_written_whole_or_not_at_all_whenever_the_process_is_killed(where, tmp_path):
-    file, found = tmp_path / "core_acc.txt", set()
+    file = tmp_path / "core_acc.txt"
     for after in range(12):
         command = [ros2_environment.PYTHON, "-c", WRITER, file]
         writer = subprocess.Popen(command, env=variables(where, tmp_path), stdout=subprocess.PIPE)
         assert writer.stdout is not None
         assert writer.stdout.readline() == b"ready\n"
-        time.sleep(0.02 + 0.0037 * after)
+        wait_until(file.exists, "it was written once")
+        time.sleep(0.0037 * after)  # killed at some moment of its work
         writer.kill()
         writer.wait()
-        if file.exists():
-            lines = file.read_text().split("\n")
-            assert (lines[0], len(lines), lines[-1]) == ("sigcat 1", 19, "")
-            found.add(next(line for line in lines if line.startswith("ignition_cycle: ")))
-    assert found
+        lines = file.read_text().split("\n")
+        assert (lines[0], len(lines), lines[-1]) == ("sigcat 1", 19, "")
 
 
 # -- the package itself -------------------------------------------------------------------------------------------

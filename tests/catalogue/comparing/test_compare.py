@@ -3,13 +3,14 @@
 from functools import partial
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sigcat.catalogue.comparing.diff import compare
 from tests.catalogue.comparing.running import changes, signal
 from tests.catalogue.trees import ROOT, catalogue_of
 from tests.growth import LINEAR, growth
+from tests.properties import examples
 
 
 def kinds(old, new):
@@ -75,7 +76,7 @@ def tree(signals, instances):
 INSTANCES = st.sampled_from(["[]", "[L, R]", "[L]", '["Row[1,2]", [L, R]]'])
 
 
-@settings(max_examples=150)
+@examples(150)
 @given(SIGNALS, SIGNALS, INSTANCES, INSTANCES)
 def test_every_path_that_one_side_has_alone_is_told_exactly_once(old, new, old_instances, new_instances):
     before, after = tree(old, old_instances), tree(new, new_instances)
@@ -92,7 +93,7 @@ def test_every_path_that_one_side_has_alone_is_told_exactly_once(old, new, old_i
     assert len(came) == len(set(came))
 
 
-@settings(max_examples=50)
+@examples(50)
 @given(SIGNALS, INSTANCES)
 def test_a_tree_does_not_differ_from_one_of_the_same_text(signals, instances):
     assert compare(tree(signals, instances), tree(signals, instances)) == ()

@@ -12,12 +12,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sigcat.catalogue.hosting.archive import ArchiveRefused, unpack
 from sigcat.limits import ArchiveLimits
 from tests.catalogue.hosting.archives import FILES, ROOT_FILE, TOP, everything_in, member, saved, tar_bytes, zip_bytes
+from tests.properties import examples
 
 KEPT = sorted(name for name in FILES if not name.startswith("docs/"))
 
@@ -215,7 +216,7 @@ def test_a_zip_that_points_to_before_its_beginning_is_refused(tmp_path):
     assert refusal(tmp_path, bytes(data))
 
 
-@settings(max_examples=150)
+@examples(150)
 @given(position=st.integers(0, 10_000), byte=st.integers(0, 255), is_zip=st.booleans())
 def test_a_damaged_archive_is_unpacked_or_refused_and_never_leads_out(tmp_path_factory, position, byte, is_zip):
     folder = tmp_path_factory.mktemp("damaged")

@@ -4,13 +4,13 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
 
 from sigcat.comparison.running.processes import Process, launched, own_network
 from tests.processes import is_running
+from tests.waiting import DEADLINE, wait_until
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the launcher ends processes as Linux does")
 WAITS = 'echo $$ > "$0"; trap "exit 0" TERM; while :; do sleep 0.05; done'
@@ -22,19 +22,7 @@ def process(name: str, script: str, *arguments: object) -> Process:
 
 def started(path: Path) -> int:
     """The process that has written its number."""
-    until = time.monotonic() + 10
-    while not (path.exists() and path.read_text().strip()):
-        assert time.monotonic() < until
-        time.sleep(0.01)
-    return int(path.read_text())
-
-
-def ends(process: int) -> bool:
-    """Whether a process that was killed is gone soon."""
-    until = time.monotonic() + 10
-    while is_running(process) and time.monotonic() < until:
-        time.sleep(0.01)
-    return not is_running(process)
+    return int(wait_until(lambda: path.exists() and path.read_text().strip(), "the process has begun"))
 
 
 def waiting(path: Path) -> str:
@@ -69,9 +57,9 @@ def test_the_load_of_each_process_is_its_own(tmp_path):
 def test_a_process_that_dies_ends_the_run_with_its_last_words(tmp_path):
     begun = tmp_path / "begun"
     dying = process("node", f"{waiting(begun)}; echo no more bread >&2; kill -SEGV $$")
-    outcome = launched([process("other", WAITS, begun), dying], process("player", "sleep 60"), tmp_path / "run")
+    outcome = launched([process("other", WAITS, begun), dying], process("player", "sleep 600"), tmp_path / "run")
     assert outcome.last_words == "node ended with SIGSEGV before the drive did: no more bread"
-    assert outcome.seconds < 30
+    assert outcome.seconds < 600
     assert not is_running(started(begun))
 
 
@@ -117,10 +105,10 @@ def test_nothing_goes_on_when_the_caller_ends(number, tmp_path):
     )
     node = started(tmp_path / "begun")
     caller.send_signal(number)
-    caller.wait(10)
+    caller.wait(DEADLINE)
     assert caller.stderr is not None
     caller.stderr.close()
-    assert ends(node)
+    wait_until(lambda: not is_running(node), "the process is gone")
 
 
 @pytest.mark.skipif(own_network() is None, reason="a network of a test's own")
@@ -135,7 +123,8 @@ def test_a_process_that_records_nothing_any_more_is_ended_and_told_as_hanging(tm
     stuck = process("player", 'echo $$ > "$0"; echo stuck here >&2; while :; do sleep 0.05; done', tmp_path / "begun")
     outcome = launched([], stuck, tmp_path / "run", patience=5)
     assert outcome.last_words == "player hangs: nothing was recorded for 5 s. stuck here"
-    assert ends(started(tmp_path / "begun"))
+    left = started(tmp_path / "begun")
+    wait_until(lambda: not is_running(left), "the process is gone")
 
 
 def test_a_process_that_records_slowly_has_all_its_time(tmp_path):

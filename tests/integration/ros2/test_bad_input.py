@@ -4,7 +4,7 @@ import json
 from functools import partial
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sigcat.errors import InputRefused
@@ -17,6 +17,7 @@ from sigcat.integration.ros2.names import FIELD, MESSAGE
 from tests.function.shipped import interfaces
 from tests.growth import LINEAR, growth
 from tests.integration.ros2.functions import derived, document, function, signal
+from tests.properties import examples
 
 HOSTILE = [
     "*/ #include <x>",
@@ -53,7 +54,7 @@ def test_nothing_of_a_document_reaches_the_report_unescaped():
     assert all(line.replace("\\|", "").count("|") == 7 for line in table.splitlines())
 
 
-@settings(max_examples=40)
+@examples(40)
 @given(st.text(max_size=40), st.text(max_size=40), st.text(max_size=20), st.text(max_size=20))
 def test_any_text_anywhere_is_derived_or_refused(name, path, factor, unit):
     made = function(signal(name, path, Factor=factor, VssUnit=unit, Timeout=factor, AsilLevel=unit), name=name)

@@ -2,7 +2,7 @@
 
 import json
 
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sigcat.catalogue.composing.compose import compose
@@ -13,13 +13,13 @@ from sigcat.rules.compiled import compiled_rules
 from sigcat.rules.engine import found_in
 from sigcat.rules.linting.posted import lint_text
 from sigcat.rules.rule_set import RuleSet
-from tests.needs import IS_SLOW_RUN
+from tests.properties import examples
 
 EVERY_RULE = RuleSet(compiled_rules(INTERFACE_RULES))
 
 
 @given(st.binary(max_size=300) | st.text("VehicleABab:.- \n[]{}#&*!'\"0", max_size=300).map(str.encode))
-@settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@examples(150)
 def test_bytes_of_any_kind_never_end_a_lint(data):
     base = compose([])
     for is_tree in (True, False):
@@ -34,7 +34,8 @@ ATTRIBUTES = st.sampled_from(
 PATHS = st.sampled_from(
     ["Vehicle", "Vehicle.A", "Vehicle.a", "Vehicle.A.B", "Vehicle.Function", "Vehicle.Function.F",
      "Vehicle.Function.F.Error.E", "Vehicle.Function.F.Scheduling.Step", "Vehicle.Function.F.Scheduling",
-     "Vehicle.Function.F.SafetyReaction.S", "Vehicle.Function.F.Mode.In", "Vehicle.*", "Vehicle..X", "Other"]
+     "Vehicle.Function.F.SafetyReaction.S", "Vehicle.Function.F.Mode.In", "Vehicle.*", "Vehicle..X", "Vehicle.A..X", "Vehicle.B.C",
+     "Vehicle.Row1.B", "Other", "Nowhere.A", "Nowhere.B.C", "Nowhere.B..X"]
 )  # fmt: skip
 VALUES = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats() | st.sampled_from(
@@ -46,7 +47,7 @@ VALUES = st.recursive(
 
 
 @given(st.dictionaries(PATHS, st.dictionaries(ATTRIBUTES, VALUES, max_size=6), max_size=8))
-@settings(max_examples=150)
+@examples(150)
 def test_values_of_any_kind_at_any_place_never_end_a_lint(data):
     base = compose([])
     for is_tree in (True, False):
@@ -64,7 +65,7 @@ def test_a_list_among_the_values_of_the_tree_does_not_end_the_lint_of_an_overlay
 
 
 @given(NODES, NODES, NODES)
-@settings(max_examples=600 if IS_SLOW_RUN else 60)
+@examples(60)
 def test_an_overlay_has_the_findings_that_it_has_when_the_whole_tree_is_judged(tree, other, overlay):
     named = {"tree": {"Vehicle": {"type": "branch"}, **tree}, "other": other, "posted": overlay}
     layers = [

@@ -64,7 +64,7 @@ def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
         assert match, "the service did not start"
         yield match.group()
         process.terminate()
-        assert process.wait(20) in (0, -15)
+        assert process.wait(DEADLINE) in (0, -15)
 
 
 def _browser() -> Iterator[Browser]:

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Mapping
 
-from sigcat import codes
 from sigcat.catalogue.composing.build_tree import draft_tree, frozen_tree
 from sigcat.catalogue.composing.compose import missing_units, scope_of
 from sigcat.catalogue.composing.merge_layers import merge_over
@@ -33,12 +32,15 @@ def compose_part(base: Catalogue, overlay: Layer, limits: Limits = DEFAULT_LIMIT
 
 
 def _near(base: Catalogue, changed: Mapping[str, Definition]) -> dict[str, Definition]:
-    """What changed, all above it, and the branches right below these, which a misspelled one may have meant."""
+    """What changed, all above it, and the branches right below these, which a misspelled one may have meant.
+
+    A branch that the base does not define is added again for the definition of the base that it was added for.
+    """
     near: dict[str, Definition] = {}
     for path in _with_ancestors([*(root.path for root in base.roots[:1]), *changed]):
-        definition = changed.get(path) or base.definitions.get(path) or _added_branch(path, base)
+        definition = changed.get(path) or base.definitions.get(path) or base.first_below.get(path)
         if definition is not None:
-            near[path] = definition
+            near[definition.path] = changed.get(definition.path, definition)
         for branch in base.branches.get(path, ()):
             near[branch.path] = changed.get(branch.path, branch)
     near.update(_below_retyped(base, changed))
@@ -48,20 +50,11 @@ def _near(base: Catalogue, changed: Mapping[str, Definition]) -> dict[str, Defin
 
 def _below_retyped(base: Catalogue, changed: Mapping[str, Definition]) -> dict[str, Definition]:
     """What is below nodes to which an overlay gives a type, and may not be below that type."""
-    retyped = {path for path, new in changed.items() if new.origin("type").overlay and path in base.parents}
+    retyped = {path for path, new in changed.items() if new.origin("type").overlay and path in base.first_below}
     if not retyped:
         return {}
     below = {path: own for path, own in base.definitions.items() if not retyped.isdisjoint(_with_ancestors([path]))}
     return {path: changed.get(path, own) for path, own in below.items()}
-
-
-def _added_branch(path: str, catalogue: Catalogue) -> Definition | None:
-    """A branch that composing added; that its definition is missing is not the fault of the overlay."""
-    node = catalogue.nodes.get(path)
-    is_added = node is not None and any(
-        problem.rule.id == codes.BRANCH_UNDEFINED.id for problem in node.definition.problems
-    )
-    return node.definition if node is not None and is_added else None
 
 
 def _with_ancestors(paths: Iterable[str]) -> Iterable[str]:

@@ -12,7 +12,8 @@ from sigcat.catalogue.model.vocabulary import Unit, Vocabulary
 from sigcat.catalogue.reading.layers import Layer
 from sigcat.catalogue.reading.statement import Origin, SourceFile
 from sigcat.findings import Finding
-from sigcat.names import last_name, parent_path
+from sigcat.limits import DEFAULT_LIMITS
+from sigcat.names import is_well_formed, last_name, parent_path
 
 Value = TypeVar("Value")
 
@@ -173,13 +174,16 @@ class Catalogue:
         return {path: list(below.values()) for path, below in _by_parent(self.definitions).items()}
 
     @cached_property
-    def parents(self) -> Collection[str]:
-        """Paths that have a definition somewhere below them, also those that no file defines."""
-        found: set[str] = set()
-        for path in self.definitions:
-            above = parent_path(path)
+    def first_below(self) -> Mapping[str, Definition]:
+        """For each path above a definition, also for one that no file defines, the first definition below it.
+
+        Malformed paths have no place in the tree, and do not count.
+        """
+        found: dict[str, Definition] = {}
+        for path, definition in self.definitions.items():
+            above = parent_path(path) if is_well_formed(path, DEFAULT_LIMITS.path_names) else ""
             while above and above not in found:
-                found.add(above)
+                found[above] = definition
                 above = parent_path(above)
         return found
 

@@ -1,7 +1,6 @@
 """Service discovery message by message, as PRS_SOMEIPServiceDiscovery has it: searches, subscriptions, times to live, restarts."""
 
 import struct
-import time
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -25,6 +24,7 @@ from tests.adapter.autosar_adaptive.bench.messages import (
 from tests.adapter.autosar_adaptive.bench.probe_service import FAST, FIELDS, INSTANCE_ID, MODE, SERVICE_ID, SPEED
 from tests.adapter.autosar_adaptive.own_network import Network, Program, own_network
 from tests.needs import c_compiler
+from tests.waiting import wait_until
 
 pytestmark = [own_network, c_compiler]
 OURS = "127.0.0.20"
@@ -59,10 +59,10 @@ def subscription(group: int, seconds: int, port: int = 40001, session: int = 0) 
     return discovery(wish, options=endpoint(STRANGER, port), session=session)
 
 
-def subscribe(client: Program, group: int, seconds: int) -> None:
+def subscribe(client: Program, group: int, seconds: int, port: int = 40001) -> None:
     """Subscribe until it is accepted: in its initial wait, a service refuses."""
     while True:
-        client.do(f"{OURS} {DISCOVERY} {subscription(group, seconds).hex()}")
+        client.do(f"{OURS} {DISCOVERY} {subscription(group, seconds, port).hex()}")
         if next_entry(client, ACKNOWLEDGE_ENTRY)[9:12] != bytes(3):
             return
 
@@ -103,17 +103,21 @@ def test_a_new_subscription_is_sent_the_value_of_a_field_and_a_renewed_one_not(n
 
 
 def test_a_subscription_ends_with_its_time_to_live(net: Network, sender: Program) -> None:
-    client, events = stranger(net, DISCOVERY), stranger(net, 40001)
-    subscribe(client, FAST, 1)
+    client, ending, lasting = (stranger(net, port) for port in (DISCOVERY, 40001, 40002))
+    subscribe(client, FAST, 60)
+    subscribe(client, FAST, FOR_EVER, port=40002)
     sender.do("speed 1")
-    assert next_datagram(events).endswith(struct.pack("!f", 1.0))
-    time.sleep(1.05)
-    sender.do("speed 2").tells("done speed")
-    events.says_nothing_more(0.2)
-    subscribe(client, FAST, FOR_EVER)
-    time.sleep(1.05)
-    sender.do("speed 3")
-    assert next_datagram(events).endswith(struct.pack("!f", 3.0))
+    assert next_datagram(ending).endswith(struct.pack("!f", 1.0))
+    subscribe(client, FAST, 1)
+
+    def is_over() -> bool:
+        sender.do("speed 2").tells("done speed")
+        return ending.is_silent(0.2)
+
+    wait_until(is_over, "the shorter subscription has ended")
+    sender.do("speed 3").tells("done speed")
+    while not next_datagram(lasting).endswith(struct.pack("!f", 3.0)):
+        pass
 
 
 def test_events_are_counted(net: Network, sender: Program) -> None:

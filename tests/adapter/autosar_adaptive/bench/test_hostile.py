@@ -1,7 +1,5 @@
 """What comes from the network may be anything: an error is answered, or nothing; the next message is served."""
 
-import os
-import random
 import struct
 from collections.abc import Mapping
 from pathlib import Path
@@ -29,11 +27,12 @@ from tests.adapter.autosar_adaptive.bench.messages import (
 from tests.adapter.autosar_adaptive.bench.probe_service import FAST, IMAGE, SPEED, TRACK
 from tests.adapter.autosar_adaptive.own_network import Network, Program, own_network
 from tests.needs import c_compiler
+from tests.properties import FUZZ, seeds
 
 pytestmark = [own_network, c_compiler]
 SENDER = "127.0.0.20"
-IS_LONG = "SIGCAT_FUZZ" in os.environ
-TRIES = 25_000 if IS_LONG else 1000
+HERE = "tests/adapter/autosar_adaptive/bench/test_hostile.py"
+TRIES = 25_000 if FUZZ else 1000
 """Spoilt datagrams of each of four kinds; `make fuzz` sends 100,000, other ones each time."""
 
 
@@ -133,13 +132,8 @@ def acknowledged(client: Program) -> int:
             return int.from_bytes(answer[33:36], "big")
 
 
-def _seed(usual: int) -> int:
-    seed = random.randrange(10**6) if IS_LONG else usual
-    print(f"seed {seed}")
-    return seed
-
-
-def test_a_sender_stands_spoilt_datagrams(net: Network, sender: Program) -> None:
+@pytest.mark.parametrize("seed", seeds(f"{HERE}::test_a_sender_stands_spoilt_datagrams", 1))
+def test_a_sender_stands_spoilt_datagrams(net: Network, sender: Program, seed: int) -> None:
     client = stranger(net)
     good = [
         message(),
@@ -153,7 +147,7 @@ def test_a_sender_stands_spoilt_datagrams(net: Network, sender: Program) -> None
         discovery(SUBSCRIBE, SUBSCRIBE, options=endpoint(STRANGER, 40001) * 3),
     ]
     for port, samples in ((SERVICES, good), (DISCOVERY, searches)):
-        client.do(f"fuzz {_seed(1)} {TRIES} {SENDER} {port} {' '.join(each.hex() for each in samples)}").tells(
+        client.do(f"fuzz {seed} {TRIES} {SENDER} {port} {' '.join(each.hex() for each in samples)}").tells(
             f"sent {TRIES}", within=120
         )
     client.do(f"{SENDER} {SERVICES} {message(payload=struct.pack('!ii', 1000, 1), session=77).hex()}")
@@ -161,7 +155,8 @@ def test_a_sender_stands_spoilt_datagrams(net: Network, sender: Program) -> None
     sender.quit()
 
 
-def test_a_receiver_stands_spoilt_datagrams(net: Network, built: Mapping[str, Path]) -> None:
+@pytest.mark.parametrize("seed", seeds(f"{HERE}::test_a_receiver_stands_spoilt_datagrams", 2))
+def test_a_receiver_stands_spoilt_datagrams(net: Network, built: Mapping[str, Path], seed: int) -> None:
     receiver = net.start([built["receiver"]], SIGCAT_BENCH_ADDRESS=SENDER).tells("ready")
     server = stranger(net, SERVICES)
     offers = discovery(OFFER, options=endpoint(STRANGER, SERVICES))
@@ -174,10 +169,10 @@ def test_a_receiver_stands_spoilt_datagrams(net: Network, built: Mapping[str, Pa
         message(IMAGE, struct.pack("!I", 5) + b"12345", kind=NOTIFICATION),
         message(IMAGE, b"\x00\x00\x00\x01" + struct.pack("!I", 1500) + b"x" * 1388, kind=0x22),
     ]  # fmt: skip
-    server.do(f"fuzz {_seed(2)} {TRIES} {SENDER} {SERVICES} {' '.join(each.hex() for each in events)}").tells(
+    server.do(f"fuzz {seed} {TRIES} {SENDER} {SERVICES} {' '.join(each.hex() for each in events)}").tells(
         f"sent {TRIES}", within=120
     )
-    server.do(f"fuzz {_seed(3)} {TRIES} {SENDER} {DISCOVERY} {offers.hex()}").tells(f"sent {TRIES}", within=120)
+    server.do(f"fuzz {seed + 1} {TRIES} {SENDER} {DISCOVERY} {offers.hex()}").tells(f"sent {TRIES}", within=120)
     # As one that has started anew: whatever the last spoilt offer said is forgotten.
     server.do(f"{SENDER} {DISCOVERY} {lasting.hex()}", f"{SENDER} {DISCOVERY} {lasting.hex()}")
     server.do(f"{SENDER} {SERVICES} {message(SPEED, struct.pack('!f', 4711.0), kind=NOTIFICATION).hex()}")

@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Mapping
+from itertools import count
 from pathlib import Path
 
 import pytest
@@ -14,17 +15,13 @@ pytestmark = [own_network, c_compiler]
 TIMES = 20 if IS_SLOW_RUN else 3
 OFFER_HOLDS = 1.0
 """Seconds, as the deployment of the service says."""
-UNHURRIED = 3.0
-"""Seconds more that a machine with other work may take."""
 
 
 def test_a_sender_that_was_killed_is_missed_when_its_offer_ends(net: Network, built: Mapping[str, Path]) -> None:
     sender, receiver = pair(net, built)
     subscribed(receiver)
     sender.kill()
-    killed = time.monotonic()
     receiver.tells_in_any_order("Speed is pending", "found 0")
-    assert time.monotonic() - killed < OFFER_HOLDS + UNHURRIED
 
 
 @pytest.mark.parametrize("address", ["127.0.0.50", ""], ids=["same address", "whichever is free"])
@@ -35,7 +32,7 @@ def test_a_sender_that_begins_anew_is_found_at_once(net: Network, built: Mapping
     for turn in range(TIMES):
         sender.kill()
         sender = net.start([built["sender"]], **own).tells("ready").do(f"mode {turn % 2}", "offer")
-        receiver.tells_in_any_order("found 1", "Mode is subscribed", f"mode {turn % 2}", within=OFFER_HOLDS + UNHURRIED)
+        receiver.tells_in_any_order("found 1", "Mode is subscribed", f"mode {turn % 2}")
         sender.do(f"speed {turn}")
         receiver.tells(f"speed {turn}")
 
@@ -46,7 +43,7 @@ def test_a_receiver_that_begins_anew_is_sent_everything_at_once(net: Network, bu
     for turn in range(TIMES):
         receiver.kill()
         sender.do(f"mode {turn % 2}").tells("done mode")
-        receiver = net.start([built["receiver"]]).tells("found 1", within=OFFER_HOLDS + UNHURRIED)
+        receiver = net.start([built["receiver"]]).tells("found 1")
         receiver.do("subscribe").tells(f"mode {turn % 2}")
         sender.do(f"speed {turn}")
         receiver.tells(f"speed {turn}")
@@ -65,7 +62,10 @@ def test_a_request_to_who_was_killed_fails_when_its_offer_ends(net: Network, bui
 def test_a_subscription_lasts_for_as_long_as_there_are_offers(net: Network, built: Mapping[str, Path]) -> None:
     sender, receiver = pair(net, built)
     subscribed(receiver)
-    time.sleep(2 * OFFER_HOLDS + 0.2)
-    sender.do("speed 9")
-    receiver.tells("speed 9")
+    until = time.monotonic() + 2 * OFFER_HOLDS
+    for number in count():
+        sender.do(f"speed {number}")
+        receiver.tells(f"speed {number}")
+        if time.monotonic() > until:
+            break
     assert "Speed is pending" not in receiver.told[receiver.told.index("Speed is subscribed") :]

@@ -2,12 +2,13 @@
 
 import signal
 import sys
-import time
 from collections.abc import Mapping
 from pathlib import Path
 
 from tests.adapter.autosar_adaptive.own_network import Network, Program, own_network
 from tests.needs import c_compiler
+from tests.processes import is_stopped
+from tests.waiting import wait_until
 
 pytestmark = [own_network, c_compiler]
 
@@ -112,9 +113,8 @@ def test_the_last_event_before_the_end_of_an_offer_arrives(net: Network, built: 
     sender, receiver = pair(net, built)
     subscribed(receiver)
     receiver.process.send_signal(signal.SIGSTOP)
-    time.sleep(0.2)  # it has stopped, and finds both at once when it goes on
+    wait_until(lambda: is_stopped(receiver.process.pid), "it has stopped")  # and finds both at once when it continues
     sender.do("speed 8", "stop").tells("done speed", "done stop")
-    time.sleep(0.2)
     receiver.process.send_signal(signal.SIGCONT)
     receiver.tells("speed 8")
     receiver.tells("found 0")
