@@ -2,7 +2,8 @@
 
 
 def test_the_process_lives(ask):
-    assert ask("/health/live").json() == {"state": "alive", "digests": {}, "outdated": []}
+    for path in ("/health", "/healthz", "/health/live"):
+        assert ask(path).json() == {"state": "alive", "digests": {}, "outdated": [], "skipped": []}
 
 
 def test_a_ready_service_tells_the_hash_of_each_catalogue(ask):

@@ -20,6 +20,7 @@ from sigcat.api.connections.refusals import Refusals
 from sigcat.api.connections.request_starts import RequestStarts
 from sigcat.api.connections.trusted_proxies import trusted_by
 from sigcat.api.connections.unread_answers import UnreadAnswers
+from sigcat.api.hangup import reloading_at_hangup
 from sigcat.api.middleware import metrics
 from sigcat.api.middleware.access import ReadAccess
 from sigcat.api.middleware.answer_cache import AnswerCache
@@ -144,7 +145,7 @@ def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
 async def _running(app: FastAPI) -> AsyncIterator[Mapping[str, ConnectionRules]]:
     """Have processes for work ready while the service runs, and give the server what it hands to each connection."""
     current_default_thread_limiter().total_tokens = THREADS + _FILES
-    with _ready_for_work(app):
+    with _ready_for_work(app), reloading_at_hangup(app.state.library, app.state.functions):
         yield {"connection_rules": _connection_rules(app)}
 
 

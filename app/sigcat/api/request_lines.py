@@ -11,9 +11,9 @@ from functools import lru_cache
 from threading import Event, Thread
 from typing import TextIO
 
+from sigcat.api.json_log import TIME
 from sigcat.api.middleware.request_notes import Note
 
-TIME = "%Y-%m-%dT%H:%M:%S%z"
 _SECONDS = 0.05
 _MOST = 20_000
 """Notes that wait, where nothing can be written; of more, the oldest are left out."""

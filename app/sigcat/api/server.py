@@ -1,7 +1,6 @@
 """Run an application until it is stopped; requests under way are finished."""
 
 import gc
-import json
 import logging
 import sys
 
@@ -9,7 +8,8 @@ import uvicorn
 from fastapi import FastAPI
 
 from sigcat.api.connections.http import HttpConnection
-from sigcat.api.request_lines import TIME, RequestLines
+from sigcat.api.json_log import log_as_json
+from sigcat.api.request_lines import RequestLines
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import tell_errors
 
@@ -26,18 +26,6 @@ class _Server(uvicorn.Server):
                 host, port = socket.getsockname()[:2]
                 shown = f"[{host}]" if ":" in host else host
                 print(f"sigcat is at http://{shown}:{port}  (Ctrl+C ends it)", flush=True)  # noqa: T201
-
-
-class _Lines(logging.Formatter):
-    """One line of JSON for each record."""
-
-    def format(self, record: logging.LogRecord) -> str:
-        """The line."""
-        time = self.formatTime(record, TIME)
-        record_fields = {"time": time, "level": record.levelname.lower(), "logger": record.name}
-        if record.exc_info:
-            record_fields["trace"] = self.formatException(record.exc_info)
-        return json.dumps({**record_fields, "message": record.getMessage()})
 
 
 def run(application: FastAPI, settings: Settings) -> None:
@@ -81,14 +69,3 @@ def uvicorn_config(application: FastAPI, settings: Settings) -> uvicorn.Config:
         access_log=False,
         server_header=False,
     )
-
-
-def log_as_json(level: int) -> None:
-    """Send what sigcat and its server log to standard error, a line of JSON each."""
-    handler = logging.StreamHandler(sys.stderr)
-    handler.setFormatter(_Lines())
-    for name, least in (("sigcat", level), ("uvicorn", logging.WARNING), ("asyncio", logging.WARNING)):
-        logger = logging.getLogger(name)
-        logger.handlers, logger.propagate = [handler], False
-        logger.setLevel(least)
-    logging.getLogger("uvicorn.access").disabled = True  # requests are logged by the service, each once

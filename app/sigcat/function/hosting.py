@@ -66,6 +66,8 @@ class FunctionLibrary:
         self._has_shipped = has_shipped
         self._lock = Lock()
         self.files: HostedFiles = ()
+        self.skipped: tuple[str, ...] = ()
+        """Names of files that are too large."""
         self.runs: HostedRuns = ()
         self.comparisons: HostedComparisons = ()
         self._marks: Marks = frozenset()
@@ -82,6 +84,8 @@ class FunctionLibrary:
             self._marks = self._marked()
             before = tuple(file for file in self.files if not file.is_shipped)
             own = tuple(file for folder in self.folders for file in files_in(folder, before))
+            self.skipped = tuple(file.name for file in own if file.is_skipped)
+            own = tuple(file for file in own if not file.is_skipped)
             own = with_last_good(own, before, self._faults)
             self.files = with_ids(own, shipped_files() if self._has_shipped else ())
             _log_rejected(own)

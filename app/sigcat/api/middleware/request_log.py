@@ -11,6 +11,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from sigcat.api.answers.problems import answer_problem
 from sigcat.api.middleware.request_notes import NO_ROUTE, RequestNotes, new_request_id, note_of
+from sigcat.api.work.quotas import quota_headers
 from sigcat.api.work.refusals import Busy
 
 _CLIENT_LEFT = 499
@@ -47,7 +48,8 @@ class RequestLog:
             if message["type"] != "http.response.start":
                 await send({**message, "body": b""} if method == "HEAD" else message)
                 return
-            message["headers"] = [*message.get("headers", ()), header]
+            quotas = state.get("quotas", {}).values()
+            message["headers"] = [*message.get("headers", ()), header, *(quota_headers(quotas) if quotas else ())]
             await send(message)  # the client may leave before it has read earlier answers
             status = message["status"]
 
@@ -59,6 +61,11 @@ class RequestLog:
             if status:  # the server stops, and `stop_seconds` are over
                 raise
             response = await answer_problem(Request(asked), Busy("The service is stopping. Try again."))
+            await response(asked, receive, noting_send)
+        except Exception as error:
+            if status:  # the server closes the connection, and logs the error
+                raise
+            response = await asked["app"].exception_handlers[Exception](Request(asked), error)
             await response(asked, receive, noting_send)
         finally:
             self._note(asked, method, status or (_CLIENT_LEFT if has_left() else 500), perf_counter() - began)

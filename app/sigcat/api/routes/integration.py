@@ -45,7 +45,7 @@ _COUNTED = {"Sigcat-Warnings": {"description": "How many findings there are.", "
     response_class=Response,
     responses={
         200: {"model": schemas.IntegrationJson, "description": "The Integration JSON.", "headers": _COUNTED},
-        **problem_documentation(400, 404, 408, 413, 415, 422, 503),
+        **problem_documentation(404, 408, 413, 415, 422, 503),
     },
     openapi_extra=text_body(_BODY, DECLARATION),
 )
@@ -66,7 +66,7 @@ async def integrate_functions(
     response_class=Response,
     responses={
         200: {"description": "A zip of Integration JSON, report and findings.", "content": ZIP, "headers": _COUNTED},
-        **problem_documentation(400, 404, 408, 413, 415, 422, 503),
+        **problem_documentation(404, 408, 413, 415, 422, 503),
     },
     openapi_extra=text_body(_BODY, DECLARATION),
 )
@@ -144,7 +144,7 @@ for each in dict.fromkeys(g.release_word for platform in PLATFORMS.values() for 
     response_class=Response,
     responses={
         200: {"description": "A header and a source for each function, as a zip.", "content": ZIP, "headers": _COUNTED},
-        **problem_documentation(400, 404, 408, 413, 415, 422, 503),
+        **problem_documentation(404, 408, 413, 415, 422, 503),
     },
     openapi_extra=text_body(f"One function, as `function.yaml` or Function JSON; or a set: {SET}.", DECLARATION),
 )
