@@ -2,6 +2,7 @@
 
 import asyncio
 import logging
+import os
 from collections.abc import AsyncIterator, Iterator, Mapping
 from contextlib import asynccontextmanager, contextmanager
 from math import ceil
@@ -24,7 +25,7 @@ from sigcat.api.hangup import reloading_at_hangup
 from sigcat.api.middleware import metrics
 from sigcat.api.middleware.access import ReadAccess
 from sigcat.api.middleware.answer_cache import AnswerCache
-from sigcat.api.middleware.metrics import Metrics
+from sigcat.api.middleware.metrics import SHARED_FOLDER, Metrics
 from sigcat.api.middleware.packing import Packing
 from sigcat.api.middleware.request_headers import RequestHeaders
 from sigcat.api.middleware.request_log import RequestLog
@@ -49,6 +50,7 @@ from sigcat.api.routes import (
 from sigcat.api.routes.shortcuts import NodeShortcut
 from sigcat.api.service_rules import service_rules
 from sigcat.api.settings import DEFAULT_SETTINGS, Settings
+from sigcat.api.tracing import telemetry
 from sigcat.api.work.queue import WorkQueue
 from sigcat.api.work.turns import Turns
 from sigcat.api.work.worker import EXPORTS
@@ -85,7 +87,7 @@ def create_app(
         description=_DESCRIPTION,
         openapi_url=None,  # `routes/contract.py` has it
         generate_unique_id_function=_operation_id,
-        telemetry={"tracing": False, "metrics": False, "logs": False},  # `/metrics` and the log are the service's own
+        telemetry=telemetry(),
         lifespan=_running,
     )
     app.state.library = library
@@ -146,7 +148,17 @@ async def _running(app: FastAPI) -> AsyncIterator[Mapping[str, ConnectionRules]]
     """Have processes for work ready while the service runs, and give the server what it hands to each connection."""
     current_default_thread_limiter().total_tokens = THREADS + _FILES
     with _ready_for_work(app), reloading_at_hangup(app.state.library, app.state.functions):
-        yield {"connection_rules": _connection_rules(app)}
+        rules = _connection_rules(app)
+        sharing = asyncio.create_task(_share_gauges(app.state.metrics))
+        yield {"connection_rules": rules}
+        sharing.cancel()
+
+
+async def _share_gauges(metrics: Metrics) -> None:
+    """Of several workers, let the others know once a second how much this one has to do."""
+    while SHARED_FOLDER in os.environ:
+        metrics.refresh()
+        await asyncio.sleep(1)
 
 
 @contextmanager

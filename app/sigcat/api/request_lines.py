@@ -58,7 +58,8 @@ def line_of(seconds: float, note: Note) -> str:
         "method": note.method, "path": note.path, "route": note.route, "status": note.status,
         "ms": round(note.seconds * 1000, 2), "client": note.client,
     }  # fmt: skip
-    return json.dumps({**fields, "refused": note.refused} if note.refused else fields) + "\n"
+    rest = {"refused": note.refused, "trace_id": note.trace_id}
+    return json.dumps({**fields, **{name: value for name, value in rest.items() if value}}) + "\n"
 
 
 @lru_cache(2)

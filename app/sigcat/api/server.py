@@ -2,13 +2,16 @@
 
 import gc
 import logging
+import os
 import sys
+from multiprocessing import parent_process
 
 import uvicorn
 from fastapi import FastAPI
 
 from sigcat.api.connections.http import HttpConnection
 from sigcat.api.json_log import log_as_json
+from sigcat.api.middleware.metrics import SHARED_FOLDER
 from sigcat.api.request_lines import RequestLines
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import tell_errors
@@ -48,6 +51,8 @@ def prepare(application: FastAPI, settings: Settings) -> None:
     tell_errors(application.state.library)
     if settings.reading == "token" and not any("read" in token.scopes for token in settings.tokens):
         _log.warning("reading needs a token, and none of `tokens` has the scope read: no client can read")
+    if settings.metrics and parent_process() is not None and SHARED_FOLDER not in os.environ:
+        _log.warning("/metrics has the figures of one worker; for a total let %s name an empty folder", SHARED_FOLDER)
     gc.set_threshold(50_000, 20)  # answers make much that is gone at once: cycles are looked for less often
     sys.setswitchinterval(0.001)  # seconds that a request waits while the thread for heavy work computes
     gc.freeze()  # the catalogues stay: a collection that walks them all would hold up every request for 50 ms

@@ -11,6 +11,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from sigcat.api.answers.problems import answer_problem
 from sigcat.api.middleware.request_notes import NO_ROUTE, RequestNotes, new_request_id, note_of
+from sigcat.api.tracing import name_span
 from sigcat.api.work.quotas import quota_headers
 from sigcat.api.work.refusals import Busy
 
@@ -49,6 +50,7 @@ class RequestLog:
                 await send({**message, "body": b""} if method == "HEAD" else message)
                 return
             quotas = state.get("quotas", {}).values()
+            state["trace_id"] = name_span(asked, method, _route_of(asked), request_id)
             message["headers"] = [*message.get("headers", ()), header, *(quota_headers(quotas) if quotas else ())]
             await send(message)  # the client may leave before it has read earlier answers
             status = message["status"]
@@ -72,9 +74,13 @@ class RequestLog:
 
     def _note(self, scope: Scope, method: str, status: int, seconds: float) -> None:
         state = scope["state"]
-        route = state.get("route") or getattr(scope.get("route"), "path", "") or NO_ROUTE
         client = scope.get("client") or ("", 0)
-        self._notes.add(note_of(state["request_id"], method, scope["path"], route, status, seconds, client[0]))
+        note = note_of(state["request_id"], method, scope["path"], _route_of(scope), status, seconds, client[0])
+        self._notes.add(note._replace(trace_id=state.get("trace_id", "")))
+
+
+def _route_of(scope: Scope) -> str:
+    return scope["state"].get("route") or getattr(scope.get("route"), "path", "") or NO_ROUTE
 
 
 def _request_id(scope: Scope) -> str:
