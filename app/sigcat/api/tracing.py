@@ -9,7 +9,6 @@ from importlib.util import find_spec
 
 from fastapi.telemetry import TelemetryConfig
 from opentelemetry.trace import format_trace_id, get_current_span
-from starlette.types import Scope
 
 from sigcat.errors import UsageError
 
@@ -29,11 +28,11 @@ def telemetry() -> TelemetryConfig:
     return {"tracing": is_traced, "metrics": False, "logs": False, "auto_configure": is_traced}
 
 
-def name_span(scope: Scope, method: str, route: str, request_id: str) -> str:
+def name_span(method: str, route: str, request_id: str) -> str:
     """Name the span of a request after its route, and return the id of its trace; nothing if it is not traced."""
-    if "fastapi.telemetry" not in scope:
-        return ""
     span = get_current_span()
+    if not span.is_recording():
+        return ""
     span.update_name(f"{method} {route}")
     span.set_attributes({"http.route": route, "sigcat.request_id": request_id})
     return format_trace_id(span.get_span_context().trace_id)

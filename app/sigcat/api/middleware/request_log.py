@@ -50,7 +50,7 @@ class RequestLog:
                 await send({**message, "body": b""} if method == "HEAD" else message)
                 return
             quotas = state.get("quotas", {}).values()
-            state["trace_id"] = name_span(asked, method, _route_of(asked), request_id)
+            state["trace_id"] = name_span(method, _route_of(asked), request_id)
             message["headers"] = [*message.get("headers", ()), header, *(quota_headers(quotas) if quotas else ())]
             await send(message)  # the client may leave before it has read earlier answers
             status = message["status"]
