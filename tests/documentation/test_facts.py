@@ -78,13 +78,18 @@ def test_the_architecture_names_every_room():
 
 def test_production_names_settings_and_metrics_that_there_are():
     page = text_of("docs/how-to/production.md")
-    metrics = (ROOT / "app/sigcat/api/middleware/metrics.py").read_text(encoding="utf-8")
+    folder = ROOT / "app/sigcat/api/middleware"
+    metrics = "".join((folder / name).read_text(encoding="utf-8") for name in ("metrics.py", "process_metrics.py"))
     named = set(re.findall(r"`sigcat_(\w+)", page))
     assert len(named) > 5
-    assert [name for name in named if f'"sigcat_{name.removesuffix("_total")}' not in metrics] == []
+    assert [
+        name for name in named if f'"sigcat_{name.removesuffix("_total").removesuffix("_info")}' not in metrics
+    ] == []
     written = set(re.findall(r"`([a-z]+_[a-z_]+)`", page))
     assert "heavy_requests" in written
-    assert {name for name in written if not name.startswith(("sigcat_", "request_id"))} <= set(Settings.model_fields)
+    assert {name for name in written if not name.startswith(("sigcat_", "process_", "request_id", "trace_id"))} <= set(
+        Settings.model_fields
+    )
     (user,) = re.findall(r"--uid (\d+)", (ROOT / "Dockerfile").read_text(encoding="utf-8"))
     assert f"user {user}" in page
 

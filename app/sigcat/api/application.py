@@ -69,6 +69,8 @@ Every error is `application/problem+json` (RFC 9457) and says what is wrong, whe
 _FILES = 4
 """Threads that read files: what takes turns leaves these free."""
 _log = logging.getLogger("sigcat")
+_READABLE = ("ETag", "Link", "RateLimit", "RateLimit-Policy", "Retry-After", "Sigcat-Warnings", "X-Request-Id")
+"""Headers that pages of other origins may read."""
 _ROUTERS = (
     catalogues.listing, catalogues.router, changes.router, exports.router, reloading.router, reloading.of_functions, viss.router, rules.router,
     lint.router, functions.router, integration.router, health.router, contract.router,
@@ -138,8 +140,8 @@ def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
             CORSMiddleware,
             allow_origins=list(settings.origins),
             allow_methods=["GET", "POST"],
-            allow_headers=["Authorization", "Content-Type", "If-None-Match", "X-Request-Id"],
-            expose_headers=["ETag", "Retry-After", "Sigcat-Warnings", "X-Request-Id"],
+            allow_headers=["Authorization", "Content-Type", "If-None-Match", "X-Request-Id", "traceparent", "tracestate"],
+            expose_headers=_READABLE,
         )
 
 
