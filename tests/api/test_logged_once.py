@@ -1,4 +1,4 @@
-"""What an operator learns from the log: signals, failures with one traceback, a fork server that was killed."""
+"""The log of the service: signals, failures with one traceback, a fork server that was killed."""
 
 import json
 import os

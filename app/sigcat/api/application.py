@@ -157,7 +157,7 @@ async def _running(app: FastAPI) -> AsyncIterator[Mapping[str, ConnectionRules]]
 
 
 async def _share_gauges(metrics: Metrics) -> None:
-    """Of several workers, let the others know once a second how much this one has to do."""
+    """Write the gauges for the other workers once a second, if there are any."""
     while SHARED_FOLDER in os.environ:
         metrics.refresh()
         await asyncio.sleep(1)

@@ -19,7 +19,7 @@ _NEEDED = ("opentelemetry.sdk", "opentelemetry.exporter.otlp.proto.http")
 
 
 def telemetry() -> TelemetryConfig:
-    """What FastAPI traces; metrics and the log are the service's own. Raises UsageError for what it cannot export."""
+    """Configure the traces of FastAPI; metrics and the log are the service's own. Raises UsageError for unsupported settings."""
     is_traced = _names_collector(os.environ)
     if is_traced:
         _check(os.environ)

@@ -36,7 +36,7 @@ class Schema(BaseModel):
 
 
 class Place(Schema):
-    """Where something was written."""
+    """The position at which something was written."""
 
     file: str
     line: Position | None = Field(description="From 1; null: the file as a whole.")

@@ -1,4 +1,4 @@
-"""What happens, for Prometheus: requests by route template, so that there are as many series as routes.
+"""Metrics for Prometheus: requests by route template, so that there are as many series as routes.
 
 Several workers keep their figures in the folder that PROMETHEUS_MULTIPROC_DIR names, and each answers with the total.
 """
@@ -37,7 +37,7 @@ class Metrics:
 
     def __init__(self, library: Library, functions: FunctionLibrary, work: WorkQueue, exports: WorkQueue) -> None:
         self.registry = CollectorRegistry()
-        """What `/metrics` shows."""
+        """All that `/metrics` shows."""
         folder = os.environ.get(SHARED_FOLDER)
         own = CollectorRegistry() if folder else self.registry
         if folder:
@@ -66,7 +66,7 @@ class Metrics:
         self._gauges[self._connections] = count
 
     def refresh(self) -> None:
-        """Set what is no count of events."""
+        """Set the gauges to their present values."""
         for gauge, value in self._gauges.items():
             gauge.set(value())
 
@@ -83,7 +83,7 @@ class Metrics:
 
 
 class _Build(Collector):
-    """Which sigcat this is."""
+    """The build that runs."""
 
     def collect(self) -> Iterable[InfoMetricFamily]:
         """Its version, and that of Python."""

@@ -1,4 +1,4 @@
-"""What the processes of the service use: those that serve, as one total, and all below them."""
+"""Resources of the processes that serve, as one total, and memory of all processes of the service."""
 
 import os
 from collections.abc import Callable, Iterable, Iterator

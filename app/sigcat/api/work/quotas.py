@@ -1,4 +1,4 @@
-"""What one client may have under way, as headers (draft-ietf-httpapi-ratelimit-headers-10)."""
+"""Quotas of one client, and the headers that name them (draft-ietf-httpapi-ratelimit-headers-10)."""
 
 from collections.abc import Callable, Iterable
 from typing import Literal, NamedTuple
@@ -17,7 +17,7 @@ class Quota(NamedTuple):
     unit: Literal["concurrent-requests", "content-bytes"]
     most: int
     remaining: Callable[[], int]
-    """How much of it the client may still use."""
+    """The part of it that the client may still use."""
 
 
 def mark_quota(request: HTTPConnection, quota: Quota) -> None:
