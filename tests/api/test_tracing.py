@@ -58,6 +58,7 @@ def test_requests_are_spans_of_the_trace_that_their_client_names() -> None:
         answers = [plain_http.get(node, headers=headers) for _ in range(2)]
         wait_until(lambda: len(spans(received, f"GET {NODE}")) == 2, "both spans are exported")
         servers = spans(received, f"GET {NODE}")
+        wait_until(lambda: len(service.logged(trace_id=TRACE)) == 2, "both requests are logged")
         lines = service.logged(trace_id=TRACE)
     assert {span.trace_id.hex() for span in servers} == {TRACE}
     assert {span.parent_span_id.hex() for span in servers} == {PARENT}

@@ -22,7 +22,7 @@ class Quota(NamedTuple):
 
 def mark_quota(request: HTTPConnection, quota: Quota) -> None:
     """Keep a quota that the request uses: the answer names it."""
-    request.scope["state"].setdefault("quotas", {})[quota.name] = quota
+    request.scope.setdefault("state", {}).setdefault("quotas", {})[quota.name] = quota
 
 
 def quota_headers(quotas: Iterable[Quota]) -> Headers:
