@@ -4,6 +4,7 @@ import json
 import re
 
 import pytest
+import yaml
 
 from sigcat import limits
 from sigcat.api.settings import Settings
@@ -92,6 +93,20 @@ def test_production_names_settings_and_metrics_that_there_are():
     )
     (user,) = re.findall(r"--uid (\d+)", (ROOT / "Dockerfile").read_text(encoding="utf-8"))
     assert f"user {user}" in page
+
+
+def test_the_probes_of_kubernetes_ask_what_answers():
+    page = text_of("docs/how-to/production.md")
+    (pod,) = [
+        yaml.safe_load(block)
+        for block in re.findall(r"^```yaml\n(containers:.*?)^```$", page, re.MULTILINE | re.DOTALL)
+    ]
+    (container,) = pod["containers"]
+    probes = [probe["httpGet"]["path"] for name, probe in container.items() if name.endswith("Probe")]
+    paths = json.loads(text_of("docs/reference/openapi.json"))["paths"]
+    assert len(probes) == 3
+    assert set(probes) <= paths.keys()
+    assert pod["terminationGracePeriodSeconds"] > Settings().stop_seconds
 
 
 def test_every_limit_has_a_row_that_says_what_it_bounds():

@@ -140,7 +140,14 @@ def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
             CORSMiddleware,
             allow_origins=list(settings.origins),
             allow_methods=["GET", "POST"],
-            allow_headers=["Authorization", "Content-Type", "If-None-Match", "X-Request-Id", "traceparent", "tracestate"],
+            allow_headers=[
+                "Authorization",
+                "Content-Type",
+                "If-None-Match",
+                "X-Request-Id",
+                "traceparent",
+                "tracestate",
+            ],
             expose_headers=_READABLE,
         )
 

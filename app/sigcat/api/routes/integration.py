@@ -10,6 +10,7 @@ from sigcat.adapter.core.cores import cores
 from sigcat.api.answers import schemas
 from sigcat.api.answers.archives import ZIP, archive
 from sigcat.api.answers.problems import problem_documentation
+from sigcat.api.answers.serializers import finding_schema
 from sigcat.api.requests.dependencies import FileName, NamedCatalogue, PostedText, TheSettings, TheWorkQueue, text_body
 from sigcat.api.requests.enumerations import enumeration, one_of
 from sigcat.api.requests.function_files import SET, posted_functions
@@ -204,7 +205,7 @@ def _core(text: bytes, name: str, catalogue: Catalogue, limits: Limits) -> Respo
 
 
 def _files(platform: str, integrated: Integrated, findings: tuple[Finding, ...]) -> dict[str, bytes]:
-    rows = [finding._asdict() for finding in (*findings, *integrated.findings)]
+    rows = [finding_schema(each).model_dump() for each in (*findings, *integrated.findings)]
     return {
         f"{platform}.json": integrated.document,
         f"{platform}.report.json": to_json(integrated.report),
