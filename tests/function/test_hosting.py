@@ -10,7 +10,7 @@ from sigcat.data import EXAMPLES
 from sigcat.errors import NotFound
 from sigcat.function.function_file import build_function
 from sigcat.function.function_json.model import to_json
-from sigcat.function.hosting import FunctionLibrary, function_over, functions_over
+from sigcat.function.hosting import FunctionLibrary, _read, built_over, function_over, functions_over
 from sigcat.limits import HOSTED_FUNCTION_BYTES
 
 NOISE = """\
@@ -70,6 +70,14 @@ def test_a_function_is_named_by_its_folder_or_its_file(folder: Path) -> None:
     (folder / "deep" / "door").mkdir(parents=True)
     (folder / "deep" / "door" / "function.yaml").write_text(noise("OtherDoor"))
     assert ids(FunctionLibrary([folder], has_shipped=False)) == ["cabin_noise", "door", "door-2"]
+
+
+def test_a_file_is_read_once_for_all_catalogues(folder: Path) -> None:
+    files = FunctionLibrary([folder], has_shipped=False).files
+    before = _read.cache_info().misses
+    for hosted in Library(shipped_sources()):
+        assert len(built_over(files, hosted.catalogue)) == 1
+    assert _read.cache_info().misses - before <= 1
 
 
 def test_a_file_that_is_too_large_is_skipped_and_named(folder: Path) -> None:
