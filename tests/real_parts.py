@@ -160,8 +160,16 @@ KINDS = (
     ),
     Kind(
         "services that are started, stopped and killed",
-        ("tests/api/test_export_processes.py", "tests/api/test_running.py", "tests/catalogue/hosting/test_killed.py"),
         (
+            "tests/api/test_export_processes.py",
+            "tests/api/test_logged_once.py",
+            "tests/api/test_running.py",
+            "tests/api/test_several_workers.py::test_metrics_are_the_total_of_all_workers",
+            "tests/api/test_tracing.py::test_requests_are_spans_of_the_trace_that_their_client_names",
+            "tests/catalogue/hosting/test_killed.py",
+        ),
+        (
+            "tests/api/test_logged_once.py::test_sighup_reads_files_again_and_is_logged",
             "tests/api/test_export_processes.py::test_an_export_has_the_bytes_of_a_process_of_its_own[csv]",
             "tests/api/test_running.py::test_each_request_is_a_line_of_json_with_the_id_that_its_problem_carries",
         ),

@@ -60,6 +60,15 @@ class Zygote:
         """Whether somebody ended it."""
         return self._process.poll() is not None
 
+    @property
+    def is_closed(self) -> bool:
+        """Whether this process lets it end."""
+        return self._control.fileno() < 0
+
+    def wait(self) -> int:
+        """The exit status, once it has ended; below 0 the signal that killed it."""
+        return self._process.wait()
+
     def child(self, kind: str = "") -> socket.socket:
         """A connection to a new child, which ends when it is closed. Raises OSError if the zygote has ended."""
         return self._asked(kind, is_told=False)
@@ -92,7 +101,7 @@ class _Request(NamedTuple):
 
 def main(descriptor: int, module: str) -> None:
     """Fork as often as it is asked for. The module is imported with the first request."""
-    for ignored in (signal.SIGINT, signal.SIGTERM):  # a service finishes its work first
+    for ignored in (signal.SIGHUP, signal.SIGINT, signal.SIGTERM):  # a service finishes its work first
         signal.signal(ignored, signal.SIG_IGN)
     children: set[int] = set()
     signal.signal(signal.SIGCHLD, lambda _signal, _frame: _take_leave(children))

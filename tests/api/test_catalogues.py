@@ -5,9 +5,11 @@ import pytest
 from sigcat.api.answers import schemas
 from sigcat.api.answers.negotiation import json_bytes
 from sigcat.api.answers.serializers import node_data, node_detail
+from sigcat.api.application import create_app
+from sigcat.catalogue.hosting.library import Library
 from sigcat.catalogue.hosting.source import Source, load
 from sigcat.catalogue.hosting.sources import shipped_sources
-from tests.api.conftest import SOURCES, Ask
+from tests.api.conftest import SETTINGS, SOURCES, Ask, asker
 
 SMALL = "/api/v1/catalogues/small"
 
@@ -42,7 +44,7 @@ def test_every_attribute_tells_where_it_was_written_and_what_it_was_before(ask: 
     assert datatype["value"] == "double"
     assert (datatype["origin"]["line"], datatype["origin"]["overlay"]) == (3, "overlay")
     assert [(entry["value"], entry["origin"]["overlay"]) for entry in datatype["history"]] == [
-        ("float", ""),
+        ("float", None),
         ("double", "overlay"),
     ]
     assert attributes["ASILlevel"]["is_extended"]
@@ -50,7 +52,7 @@ def test_every_attribute_tells_where_it_was_written_and_what_it_was_before(ask: 
 
 
 def test_an_instance_knows_its_definition(ask: Ask) -> None:
-    assert ask(f"{SMALL}/nodes/Vehicle.Door.Left.IsOpen").json()["template"] == "Vehicle.Door.IsOpen"
+    assert ask(f"{SMALL}/nodes/Vehicle.Door.Left.IsOpen").json()["definition_path"] == "Vehicle.Door.IsOpen"
 
 
 def test_an_error_interface_has_the_name_that_its_path_gives(ask: Ask) -> None:
@@ -72,7 +74,7 @@ def test_the_tree_goes_down_to_the_depth_asked_for(ask: Ask) -> None:
 
 def test_a_tree_beyond_the_limit_is_refused_with_what_to_do(ask: Ask) -> None:
     refused = ask(f"{SMALL}/tree?depth=9")
-    assert refused.status_code == 400
+    assert refused.status_code == 422
     assert "less depth" in refused.json()["detail"]
 
 
@@ -95,14 +97,30 @@ def test_search_pages_by_cursor_until_the_end(ask: Ask) -> None:
     assert len(paths) == len(set(paths)) == page.json()["total"] == 12
 
 
-def test_a_huge_limit_is_cut_to_what_the_service_gives(ask: Ask) -> None:
-    page = ask(f"{SMALL}/search", params={"limit": 10**12}).json()
-    assert len(page["hits"]) == 5
-    assert page["next_cursor"]
+@pytest.mark.parametrize("limit", [0, -1, 6, 100_000, 10**30])
+def test_a_limit_that_the_service_does_not_give_is_refused_however_it_is_wrong(ask: Ask, limit: int) -> None:
+    for page in ("search", "nodes"):
+        refused = ask(f"{SMALL}/{page}", params={"limit": limit})
+        assert (refused.status_code, refused.json()["findings"][0]["pointer"]) == (422, "/query/limit")
+
+
+@pytest.mark.parametrize("page", ["search?q=vehicle&instances=true", "nodes?q=vehicle"])
+@pytest.mark.parametrize("accept", ["application/json", "text/csv"])
+def test_each_page_names_the_next_one(library: Library, page: str, accept: str) -> None:
+    ask = asker(create_app(library, SETTINGS), root_path="/signals")
+    address: str | None = f"/signals{SMALL}/{page}&limit=5"
+    lines: list[str] = []
+    while address:
+        answer = ask(address, headers={"Accept": accept})
+        lines += answer.text.splitlines()[1:]
+        address = answer.links.get("next", {}).get("url")
+    total = ask(f"{SMALL}/{page}").json()["total"]
+    assert total > 10
+    assert accept != "text/csv" or len(lines) == total
 
 
 def test_a_near_miss_proposes_words(ask: Ask) -> None:
-    assert ask(f"{SMALL}/search?q=sped").json()["did_you_mean"] == ["speed"]
+    assert ask(f"{SMALL}/search?q=sped").json()["suggestions"] == ["speed"]
 
 
 def test_units_and_quantities_are_listed(ask: Ask) -> None:

@@ -16,7 +16,7 @@ def test_a_diff_tells_each_change_with_its_class(ask: Ask) -> None:
 
 
 def test_a_diff_shows_only_the_classes_that_are_asked_for(ask: Ask) -> None:
-    diff = ask(f"{BARE}/diff?to=small&only=breaking&only=risky").json()
+    diff = ask(f"{BARE}/diff?to=small&compatibility=breaking&compatibility=risky").json()
     assert {change["compatibility"] for change in diff["changes"]} <= {"breaking", "risky"}
 
 

@@ -107,7 +107,7 @@ def test_equal_exports_under_way_are_one(service: Service, temporary: Path) -> N
 def test_a_full_folder_for_temporary_files_is_said(tree: Path, tmp_path: Path, catalogue: str, what: str) -> None:
     with served(tree, before=_FEW_BLOCKS, TMPDIR=str(tmp_path)) as service:
         refused = exported(service, "csv", catalogue)
-        assert (refused.status_code, refused.json()["type"]) == (507, "/problems/no-room"), what
+        assert (refused.status_code, refused.json()["type"]) == (507, "/problems/no-temporary-space"), what
         assert "more room for temporary files" in refused.json()["detail"]
         assert "more room for temporary files" in service.log.read_text()
         assert exported(service, "json").status_code == 200

@@ -57,7 +57,7 @@ def test_nodes(narrow: Ask, wide: Ask) -> None:
 @pytest.mark.parametrize("address", [*YAML, *JSON])
 def test_bytes(narrow: Ask, wide: Ask, address: str) -> None:
     refused = narrow(address, "POST", content=b"#" * 50_001)
-    assert (refused.status_code, refused.json()["type"]) == (413, "/problems/too-large")
+    assert (refused.status_code, refused.json()["type"]) == (413, "/problems/body-too-large")
     assert "50,000 bytes" in refused.json()["detail"]
     assert wide(address, "POST", content=b"#" * 50_001).status_code in (200, 422)
 

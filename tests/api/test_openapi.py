@@ -59,6 +59,37 @@ def test_what_breaks_clients_is_not_released(tmp_path: Path) -> None:
     assert json.loads(released.read_bytes()) == DOCUMENT
 
 
+@pytest.mark.parametrize(("path", "method", "operation"), API, ids=IDS)
+def test_every_operation_documents_the_headers_of_its_answers(
+    path: str, method: str, operation: dict[str, Any]
+) -> None:
+    headers = {status: set(response["headers"]) for status, response in operation["responses"].items()}
+    assert all({"X-Request-Id", "RateLimit", "RateLimit-Policy"} <= names for names in headers.values())
+    assert all("Retry-After" in headers[status] for status in ("429", "503"))
+    assert "Location" in headers["307"]
+    is_versioned = method == "get" and path.startswith("/api/v1/catalogues/{catalogue}")
+    assert [status for status in headers if "ETag" in headers[status]] == (
+        ["200", "304", "412"] if is_versioned else []
+    )
+    named = {name for names in headers.values() for name in names if name in DOCUMENT["components"]["headers"]}
+    assert {"X-Request-Id"} <= named <= DOCUMENT["components"]["headers"].keys()
+
+
+def test_what_answers_send_is_what_the_document_says(ask: Ask) -> None:
+    node = "/api/v1/catalogues/small/nodes/Vehicle.Speed"
+    answers = {
+        "200": ask(node),
+        "304": ask(node, headers={"If-None-Match": "*"}),
+        "307": ask(f"{node}/"),
+        "412": ask(node, headers={"If-Match": '"another"'}),
+    }
+    described = DOCUMENT["paths"]["/api/v1/catalogues/{catalogue}/nodes/{path}"]["get"]["responses"]
+    for status, answer in answers.items():
+        assert str(answer.status_code) == status
+        always = described[status]["headers"].keys() - {"RateLimit", "RateLimit-Policy"}
+        assert {name.lower() for name in always} <= answer.headers.keys()
+
+
 def test_operation_ids_read_as_function_names() -> None:
     ids = [operation["operationId"] for _, _, operation in operations(DOCUMENT)]
     assert {"list_catalogues", "get_node", "get_tree", "search_nodes", "list_units"} <= set(ids)
@@ -184,6 +215,9 @@ BREAKING = {
     "a parameter takes less": (lambda d: _parameter(d, "q").update(schema={"enum": ["a"]}), "no longer takes"),
     "an answer has another media type": (
         lambda d: d["paths"][SEARCH]["get"]["responses"]["200"]["content"].pop("text/csv"), "no longer text/csv",
+    ),
+    "a header is gone": (
+        lambda d: d["paths"][SEARCH]["get"]["responses"]["200"]["headers"].pop("Link"), "no longer has the header Link",
     ),
     "parameters have another order": (
         lambda d: d["paths"][SEARCH]["get"]["parameters"].reverse(), "the order of the parameters is another one",

@@ -215,7 +215,7 @@ def test_a_body_that_does_not_arrive_is_given_up(library: Library) -> None:
     ask = asker(create_app(library, Settings(body_seconds=0.05)))
     late = ask("/api/v1/lint", "POST", content=drip())
     assert late.status_code == 408
-    assert late.json()["type"] == "/problems/too-slow"
+    assert late.json()["type"] == "/problems/request-timeout"
 
 
 def test_settings_come_from_the_file_and_over_it_from_the_environment() -> None:

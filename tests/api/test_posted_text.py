@@ -44,7 +44,7 @@ def test_a_declaration_that_cannot_be_built_is_refused_with_every_finding(shippe
     refused = shipped("/api/v1/functions/build", "POST", content=DECLARATION.replace(b"Vehicle.", b"Vehicel."))
     assert refused.status_code == 422
     problem = refused.json()
-    assert problem["type"] == "/problems/input-refused"
+    assert problem["type"] == "/problems/invalid-input"
     assert len(problem["findings"]) > 1
     assert all(finding["line"] and finding["pointer"] for finding in problem["findings"])
     linted = shipped("/api/v1/lint?kind=function", "POST", content=DECLARATION.replace(b"Vehicle.", b"Vehicel."))
@@ -95,7 +95,7 @@ def test_hostile_text_gets_a_clear_answer(ask: Ask, address: str, case: str) -> 
 def test_a_body_beyond_the_limit_is_refused(ask: Ask) -> None:
     refused = ask("/api/v1/lint", "POST", content=b"a" * 10_001)
     assert refused.status_code == 413
-    assert refused.json()["type"] == "/problems/too-large"
+    assert refused.json()["type"] == "/problems/body-too-large"
     assert "10,000 bytes" in refused.json()["detail"]
 
 

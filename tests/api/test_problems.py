@@ -51,12 +51,12 @@ def test_a_parameter_that_does_not_fit_is_named(ask: Ask, query: str) -> None:
 
 @pytest.mark.parametrize("cursor", ["abc", "////", "AAAA", "%F0%9F%92%A3", "MTIzOi0x", "'; drop table", "%00"])
 def test_a_cursor_that_is_made_up_is_refused(ask: Ask, cursor: str) -> None:
-    assert "cursor" in problem(ask, f"{SMALL}/search?cursor={cursor}", 400)["detail"]
+    assert "cursor" in problem(ask, f"{SMALL}/search?cursor={cursor}", 422)["detail"]
 
 
 def test_a_cursor_of_another_state_is_refused(ask: Ask) -> None:
     cursor = ask(f"{SMALL}/search?limit=2").json()["next_cursor"]
-    assert "another state" in problem(ask, f"/api/v1/catalogues/bare/search?cursor={cursor}", 400)["detail"]
+    assert "another state" in problem(ask, f"/api/v1/catalogues/bare/search?cursor={cursor}", 422)["detail"]
 
 
 @pytest.mark.parametrize(
@@ -94,21 +94,21 @@ def test_a_filter_that_nothing_can_have_is_refused_and_not_answered_with_nothing
 ) -> None:
     for accept in ("application/json", "text/csv"):
         answer = ask(f"{SMALL}/{page}{wrong}", headers={"Accept": accept})
-        assert (answer.status_code, answer.json()["detail"]) == (400, detail)
+        assert (answer.status_code, answer.json()["detail"]) == (422, detail)
     assert ask(f"{SMALL}/{page}type=struct").json()["total"] == 0
 
 
 def test_a_field_that_no_node_can_have_is_refused(ask: Ask) -> None:
-    detail = problem(ask, f"{SMALL}/nodes?fields=path,untit", 400)["detail"]
+    detail = problem(ask, f"{SMALL}/nodes?fields=path,untit", 422)["detail"]
     assert detail == "There is no field 'untit'. Did you mean 'unit'?"
-    assert "Fields are ASILlevel, " in problem(ask, f"{SMALL}/nodes?fields=path,qqqq", 400)["detail"]
+    assert "Fields are ASILlevel, " in problem(ask, f"{SMALL}/nodes?fields=path,qqqq", 422)["detail"]
     assert ask(f"{SMALL}/nodes?fields=path,ASILlevel").status_code == 200
 
 
 def test_a_cursor_belongs_to_its_search(ask: Ask) -> None:
     cursor = ask(f"{SMALL}/nodes?limit=1").json()["next_cursor"]
     assert ask(f"{SMALL}/nodes?limit=2&cursor={cursor}").status_code == 200
-    assert "another search" in problem(ask, f"{SMALL}/nodes?limit=1&q=speed&cursor={cursor}", 400)["detail"]
+    assert "another search" in problem(ask, f"{SMALL}/nodes?limit=1&q=speed&cursor={cursor}", 422)["detail"]
 
 
 def test_a_choice_that_is_none_is_answered_with_the_choices(ask: Ask) -> None:
@@ -122,7 +122,7 @@ def test_an_unknown_parameter_proposes_near_ones(ask: Ask) -> None:
 
 
 def test_a_text_to_search_for_has_a_limit(ask: Ask) -> None:
-    assert "200 characters" in problem(ask, f"{SMALL}/search?q={'a ' * 500}", 400)["detail"]
+    assert "200 characters" in problem(ask, f"{SMALL}/search?q={'a ' * 500}", 422)["detail"]
 
 
 def test_an_address_or_method_that_does_not_exist_is_a_problem_too(ask: Ask) -> None:

@@ -1,10 +1,14 @@
 """Clients that are generated from the running service compile, pass type checks, and do the same round trip: in `make clients` and `make slow`."""
 
+import json
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
+from sigcat.api.application import create_app
+from sigcat.api.settings import Settings
+from sigcat.catalogue.hosting.library import Library
 from tests.clients.generating import (
     ROOT,
     NoNode,
@@ -51,8 +55,11 @@ def test_the_document_passes_the_strict_rules_of_redocly() -> None:
 
 @slow
 @judged_by("spectral", "The OpenAPI document has no finding")
-def test_the_document_passes_all_rules_of_spectral() -> None:
+def test_the_document_passes_all_rules_of_spectral_once_the_operator_says_who_answers(tmp_path: Path) -> None:
+    document = tmp_path / "openapi.json"
+    stated = Settings(contact_url="https://signals.example/help", contact_email="help@signals.example")
+    document.write_text(json.dumps(create_app(Library(()), stated).openapi()))
     try:
-        lint_with_spectral(DOCUMENT)
+        lint_with_spectral(document)
     except NoNode as reason:
         pytest.skip(str(reason))

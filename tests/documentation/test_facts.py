@@ -4,6 +4,7 @@ import json
 import re
 
 import pytest
+import yaml
 
 from sigcat import limits
 from sigcat.api.settings import Settings
@@ -78,15 +79,34 @@ def test_the_architecture_names_every_room():
 
 def test_production_names_settings_and_metrics_that_there_are():
     page = text_of("docs/how-to/production.md")
-    metrics = (ROOT / "app/sigcat/api/middleware/metrics.py").read_text(encoding="utf-8")
+    folder = ROOT / "app/sigcat/api/middleware"
+    metrics = "".join((folder / name).read_text(encoding="utf-8") for name in ("metrics.py", "process_metrics.py"))
     named = set(re.findall(r"`sigcat_(\w+)", page))
     assert len(named) > 5
-    assert [name for name in named if f'"sigcat_{name.removesuffix("_total")}' not in metrics] == []
+    assert [
+        name for name in named if f'"sigcat_{name.removesuffix("_total").removesuffix("_info")}' not in metrics
+    ] == []
     written = set(re.findall(r"`([a-z]+_[a-z_]+)`", page))
     assert "heavy_requests" in written
-    assert {name for name in written if not name.startswith(("sigcat_", "request_id"))} <= set(Settings.model_fields)
+    assert {name for name in written if not name.startswith(("sigcat_", "process_", "request_id", "trace_id"))} <= set(
+        Settings.model_fields
+    )
     (user,) = re.findall(r"--uid (\d+)", (ROOT / "Dockerfile").read_text(encoding="utf-8"))
     assert f"user {user}" in page
+
+
+def test_the_probes_of_kubernetes_ask_what_answers():
+    page = text_of("docs/how-to/production.md")
+    (pod,) = [
+        yaml.safe_load(block)
+        for block in re.findall(r"^```yaml\n(containers:.*?)^```$", page, re.MULTILINE | re.DOTALL)
+    ]
+    (container,) = pod["containers"]
+    probes = [probe["httpGet"]["path"] for name, probe in container.items() if name.endswith("Probe")]
+    paths = json.loads(text_of("docs/reference/openapi.json"))["paths"]
+    assert len(probes) == 3
+    assert set(probes) <= paths.keys()
+    assert pod["terminationGracePeriodSeconds"] > Settings().stop_seconds
 
 
 def test_every_limit_has_a_row_that_says_what_it_bounds():

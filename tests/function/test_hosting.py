@@ -10,7 +10,8 @@ from sigcat.data import EXAMPLES
 from sigcat.errors import NotFound
 from sigcat.function.function_file import build_function
 from sigcat.function.function_json.model import to_json
-from sigcat.function.hosting import FunctionLibrary, function_over, functions_over
+from sigcat.function.hosting import FunctionLibrary, _read, built_over, function_over, functions_over
+from sigcat.limits import HOSTED_FUNCTION_BYTES
 
 NOISE = """\
 function: {name}
@@ -69,6 +70,36 @@ def test_a_function_is_named_by_its_folder_or_its_file(folder: Path) -> None:
     (folder / "deep" / "door").mkdir(parents=True)
     (folder / "deep" / "door" / "function.yaml").write_text(noise("OtherDoor"))
     assert ids(FunctionLibrary([folder], has_shipped=False)) == ["cabin_noise", "door", "door-2"]
+
+
+def test_a_file_is_read_once_for_all_catalogues(folder: Path) -> None:
+    files = FunctionLibrary([folder], has_shipped=False).files
+    before = _read.cache_info().misses
+    for hosted in Library(shipped_sources()):
+        assert len(built_over(files, hosted.catalogue)) == 1
+    assert _read.cache_info().misses - before <= 1
+
+
+def test_a_file_that_is_too_large_is_skipped_and_named(folder: Path) -> None:
+    large = folder / "large.function.yaml"
+    large.write_text(noise("Large") + "#" * HOSTED_FUNCTION_BYTES)
+    library = FunctionLibrary([folder], has_shipped=False)
+    assert (ids(library), library.skipped) == (["cabin_noise"], ("functions/large.function.yaml",))
+    large.write_text(noise("Large"))
+    library.reload()
+    assert (ids(library), library.skipped) == (["cabin_noise", "large"], ())
+
+
+def test_a_file_that_became_too_large_stays_as_it_was_last_good(folder: Path) -> None:
+    library = FunctionLibrary([folder], has_shipped=False)
+    file = folder / "cabin_noise" / "function.yaml"
+    file.write_text(noise() + "#" * HOSTED_FUNCTION_BYTES)
+    (kept,) = library.reload()
+    assert (kept.data.decode(), [finding.rule for finding in kept.rejected]) == (noise(), ["R003"])
+    assert library.skipped == ()
+    file.write_text(noise("Quiet"))
+    (fresh,) = library.reload()
+    assert (fresh.rejected, b"Quiet" in fresh.data) == ((), True)
 
 
 def test_only_functions_are_taken_from_a_folder(folder: Path) -> None:

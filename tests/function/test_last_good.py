@@ -119,10 +119,10 @@ def test_without_catalogues_files_are_taken_as_they_are(folder: Path) -> None:
 def test_a_file_that_cannot_be_read_any_more_stays(
     folder: Path, functions: FunctionLibrary, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def refuse(_: Path) -> bytes:
+    def refuse(_: Path, _mode: str) -> bytes:
         raise PermissionError(13, "Permission denied")
 
-    monkeypatch.setattr(Path, "read_bytes", refuse)
+    monkeypatch.setattr(Path, "open", refuse)
     assert rejected(functions) == {"noise": ["R012"]}
     monkeypatch.undo()
     assert rejected(functions) == {"noise": []}

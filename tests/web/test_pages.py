@@ -178,7 +178,7 @@ def test_a_filter_that_every_result_meets_is_not_offered(site: Ask) -> None:
 
 def test_a_filter_that_nothing_can_have_is_refused_as_in_the_api(site: Ask) -> None:
     page = site("/search/small?type=sensr")
-    assert page.status_code == 400
+    assert page.status_code == 422
     assert "There is no type &#39;sensr&#39; in this catalogue" in page.text
     assert "Did you mean &#39;sensor&#39;?" in page.text
     assert site("/search/small?type=struct").status_code == 200

@@ -130,7 +130,7 @@ def test_views_of_a_set_are_tabs(site: Ask, proposing: str) -> None:
 
 
 def test_sets_are_bounded_and_named_functions_exist(site: Ask) -> None:
-    assert connected(site, *((f"{n}.yaml", "function: A\n") for n in range(21))).status_code == 400
+    assert connected(site, *((f"{n}.yaml", "function: A\n") for n in range(21))).status_code == 422
     assert connected(site, f="nope").status_code == 404
     assert connected(site, catalogue="nope").status_code == 404
     assert site("/wiring", "POST", data={"f": "core_acc"}).status_code == 200

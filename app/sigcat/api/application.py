@@ -2,6 +2,7 @@
 
 import asyncio
 import logging
+import os
 from collections.abc import AsyncIterator, Iterator, Mapping
 from contextlib import asynccontextmanager, contextmanager
 from math import ceil
@@ -20,10 +21,11 @@ from sigcat.api.connections.refusals import Refusals
 from sigcat.api.connections.request_starts import RequestStarts
 from sigcat.api.connections.trusted_proxies import trusted_by
 from sigcat.api.connections.unread_answers import UnreadAnswers
+from sigcat.api.hangup import reloading_at_hangup
 from sigcat.api.middleware import metrics
 from sigcat.api.middleware.access import ReadAccess
 from sigcat.api.middleware.answer_cache import AnswerCache
-from sigcat.api.middleware.metrics import Metrics
+from sigcat.api.middleware.metrics import SHARED_FOLDER, Metrics
 from sigcat.api.middleware.packing import Packing
 from sigcat.api.middleware.request_headers import RequestHeaders
 from sigcat.api.middleware.request_log import RequestLog
@@ -48,6 +50,7 @@ from sigcat.api.routes import (
 from sigcat.api.routes.shortcuts import NodeShortcut
 from sigcat.api.service_rules import service_rules
 from sigcat.api.settings import DEFAULT_SETTINGS, Settings
+from sigcat.api.tracing import telemetry
 from sigcat.api.work.queue import WorkQueue
 from sigcat.api.work.turns import Turns
 from sigcat.api.work.worker import EXPORTS
@@ -66,6 +69,8 @@ Every error is `application/problem+json` (RFC 9457) and says what is wrong, whe
 _FILES = 4
 """Threads that read files: what takes turns leaves these free."""
 _log = logging.getLogger("sigcat")
+_READABLE = ("ETag", "Link", "RateLimit", "RateLimit-Policy", "Retry-After", "Sigcat-Warnings", "X-Request-Id")
+"""Headers that pages of other origins may read."""
 _ROUTERS = (
     catalogues.listing, catalogues.router, changes.router, exports.router, reloading.router, reloading.of_functions, viss.router, rules.router,
     lint.router, functions.router, integration.router, health.router, contract.router,
@@ -84,7 +89,7 @@ def create_app(
         description=_DESCRIPTION,
         openapi_url=None,  # `routes/contract.py` has it
         generate_unique_id_function=_operation_id,
-        telemetry={"tracing": False, "metrics": False, "logs": False},  # `/metrics` and the log are the service's own
+        telemetry=telemetry(),
         lifespan=_running,
     )
     app.state.library = library
@@ -135,8 +140,15 @@ def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
             CORSMiddleware,
             allow_origins=list(settings.origins),
             allow_methods=["GET", "POST"],
-            allow_headers=["Authorization", "Content-Type", "If-None-Match", "X-Request-Id"],
-            expose_headers=["ETag", "Retry-After", "Sigcat-Warnings", "X-Request-Id"],
+            allow_headers=[
+                "Authorization",
+                "Content-Type",
+                "If-None-Match",
+                "X-Request-Id",
+                "traceparent",
+                "tracestate",
+            ],
+            expose_headers=_READABLE,
         )
 
 
@@ -144,8 +156,18 @@ def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
 async def _running(app: FastAPI) -> AsyncIterator[Mapping[str, ConnectionRules]]:
     """Have processes for work ready while the service runs, and give the server what it hands to each connection."""
     current_default_thread_limiter().total_tokens = THREADS + _FILES
-    with _ready_for_work(app):
-        yield {"connection_rules": _connection_rules(app)}
+    with _ready_for_work(app), reloading_at_hangup(app.state.library, app.state.functions):
+        rules = _connection_rules(app)
+        sharing = asyncio.create_task(_share_gauges(app.state.metrics))
+        yield {"connection_rules": rules}
+        sharing.cancel()
+
+
+async def _share_gauges(metrics: Metrics) -> None:
+    """Write the gauges for the other workers once a second, if there are any."""
+    while SHARED_FOLDER in os.environ:
+        metrics.refresh()
+        await asyncio.sleep(1)
 
 
 @contextmanager

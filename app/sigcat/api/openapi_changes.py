@@ -85,6 +85,8 @@ def _responses(before: Schema, after: Schema, old: Schema, new: Schema) -> Itera
             if status.startswith("2"):
                 yield f"there is no answer {status} any more."
             continue
+        for name in response.get("headers", {}).keys() - later.get("headers", {}).keys():
+            yield f"the answer {status} no longer has the header {name}."
         for media_type, content in response.get("content", {}).items():
             now = later.get("content", {}).get(media_type)
             if now is None:

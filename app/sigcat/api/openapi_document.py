@@ -32,9 +32,36 @@ _EVERYWHERE = (422, 429, 431, 500, 503)
 _MAKING = Lock()
 _CATALOGUE = "/api/v1/catalogues/{catalogue}"
 _LATER = ("429", "503")
-"""Statuses that say when to come again."""
+"""Statuses with `Retry-After`."""
+_VERSIONED = ("200", "304", "412")
+"""Statuses with `ETag`, of operations about a state of a catalogue."""
+_HEADERS: Mapping[str, Mapping[str, Any]] = {
+    "ETag": {"description": "The state of the catalogue, as a weak tag.", "schema": {"type": "string"}},
+    "Link": {
+        "description": 'The address of the next page, with `rel="next"` (RFC 8288); absent on the last page.',
+        "schema": {"type": "string"},
+    },
+    "Location": {
+        "description": "The address without the `/`.",
+        "schema": {"type": "string", "format": "uri-reference"},
+    },
+    "RateLimit": {
+        "description": "What the client may still have under way, for each quota that the request used "
+        "(draft-ietf-httpapi-ratelimit-headers-10).",
+        "schema": {"type": "string"},
+    },
+    "RateLimit-Policy": {
+        "description": "The quotas that the request used: `work`, `exports`, `answers` and `long-answers` in concurrent "
+        "requests, `bodies` in bytes of bodies.",
+        "schema": {"type": "string"},
+    },
+    "Retry-After": {"description": "Seconds to wait.", "schema": {"type": "integer"}},
+    "X-Request-Id": {"description": "What the log calls the request.", "schema": {"type": "string"}},
+}
+_MOVED = {"description": "The address must not end with `/`"}
+_UNCHANGED = {"description": "The client has this state already (`If-None-Match`)"}
+_PAGED = ("list_nodes", "search_nodes")
 _CLOSED = "A token is needed, where the operator closed reading"
-_RETRY_AFTER = {"Retry-After": {"description": "Seconds to wait.", "schema": {"type": "integer"}}}
 _FROM_CATALOGUE = {"catalogue": "$request.path.catalogue"}
 LINKS: Mapping[str, Mapping[str, Mapping[str, Any]]] = {
     "list_catalogues": {"get_catalogue": {"parameters": {"catalogue": "$response.body#/catalogues/0/id"}}},
@@ -101,11 +128,13 @@ def completed(document: Document) -> Document:
         _add_problems(responses, is_open=not path.startswith("/api/"), has_versions=has_versions)
         for response in responses.values():
             _complete_forms(response)
+        _add_headers(operation, is_api=path.startswith("/api/"), has_versions=has_versions)
         links = {name: link for name, link in LINKS.get(operation["operationId"], {}).items() if name in ids}
         if links:
             responses["200"]["links"] = {name: {"operationId": name, **link} for name, link in links.items()}
         operation["responses"] = dict(sorted(responses.items()))
     document["security"] = [{}, {"token": []}]
+    document["components"]["headers"] = {name: {**header} for name, header in _HEADERS.items()}
     document["components"]["schemas"] = dict(sorted(_schemas(document["components"]["schemas"]).items()))
     return document
 
@@ -127,8 +156,26 @@ def _add_problems(responses: dict[str, Any], *, is_open: bool, has_versions: boo
         responses.setdefault(str(status), {"description": KINDS[status][1], **deepcopy(PROBLEM)})
     if not is_open:
         responses.setdefault("401", {"description": _CLOSED, **deepcopy(PROBLEM)})
-    for busy in _LATER:
-        responses[busy]["headers"] = _RETRY_AFTER
+    if not is_open:
+        responses.setdefault("307", {**_MOVED})
+    if has_versions:
+        responses.setdefault("304", {**_UNCHANGED})
+
+
+def _add_headers(operation: Mapping[str, Any], *, is_api: bool, has_versions: bool) -> None:
+    """The headers of every answer."""
+    for status, response in operation["responses"].items():
+        names = {
+            "ETag": has_versions and status in _VERSIONED,
+            "Link": operation["operationId"] in _PAGED and status == "200",
+            "Location": status == "307",
+            "RateLimit": is_api,
+            "RateLimit-Policy": is_api,
+            "Retry-After": status in _LATER,
+            "X-Request-Id": True,
+        }
+        refers = {name: {"$ref": f"#/components/headers/{name}"} for name, has in names.items() if has}
+        response["headers"] = {**response.get("headers", {}), **refers}
 
 
 def operations(document: Mapping[str, Any]) -> Iterator[tuple[str, str, dict[str, Any]]]:

@@ -11,9 +11,9 @@ from functools import lru_cache
 from threading import Event, Thread
 from typing import TextIO
 
+from sigcat.api.json_log import TIME
 from sigcat.api.middleware.request_notes import Note
 
-TIME = "%Y-%m-%dT%H:%M:%S%z"
 _SECONDS = 0.05
 _MOST = 20_000
 """Notes that wait, where nothing can be written; of more, the oldest are left out."""
@@ -58,7 +58,8 @@ def line_of(seconds: float, note: Note) -> str:
         "method": note.method, "path": note.path, "route": note.route, "status": note.status,
         "ms": round(note.seconds * 1000, 2), "client": note.client,
     }  # fmt: skip
-    return json.dumps({**fields, "refused": note.refused} if note.refused else fields) + "\n"
+    rest = {"refused": note.refused, "trace_id": note.trace_id}
+    return json.dumps({**fields, **{name: value for name, value in rest.items() if value}}) + "\n"
 
 
 @lru_cache(2)

@@ -2,16 +2,19 @@
 
 import errno
 import gc
-import json
 import logging
+import os
 import socket
 import sys
+from multiprocessing import parent_process
 
 import uvicorn
 from fastapi import FastAPI
 
 from sigcat.api.connections.http import HttpConnection
-from sigcat.api.request_lines import TIME, RequestLines
+from sigcat.api.json_log import log_as_json
+from sigcat.api.middleware.metrics import SHARED_FOLDER
+from sigcat.api.request_lines import RequestLines
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import tell_errors
 from sigcat.errors import UsageError
@@ -29,18 +32,6 @@ class _Server(uvicorn.Server):
                 host, port = listening.getsockname()[:2]
                 shown = f"[{host}]" if ":" in host else host
                 print(f"sigcat is at http://{shown}:{port}  (Ctrl+C ends it)", flush=True)  # noqa: T201
-
-
-class _Lines(logging.Formatter):
-    """One line of JSON for each record."""
-
-    def format(self, record: logging.LogRecord) -> str:
-        """The line."""
-        time = self.formatTime(record, TIME)
-        record_fields = {"time": time, "level": record.levelname.lower(), "logger": record.name}
-        if record.exc_info:
-            record_fields["trace"] = self.formatException(record.exc_info)
-        return json.dumps({**record_fields, "message": record.getMessage()})
 
 
 def run(application: FastAPI, settings: Settings) -> None:
@@ -86,6 +77,8 @@ def prepare(application: FastAPI, settings: Settings) -> None:
     tell_errors(application.state.library)
     if settings.reading == "token" and not any("read" in token.scopes for token in settings.tokens):
         _log.warning("reading needs a token, and none of `tokens` has the scope read: no client can read")
+    if settings.metrics and parent_process() is not None and SHARED_FOLDER not in os.environ:
+        _log.warning("/metrics has the figures of one worker; for a total let %s name an empty folder", SHARED_FOLDER)
     gc.set_threshold(50_000, 20)  # answers make much that is gone at once: cycles are looked for less often
     sys.setswitchinterval(0.001)  # seconds that a request waits while the thread for heavy work computes
     gc.freeze()  # the catalogues stay: a collection that walks them all would hold up every request for 50 ms
@@ -107,14 +100,3 @@ def uvicorn_config(application: FastAPI, settings: Settings) -> uvicorn.Config:
         access_log=False,
         server_header=False,
     )
-
-
-def log_as_json(level: int) -> None:
-    """Send what sigcat and its server log to standard error, a line of JSON each."""
-    handler = logging.StreamHandler(sys.stderr)
-    handler.setFormatter(_Lines())
-    for name, least in (("sigcat", level), ("uvicorn", logging.WARNING), ("asyncio", logging.WARNING)):
-        logger = logging.getLogger(name)
-        logger.handlers, logger.propagate = [handler], False
-        logger.setLevel(least)
-    logging.getLogger("uvicorn.access").disabled = True  # requests are logged by the service, each once

@@ -112,9 +112,9 @@ class Settings(BaseModel):
         description="Seconds for the `pattern`s of a tree with a posted text; the rest is reported as unchecked.",
         gt=0,
     )
-    results: int = Field(default=200, description="Most results in one page of a list; a larger `limit` is cut.", ge=1)
-    tree_nodes: int = Field(default=20_000, description="Most nodes in one answer of the tree; more: 400.", ge=1)
-    query_characters: int = Field(default=200, description="Longest text to search for; longer: 400.", ge=1)
+    results: int = Field(default=200, description="Most results in one page of a list; a larger `limit`: 422.", ge=1)
+    tree_nodes: int = Field(default=20_000, description="Most nodes in one answer of the tree; more: 422.", ge=1)
+    query_characters: int = Field(default=200, description="Longest text to search for; longer: 422.", ge=1)
     heavy_requests: int = Field(
         default=2, description="Compositions, lints and diffs under way at once, each in a process of its own.", ge=1
     )

@@ -34,12 +34,14 @@ def serve(arguments: argparse.Namespace) -> int:
 
     if not IS_POSSIBLE:
         raise UsageError("`sigcat serve` needs Linux or macOS. Use the container, or the Linux subsystem of Windows.")
+    from sigcat.api.hangup import ignore_hangup
     from sigcat.api.server import run
     from sigcat.catalogue.hosting.library import Library, Watch
     from sigcat.function.hosting import FunctionLibrary
     from sigcat.temporary_files import temporary_folder
     from sigcat.web.site import create_site
 
+    ignore_hangup()
     with temporary_folder("sigcat-serve-"):
         pass  # better told now than with the first export
     configuration, settings = chosen_settings(arguments)
@@ -56,11 +58,13 @@ def serve(arguments: argparse.Namespace) -> int:
 
 def application() -> "FastAPI":
     """The service as another server loads it: `uvicorn --factory sigcat.cli.serve:application --workers 4`."""
+    from sigcat.api.hangup import ignore_hangup
     from sigcat.api.server import prepare
     from sigcat.catalogue.hosting.library import Library, Watch
     from sigcat.function.hosting import FunctionLibrary
     from sigcat.web.site import create_site
 
+    ignore_hangup()
     parser = argparse.ArgumentParser()
     add_catalogue_options(parser)
     configuration, settings = chosen_settings(parser.parse_args([]))

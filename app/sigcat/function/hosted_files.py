@@ -11,7 +11,7 @@ from sigcat.data import EXAMPLES
 from sigcat.file_kind import ENDINGS, ending_of, file_kind
 from sigcat.findings import Finding
 from sigcat.function.hosted_runs import ENDING
-from sigcat.limits import RECOGNITION_BYTES
+from sigcat.limits import HOSTED_FUNCTION_BYTES, RECOGNITION_BYTES
 
 FILE = "function.yaml"
 SHIPPED = "shipped"
@@ -31,6 +31,11 @@ class HostedFile(NamedTuple):
     """The folder that the configuration names; files of one group are read together."""
     rejected: tuple[Finding, ...] = ()
     """Findings of a newer state that was not taken."""
+
+    @property
+    def is_skipped(self) -> bool:
+        """Whether the file is too large, and no earlier state of it is hosted."""
+        return not self.data and bool(self.rejected)
 
     @property
     def is_shipped(self) -> bool:
@@ -73,23 +78,42 @@ def files_in(folder: Path, before: Iterable[HostedFile] = ()) -> Iterator[Hosted
         if ending_of(path.name) == ENDING:
             continue
         try:
-            data = path.read_bytes()
+            data = _begin_of(path)
         except OSError as error:
             _log.warning("%s: %s", path, error.strerror or error)
             if path in hosted:
-                yield _unreadable(hosted[path], error)
+                yield _still(hosted[path], _unreadable(hosted[path].name, error))
             continue
         if path in hosted or file_kind(data[:RECOGNITION_BYTES], path.name) in _KINDS:
             below = path.relative_to(folder)
             name = (Path(folder.name) / below).as_posix()
-            yield HostedFile(_own_id(below, folder), name, data, str(folder))
+            file = HostedFile(_own_id(below, folder), name, data, str(folder))
+            if len(data) > HOSTED_FUNCTION_BYTES:
+                _log.warning("%s: skipped, it has more than %d bytes", path, HOSTED_FUNCTION_BYTES)
+                file = _still(hosted.get(path, file._replace(data=b"")), _too_large(name))
+            yield file
 
 
-def _unreadable(before: HostedFile, error: OSError) -> HostedFile:
-    below = before.path.relative_to(before.group)
-    message = f"{before.name!r} cannot be read: {error.strerror or error}."
-    finding = codes.FILE_UNREADABLE.finding(message, before.name, fix="Let the service read it.")
-    return before._replace(id=_own_id(below, Path(before.group)), rejected=(finding,))
+def _begin_of(path: Path) -> bytes:
+    """The bytes of a file; of one that is too large one byte more than the limit."""
+    with path.open("rb") as file:
+        return file.read(HOSTED_FUNCTION_BYTES + 1)
+
+
+def _unreadable(name: str, error: OSError) -> Finding:
+    message = f"{name!r} cannot be read: {error.strerror or error}."
+    return codes.FILE_UNREADABLE.finding(message, name, fix="Let the service read it.")
+
+
+def _too_large(name: str) -> Finding:
+    message = f"The file has more than {HOSTED_FUNCTION_BYTES:,} bytes, the limit of the service."
+    return codes.FILE_TOO_LARGE.finding(message, name, fix="Split the function, or move the file out of the folder.")
+
+
+def _still(file: HostedFile, finding: Finding) -> HostedFile:
+    """A file in the state in which it is hosted, and the finding that keeps it there."""
+    below = file.path.relative_to(file.group)
+    return file._replace(id=_own_id(below, Path(file.group)), rejected=(finding,))
 
 
 def _own_id(below: Path, folder: Path) -> str:

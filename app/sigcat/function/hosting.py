@@ -17,7 +17,7 @@ from sigcat.data import EXAMPLES
 from sigcat.digest import digest_of
 from sigcat.errors import NotFound
 from sigcat.findings import Finding
-from sigcat.function.function_file import CheckedFunction, check_files, read_function_file
+from sigcat.function.function_file import CheckedFunction, FunctionFile, check_files, read_function_file
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.hosted_comparisons import FILE as COMPARISON_FILE
@@ -66,6 +66,8 @@ class FunctionLibrary:
         self._has_shipped = has_shipped
         self._lock = Lock()
         self.files: HostedFiles = ()
+        self.skipped: tuple[str, ...] = ()
+        """Names of files that are too large."""
         self.runs: HostedRuns = ()
         self.comparisons: HostedComparisons = ()
         self._marks: Marks = frozenset()
@@ -82,6 +84,8 @@ class FunctionLibrary:
             self._marks = self._marked()
             before = tuple(file for file in self.files if not file.is_shipped)
             own = tuple(file for folder in self.folders for file in files_in(folder, before))
+            self.skipped = tuple(file.name for file in own if file.is_skipped)
+            own = tuple(file for file in own if not file.is_skipped)
             own = with_last_good(own, before, self._faults)
             self.files = with_ids(own, shipped_files() if self._has_shipped else ())
             _log_rejected(own)
@@ -157,9 +161,15 @@ def _has_interfaces(catalogue: Catalogue) -> bool:
     return any(child.name == FUNCTION_BRANCH for root in catalogue.roots for child in root.children)
 
 
+@lru_cache(maxsize=64)
+def _read(file: HostedFile) -> FunctionFile:
+    """Read a file once, however many catalogues it is built over."""
+    return read_function_file(file.data, file.name)
+
+
 @collector_paused()
 def _built(files: Sequence[HostedFile], catalogue: Catalogue) -> Iterator[HostedFunction]:
-    checked, _ = check_files([read_function_file(file.data, file.name) for file in files], catalogue)
+    checked, _ = check_files([_read(file) for file in files], catalogue)
     declared = {each.resolved.name for each in checked if each.resolved and each.is_declaration}
     pairs = zip(files, checked, strict=True)
     return (HostedFunction(f, c.sound, c.findings) for f, c in pairs if not _is_made(c, declared))

@@ -80,7 +80,7 @@ def _rehearsals(app: FastAPI, library: Library, settings: Settings) -> Iterator[
 async def _answer(request: Request, error: Exception) -> Response:
     """A problem document for programs, a page for people."""
     path = request.scope["path"].removeprefix(request.scope.get("root_path", ""))
-    is_for_programs = path.startswith(("/api/", "/health/", "/metrics", "/openapi.json", "/rows/")) or path.endswith(
+    is_for_programs = path.startswith(("/api/", "/health", "/metrics", "/openapi.json", "/rows/")) or path.endswith(
         ".json"
     )
     if is_for_programs or (isinstance(error, HTTPException) and error.status_code < 400):

@@ -34,7 +34,7 @@ def test_the_other_way_round_as_many_leaves_come_as_went(name, monkeypatch, caps
         for change in json.loads(capsys.readouterr().out)["changes"]:
             if change["evidence"] == "same definition":
                 continue
-            counts[change["kind"]] = counts.get(change["kind"], 0) + change["leaves"]
+            counts[change["kind"]] = counts.get(change["kind"], 0) + change["signal_count"]
         return counts
 
     old, new = sides()

@@ -11,6 +11,7 @@ from typing_extensions import TypeAliasType
 from sigcat.limits import NAME_CHARACTERS
 
 Count = Annotated[int, Field(ge=0)]
+Position = Annotated[int, Field(ge=1)]
 Digest = Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
 Cursor = Annotated[str, Field(max_length=NAME_CHARACTERS)]
 Moment = Annotated[str, Field(json_schema_extra={"format": "date-time"})]

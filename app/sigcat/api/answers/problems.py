@@ -25,21 +25,21 @@ _LOG = logging.getLogger("sigcat")
 
 KINDS: dict[int, tuple[str, str]] = {
     400: ("bad-request", "Bad request"),
-    401: ("unauthorized", "A token is needed"),
-    403: ("forbidden", "The token does not allow this"),
+    401: ("unauthorized", "Authentication required"),
+    403: ("forbidden", "The token lacks a scope"),
     404: ("not-found", "Not found"),
     405: ("method-not-allowed", "Method not allowed"),
     406: ("not-acceptable", "Not acceptable"),
-    408: ("too-slow", "Request timed out"),
-    412: ("other-version", "Another version is wanted"),
-    413: ("too-large", "Body too large"),
+    408: ("request-timeout", "Request timed out"),
+    412: ("precondition-failed", "Precondition failed: version mismatch"),
+    413: ("body-too-large", "Body too large"),
     415: ("unsupported-media-type", "Unsupported media type"),
-    422: ("input-refused", "The input cannot be used"),
-    429: ("beyond-share", "Too many requests of one client"),
-    431: ("head-too-large", "Headers too large"),
+    422: ("invalid-input", "Invalid input"),
+    429: ("too-many-requests", "Too many requests of one client"),
+    431: ("headers-too-large", "Headers too large"),
     500: ("internal-error", "Internal error"),
     503: ("busy", "Service busy"),
-    507: ("no-room", "No room for temporary files"),
+    507: ("no-temporary-space", "No room for temporary files"),
 }
 """Name in the problem's `type` and its title, by status."""
 
@@ -75,7 +75,7 @@ def problem_from(error: Exception) -> schemas.Problem:
     if isinstance(error, InputRefused):
         return problem_of(422, str(error), error.findings)
     if isinstance(error, SigcatError):
-        return problem_of(_STATUSES.get(type(error), 400), str(error))
+        return problem_of(_STATUSES.get(type(error), HTTPStatus.UNPROCESSABLE_ENTITY), str(error))
     if isinstance(error, RequestValidationError):
         findings = [_invalid(each) for each in error.errors()]
         return problem_of(422, " ".join(finding.message for finding in findings), findings)

@@ -20,6 +20,7 @@ from sigcat.api.answers.named_types import (
     HealthState,
     Moment,
     NodeValues,
+    Position,
     RuleOptions,
     Severity,
     TypeCounts,
@@ -35,12 +36,12 @@ class Schema(BaseModel):
 
 
 class Place(Schema):
-    """Where something was written. Lines and columns count from 1; 0 means the file as a whole."""
+    """The position at which something was written."""
 
     file: str
-    line: Count
-    column: Count
-    overlay: str = Field("", description="The overlay that the file belongs to; empty in the base tree.")
+    line: Position | None = Field(description="From 1; null: the file as a whole.")
+    column: Position | None = Field(description="From 1; null: the line or file as a whole.")
+    overlay: str | None = Field(description="The overlay that the file belongs to; null in the base tree.")
 
 
 class Finding(Schema):
@@ -49,12 +50,12 @@ class Finding(Schema):
     rule: str
     severity: Severity
     message: str
-    file: str = ""
-    line: Count = Field(0, description="From 1; 0: the file as a whole.")
-    column: Count = Field(0, description="From 1; 0: the file as a whole.")
-    path: str = Field("", description="Path of the node, or name of the interface, that the finding is about.")
-    pointer: str = Field("", description="RFC 6901 pointer into the document, where there is one.")
-    fix: str = Field("", description="What to do; empty if the message already says it.")
+    file: str | None = Field(description="The file, or the name of a posted text; null: no file.")
+    line: Position | None = Field(description="From 1; null: the file as a whole.")
+    column: Position | None = Field(description="From 1; null: the line or file as a whole.")
+    path: str | None = Field(description="Path of the node, or name of the interface, that the finding is about.")
+    pointer: str | None = Field(description="RFC 6901 pointer into the document; null: the document has none.")
+    fix: str | None = Field(description="What to do; null if the message already says it.")
 
 
 Findings = Annotated[list[Finding], Field(max_length=ANSWER_FINDINGS + 1)]
@@ -70,8 +71,8 @@ class Problem(Schema):
     detail: str
     findings: Findings
     nearest: list[str] = Field(description="Names that exist and are near the one asked for.")
-    request_id: str = Field(
-        default="", description="What the log calls the request; also in the header `X-Request-Id`."
+    request_id: str | None = Field(
+        default=None, description="What the log calls the request; also in the header `X-Request-Id`."
     )
 
 
@@ -152,8 +153,8 @@ class NodeSummary(Schema):
     datatype: str | None
     unit: str | None = Field(description="Key of the unit.")
     description: str
-    category: str = Field(
-        description="Interface category: data, error, safety_reaction, mode or scheduling; empty for a branch that only "
+    category: str | None = Field(
+        description="Interface category: data, error, safety_reaction, mode or scheduling; null for a branch that only "
         "groups interfaces of a function."
     )
     deprecated: bool
@@ -182,10 +183,10 @@ class Unit(Schema):
 
     key: str = Field(description="What trees write.")
     name: str = Field(description="The unit in words.")
-    definition: str
-    quantity: str
+    definition: str | None
+    quantity: str | None
     allowed_datatypes: list[str]
-    deprecation: str
+    deprecation: str | None
     origin: Place
 
 
@@ -193,8 +194,8 @@ class Quantity(Schema):
     """A kind of property that units measure."""
 
     key: str
-    definition: str
-    remark: str
+    definition: str | None
+    remark: str | None
     origin: Place
 
 
@@ -213,7 +214,7 @@ class QuantityList(Schema):
 class Node(NodeSummary):
     """Everything about one node."""
 
-    template: str = Field(description="Path of the definition; for an instance, without the names of instances.")
+    definition_path: str = Field(description="Path of the definition; for an instance, without the names of instances.")
     interface_name: str | None = Field(description="Name of the interface that the node stands for.")
     parent: str | None
     previous: str | None
@@ -244,7 +245,7 @@ class SearchPage(Schema):
     total: Count = Field(description="How many hits there are.")
     hits: list[SearchHit]
     facets: Facets
-    did_you_mean: list[str] = Field(description="Words of the catalogue near a word that is nowhere in it.")
+    suggestions: list[str] = Field(description="Words of the catalogue near a word that is nowhere in it.")
     next_cursor: Cursor | None = Field(description="Give it as `cursor` to get the next page; null on the last.")
 
 
@@ -273,16 +274,16 @@ class Change(Schema):
     compatibility: Compatibility
     rule: str = Field(description="Row of the class table that decided.")
     path: str = Field(description="Where the node is now, or was, if it is gone; of instances, without their names.")
-    former: str | None = Field(description="Where the node was before, if it moved.")
+    old_path: str | None = Field(description="Where the node was before, if it moved.")
     type: str
     paths: list[str] = Field(description="Every path that the change concerns; of a subtree, its topmost path.")
-    former_paths: list[str] = Field(description="Where these paths were before, if they moved.")
-    leaves: Count = Field(description="Signals in the subtrees that came, went or moved with them.")
+    old_paths: list[str] = Field(description="Where these paths were before, if they moved.")
+    signal_count: Count = Field(description="Signals in the subtrees that were added, removed or moved with them.")
     evidence: ChangeEvidence | None
     is_guess: bool
     attribute_changes: list[AttributeChange]
-    instances_came: list[str]
-    instances_went: list[str]
+    instances_added: list[str]
+    instances_removed: list[str]
     note: str | None = Field(description="What the deprecation of a node that is gone said.")
 
 
@@ -341,7 +342,7 @@ class Rule(RuleSummary):
     why: str
     check: str
     options: RuleOptions
-    fix: str
+    fix: str | None = Field(description="What to do; null if the check has no fix.")
     good: list[Any]
     bad: list[Any]
     source: str = Field(description="Where the rule comes from.")
@@ -376,7 +377,7 @@ class VissError(Schema):
     message: str
 
 
-class VissRefusal(Schema):
+class VissErrorAnswer(Schema):
     """An error in the form of VISS."""
 
     error: VissError
@@ -415,3 +416,4 @@ class Health(Schema):
     outdated: list[str] = Field(
         description="`catalogue ID` and `function ID`, where files have errors now: their last good state is served."
     )
+    skipped: list[str] = Field(description="Files in folders of functions that are too large, and are not read.")

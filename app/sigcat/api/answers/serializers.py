@@ -57,7 +57,7 @@ def origin_schema(origin: Origin) -> schemas.Place:
 
 def _place(origin: Origin) -> dict[str, Any]:
     file, overlay = shown_file(origin.file), overlay_name(origin.overlay)
-    return {"file": file, "line": origin.line, "column": origin.column, "overlay": overlay}
+    return {"file": file, "line": origin.line or None, "column": origin.column or None, "overlay": overlay or None}
 
 
 @lru_cache(1024)
@@ -68,8 +68,14 @@ def shown_file(file: str) -> str:
 
 def finding_schema(finding: Finding) -> schemas.Finding:
     """A finding as the API has it."""
-    fields: dict[str, Any] = {n: plain_text(v) if isinstance(v, str) else v for n, v in finding._asdict().items()}
-    return schemas.Finding(**{**fields, "file": shown_file(finding.file)})
+    fields = _present({**finding._asdict(), "file": shown_file(finding.file)})
+    plain_fields: dict[str, Any] = {n: plain_text(v) if isinstance(v, str) else v for n, v in fields.items()}
+    return schemas.Finding(**plain_fields)
+
+
+def _present(fields: Mapping[str, Any]) -> dict[str, Any]:
+    """Fields of a record, with None where it has an empty text or the position 0."""
+    return {name: None if value in ("", 0) else value for name, value in fields.items()}
 
 
 def listed_findings(findings: Sequence[Finding]) -> list[schemas.Finding]:
@@ -121,7 +127,7 @@ def node_data(catalogue: Catalogue, node: Node) -> dict[str, Any]:
     unit = catalogue.unit(node)
     return {
         **_node_fields(node),
-        "template": node.template,
+        "definition_path": node.template,
         "interface_name": interface_name_of(node),
         "parent": parent.path if parent else None,
         "previous": siblings[position - 1] if position else None,
@@ -167,12 +173,13 @@ def unit_schema(unit: Unit) -> schemas.Unit:
 
 
 def _unit_fields(unit: Unit) -> dict[str, Any]:
-    return {**unit._asdict(), "allowed_datatypes": list(unit.allowed_datatypes), "origin": _place(unit.origin)}
+    lists = {"allowed_datatypes": list(unit.allowed_datatypes), "origin": _place(unit.origin)}
+    return {**_present(unit._asdict()), **lists}
 
 
 def quantity_schema(quantity: Quantity) -> schemas.Quantity:
     """A quantity as the API has it."""
-    return schemas.Quantity(**{**quantity._asdict(), "origin": origin_schema(quantity.origin)})
+    return schemas.Quantity(**{**_present(quantity._asdict()), "origin": origin_schema(quantity.origin)})
 
 
 def _summary_fields(hosted: Hosted) -> dict[str, Any]:
@@ -203,7 +210,7 @@ def _node_fields(node: Node) -> dict[str, Any]:
         "datatype": _text(node.values.get("datatype")),
         "unit": _text(node.values.get("unit")),
         "description": _text(node.values.get("description")) or "",
-        "category": category_of(node.path) or "",
+        "category": category_of(node.path),
         "deprecated": bool(node.values.get("deprecation")),
         "child_count": len(node.children),
     }
@@ -225,7 +232,7 @@ def rule_detail(rule: Rule) -> schemas.Rule:
         why=rule.why,
         check=rule.check,
         options=plain(rule.options),
-        fix=rule.fix,
+        fix=rule.fix or None,
         good=plain(rule.good),
         bad=plain(rule.bad),
         source=rule.source,

@@ -23,6 +23,7 @@ _BEARER = HTTPBearer(
 
 
 _ALWAYS_OPEN = ("/health/", "/problems/", "/static/")
+_HEALTH = ("/health", "/healthz")
 
 
 class ReadAccess:
@@ -48,7 +49,7 @@ class ReadAccess:
 def _is_open(scope: Connection) -> bool:
     """Health, explanations of problems and their style need no token; nor does a browser's question before CORS."""
     path: str = scope["path"].removeprefix(scope.get("root_path", ""))
-    return path.startswith(_ALWAYS_OPEN) or scope["method"] == "OPTIONS"
+    return path in _HEALTH or path.startswith(_ALWAYS_OPEN) or scope["method"] == "OPTIONS"
 
 
 def needs(scope: Scope) -> Any:

@@ -1,15 +1,25 @@
-"""What happens, for Prometheus: requests by route template, so that there are as many series as routes."""
+"""Metrics for Prometheus: requests by route template, so that there are as many series as routes.
 
+Several workers keep their figures in the folder that PROMETHEUS_MULTIPROC_DIR names, and each answers with the total.
+"""
+
+import os
+import platform
 from collections.abc import Callable, Iterable
+from functools import partial
 from http import HTTPMethod
+from pathlib import Path
 
 from fastapi import APIRouter, Request
 from fastapi.responses import Response
 from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram, generate_latest
-from prometheus_client.core import GaugeMetricFamily
+from prometheus_client.core import GaugeMetricFamily, InfoMetricFamily
 from prometheus_client.exposition import CONTENT_TYPE_LATEST
+from prometheus_client.multiprocess import MultiProcessCollector
 from prometheus_client.registry import Collector
 
+from sigcat import __version__
+from sigcat.api.middleware.process_metrics import MemoryTotal, ProcessTotals, this_process, workers_in
 from sigcat.api.requests.thread_turns import InThread
 from sigcat.api.work.queue import WorkQueue
 from sigcat.catalogue.hosting.library import Library
@@ -17,6 +27,7 @@ from sigcat.function.hosting import FunctionLibrary
 
 router = APIRouter(route_class=InThread)
 
+SHARED_FOLDER = "PROMETHEUS_MULTIPROC_DIR"
 _METHODS = frozenset(HTTPMethod)
 _SECONDS = (0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1, 2.5, 5, 10, 30, 60)
 
@@ -26,25 +37,38 @@ class Metrics:
 
     def __init__(self, library: Library, functions: FunctionLibrary, work: WorkQueue, exports: WorkQueue) -> None:
         self.registry = CollectorRegistry()
+        """All that `/metrics` shows."""
+        folder = os.environ.get(SHARED_FOLDER)
+        own = CollectorRegistry() if folder else self.registry
+        if folder:
+            MultiProcessCollector(self.registry)  # type: ignore[no-untyped-call]
+        processes = partial(workers_in, Path(folder)) if folder else this_process
         self._requests = Counter(
-            "sigcat_requests", "Requests that were answered.", ("method", "route", "status"), registry=self.registry
+            "sigcat_requests", "Requests that were answered.", ("method", "route", "status"), registry=own
         )
         self._series: dict[tuple[str, str, int], tuple[Counter, Histogram]] = {}
         """Of these both, the ones that were used: looking them up costs as much as counting."""
         self._seconds = Histogram(
             "sigcat_request_seconds", "From the first byte of a request to the last of its answer.", ("route",),
-            buckets=_SECONDS, registry=self.registry,
+            buckets=_SECONDS, registry=own,
         )  # fmt: skip
-        pending = Gauge("sigcat_heavy_pending", "Heavy work under way or waiting.", registry=self.registry)
-        pending.set_function(lambda: work.pending)
-        exporting = Gauge("sigcat_exports_pending", "Exports under way or waiting.", registry=self.registry)
-        exporting.set_function(lambda: exports.pending)
-        self.registry.register(_Hosted(library, functions))
-        self._connections = Gauge("sigcat_connections", "Connections that are open.", registry=self.registry)
+        gauge = partial(Gauge, registry=own, multiprocess_mode="livesum")
+        self._connections = gauge("sigcat_connections", "Connections that are open.")
+        self._gauges: dict[Gauge, Callable[[], int]] = {
+            gauge("sigcat_heavy_pending", "Heavy work under way or waiting."): lambda: work.pending,
+            gauge("sigcat_exports_pending", "Exports under way or waiting."): lambda: exports.pending,
+        }
+        for collector in (_Hosted(library, functions), _Build(), ProcessTotals(processes), MemoryTotal(processes)):
+            self.registry.register(collector)
 
     def watch_connections(self, count: Callable[[], int]) -> None:
         """Show how many connections there are, once there is a server that has them."""
-        self._connections.set_function(count)
+        self._gauges[self._connections] = count
+
+    def refresh(self) -> None:
+        """Set the gauges to their present values."""
+        for gauge, value in self._gauges.items():
+            gauge.set(value())
 
     def count(self, method: str, route: str, status: int, seconds: float) -> None:
         """Note one answered request. Methods that HTTP does not have are one: a client must not invent series."""
@@ -56,6 +80,15 @@ class Metrics:
                 self._series[method, route, status] = series
         series[0].inc()
         series[1].observe(seconds)
+
+
+class _Build(Collector):
+    """The build that runs."""
+
+    def collect(self) -> Iterable[InfoMetricFamily]:
+        """Its version, and that of Python."""
+        versions = {"version": __version__, "python": platform.python_version()}
+        yield InfoMetricFamily("sigcat_build", "The version of sigcat and of Python.", versions)
 
 
 class _Hosted(Collector):
@@ -92,4 +125,5 @@ class _Hosted(Collector):
 def get_metrics(request: Request) -> Response:
     """Every figure, in the text format of Prometheus."""
     metrics: Metrics = request.app.state.metrics
+    metrics.refresh()
     return Response(generate_latest(metrics.registry), headers={"Content-Type": CONTENT_TYPE_LATEST})

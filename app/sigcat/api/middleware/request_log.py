@@ -11,6 +11,8 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from sigcat.api.answers.problems import answer_problem
 from sigcat.api.middleware.request_notes import NO_ROUTE, RequestNotes, new_request_id, note_of
+from sigcat.api.tracing import name_span
+from sigcat.api.work.quotas import quota_headers
 from sigcat.api.work.refusals import Busy
 
 _CLIENT_LEFT = 499
@@ -47,7 +49,9 @@ class RequestLog:
             if message["type"] != "http.response.start":
                 await send({**message, "body": b""} if method == "HEAD" else message)
                 return
-            message["headers"] = [*message.get("headers", ()), header]
+            quotas = state.get("quotas", {}).values()
+            state["trace_id"] = name_span(method, _route_of(asked), request_id)
+            message["headers"] = [*message.get("headers", ()), header, *(quota_headers(quotas) if quotas else ())]
             await send(message)  # the client may leave before it has read earlier answers
             status = message["status"]
 
@@ -60,14 +64,23 @@ class RequestLog:
                 raise
             response = await answer_problem(Request(asked), Busy("The service is stopping. Try again."))
             await response(asked, receive, noting_send)
+        except Exception as error:
+            if status:  # the server closes the connection, and logs the error
+                raise
+            response = await asked["app"].exception_handlers[Exception](Request(asked), error)
+            await response(asked, receive, noting_send)
         finally:
             self._note(asked, method, status or (_CLIENT_LEFT if has_left() else 500), perf_counter() - began)
 
     def _note(self, scope: Scope, method: str, status: int, seconds: float) -> None:
         state = scope["state"]
-        route = state.get("route") or getattr(scope.get("route"), "path", "") or NO_ROUTE
         client = scope.get("client") or ("", 0)
-        self._notes.add(note_of(state["request_id"], method, scope["path"], route, status, seconds, client[0]))
+        note = note_of(state["request_id"], method, scope["path"], _route_of(scope), status, seconds, client[0])
+        self._notes.add(note._replace(trace_id=state.get("trace_id", "")))
+
+
+def _route_of(scope: Scope) -> str:
+    return scope["state"].get("route") or getattr(scope.get("route"), "path", "") or NO_ROUTE
 
 
 def _request_id(scope: Scope) -> str:

@@ -22,6 +22,8 @@ class Note(NamedTuple):
     client: str
     refused: str = ""
     """Why it did not come as far as the application."""
+    trace_id: str = ""
+    """The trace of OpenTelemetry, if it is traced."""
 
 
 def note_of(

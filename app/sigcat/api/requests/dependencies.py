@@ -17,6 +17,7 @@ from sigcat.api.requests.preconditions import is_known, refuse_unless_matched
 from sigcat.api.service_rules import ServiceRules
 from sigcat.api.settings import Settings
 from sigcat.api.work.queue import ClientQueue, WorkQueue
+from sigcat.api.work.quotas import mark_quota
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.catalogue.hosting.variants import MARK, find_hosted
 from sigcat.catalogue.search import index_of
@@ -102,12 +103,18 @@ async def _rules(request: Request) -> ServiceRules:
 
 
 async def _queue(request: Request) -> ClientQueue:
-    return queue_of(request)
+    return _marked(request, request.app.state.work_queue)
 
 
 async def _export_queue(request: Request) -> ClientQueue:
-    queue: WorkQueue = request.app.state.export_queue
-    return queue.of(client_of(request))
+    return _marked(request, request.app.state.export_queue)
+
+
+def _marked(request: Request, queue: WorkQueue) -> ClientQueue:
+    """The queue for who asks; the answer names the quota."""
+    client = client_of(request)
+    mark_quota(request, queue.quota_of(client))
+    return queue.of(client)
 
 
 # Dependencies are coroutines throughout: FastAPI sends plain functions through a pool of threads, each of them.
@@ -221,9 +228,11 @@ async def posted_body(request: Request) -> AsyncIterator[bytes]:
 
     Raises Busy at once where there is no room for the work that it is for.
     """
-    queue_of(request).refuse_more()
+    client = client_of(request)
     held: HeldBodies = request.app.state.held_bodies
-    with held.of(client_of(request)) as hold:
+    mark_quota(request, held.quota_of(client))
+    queue_of(request).refuse_more()
+    with held.of(client) as hold:
         yield await _body(request, hold)
 
 

@@ -4,6 +4,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+from sigcat.api.work.quotas import Quota
 from sigcat.api.work.refusals import BeyondShare, Busy
 
 _SHARE = 4
@@ -19,6 +20,15 @@ class HeldBodies:
     def __init__(self, most: int) -> None:
         self._most = most
         self._by_client: Counter[str] = Counter()
+
+    def quota_of(self, client: str) -> Quota:
+        """The share of a client."""
+        most = self._most // _SHARE
+
+        def remaining() -> int:
+            return min(self._most - self._by_client.total(), most - self._by_client[client])
+
+        return Quota("bodies", "content-bytes", most, remaining)
 
     @contextmanager
     def of(self, client: str) -> Iterator[Hold]:

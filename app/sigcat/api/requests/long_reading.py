@@ -8,6 +8,7 @@ from fastapi import Request
 
 from sigcat.api.requests.clients import client_of
 from sigcat.api.requests.thread_turns import in_thread
+from sigcat.api.work.quotas import mark_quota
 from sigcat.api.work.turns import Turns
 from sigcat.catalogue.model.catalogue import Node
 
@@ -29,7 +30,9 @@ async def in_turn(
     if not has_more(nodes, depth, _MANY):
         return await in_thread(request, function, *arguments, **options)
     turns: Turns = request.app.state.reading_turns
-    return await turns.to_the_end(client_of(request), lambda: asyncio.to_thread(function, *arguments, **options))
+    client = client_of(request)
+    mark_quota(request, turns.quota_of(client, "long-answers"))
+    return await turns.to_the_end(client, lambda: asyncio.to_thread(function, *arguments, **options))
 
 
 def has_more(nodes: Iterable[Node], depth: int, limit: int) -> bool:

@@ -11,6 +11,7 @@ from fastapi.routing import APIRoute
 
 from sigcat.api.answers.negotiation import JSON, Data, answer
 from sigcat.api.requests.clients import client_of
+from sigcat.api.work.quotas import mark_quota
 from sigcat.api.work.turns import Turns
 
 THREADS = 4
@@ -36,7 +37,9 @@ async def in_thread(
 ) -> _Result:
     """What a function gives in a thread, when it is the turn of who asks. Raises Busy if too many wait."""
     turns: Turns = request.app.state.thread_turns
-    return await turns.to_the_end(client_of(request), lambda: run_in_threadpool(function, *arguments, **options))
+    client = client_of(request)
+    mark_quota(request, turns.quota_of(client, "answers"))
+    return await turns.to_the_end(client, lambda: run_in_threadpool(function, *arguments, **options))
 
 
 async def parts_in_turn(request: Request, parts: Iterator[bytes]) -> AsyncIterator[bytes]:

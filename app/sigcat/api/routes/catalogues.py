@@ -2,8 +2,10 @@
 
 from collections.abc import Iterable
 from typing import Annotated, Any
+from urllib.parse import quote, urlencode
 
 from fastapi import APIRouter, Path, Query, Request
+from fastapi.exceptions import RequestValidationError
 from fastapi.responses import Response, StreamingResponse
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -73,7 +75,9 @@ class SearchQuery(BaseModel):
     instances: bool = Field(
         False, description="Each instance by itself; else those that share a definition are one result."
     )
-    limit: int = Field(_PAGE, ge=1, description="Results in one page.")
+    limit: int | None = Field(
+        None, ge=1, description="Results in one page, at most the setting `results`; without it 50."
+    )
     cursor: str | None = Field(None, max_length=NAME_CHARACTERS, description="`next_cursor` of the page before.")
 
     @property
@@ -89,7 +93,9 @@ class RowQuery(SearchQuery):
     instances: bool = Field(
         True, description="Each instance by itself; else those that share a definition are one row."
     )
-    limit: int | None = Field(None, ge=1, description="Nodes in one page; without it 50, or, as CSV, all.")  # type: ignore[assignment]
+    limit: int | None = Field(
+        None, ge=1, description="Nodes in one page, at most the setting `results`; without it 50, or, as CSV, all."
+    )
     fields: str = Field(
         "path,type,datatype,unit",
         description="Fields, separated by commas: `path`, `name`, `category`, or any attribute.",
@@ -124,7 +130,7 @@ async def get_node(request: Request, hosted: CatalogueOfNode, path: NodePath) ->
     return node_answer(request, hosted, node)
 
 
-@router.get("/tree", response_model=schemas.TreeNode, responses=offered() | problem_documentation(400, 404, 406, 422))
+@router.get("/tree", response_model=schemas.TreeNode, responses=offered() | problem_documentation(404, 406, 422))
 async def get_tree(
     request: Request,
     hosted: CatalogueOfNode,
@@ -147,7 +153,7 @@ async def get_tree(
 @router.get(
     "/search",
     response_model=schemas.SearchPage,
-    responses=offered("table") | problem_documentation(400, 404, 406, 422),
+    responses=offered("table") | problem_documentation(404, 406, 422),
 )
 async def search_nodes(
     request: Request, hosted: TheCatalogue, settings: TheSettings, query: Annotated[SearchQuery, Query()]
@@ -155,12 +161,13 @@ async def search_nodes(
     """Nodes whose path, description or unit has all the words, best first, with counts for every filter."""
     _refuse_repeated(request)
     result, cursor = found(hosted, settings, query)
+    mark_next_page(request, cursor)
     hits = [serializers.search_hit(hit) for hit in result.hits]
     page = schemas.SearchPage(
         total=result.total,
         hits=hits,
         facets={facet: dict(counts) for facet, counts in result.facets.items()},
-        did_you_mean=list(result.did_you_mean),
+        suggestions=list(result.did_you_mean),
         next_cursor=cursor,
     )
     return await answer_aside(request, page, rows(hits))
@@ -169,7 +176,7 @@ async def search_nodes(
 @router.get(
     "/nodes",
     response_model=schemas.NodePage,
-    responses=offered("table") | problem_documentation(400, 404, 406, 422),
+    responses=offered("table") | problem_documentation(404, 406, 422),
 )
 async def list_nodes(
     request: Request, hosted: TheCatalogue, settings: TheSettings, query: Annotated[RowQuery, Query()]
@@ -182,6 +189,7 @@ async def list_nodes(
         parts = csv_parts(fields, (row_of(node, fields) for node in _all_found(hosted, settings, query)))
         return StreamingResponse(parts_in_turn(request, parts), media_type=CSV, headers=caching_headers(request))
     result, cursor = found(hosted, settings, query)
+    mark_next_page(request, cursor)
     listed = [dict(zip(fields, row_of(node, fields), strict=True)) for node in result.nodes]
     return await answer_aside(request, schemas.NodePage(total=result.total, rows=listed, next_cursor=cursor), listed)
 
@@ -211,7 +219,7 @@ def found(hosted: Hosted, settings: Settings, query: SearchQuery) -> tuple[Searc
     """One page of what a query finds, and the cursor of the next one."""
     _check(hosted, settings, query)
     offset = offset_of(query.cursor, searched_state(hosted, query)) if query.cursor else 0
-    limit = min(query.limit or _PAGE, settings.results)
+    limit = page_size(query.limit, settings)
     result = hosted.search_index.search(
         query.q, query.filters, limit=limit, offset=offset, each_instance=query.instances
     )
@@ -219,6 +227,24 @@ def found(hosted: Hosted, settings: Settings, query: SearchQuery) -> tuple[Searc
     if not result.hits or following >= result.total:
         return result, None
     return result, cursor_of(following, searched_state(hosted, query))
+
+
+def page_size(limit: int | None, settings: Settings) -> int:
+    """Results in one page. Raises RequestValidationError for more than the service gives."""
+    if limit is None:
+        return min(_PAGE, settings.results)
+    if limit > settings.results:
+        message = f"Input should be less than or equal to {settings.results}"
+        raise RequestValidationError([{"type": "less_than_equal", "loc": ("query", "limit"), "msg": message}])
+    return limit
+
+
+def mark_next_page(request: Request, cursor: str | None) -> None:
+    """Keep the header that names the next page (RFC 8288), if there is one."""
+    if cursor is not None:
+        rest = [pair for pair in request.query_params.multi_items() if pair[0] != "cursor"]
+        address = f"{quote(request.scope['path'])}?{urlencode([*rest, ('cursor', cursor)])}"
+        request.state.caching = {**request.state.caching, "Link": f'<{address}>; rel="next"'}
 
 
 def searched_state(hosted: Hosted, query: SearchQuery) -> str:
@@ -229,7 +255,7 @@ def searched_state(hosted: Hosted, query: SearchQuery) -> str:
 
 def row_of(node: Node, fields: Iterable[str]) -> list[Any]:
     """Values of a node by field: `path`, `name`, `category`, or any attribute."""
-    own = {"path": node.path, "name": node.name, "category": category_of(node.path) or ""}
+    own = {"path": node.path, "name": node.name, "category": category_of(node.path)}
     return [serializers.plain(own[field] if field in own else node.values.get(field)) for field in fields]
 
 

@@ -70,7 +70,7 @@ async def diff_catalogues(
     to: Annotated[
         str, Query(description="Id of the newer catalogue.", examples=["interfaces"], max_length=NAME_CHARACTERS)
     ],
-    only: Annotated[
+    compatibility: Annotated[
         list[Compatibility] | None,
         Query(max_length=PARAMETER_VALUES, description="Classes to show; all without it."),
     ] = None,
@@ -82,7 +82,7 @@ async def diff_catalogues(
     judge_conditions(request)
     form = chosen_type(request.headers.get("accept", "*/*"), _FORMS)
     names = old.source.id, new.source.id
-    report = await queue.run(_report, old.catalogue, new.catalogue, names, only, form)
+    report = await queue.run(_report, old.catalogue, new.catalogue, names, compatibility, form)
     return Response(report, media_type=form, headers=caching_headers(request))
 
 
@@ -106,11 +106,11 @@ async def try_overlay(
 
 
 def _report(
-    old: Catalogue, new: Catalogue, names: tuple[str, str], only: Collection[Compatibility] | None, form: str
+    old: Catalogue, new: Catalogue, names: tuple[str, str], classes: Collection[Compatibility] | None, form: str
 ) -> bytes:
     """The changes of these classes, or of all, in one of the forms."""
     changes = compare(old, new)
-    shown = [change for change in changes if not only or change.compatibility in only]
+    shown = [change for change in changes if not classes or change.compatibility in classes]
     hidden = len(changes) - len(shown)
     if form == MARKDOWN:
         return markdown_report(shown, *names, hidden).encode("utf-8", "replace")

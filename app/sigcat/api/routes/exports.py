@@ -51,7 +51,7 @@ def _add_exporter(exporter: Exporter) -> None:
         name=f"export_{exporter.name}",
         description=f"The catalogue as {exporter.text}, byte for byte as `{exporter.same_as}` writes it.",
         response_class=Response,
-        responses={200: _documentation(exporter), **problem_documentation(400, 404, 422, 503, 507)},
+        responses={200: _documentation(exporter), **problem_documentation(404, 422, 503, 507)},
     )(export_catalogue)
 
 

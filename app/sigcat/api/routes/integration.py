@@ -10,6 +10,7 @@ from sigcat.adapter.core.cores import cores
 from sigcat.api.answers import schemas
 from sigcat.api.answers.archives import ZIP, archive
 from sigcat.api.answers.problems import problem_documentation
+from sigcat.api.answers.serializers import finding_schema
 from sigcat.api.requests.dependencies import FileName, NamedCatalogue, PostedText, TheSettings, TheWorkQueue, text_body
 from sigcat.api.requests.enumerations import enumeration, one_of
 from sigcat.api.requests.function_files import SET, posted_functions
@@ -46,7 +47,7 @@ _COUNTED = {"Sigcat-Warnings": {"description": "How many findings there are.", "
     response_class=Response,
     responses={
         200: {"model": schemas.IntegrationJson, "description": "The Integration JSON.", "headers": _COUNTED},
-        **problem_documentation(400, 404, 408, 413, 415, 422, 503),
+        **problem_documentation(404, 408, 413, 415, 422, 503),
     },
     openapi_extra=text_body(_BODY, DECLARATION),
 )
@@ -67,7 +68,7 @@ async def integrate_functions(
     response_class=Response,
     responses={
         200: {"description": "A zip of Integration JSON, report and findings.", "content": ZIP, "headers": _COUNTED},
-        **problem_documentation(400, 404, 408, 413, 415, 422, 503),
+        **problem_documentation(404, 408, 413, 415, 422, 503),
     },
     openapi_extra=text_body(_BODY, DECLARATION),
 )
@@ -145,7 +146,7 @@ for each in dict.fromkeys(g.release_word for platform in PLATFORMS.values() for 
     response_class=Response,
     responses={
         200: {"description": "A header and a source for each function, as a zip.", "content": ZIP, "headers": _COUNTED},
-        **problem_documentation(400, 404, 408, 413, 415, 422, 503),
+        **problem_documentation(404, 408, 413, 415, 422, 503),
     },
     openapi_extra=text_body(f"One function, as `function.yaml` or Function JSON; or a set: {SET}.", DECLARATION),
 )
@@ -206,7 +207,7 @@ def _core(text: bytes, name: str, catalogue: Catalogue, limits: Limits) -> Respo
 
 
 def _files(platform: str, integrated: Integrated, findings: tuple[Finding, ...]) -> dict[str, bytes]:
-    rows = [finding._asdict() for finding in (*findings, *integrated.findings)]
+    rows = [finding_schema(each).model_dump() for each in (*findings, *integrated.findings)]
     return {
         f"{platform}.json": integrated.document,
         f"{platform}.report.json": to_json(integrated.report),

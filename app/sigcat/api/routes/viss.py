@@ -6,34 +6,57 @@ of signals are not here: they are in a vehicle.
 
 import datetime as dt
 import json
+from collections.abc import Callable, Coroutine
 from http import HTTPStatus
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Path, Query, Request
+from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse, Response
+from fastapi.routing import APIRoute
 
 from sigcat.api.answers import schemas
 from sigcat.api.answers.negotiation import caching_headers
-from sigcat.api.answers.problems import PROBLEM, problem_documentation
+from sigcat.api.answers.problems import problem_from
 from sigcat.api.answers.serializers import plain, plain_text
 from sigcat.api.requests.dependencies import CatalogueOfNode, TheSettings, judge_conditions
 from sigcat.api.requests.long_reading import has_more, in_turn
 from sigcat.catalogue.model.catalogue import Node
+from sigcat.errors import NotFound
 from sigcat.limits import DEFAULT_LIMITS, PARAMETER_CHARACTERS
 
-router = APIRouter(prefix="/api/v1/catalogues/{catalogue}/viss", tags=["catalogues"])
+
+class VissRoute(APIRoute):
+    """A route that answers an invalid request in the form of VISS, whatever part of it is invalid."""
+
+    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
+        """Handle a request."""
+        handle = super().get_route_handler()
+
+        async def handled(request: Request) -> Response:
+            try:
+                return await handle(request)
+            except NotFound as error:
+                return _refusal(HTTPStatus.NOT_FOUND, "invalid_path", str(error))
+            except RequestValidationError as error:
+                return _refusal(HTTPStatus.BAD_REQUEST, "bad_request", f"{problem_from(error).detail} {_ONLY_METADATA}")
+
+        return handled
+
+
+router = APIRouter(prefix="/api/v1/catalogues/{catalogue}/viss", tags=["catalogues"], route_class=VissRoute)
 
 _VARIANTS = ("static-metadata", "static_metadata")
 _EXAMPLE = '{"type":"static-metadata","parameter":""}'
+_ONLY_METADATA = f"Only metadata is here: filter={_EXAMPLE}"
 
 
 @router.get(
     "/{path:path}",
     response_model=schemas.VissMetadata,
     responses={
-        400: {"model": schemas.VissRefusal, "description": "The request asks for something else than metadata"},
-        404: {"model": schemas.VissRefusal, "description": "There is no such node, or no such catalogue", **PROBLEM},
-        **problem_documentation(422),
+        400: {"model": schemas.VissErrorAnswer, "description": "The request asks for something else than metadata"},
+        404: {"model": schemas.VissErrorAnswer, "description": "There is no such node, or no such catalogue"},
     },
 )
 async def get_viss_metadata(
@@ -50,7 +73,7 @@ async def get_viss_metadata(
 ) -> Response:
     """Metadata of a node and of all below it, in the form of VISS."""
     if not _asks_for_metadata(filter):
-        return _refusal(HTTPStatus.BAD_REQUEST, "bad_request", f"Only metadata is here: filter={_EXAMPLE}")
+        return _refusal(HTTPStatus.BAD_REQUEST, "bad_request", _ONLY_METADATA)
     node = hosted.catalogue.get(path.strip("/").replace("/", "."))
     if node is None:
         return _refusal(HTTPStatus.NOT_FOUND, "invalid_path", f"There is no node {path[:200]!r}.")

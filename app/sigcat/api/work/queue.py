@@ -5,6 +5,7 @@ from collections.abc import Awaitable, Callable, Hashable, Iterable
 from dataclasses import dataclass
 from typing import Any, ParamSpec, TypeVar
 
+from sigcat.api.work.quotas import Quota
 from sigcat.api.work.references import Work
 from sigcat.api.work.refusals import Busy
 from sigcat.api.work.turns import Turns, pass_over
@@ -28,6 +29,7 @@ class WorkQueue:
         share: float = 1.0,
         kind: str = "",
     ) -> None:
+        self._kind = kind
         self._at_once = at_once
         self._seconds = seconds
         self._memory = memory
@@ -39,6 +41,10 @@ class WorkQueue:
     def pending(self) -> int:
         """How many pieces of work are under way or wait."""
         return self._turns.pending
+
+    def quota_of(self, client: str) -> Quota:
+        """The share of a client, named after what the queue does."""
+        return self._turns.quota_of(client, self._kind or "work")
 
     def of(self, client: str) -> "ClientQueue":
         """The queue as a client uses it."""

@@ -6,6 +6,7 @@ from collections.abc import AsyncIterator, Callable, Coroutine
 from contextlib import asynccontextmanager
 from typing import Any, TypeVar
 
+from sigcat.api.work.quotas import Quota
 from sigcat.api.work.refusals import BeyondShare, Busy
 
 _Result = TypeVar("_Result")
@@ -54,11 +55,22 @@ class Turns:
         task.add_done_callback(pass_over)
         return await asyncio.shield(task)
 
+    def quota_of(self, client: str, name: str) -> Quota:
+        """The share of a client."""
+
+        def remaining() -> int:
+            return min(self._most - self.pending, self._most_for_one - self._pending_of(client))
+
+        return Quota(name, "concurrent-requests", self._most_for_one, remaining)
+
+    def _pending_of(self, client: str) -> int:
+        return self._working[client] + len(self._waiting.get(client, ()))
+
     def refuse_more(self, client: str) -> None:
         """Raises Busy where too many wait, BeyondShare where too many of this client do."""
         if self.pending >= self._most:
             raise Busy("The queue of the service is full. Try again later.")
-        if self._working[client] + len(self._waiting.get(client, ())) >= self._most_for_one:
+        if self._pending_of(client) >= self._most_for_one:
             raise BeyondShare(
                 f"One client may have {self._most_for_one} requests of this kind under way. Wait for their answers first."
             )

@@ -2,13 +2,14 @@
 
 import asyncio
 import itertools
+import logging
 import pickle
 import socket
 import weakref
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from functools import lru_cache
-from threading import Lock
+from threading import Lock, Thread
 from typing import NamedTuple
 
 from sigcat.api.work.references import Work, pickled
@@ -16,6 +17,7 @@ from sigcat.api.work.worker import Told
 from sigcat.zygote import Zygote
 
 _CHILD = "sigcat.api.work.worker"
+_log = logging.getLogger("sigcat")
 
 Known = frozenset[int | str]
 """What a process has: names of modules, and numbers of values."""
@@ -72,6 +74,7 @@ class WarmZygote:
         if self._zygote is None or self._zygote.has_ended:
             self._known.clear()
             self._zygote = Zygote(_CHILD)
+            Thread(target=_log_end, args=(self._zygote,), name="sigcat-fork-server", daemon=True).start()
         return self._zygote
 
     def _tell(self, modules: Iterable[str], values: Mapping[int, object]) -> None:
@@ -96,6 +99,14 @@ class WarmZygote:
             self._known.discard(number)
             with suppress(OSError):
                 self._zygote.tell(pickle.dumps(Told(forgotten=(number,))))
+
+
+def _log_end(zygote: Zygote) -> None:
+    """Wait until a zygote ends, and log it, unless this process ended it."""
+    status = zygote.wait()
+    if not zygote.is_closed:
+        reason = f"killed by signal {-status}" if status < 0 else f"exit status {status}"
+        _log.error("the fork server of the workers ended (%s); the next work starts another one", reason)
 
 
 @lru_cache(maxsize=1)

@@ -7,6 +7,7 @@ import fcntl
 import gc
 import importlib
 import io
+import logging
 import os
 import pickle
 import resource
@@ -19,6 +20,7 @@ from typing import Any, NamedTuple
 
 from pydantic import BaseModel
 
+from sigcat.api.json_log import log_as_json
 from sigcat.api.work.references import unpickled
 from sigcat.catalogue.exporting.vss_tools.processes import keep_warm
 from sigcat.errors import SigcatError
@@ -89,6 +91,7 @@ def _build_models_below(model: type[BaseModel]) -> None:
 def prepare(kind: str) -> None:
     """Get ready for a worker of this kind."""
     if kind == EXPORTS:
+        log_as_json(logging.WARNING)
         keep_warm()
 
 

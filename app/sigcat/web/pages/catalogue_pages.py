@@ -21,7 +21,7 @@ from sigcat.api.requests.dependencies import (
 )
 from sigcat.api.requests.long_reading import in_turn
 from sigcat.api.requests.thread_turns import InThread
-from sigcat.api.routes.catalogues import SearchQuery, find_node, searched_state
+from sigcat.api.routes.catalogues import SearchQuery, find_node, page_size, searched_state
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.hosting.variants import folding, instance_counts, overlay_switches, stand_in
 from sigcat.catalogue.model.catalogue import Node
@@ -119,13 +119,13 @@ def show_search(
     refusal = _refusal(query, hosted)
     state = searched_state(hosted, query)
     offset = offset_of(query.cursor, state) if query.cursor else 0
-    limit = min(query.limit, settings.results)
+    limit = page_size(query.limit, settings)
     result = hosted.search_index.search(text, query.filters, limit=limit, offset=offset, each_instance=query.instances)
     following = offset + len(result.hits)
     return page(
         request,
         "search.html",
-        HTTPStatus.BAD_REQUEST if refusal else HTTPStatus.OK,
+        HTTPStatus.UNPROCESSABLE_ENTITY if refusal else HTTPStatus.OK,
         hosted=hosted,
         refusal=refusal,
         text=text,

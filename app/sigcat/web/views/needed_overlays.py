@@ -1,6 +1,7 @@
 """What a function needs that a catalogue does not have: the overlays of another one over which it builds."""
 
 from collections.abc import Iterable
+from functools import lru_cache
 from typing import NamedTuple
 
 from sigcat.catalogue.hosting.library import Hosted
@@ -23,6 +24,20 @@ def need_of(each: HostedFunction, files: HostedFiles, catalogue: Catalogue, libr
     """What a function needs that does not build over a catalogue; None if it builds over none of the library."""
     if each.function is not None:
         return None
+    everything = tuple(library)
+    known, key = _known_needs(files, everything), (each.id, catalogue.digest)
+    if key not in known:
+        known[key] = _need_of(each, files, catalogue, everything)
+    return known[key]
+
+
+@lru_cache(maxsize=1)
+def _known_needs(_files: HostedFiles, _library: tuple[Hosted, ...]) -> dict[tuple[str, str], Need | None]:
+    """Needs by function and digest of the catalogue: to find one, a function is built over many catalogues."""
+    return {}
+
+
+def _need_of(each: HostedFunction, files: HostedFiles, catalogue: Catalogue, library: Iterable[Hosted]) -> Need | None:
     for hosted in library:
         other = hosted.catalogue
         if other is catalogue:

@@ -1,6 +1,7 @@
 """The process in which one exporter of vss-tools runs: a fresh one, or, in a service, a child of one that imported it."""
 
 import json
+import logging
 import socket
 import subprocess
 import sys
@@ -17,6 +18,7 @@ _WORKER = Path(__file__).with_name("worker.py")
 _VARIABLES = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 """What vss-tools imports would start threads otherwise, and a process with threads must not be forked."""
 _LONGEST_STATUS = 16
+_log = logging.getLogger("sigcat")
 _zygote: Zygote | None = None
 
 
@@ -24,6 +26,8 @@ def keep_warm() -> None:
     """From now on, exports of this process and of its children need not import vss-tools again."""
     global _zygote  # noqa: PLW0603 - one for all, as the children find it
     if _zygote is None or _zygote.has_ended:
+        if _zygote is not None:
+            _log.error("the fork server of exports ended with status %d; another one is started", _zygote.wait())
         _zygote = Zygote(_CHILD, _VARIABLES)
 
 
