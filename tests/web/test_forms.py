@@ -1,6 +1,5 @@
 """What a browser posts."""
 
-import asyncio
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
@@ -16,7 +15,7 @@ TYPE = "multipart/form-data; boundary=----x1"
 def read_form(body: bytes, content_type: str) -> Form:
     """Read in a thread of its own: beside a browser, this one has an event loop already."""
     with ThreadPoolExecutor(1) as thread:
-        return thread.submit(asyncio.run, forms.read_form(body, content_type)).result()
+        return thread.submit(forms.read_form, forms.posted_form(body, content_type)).result()
 
 
 def multipart(*parts: tuple[str, bytes]) -> bytes:

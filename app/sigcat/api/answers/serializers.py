@@ -116,16 +116,15 @@ def node_detail(catalogue: Catalogue, node: Node) -> schemas.Node:
 def node_data(catalogue: Catalogue, node: Node) -> dict[str, Any]:
     """The same as plain data, as it is sent: what comes from a catalogue fits the schema, and checking takes half of the time."""
     parent = catalogue.parent(node)
-    siblings = [sibling.path for sibling in (parent.children if parent else catalogue.roots)]
-    position = siblings.index(node.path)
+    before, after = catalogue.beside(node)
     unit = catalogue.unit(node)
     return {
         **_node_fields(node),
         "template": node.template,
         "interface_name": interface_name_of(node),
         "parent": parent.path if parent else None,
-        "previous": siblings[position - 1] if position else None,
-        "next": siblings[position + 1] if position + 1 < len(siblings) else None,
+        "previous": before.path if before else None,
+        "next": after.path if after else None,
         "origin": _place(catalogue.origin(node)),
         "unit_definition": _unit_fields(unit) if unit else None,
         "attributes": _attributes(node),
