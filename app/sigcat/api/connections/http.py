@@ -27,6 +27,9 @@ HEAD_BYTES = 32 * 1024
 HEADERS = 100
 """Headers of a request. Each costs more memory than its bytes, and no client sends half as many."""
 _AROUND_HEADER = len(": \r\n")
+_AROUND_CHUNK = len("0123456789abcdef\r\n\r\n")
+CHUNK_BYTES = 32 * 1024
+"""Bytes of all chunk extensions of a request. No application reads them."""
 _HOST = re.compile(rb"(?:\[[\w.:~!$&'()*+,;=%-]+\]|[\w.~!$&'()*+,;=%-]*)(?::\d*)?")
 """A name or an address, and perhaps a port (RFC 3986, 3.2)."""
 _DOTS = re.compile(rb"(?:/|%2F)(?:\.|%2E){1,2}(?=/|%2F|$)", re.IGNORECASE)
@@ -84,6 +87,8 @@ class HttpConnection(HttpToolsProtocol):
         self._is_in_head = False
         self._head_bytes = 0
         self._header_count = 0
+        self._content_bytes = 0
+        self._extension_bytes = 0
         self._is_refused = False
         self._answering: tuple[RequestResponseCycle, asyncio.Task[None]] | None = None
         self._head_timer: asyncio.TimerHandle | None = None
@@ -112,11 +117,14 @@ class HttpConnection(HttpToolsProtocol):
             return
         self._unset_keepalive_if_required()
         self._rules.open_connections.heard_from(self)
-        began_in_head = self._is_in_head
+        began_in_head, began_in_body = self._is_in_head, self._in_body
+        self._content_bytes = 0
         try:
             self._feed(data)
             if began_in_head and self._is_in_head:
                 self._count_head(len(data))
+            if began_in_body is not None and began_in_body is self._in_body:
+                self._count_extensions(len(data) - self._content_bytes)
         except httptools.HttpParserCallbackError as error:
             self._refuse(self._refusal_of(error.__context__ or error))
         except (httptools.HttpParserError, Refused) as error:
@@ -139,6 +147,11 @@ class HttpConnection(HttpToolsProtocol):
         return self.cycle is not None and not self.cycle.response_complete
 
     @property
+    def _in_body(self) -> RequestResponseCycle | None:
+        """The request of which a part of the body is still to come."""
+        return self.cycle if self.cycle is not None and self.cycle.more_body and not self._is_in_head else None
+
+    @property
     def _address(self) -> str:
         return self.client[0] if self.client else ""
 
@@ -150,6 +163,7 @@ class HttpConnection(HttpToolsProtocol):
         self._is_in_head = True
         self._head_bytes = 0
         self._header_count = 0
+        self._extension_bytes = 0
 
     def on_url(self, url: bytes) -> None:
         """A part of its address."""
@@ -177,6 +191,15 @@ class HttpConnection(HttpToolsProtocol):
         if not self.parser.should_upgrade():
             super().on_headers_complete()
 
+    def on_chunk_header(self) -> None:
+        """A chunk of the body begins."""
+        self._content_bytes += _AROUND_CHUNK
+
+    def on_body(self, body: bytes) -> None:
+        """A part of the body."""
+        self._content_bytes += len(body)
+        super().on_body(body)
+
     def on_message_complete(self) -> None:
         """The request is whole."""
         if not self.parser.should_upgrade():
@@ -203,6 +226,12 @@ class HttpConnection(HttpToolsProtocol):
                 f"The address and the headers must have at most {HEAD_BYTES:,} bytes, in at most {HEADERS} headers."
             )
             raise Refused(HTTPStatus.REQUEST_HEADER_FIELDS_TOO_LARGE, detail)
+
+    def _count_extensions(self, size: int) -> None:
+        self._extension_bytes += max(size, 0)
+        if self._extension_bytes > CHUNK_BYTES:
+            detail = f"Chunk extensions must have at most {CHUNK_BYTES:,} bytes in all. Send chunks without them."
+            raise Refused(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, detail)
 
     def _check_head(self) -> None:
         """Raises Refused for what the parser lets pass, and RFC 9112 does not."""
