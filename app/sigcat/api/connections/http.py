@@ -6,6 +6,7 @@ without end, never reads its answer, or opens connections without end.
 
 import asyncio
 import re
+from functools import lru_cache
 from http import HTTPStatus
 from typing import Any, NamedTuple
 
@@ -83,6 +84,7 @@ class HttpConnection(HttpToolsProtocol):
         super().__init__(config, server_state, app_state, _loop)
         self._rules: ConnectionRules = app_state["connection_rules"]
         self.url = b""
+        self._network = ""
         self._has_room = True
         self._is_in_head = False
         self._head_bytes = 0
@@ -99,6 +101,7 @@ class HttpConnection(HttpToolsProtocol):
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Let it in; where there is no room, its first request will be refused."""
         super().connection_made(transport)
+        self._network = network_of(self._address)
         self._has_room = self._rules.open_connections.add(self, self._address)
         self._expect_head()
 
@@ -236,23 +239,32 @@ class HttpConnection(HttpToolsProtocol):
     def _check_head(self) -> None:
         """Raises Refused for what the parser lets pass, and RFC 9112 does not."""
         version = self.parser.get_http_version()
-        hosts = [value for name, value in self.headers if name == b"host"]
-        encodings = [value.lower() for name, value in self.headers if name == b"transfer-encoding"]
+        hosts, encodings = [], []
+        for name, value in self.headers:
+            if name == b"host":
+                hosts.append(value)
+            elif name == b"transfer-encoding":
+                encodings.append(value.lower())
         if version not in ("1.0", "1.1"):
             raise _bad("The version of HTTP must be 1.0 or 1.1.")
         if len(hosts) != 1 and (version == "1.1" or hosts):
             raise _bad("The header `Host` must be there once.")
-        if not all(map(_HOST.fullmatch, hosts)):
+        if not all(map(_is_host, hosts)):
             raise _bad("The header `Host` must be a name or an address, and perhaps `:PORT`.")
         if encodings and (version == "1.0" or encodings != [b"chunked"]):
             raise _bad("`Transfer-Encoding` must be `chunked`, and the version of HTTP 1.1.")
-        path, method = httptools.parse_url(self.url).path, self.parser.get_method()
+        path, method = self._path(), self.parser.get_method()
         if not path or b"#" in self.url or method == b"CONNECT" or (path == b"*" and method != b"OPTIONS"):
             raise _bad(_NO_PATH)
-        if _DOTS.search(path):
+        if (b"/." in path or b"%" in path) and _DOTS.search(path):
             raise _bad("The address must have no segments `.` and `..`: write the path that is meant.")
         if len(self.pipeline) >= _PIPELINED:
             raise _bad(f"At most {_PIPELINED} requests may wait for the answer to another one.")
+
+    def _path(self) -> bytes:
+        """The path of the address, which proxies may be sent with a scheme and a host before it."""
+        url = self.url
+        return url.partition(b"?")[0] if url.startswith(b"/") else httptools.parse_url(url).path
 
     def _expect_head(self) -> None:
         self._head_timer = self.loop.call_later(self._rules.head_seconds, self._give_up_head)
@@ -287,7 +299,7 @@ class HttpConnection(HttpToolsProtocol):
 
     def _start_asgi_task(self, cycle: RequestResponseCycle, app: ASGI3Application) -> None:
         """Have the application answer when it is the client's turn."""
-        self._rules.request_starts.add(network_of(self._address), lambda: self._start(cycle, app))
+        self._rules.request_starts.add(self._network, lambda: self._start(cycle, app))
 
     def _start(self, cycle: RequestResponseCycle, app: ASGI3Application) -> None:
         """Have the application answer, as long as somebody is there who waits for it."""
@@ -359,7 +371,7 @@ class HttpConnection(HttpToolsProtocol):
         self._stop_expecting_reading()
         if unread := self.unread:
             self._unread_timer = self.loop.call_later(self._rules.unread_seconds, self._check_reading, unread)
-            self._rules.unread_answers.add(self, network_of(self._address))
+            self._rules.unread_answers.add(self, self._network)
         else:
             self._rules.unread_answers.remove(self)
 
@@ -374,6 +386,12 @@ class HttpConnection(HttpToolsProtocol):
             self.cut_off()
         else:
             self._expect_reading()
+
+
+@lru_cache(256)
+def _is_host(value: bytes) -> bool:
+    """Whether this is a name or an address. Most requests have the same, and matching it costs as much as a header."""
+    return _HOST.fullmatch(value) is not None
 
 
 def _bad(detail: str) -> Refused:
