@@ -140,11 +140,15 @@ def interface_name_of(node: Node) -> str | None:
 
 def _attributes(node: Node) -> list[dict[str, Any]]:
     """Attributes of a node with their origin and history, in the order in which they were written."""
-    return [_attribute(node, name, value) for name, value in node.values.items()]
+    histories: dict[str, list[dict[str, Any]]] = {}
+    for statement in node.definition.statements:
+        for name, origin in statement.origins():
+            written = {"value": plain(statement.values[name]), "origin": _place(origin)}
+            histories.setdefault(name, []).append(written)
+    return [_attribute(node, name, value, histories.get(name, [])) for name, value in node.values.items()]
 
 
-def _attribute(node: Node, name: str, value: Any) -> dict[str, Any]:
-    history = [{"value": plain(old), "origin": _place(origin)} for old, origin in node.definition.history(name)]
+def _attribute(node: Node, name: str, value: Any, history: list[dict[str, Any]]) -> dict[str, Any]:
     return {
         "name": plain_text(name),
         "value": plain(value),
