@@ -239,12 +239,7 @@ class HttpConnection(HttpToolsProtocol):
     def _check_head(self) -> None:
         """Raises Refused for what the parser lets pass, and RFC 9112 does not."""
         version = self.parser.get_http_version()
-        hosts, encodings = [], []
-        for name, value in self.headers:
-            if name == b"host":
-                hosts.append(value)
-            elif name == b"transfer-encoding":
-                encodings.append(value.lower())
+        hosts, encodings = self._hosts_and_encodings()
         if version not in ("1.0", "1.1"):
             raise _bad("The version of HTTP must be 1.0 or 1.1.")
         if len(hosts) != 1 and (version == "1.1" or hosts):
@@ -260,6 +255,16 @@ class HttpConnection(HttpToolsProtocol):
             raise _bad("The address must have no segments `.` and `..`: write the path that is meant.")
         if len(self.pipeline) >= _PIPELINED:
             raise _bad(f"At most {_PIPELINED} requests may wait for the answer to another one.")
+
+    def _hosts_and_encodings(self) -> tuple[list[bytes], list[bytes]]:
+        """Values of `Host` and `Transfer-Encoding`, found in one pass."""
+        hosts, encodings = [], []
+        for name, value in self.headers:
+            if name == b"host":
+                hosts.append(value)
+            elif name == b"transfer-encoding":
+                encodings.append(value.lower())
+        return hosts, encodings
 
     def _path(self) -> bytes:
         """The path of the address, which proxies may be sent with a scheme and a host before it."""
