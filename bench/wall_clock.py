@@ -19,7 +19,7 @@ from sigcat.data import ROOT_FILE
 Row = tuple[str, str, str, str, str]
 _NODES = "/api/v1/catalogues/vss/nodes"
 _KEEPS_NOTHING = 'import os\nos.environ["SIGCAT_CACHE_BYTES"] = "0"\n'
-"""Before the code of a service: each of its answers is made as if nobody had asked for it before."""
+"""Before the code of a service: each of its answers is made, none is taken from the cache."""
 _IN_TURN = """
 local paths = {%s}
 local number = 0

@@ -214,7 +214,7 @@ def test_what_threads_make_is_made_in_turns() -> None:
 
 @pytest.mark.parametrize("address", ["search?q=v", "nodes?q=v&instances=true", "nodes?q=v", "search?q=nothing"])
 @pytest.mark.parametrize("form", [JSON, CSV])
-def test_searches_hold_up_nobody(fresh: Ask, monkeypatch: pytest.MonkeyPatch, address: str, form: str) -> None:
+def test_searches_run_in_threads(fresh: Ask, monkeypatch: pytest.MonkeyPatch, address: str, form: str) -> None:
     searched_by = []
 
     def noting(index: SearchIndex, *arguments: Any, **options: Any) -> SearchResult:

@@ -114,7 +114,7 @@ def _multipart(body: bytes, boundary: bytes) -> Form:
 
 
 class _InMemory(MultiPartParser):
-    """Starlette's, which writes files beyond a megabyte to the disk in a thread of its own."""
+    """Starlette's, which writes files beyond a megabyte to the disk in another thread."""
 
     def __init__(self, body: bytes, boundary: bytes) -> None:
         content_type = b'multipart/form-data; charset=latin-1; boundary="' + boundary + b'"'
