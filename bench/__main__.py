@@ -6,6 +6,7 @@ import platform
 import sys
 import tempfile
 from collections.abc import Iterator, Sequence
+from itertools import chain
 from pathlib import Path
 
 from bench import (
@@ -21,6 +22,7 @@ from bench import (
     simulation,
     stored_run,
     transport,
+    wall_clock,
 )
 from bench.rows import Bench, Missing, Row
 
@@ -72,7 +74,7 @@ def _table(wanted: Sequence[str], runs: int) -> Iterator[str]:
             except Missing as missing:
                 print(f"sigcat: the row {name} is left out for want of {missing}", file=sys.stderr)
     if not wanted or SERVICE & set(wanted):
-        yield from (_line(Row(*row)) for row in service.rows(runs))
+        yield from (_line(Row(*row)) for row in chain(service.rows(runs), wall_clock.rows(runs)))
     machine = f"Python {platform.python_version()}, {platform.machine()}, {os.cpu_count()} cores"
     yield f"\nMedians of {runs} runs in turn; {machine}."
 

@@ -39,6 +39,10 @@ sys.exit(main(["serve", "--port", "0", *sys.argv[1:]]))
 """
 
 
+_CORES = sorted(os.sched_getaffinity(0))
+"""Those of this process before it has moved to the last one."""
+
+
 class Server(NamedTuple):
     """A server in a process of its own."""
 
@@ -62,10 +66,8 @@ class Server(NamedTuple):
 @contextmanager
 def server(code: str, *arguments: str, is_on_one_core: bool = True) -> Iterator[Server]:
     """A server on the first core, or on all; this process moves to the last one. Its log goes to a file, as in production."""
-    cores = sorted(os.sched_getaffinity(0))
-    pin = f"import os; os.sched_setaffinity(0, [{cores[0]}])\n" if len(cores) > 1 and is_on_one_core else ""
-    if pin:
-        os.sched_setaffinity(0, cores[-1:])
+    pin = f"import os; os.sched_setaffinity(0, [{_CORES[0]}])\n" if len(_CORES) > 1 and is_on_one_core else ""
+    os.sched_setaffinity(0, _CORES[-1:] if pin else _CORES)
     with (
         tempfile.TemporaryFile() as log,
         _started([sys.executable, "-c", pin + code, *arguments], log.fileno()) as process,
@@ -74,8 +76,7 @@ def server(code: str, *arguments: str, is_on_one_core: bool = True) -> Iterator[
         match = re.search(r"http://([\w.:]+)", process.stdout.readline())
         assert match, "the server did not start"
         yield Server(match[1], process.pid)
-    if pin:
-        os.sched_setaffinity(0, cores)
+    os.sched_setaffinity(0, _CORES)
 
 
 @contextmanager

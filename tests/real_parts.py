@@ -154,6 +154,14 @@ KINDS = (
         ),
     ),
     Kind(
+        "the most expensive requests of every operation and page",
+        ("tests/api/test_event_loop.py",),
+        (
+            "tests/api/test_event_loop.py::test_every_route_has_its_most_expensive_requests",
+            "tests/api/test_event_loop.py::test_the_loop_goes_on_meanwhile[POST /try]",
+        ),
+    ),
+    Kind(
         "every operation with requests of any kind",
         ("tests/api/test_contract.py",),
         ("tests/api/test_contract.py::test_every_operation_answers_as_its_schema_says[GET /api/v1/catalogues]",),

@@ -196,11 +196,20 @@ PAGE_FUNCTIONS = 20
 PAGE_FINDINGS = 200
 """Findings, or nodes that an overlay changes, that a page lists; of more, their number is given."""
 
+PAGE_TEXT_CHARACTERS = 256 * 1024
+"""Characters of a text that a page shows whole; of a longer one, it shows the lines with findings."""
+
+PAGE_LINES = 5_000
+"""Lines of such a text."""
+
 PAGE_CHANGES = 1_000
 """Changes between two trees that a page lists, the worst first."""
 
 PICTURED_NODES = 50_000
 """Nodes of a catalogue whose page has a picture of it."""
+
+SEARCH_WORDS = 32
+"""Words of a text to search for; a generated name counts as the words that it is made of."""
 
 FORM_FIELDS = 40
 """Fields of a form, and files of it; no page has as many."""

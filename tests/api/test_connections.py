@@ -15,7 +15,7 @@ import pytest
 
 from sigcat.api.answers.problems import KINDS
 from sigcat.api.client_network import network_of
-from sigcat.api.connections.http import HEAD_BYTES, HEADERS
+from sigcat.api.connections.http import CHUNK_BYTES, HEAD_BYTES, HEADERS
 from sigcat.api.connections.open_connections import OpenConnections
 from sigcat.api.connections.request_starts import RequestStarts
 from sigcat.api.connections.trusted_proxies import trusted_by
@@ -120,6 +120,8 @@ NO_REQUESTS = {
     "headers that are long together": (b"GET / HTTP/1.1\r\nHost: a\r\n" + (b"X: " + b"a" * 500 + b"\r\n") * 65 + b"\r\n", 431, "32,768 bytes"),
     "many headers": (b"GET / HTTP/1.1\r\nHost: a\r\n" + b"A:\r\n" * HEADERS + b"\r\n", 431, "100 headers"),
     "many headers behind a body": (LINT + CHUNKED + b"\r\n0\r\n" + b"X: 1\r\n" * HEADERS, 431, "100 headers"),
+    "a chunk extension without end": (LINT + CHUNKED + b"\r\n1;" + b"a" * 20 * CHUNK_BYTES, 413, "extensions"),
+    "extensions of many chunks": (LINT + CHUNKED + b"\r\n" + (b"1;" + b"a" * 500 + b"\r\n \r\n") * 1500, 413, "32,768 bytes"),
     "half a head": (b"GET / HTTP/1.1\r\nHost: a\r\n", 408, "within 1 seconds"),
     "half a head after a request": (LIVE + b"GET / HTTP", 408, "within 1 seconds"),
 }  # fmt: skip
@@ -167,6 +169,8 @@ def test_a_host_is_a_name_or_an_address_and_perhaps_a_port(service: Service, hos
 BODIES = {
     "spaces around its length": b"Content-Length: \t10 \t\r\n\r\nVehicle: 1",
     "chunks in other letters": b"Transfer-Encoding: Chunked \r\n\r\na\r\nVehicle: 1\r\n0\r\n\r\n",
+    "chunks of a byte": CHUNKED + b"\r\n" + b"1\r\n \r\n" * 100_000 + b"0\r\n\r\n",
+    "a chunk with an extension": CHUNKED + b"\r\na;name=value\r\nVehicle: 1\r\n0\r\n\r\n",
 }
 
 

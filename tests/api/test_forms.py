@@ -6,7 +6,8 @@ import io
 import pytest
 import yaml
 
-from sigcat.api.answers.negotiation import chosen_type, csv_lines
+from sigcat.api.answers import negotiation
+from sigcat.api.answers.negotiation import chosen_type, csv_lines, yaml_text
 from tests.api.conftest import Ask
 
 SMALL = "/api/v1/catalogues/small"
@@ -17,6 +18,20 @@ def test_yaml_says_what_json_says(ask: Ask, address: str) -> None:
     answer = ask(SMALL + address, headers={"Accept": "application/yaml"})
     assert answer.headers["content-type"] == "application/yaml"
     assert yaml.safe_load(answer.text) == ask(SMALL + address).json()
+
+
+@pytest.mark.parametrize("piece", [2, 7, 100])
+def test_yaml_that_is_written_in_pieces_says_the_same(monkeypatch: pytest.MonkeyPatch, piece: int) -> None:
+    long = "x: 'y' \u00e9 " * 200 + "\n\n  two lines  \n"
+    shared = [1, 2]
+    data = {
+        "a: b": [{"deep": [{"deeper": list(range(9))}, [[], {}, [None, True]]]}, long, "-", ""],
+        "nodes": [{"path": f"V.{n}", "text": long, "none": None, "children": [shared, shared]} for n in range(9)],
+        "empty": {},
+        "number": -1.5,
+    }
+    monkeypatch.setattr(negotiation, "_PIECE", piece)
+    assert yaml.safe_load(yaml_text(data)) == data
 
 
 def test_lists_are_tables_too(ask: Ask) -> None:

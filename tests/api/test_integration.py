@@ -53,6 +53,16 @@ def test_a_declaration_becomes_integration_json(shipped, platform):
     assert '"CoreAcc"' in json.dumps(answer.json())
 
 
+@pytest.mark.parametrize("base", ["uint8x", "uint999999999", "sint999999999", "uint", "float128"])
+@pytest.mark.parametrize("generator", ["autosar-classic", "classic-arxml"])
+def test_a_datatype_that_no_platform_has_is_refused_before_its_range_is_computed(shipped, base, generator):
+    document = posted(shipped, "/api/v1/integrate/autosar-classic", CORE_ACC).json()
+    document["ImplementationTypes"][0]["Base"] = base
+    answer = posted(shipped, f"/api/v1/generate/{generator}", document)
+    assert answer.status_code == 422
+    assert any("/ImplementationTypes/0" in finding["pointer"] for finding in answer.json()["findings"])
+
+
 @pytest.mark.parametrize("platform", PLATFORMS)
 def test_a_set_is_a_list_of_functions_of_either_kind(shipped, platform):
     built = posted(shipped, "/api/v1/functions/build", CORE_ACC).json()

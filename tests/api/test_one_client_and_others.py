@@ -9,33 +9,31 @@ import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
-from importlib import import_module
 from inspect import iscoroutinefunction
 from pathlib import Path
-from pkgutil import iter_modules
+from typing import Any
 from urllib.parse import urlsplit
 
 import httpx
 import pytest
 from fastapi import Request
-from fastapi.routing import APIRoute, APIRouter
 
-from sigcat.api import routes
 from sigcat.api.answers import negotiation
 from sigcat.api.answers.negotiation import accepts_gzip, liked_types
 from sigcat.api.answers.schemas import RuleSummary
 from sigcat.api.answers.serializers import rule_summary
 from sigcat.api.application import create_app
-from sigcat.api.middleware import metrics
 from sigcat.api.requests.thread_turns import parts_in_turn
 from sigcat.api.routes import contract, rules
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import Library, Source
+from sigcat.catalogue.search import SearchIndex, SearchResult
+from sigcat.limits import SEARCH_WORDS
 from sigcat.rules.record import Rule
-from sigcat.web import pages
 from sigcat.web.site import create_site
 from tests import plain_http
 from tests.api.conftest import SOURCES, Ask, asker
+from tests.api.served_routes import served_routes
 from tests.clients.generating import ROOT
 from tests.waiting import DEADLINE, wait_until
 
@@ -204,25 +202,37 @@ def test_what_takes_long_to_write_holds_up_nobody(
     ):
         monkeypatch.setattr(module, name, partial(noting, getattr(module, name)))
     assert fresh(address, headers={"Accept": form}).status_code == 200
-    assert [thread.name.startswith("AnyIO worker thread") for thread in written_by] == [True]
+    assert {thread.name.startswith("AnyIO worker thread") for thread in written_by} == {True}
 
 
 def test_what_threads_make_is_made_in_turns() -> None:
     """All functions of routes are coroutines: `InThread` makes one of those that are not, which waits for its turn."""
-    modules = [
-        metrics,
-        *(
-            import_module(each.name)
-            for room in (routes, pages)
-            for each in iter_modules(room.__path__, f"{room.__name__}.")
-        ),
-    ]
-    routers = [value for module in modules for value in vars(module).values() if isinstance(value, APIRouter)]
-    functions = {
-        route.path: route.endpoint for router in routers for route in router.routes if isinstance(route, APIRoute)
-    }
-    assert len(functions) > 50
-    assert [path for path, function in functions.items() if not iscoroutinefunction(function)] == []
+    found = served_routes()
+    assert len(found) > 50
+    assert [name for name, route in found.items() if not iscoroutinefunction(route.endpoint)] == []
+
+
+@pytest.mark.parametrize("address", ["search?q=v", "nodes?q=v&instances=true", "nodes?q=v", "search?q=nothing"])
+@pytest.mark.parametrize("form", [JSON, CSV])
+def test_searches_run_in_threads(fresh: Ask, monkeypatch: pytest.MonkeyPatch, address: str, form: str) -> None:
+    searched_by = []
+
+    def noting(index: SearchIndex, *arguments: Any, **options: Any) -> SearchResult:
+        searched_by.append(threading.current_thread().name)
+        return search(index, *arguments, **options)
+
+    search = SearchIndex.search
+    monkeypatch.setattr(SearchIndex, "search", noting)
+    assert fresh(f"/api/v1/catalogues/small/{address}", headers={"Accept": form}).status_code == 200
+    assert [name.startswith("AnyIO worker thread") for name in searched_by] == [True]
+
+
+def test_a_search_has_a_bounded_number_of_words(fresh: Ask) -> None:
+    words, more = ("+".join("v" * number) for number in (SEARCH_WORDS, SEARCH_WORDS + 1))
+    for operation in ("search", "nodes"):
+        assert fresh(f"/api/v1/catalogues/small/{operation}?q={words}").status_code == 200
+        refused = fresh(f"/api/v1/catalogues/small/{operation}?q={more}")
+        assert (refused.status_code, f"at most {SEARCH_WORDS} words" in refused.json()["detail"]) == (400, True)
 
 
 def test_one_client_does_not_keep_all_threads(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,6 +1,6 @@
 """What a browser posts."""
 
-import asyncio
+import tracemalloc
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
@@ -16,7 +16,7 @@ TYPE = "multipart/form-data; boundary=----x1"
 def read_form(body: bytes, content_type: str) -> Form:
     """Read in a thread of its own: beside a browser, this one has an event loop already."""
     with ThreadPoolExecutor(1) as thread:
-        return thread.submit(asyncio.run, forms.read_form(body, content_type)).result()
+        return thread.submit(forms.read_form, forms.posted_form(body, content_type)).result()
 
 
 def multipart(*parts: tuple[str, bytes]) -> bytes:
@@ -92,3 +92,14 @@ def test_what_is_no_form_is_refused_and_not_dropped(content_type: str) -> None:
 @pytest.mark.parametrize("body", [b"", b"\xff\x00", b"=&&=", b"--\r\n--"])
 def test_a_form_may_have_odd_fields_or_none(body: bytes) -> None:
     assert read_form(body, "application/x-www-form-urlencoded").files == ()
+
+
+@pytest.mark.parametrize(("escape", "meant"), [("%41", "A"), ("%C3%A4", "ä"), ("%", "%"), ("%4", "%4"), ("+", " ")])
+def test_many_escapes_are_read_in_little_memory(escape: str, meant: str) -> None:
+    body = f"text={escape * 200_000}&kind=tree".encode()
+    tracemalloc.start()
+    form = read_form(body, "application/x-www-form-urlencoded")
+    _, most = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert form.fields == (("text", meant * 200_000), ("kind", "tree"))
+    assert most < 20_000_000

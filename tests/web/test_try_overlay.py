@@ -158,3 +158,14 @@ def test_what_the_service_rehearses_is_what_the_page_does() -> None:
 
 def test_a_service_without_catalogues_rehearses_no_text() -> None:
     assert [work.function.__name__ for work in create_site(Library([])).state.rehearsals()] == ["compile_templates"]
+
+
+@pytest.mark.parametrize("kind", ["overlay", "tree", "function"])
+def test_a_long_text_is_checked_and_not_repeated(site: Ask, kind: str) -> None:
+    """A page repeats a text twice, once to be changed and once with its findings: of four megabytes it would make many more."""
+    text = SPEED.replace("km/h", "knots per hour") + "# <<<<<<<<\n" * 30_000
+    page = site("/try", "POST", data={"kind": kind, "catalogue": "interfaces", "text": text})
+    assert page.status_code == 200
+    assert len(page.text) < 50_000
+    assert "too long" in page.text
+    assert "<code>Vehicle.Speed" in page.text, "the line with a finding is shown"

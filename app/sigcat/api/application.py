@@ -66,6 +66,8 @@ Every error is `application/problem+json` (RFC 9457) and says what is wrong, whe
 """
 
 
+_PACKED_IN_THREAD = 32 * 1024
+"""Bytes of an answer from which on a thread packs it: a millisecond on the event loop."""
 _FILES = 4
 """Threads that read files: what takes turns leaves these free."""
 _log = logging.getLogger("sigcat")
@@ -129,7 +131,7 @@ def _queue(at_once: int, settings: Settings, kind: str = "") -> WorkQueue:
 def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
     """What stands around the routes; the one that is added last is passed first."""
     app.add_middleware(NodeShortcut)
-    app.add_middleware(Packing, minimum_size=1000, compresslevel=5)
+    app.add_middleware(Packing, minimum_size=1000, compresslevel=5, thread_minimum_size=_PACKED_IN_THREAD)
     app.add_middleware(AnswerCache, library=library, most_bytes=settings.cache_bytes)
     app.add_middleware(RequestHeaders)
     if settings.reading == "token":

@@ -4,10 +4,10 @@ Neither making lines nor a slow disk holds up answers. What is noted when the pr
 """
 
 import atexit
-import json
 import time
 from collections import deque
 from functools import lru_cache
+from json.encoder import encode_basestring_ascii as _text
 from threading import Event, Thread
 from typing import TextIO
 
@@ -53,13 +53,14 @@ class RequestLines:
 
 def line_of(seconds: float, note: Note) -> str:
     """The line of a request that was answered at a time."""
-    fields = {
-        "time": _time(int(seconds)), "level": "info", "logger": "sigcat.requests", "request_id": note.request_id,
-        "method": note.method, "path": note.path, "route": note.route, "status": note.status,
-        "ms": round(note.seconds * 1000, 2), "client": note.client,
-    }  # fmt: skip
     rest = {"refused": note.refused, "trace_id": note.trace_id}
-    return json.dumps({**fields, **{name: value for name, value in rest.items() if value}}) + "\n"
+    more = "".join(f', "{name}": {_text(value)}' for name, value in rest.items() if value)
+    return (  # `json.dumps` of a dictionary takes three times as long, and the event loop waits for a part of it
+        f'{{"time": {_text(_time(int(seconds)))}, "level": "info", "logger": "sigcat.requests", '
+        f'"request_id": {_text(note.request_id)}, "method": {_text(note.method)}, "path": {_text(note.path)}, '
+        f'"route": {_text(note.route)}, "status": {note.status}, "ms": {note.seconds * 1000:.2f}, '
+        f'"client": {_text(note.client)}{more}}}\n'
+    )
 
 
 @lru_cache(2)

@@ -29,6 +29,8 @@ from sigcat.catalogue.search_words import (
     words_of_paths,
     words_of_texts,
 )
+from sigcat.errors import UsageError
+from sigcat.limits import SEARCH_WORDS
 from sigcat.names import nearest, words
 
 FACETS = ("type", "datatype", "unit", "category", "asil", "overlay", "deprecated")
@@ -102,7 +104,7 @@ class SearchIndex:
         `text` may also be a static id, or have generated names in it. `filters` are exact values by facet: type,
         datatype, unit, category, asil, overlay, deprecated (`yes`, `no`). A name that was given whole comes first,
         then matches in the name, the path, the description; without words, all in the order of the tree. Instances
-        that share a definition are one hit, unless `each_instance` is wanted.
+        that share a definition are one hit, unless `each_instance` is wanted. Raises UsageError for too many words.
         """
         allowed = {facet: self._facets[facet].get(value, 0) for facet, value in (filters or {}).items()}
         chosen = _common(allowed.values(), self._everything)
@@ -131,6 +133,8 @@ class SearchIndex:
         if _STATIC_ID.fullmatch(text.strip()):
             return [text.strip().lower()], [self._with_static_id.get(text.strip().lower(), 0) & chosen]
         wanted = [word for part in text.replace(".", " ").split() for word in self._taken_apart(part)]
+        if len(wanted) > SEARCH_WORDS:
+            raise UsageError(f"The text to search for must have at most {SEARCH_WORDS} words, not {len(wanted)}.")
         ranks = self._ranked(wanted, chosen)
         without = [word for word in wanted if word not in _ADDED]
         if "_" in text and 0 < len(without) < len(wanted):

@@ -206,6 +206,12 @@ CHANGES = {
     "a number that no float holds": (lambda d: element(d, "Vehicle_Speed").update(InitValue=1e39), "for float32"),
     "a number above its datatype": (lambda d: typed(d, "uint8").update(InitValue=256), "from 0 to 255 for uint8"),
     "a number below its datatype": (lambda d: typed(d, "sint8").update(InitValue=-129), "from -128 to 127 for sint8"),
+    "a datatype with a huge range": (
+        lambda d: of(d["ImplementationTypes"], "uint8").update(Base="uint999999999"), "'uint999999999' must be a known platform type",
+    ),
+    "a datatype that is misspelled": (
+        lambda d: of(d["ImplementationTypes"], "uint8").update(Base="uint8x"), "'uint8x' must be a known platform type",
+    ),
     "part of a number": (lambda d: typed(d, "uint8").update(InitValue=0.5), "whole number for uint8"),
     "an array that is too short": (lambda d: typed(d, "Three").update(InitValue=[0, 1]), "must have 3 elements"),
     "an array with a text in it": (lambda d: typed(d, "Three").update(InitValue=[0, 1, "2"]), "must be a number"),

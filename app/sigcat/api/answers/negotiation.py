@@ -17,12 +17,25 @@ from pydantic_core import to_json
 from starlette.exceptions import HTTPException
 
 JSON, YAML, CSV = "application/json", "application/yaml", "text/csv"
+ANY = "*/*"
 VARY_OF_304 = "Accept, Accept-Encoding"
 """Of an answer that is not sent again: whoever asks for it may have it packed."""
 _DUMPER: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
+
+
+class _Dumper(_DUMPER):  # type: ignore[misc]
+    """Writes what occurs twice, such as a place, twice: readers of other languages do not all know aliases."""
+
+    def ignore_aliases(self, data: Any) -> bool:  # noqa: ARG002
+        return True
+
+
 _LONGEST = 1000
 """Characters of a header that count, and that are remembered."""
 _QUALITY = re.compile(r"[01](\.\d{0,3})?")
+_PIECE = 2_000
+"""Values that are written as YAML in some milliseconds."""
+_NULL = " null\n"
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
 
@@ -34,7 +47,7 @@ def answer(request: Request, model: Data, rows: Iterable[Mapping[str, Any]] | No
     """A model in the form that the client accepts; as CSV, its rows, if it has some."""
     headers = caching_headers(request)
     accepted = request.headers.get("accept", "*/*")
-    if accepted in ("*/*", JSON):
+    if accepted in (ANY, JSON):
         return Response(json_bytes(model), media_type=JSON, headers=headers)
     media_type = chosen_type(accepted, (JSON, YAML) if rows is None else (JSON, YAML, CSV))
     if media_type == CSV and rows is not None:
@@ -94,8 +107,42 @@ def json_bytes(model: Data) -> bytes:
 
 
 def yaml_text(data: Any) -> str:
-    """Plain data as YAML."""
-    return str(yaml.dump(data, Dumper=_DUMPER, sort_keys=False, allow_unicode=True, width=1000))
+    """Plain data as YAML. Much of it is written in pieces: other threads wait while the library writes one."""
+    if not isinstance(data, dict | list) or _counted(data, _PIECE) <= _PIECE:
+        return str(yaml.dump(data, Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=1000))
+    if len(data) > 1:
+        return "".join(yaml_text(half) for half in _halves(data))
+    if isinstance(data, list):
+        return f"- {_indented(yaml_text(data[0]))}\n"
+    (name, value), *_ = data.items()
+    text = yaml_text(value)
+    return f"{yaml_text({name: None}).removesuffix(_NULL)}\n" + (
+        text if isinstance(value, list) else f"  {_indented(text)}\n"
+    )
+
+
+def _counted(data: Any, most: int) -> int:
+    """How many values there are inside each other, counted no further than to `most`."""
+    count = 1
+    for item in data.values() if isinstance(data, dict) else data if isinstance(data, list) else ():
+        if count > most:
+            break
+        count += _counted(item, most - count)
+    return count
+
+
+def _halves(data: Any) -> tuple[Any, Any]:
+    """A list, or a mapping, as two: written one after the other they are the whole."""
+    middle = len(data) // 2
+    if isinstance(data, list):
+        return data[:middle], data[middle:]
+    entries = list(data.items())
+    return dict(entries[:middle]), dict(entries[middle:])
+
+
+def _indented(text: str) -> str:
+    """All lines but the first further in, without the end of the last one."""
+    return text.removesuffix("\n").replace("\n", "\n  ")
 
 
 def chosen_type(accepted: str, offered: Sequence[str]) -> str:

@@ -122,16 +122,15 @@ def node_detail(catalogue: Catalogue, node: Node) -> schemas.Node:
 def node_data(catalogue: Catalogue, node: Node) -> dict[str, Any]:
     """The same as plain data, as it is sent: what comes from a catalogue fits the schema, and checking takes half of the time."""
     parent = catalogue.parent(node)
-    siblings = [sibling.path for sibling in (parent.children if parent else catalogue.roots)]
-    position = siblings.index(node.path)
+    before, after = catalogue.beside(node)
     unit = catalogue.unit(node)
     return {
         **_node_fields(node),
         "definition_path": node.template,
         "interface_name": interface_name_of(node),
         "parent": parent.path if parent else None,
-        "previous": siblings[position - 1] if position else None,
-        "next": siblings[position + 1] if position + 1 < len(siblings) else None,
+        "previous": before.path if before else None,
+        "next": after.path if after else None,
         "origin": _place(catalogue.origin(node)),
         "unit_definition": _unit_fields(unit) if unit else None,
         "attributes": _attributes(node),
@@ -147,11 +146,15 @@ def interface_name_of(node: Node) -> str | None:
 
 def _attributes(node: Node) -> list[dict[str, Any]]:
     """Attributes of a node with their origin and history, in the order in which they were written."""
-    return [_attribute(node, name, value) for name, value in node.values.items()]
+    histories: dict[str, list[dict[str, Any]]] = {}
+    for statement in node.definition.statements:
+        for name, origin in statement.origins():
+            written = {"value": plain(statement.values[name]), "origin": _place(origin)}
+            histories.setdefault(name, []).append(written)
+    return [_attribute(node, name, value, histories.get(name, [])) for name, value in node.values.items()]
 
 
-def _attribute(node: Node, name: str, value: Any) -> dict[str, Any]:
-    history = [{"value": plain(old), "origin": _place(origin)} for old, origin in node.definition.history(name)]
+def _attribute(node: Node, name: str, value: Any, history: list[dict[str, Any]]) -> dict[str, Any]:
     return {
         "name": plain_text(name),
         "value": plain(value),

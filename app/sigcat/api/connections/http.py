@@ -6,6 +6,7 @@ without end, never reads its answer, or opens connections without end.
 
 import asyncio
 import re
+from functools import lru_cache
 from http import HTTPStatus
 from typing import Any, NamedTuple
 
@@ -27,6 +28,9 @@ HEAD_BYTES = 32 * 1024
 HEADERS = 100
 """Headers of a request. Each costs more memory than its bytes, and no client sends half as many."""
 _AROUND_HEADER = len(": \r\n")
+_AROUND_CHUNK = len("0123456789abcdef\r\n\r\n")
+CHUNK_BYTES = 32 * 1024
+"""Bytes of all chunk extensions of a request. No application reads them."""
 _HOST = re.compile(rb"(?:\[[\w.:~!$&'()*+,;=%-]+\]|[\w.~!$&'()*+,;=%-]*)(?::\d*)?")
 """A name or an address, and perhaps a port (RFC 3986, 3.2)."""
 _DOTS = re.compile(rb"(?:/|%2F)(?:\.|%2E){1,2}(?=/|%2F|$)", re.IGNORECASE)
@@ -80,10 +84,13 @@ class HttpConnection(HttpToolsProtocol):
         super().__init__(config, server_state, app_state, _loop)
         self._rules: ConnectionRules = app_state["connection_rules"]
         self.url = b""
+        self._network = ""
         self._has_room = True
         self._is_in_head = False
         self._head_bytes = 0
         self._header_count = 0
+        self._content_bytes = 0
+        self._extension_bytes = 0
         self._is_refused = False
         self._answering: tuple[RequestResponseCycle, asyncio.Task[None]] | None = None
         self._head_timer: asyncio.TimerHandle | None = None
@@ -94,6 +101,7 @@ class HttpConnection(HttpToolsProtocol):
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Let it in; where there is no room, its first request will be refused."""
         super().connection_made(transport)
+        self._network = network_of(self._address)
         self._has_room = self._rules.open_connections.add(self, self._address)
         self._expect_head()
 
@@ -112,11 +120,14 @@ class HttpConnection(HttpToolsProtocol):
             return
         self._unset_keepalive_if_required()
         self._rules.open_connections.heard_from(self)
-        began_in_head = self._is_in_head
+        began_in_head, began_in_body = self._is_in_head, self._in_body
+        self._content_bytes = 0
         try:
             self._feed(data)
             if began_in_head and self._is_in_head:
                 self._count_head(len(data))
+            if began_in_body is not None and began_in_body is self._in_body:
+                self._count_extensions(len(data) - self._content_bytes)
         except httptools.HttpParserCallbackError as error:
             self._refuse(self._refusal_of(error.__context__ or error))
         except (httptools.HttpParserError, Refused) as error:
@@ -139,6 +150,11 @@ class HttpConnection(HttpToolsProtocol):
         return self.cycle is not None and not self.cycle.response_complete
 
     @property
+    def _in_body(self) -> RequestResponseCycle | None:
+        """The request of which a part of the body is still to come."""
+        return self.cycle if self.cycle is not None and self.cycle.more_body and not self._is_in_head else None
+
+    @property
     def _address(self) -> str:
         return self.client[0] if self.client else ""
 
@@ -150,6 +166,7 @@ class HttpConnection(HttpToolsProtocol):
         self._is_in_head = True
         self._head_bytes = 0
         self._header_count = 0
+        self._extension_bytes = 0
 
     def on_url(self, url: bytes) -> None:
         """A part of its address."""
@@ -176,6 +193,15 @@ class HttpConnection(HttpToolsProtocol):
         self._check_head()
         if not self.parser.should_upgrade():
             super().on_headers_complete()
+
+    def on_chunk_header(self) -> None:
+        """A chunk of the body begins."""
+        self._content_bytes += _AROUND_CHUNK
+
+    def on_body(self, body: bytes) -> None:
+        """A part of the body."""
+        self._content_bytes += len(body)
+        super().on_body(body)
 
     def on_message_complete(self) -> None:
         """The request is whole."""
@@ -204,26 +230,46 @@ class HttpConnection(HttpToolsProtocol):
             )
             raise Refused(HTTPStatus.REQUEST_HEADER_FIELDS_TOO_LARGE, detail)
 
+    def _count_extensions(self, size: int) -> None:
+        self._extension_bytes += max(size, 0)
+        if self._extension_bytes > CHUNK_BYTES:
+            detail = f"Chunk extensions must have at most {CHUNK_BYTES:,} bytes in all. Send chunks without them."
+            raise Refused(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, detail)
+
     def _check_head(self) -> None:
         """Raises Refused for what the parser lets pass, and RFC 9112 does not."""
         version = self.parser.get_http_version()
-        hosts = [value for name, value in self.headers if name == b"host"]
-        encodings = [value.lower() for name, value in self.headers if name == b"transfer-encoding"]
+        hosts, encodings = self._hosts_and_encodings()
         if version not in ("1.0", "1.1"):
             raise _bad("The version of HTTP must be 1.0 or 1.1.")
         if len(hosts) != 1 and (version == "1.1" or hosts):
             raise _bad("The header `Host` must be there once.")
-        if not all(map(_HOST.fullmatch, hosts)):
+        if not all(map(_is_host, hosts)):
             raise _bad("The header `Host` must be a name or an address, and perhaps `:PORT`.")
         if encodings and (version == "1.0" or encodings != [b"chunked"]):
             raise _bad("`Transfer-Encoding` must be `chunked`, and the version of HTTP 1.1.")
-        path, method = httptools.parse_url(self.url).path, self.parser.get_method()
+        path, method = self._path(), self.parser.get_method()
         if not path or b"#" in self.url or method == b"CONNECT" or (path == b"*" and method != b"OPTIONS"):
             raise _bad(_NO_PATH)
-        if _DOTS.search(path):
+        if (b"/." in path or b"%" in path) and _DOTS.search(path):
             raise _bad("The address must have no segments `.` and `..`: write the path that is meant.")
         if len(self.pipeline) >= _PIPELINED:
             raise _bad(f"At most {_PIPELINED} requests may wait for the answer to another one.")
+
+    def _hosts_and_encodings(self) -> tuple[list[bytes], list[bytes]]:
+        """Values of `Host` and `Transfer-Encoding`, found in one pass."""
+        hosts, encodings = [], []
+        for name, value in self.headers:
+            if name == b"host":
+                hosts.append(value)
+            elif name == b"transfer-encoding":
+                encodings.append(value.lower())
+        return hosts, encodings
+
+    def _path(self) -> bytes:
+        """The path of the address, which proxies may be sent with a scheme and a host before it."""
+        url = self.url
+        return url.partition(b"?")[0] if url.startswith(b"/") else httptools.parse_url(url).path
 
     def _expect_head(self) -> None:
         self._head_timer = self.loop.call_later(self._rules.head_seconds, self._give_up_head)
@@ -258,7 +304,7 @@ class HttpConnection(HttpToolsProtocol):
 
     def _start_asgi_task(self, cycle: RequestResponseCycle, app: ASGI3Application) -> None:
         """Have the application answer when it is the client's turn."""
-        self._rules.request_starts.add(network_of(self._address), lambda: self._start(cycle, app))
+        self._rules.request_starts.add(self._network, lambda: self._start(cycle, app))
 
     def _start(self, cycle: RequestResponseCycle, app: ASGI3Application) -> None:
         """Have the application answer, as long as somebody is there who waits for it."""
@@ -330,7 +376,7 @@ class HttpConnection(HttpToolsProtocol):
         self._stop_expecting_reading()
         if unread := self.unread:
             self._unread_timer = self.loop.call_later(self._rules.unread_seconds, self._check_reading, unread)
-            self._rules.unread_answers.add(self, network_of(self._address))
+            self._rules.unread_answers.add(self, self._network)
         else:
             self._rules.unread_answers.remove(self)
 
@@ -345,6 +391,12 @@ class HttpConnection(HttpToolsProtocol):
             self.cut_off()
         else:
             self._expect_reading()
+
+
+@lru_cache(256)
+def _is_host(value: bytes) -> bool:
+    """Whether this is a name or an address. Most requests have the same, and matching it costs as much as a header."""
+    return _HOST.fullmatch(value) is not None
 
 
 def _bad(detail: str) -> Refused:

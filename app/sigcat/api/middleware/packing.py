@@ -40,10 +40,9 @@ def _varying(send: Send) -> Send:
 
     async def varying_send(message: Message) -> None:
         if message["type"] == "http.response.start":
-            message.setdefault("headers", [])
-            headers = MutableHeaders(raw=message["headers"])
-            if "Accept-Encoding" not in headers.get("vary", ""):
-                headers.add_vary_header("Accept-Encoding")
+            headers = message.setdefault("headers", [])
+            if not any(name == b"vary" and b"Accept-Encoding" in value for name, value in headers):
+                MutableHeaders(raw=headers).add_vary_header("Accept-Encoding")
         await send(message)
 
     return varying_send

@@ -157,6 +157,7 @@ async def catalogue_at(name: str, library: Library, queue: ClientQueue) -> tuple
 def _variant_at(name: str, library: Library) -> tuple[Hosted, bool]:
     hosted, is_fixed = hosted_at(name, library)
     index_of(hosted.catalogue)
+    assert hosted.catalogue.digest
     return hosted, is_fixed
 
 

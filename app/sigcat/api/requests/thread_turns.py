@@ -1,6 +1,6 @@
 """Pages and answers that a thread makes: clients take turns, so that one who asks for many keeps no other one waiting."""
 
-from collections.abc import AsyncIterator, Callable, Iterable, Iterator, Mapping
+from collections.abc import AsyncIterator, Callable, Iterator
 from inspect import Parameter, iscoroutinefunction, signature
 from typing import Annotated, Any, ParamSpec, TypeVar
 
@@ -9,13 +9,15 @@ from fastapi.concurrency import run_in_threadpool
 from fastapi.responses import Response
 from fastapi.routing import APIRoute
 
-from sigcat.api.answers.negotiation import JSON, Data, answer
+from sigcat.api.answers.negotiation import ANY, JSON
 from sigcat.api.requests.clients import client_of
 from sigcat.api.work.quotas import mark_quota
 from sigcat.api.work.turns import Turns
+from sigcat.catalogue.model.catalogue import Node
 
 THREADS = 4
 """Of them are at work at once: they share one core, so more would only make all of them late, and what is read meanwhile."""
+_FEW_CHILDREN = 100
 _ASKING = "asking"
 _Arguments = ParamSpec("_Arguments")
 _Result = TypeVar("_Result")
@@ -48,11 +50,9 @@ async def parts_in_turn(request: Request, parts: Iterator[bytes]) -> AsyncIterat
         yield part
 
 
-async def answer_aside(request: Request, model: Data, rows: Iterable[Mapping[str, Any]] | None = None) -> Response:
-    """The same as `answer`; what takes long to write, which is all but JSON, in a thread: other requests go on meanwhile."""
-    if request.headers.get("accept", "*/*") in ("*/*", JSON):
-        return answer(request, model, rows)
-    return await in_thread(request, answer, request, model, rows)
+def is_for_the_loop(request: Request, node: Node) -> bool:
+    """Whether an answer about a node costs so little that it is made on the event loop: as JSON, with few children."""
+    return len(node.children) <= _FEW_CHILDREN and request.headers.get("accept", ANY) in (ANY, JSON)
 
 
 async def _asking(request: Request) -> Request:

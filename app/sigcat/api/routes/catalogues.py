@@ -22,7 +22,7 @@ from sigcat.api.requests.dependencies import (
     rules_of,
 )
 from sigcat.api.requests.long_reading import has_more, in_turn
-from sigcat.api.requests.thread_turns import InThread, answer_aside, parts_in_turn
+from sigcat.api.requests.thread_turns import InThread, in_thread, is_for_the_loop, parts_in_turn
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.model.catalogue import Catalogue, Node
@@ -32,7 +32,7 @@ from sigcat.catalogue.search import FACETS, SearchResult
 from sigcat.catalogue.search_filters import checked_filters
 from sigcat.digest import digest_of
 from sigcat.errors import NotFound, UsageError
-from sigcat.limits import ANSWER_DEPTH, NAME_CHARACTERS, PARAMETER_CHARACTERS, PROPOSAL_CHARACTERS
+from sigcat.limits import ANSWER_DEPTH, NAME_CHARACTERS, PARAMETER_CHARACTERS, PROPOSAL_CHARACTERS, SEARCH_WORDS
 from sigcat.names import did_you_mean, nearest
 
 listing = APIRouter(prefix="/api/v1/catalogues", tags=["catalogues"], route_class=InThread)
@@ -61,7 +61,7 @@ class SearchQuery(BaseModel):
 
     q: str = Field(
         "",
-        description="Words, in any order, of path, description or unit; a generated name; a static id.",
+        description=f"At most {SEARCH_WORDS} words, in any order, of path, description or unit; a generated name; a static id.",
         max_length=PARAMETER_CHARACTERS,
         examples=["wheel speed"],
     )
@@ -125,9 +125,11 @@ def get_catalogue(request: Request, hosted: TheCatalogue) -> Response:
 @router.get("/nodes/{path}", response_model=schemas.Node, responses=offered() | problem_documentation(404, 406, 422))
 async def get_node(request: Request, hosted: CatalogueOfNode, path: NodePath) -> Response:
     """A node with its children, and every attribute with its origin and history."""
-    node = find_node(hosted.catalogue, path)
+    node = await node_at(request, hosted.catalogue, path)
     judge_conditions(request)
-    return node_answer(request, hosted, node)
+    if is_for_the_loop(request, node):
+        return node_answer(request, hosted, node)
+    return await in_turn(request, [node], 1, node_answer, request, hosted, node)
 
 
 @router.get("/tree", response_model=schemas.TreeNode, responses=offered() | problem_documentation(404, 406, 422))
@@ -142,7 +144,7 @@ async def get_tree(
     depth: Annotated[int, Query(ge=0, le=ANSWER_DEPTH, description="Levels below the first node.")] = 1,
 ) -> Response:
     """A node and what stands below it, down to a depth."""
-    node = _root(hosted.catalogue) if path is None else find_node(hosted.catalogue, path)
+    node = _root(hosted.catalogue) if path is None else await node_at(request, hosted.catalogue, path)
     judge_conditions(request)
     if has_more([node], depth, settings.tree_nodes):
         message = f"The tree has more than {settings.tree_nodes:,} nodes. Ask for a branch, or for less depth."
@@ -155,7 +157,7 @@ async def get_tree(
     response_model=schemas.SearchPage,
     responses=offered("table") | problem_documentation(404, 406, 422),
 )
-async def search_nodes(
+def search_nodes(
     request: Request, hosted: TheCatalogue, settings: TheSettings, query: Annotated[SearchQuery, Query()]
 ) -> Response:
     """Nodes whose path, description or unit has all the words, best first, with counts for every filter."""
@@ -170,7 +172,7 @@ async def search_nodes(
         suggestions=list(result.did_you_mean),
         next_cursor=cursor,
     )
-    return await answer_aside(request, page, rows(hits))
+    return answer(request, page, rows(hits))
 
 
 @router.get(
@@ -178,7 +180,7 @@ async def search_nodes(
     response_model=schemas.NodePage,
     responses=offered("table") | problem_documentation(404, 406, 422),
 )
-async def list_nodes(
+def list_nodes(
     request: Request, hosted: TheCatalogue, settings: TheSettings, query: Annotated[RowQuery, Query()]
 ) -> Response:
     """Nodes with the fields that are asked for, and nothing else. CSV without a limit has all of them, as a stream."""
@@ -191,16 +193,16 @@ async def list_nodes(
     result, cursor = found(hosted, settings, query)
     mark_next_page(request, cursor)
     listed = [dict(zip(fields, row_of(node, fields), strict=True)) for node in result.nodes]
-    return await answer_aside(request, schemas.NodePage(total=result.total, rows=listed, next_cursor=cursor), listed)
+    return answer(request, schemas.NodePage(total=result.total, rows=listed, next_cursor=cursor), listed)
 
 
 @router.get(
     "/units", response_model=schemas.UnitList, responses=offered("table") | problem_documentation(404, 406, 422)
 )
-async def list_units(request: Request, hosted: TheCatalogue) -> Response:
+def list_units(request: Request, hosted: TheCatalogue) -> Response:
     """The units that the catalogue knows."""
     units = [serializers.unit_schema(unit) for unit in hosted.catalogue.vocabulary.distinct_units]
-    return await answer_aside(request, schemas.UnitList(units=units), rows(units))
+    return answer(request, schemas.UnitList(units=units), rows(units))
 
 
 @router.get(
@@ -208,11 +210,11 @@ async def list_units(request: Request, hosted: TheCatalogue) -> Response:
     response_model=schemas.QuantityList,
     responses=offered("table") | problem_documentation(404, 406, 422),
 )
-async def list_quantities(request: Request, hosted: TheCatalogue) -> Response:
+def list_quantities(request: Request, hosted: TheCatalogue) -> Response:
     """The quantities that the units measure."""
     known = hosted.catalogue.vocabulary.quantities.values()
     quantities = [serializers.quantity_schema(quantity) for quantity in known]
-    return await answer_aside(request, schemas.QuantityList(quantities=quantities), rows(quantities))
+    return answer(request, schemas.QuantityList(quantities=quantities), rows(quantities))
 
 
 def found(hosted: Hosted, settings: Settings, query: SearchQuery) -> tuple[SearchResult, str | None]:
@@ -300,6 +302,12 @@ def node_answer(request: Request, hosted: Hosted, node: Node) -> Response:
 
 def _tree_answer(request: Request, node: Node, depth: int) -> Response:
     return answer(request, serializers.tree_node(node, depth))
+
+
+async def node_at(request: Request, catalogue: Catalogue, path: str) -> Node:
+    """The node at a path. A thread looks for the nearest paths of one that does not exist."""
+    node = catalogue.get(path)
+    return await in_thread(request, find_node, catalogue, path) if node is None else node
 
 
 def find_node(catalogue: Catalogue, path: str) -> Node:

@@ -1,15 +1,15 @@
 """The operation that is asked most, without FastAPI around it: that takes several times as long as its answer.
 
 The operation stays where it is, and describes itself in the OpenAPI document. The shortcut answers plain requests for nodes that
-exist; any other goes on to the operation, which checks what it has to.
+exist and have few children; any other goes on to the operation, which checks what it has to.
 """
 
 from fastapi import Request
 from fastapi.responses import Response
-from starlette.exceptions import HTTPException
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from sigcat.api.requests.dependencies import library_of, mark_catalogue
+from sigcat.api.requests.thread_turns import is_for_the_loop
 from sigcat.api.routes.catalogues import node_answer, router
 
 _LONGEST = 200
@@ -50,12 +50,8 @@ def _answer(scope: Scope) -> Response | None:
     request = Request(scope)
     hosted = library_of(request).find(catalogue)
     node = hosted and hosted.catalogue.get(name)
-    if hosted is None or node is None:
+    if hosted is None or node is None or not is_for_the_loop(request, node):
         return None
     mark_catalogue(request, hosted, is_fixed=False)
-    try:
-        response = node_answer(request, hosted, node)
-    except HTTPException:  # of a form that there is not
-        return None
     scope["state"]["route"] = _ROUTE  # for the log and the metrics
-    return response
+    return node_answer(request, hosted, node)

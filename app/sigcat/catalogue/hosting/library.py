@@ -119,8 +119,9 @@ class Library:
 
 
 def _indexed(hosted: Hosted) -> Hosted:
-    """The same, once its words are ready: no request waits for them."""
+    """The same, once its words and its digest are ready: no request waits for them."""
     index_of(hosted.catalogue)
+    assert hosted.catalogue.digest
     return hosted
 
 

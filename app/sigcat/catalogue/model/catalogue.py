@@ -126,6 +126,20 @@ class Catalogue:
         """The branch above a node; None above a root."""
         return self.nodes.get(parent_path(node.path))
 
+    def beside(self, node: Node) -> tuple[Node | None, Node | None]:
+        """The siblings before and after a node."""
+        parent = self.parent(node)
+        siblings = parent.children if parent else self.roots
+        position = self._positions[node.path]
+        before = siblings[position - 1] if position else None
+        return before, siblings[position + 1] if position + 1 < len(siblings) else None
+
+    @cached_property
+    def _positions(self) -> Mapping[str, int]:
+        """The place of each node among its siblings."""
+        families = (self.roots, *(node.children for node in self.nodes.values()))
+        return {node.path: position for family in families for position, node in enumerate(family)}
+
     def unit(self, node: Node) -> Unit | None:
         """The unit of a node's values."""
         key = node.values.get("unit")

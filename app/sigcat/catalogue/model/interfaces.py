@@ -64,6 +64,6 @@ def by_interface_name(paths: Iterable[str]) -> dict[str, str]:
     """Paths of error, safety reaction, mode and scheduling interfaces by interface name; the first one counts."""
     named: dict[str, str] = {}
     for path in paths:
-        if category_of(path) not in (None, "data"):
-            named.setdefault(interface_name(path), path)
+        if FUNCTION_BRANCH in path and (name := interface_name(path)) != path:
+            named.setdefault(name, path)
     return named

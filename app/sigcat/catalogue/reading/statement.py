@@ -72,6 +72,15 @@ class Statement:
         line_of_key, _, lines_between, column = unpacked_mark(mark)
         return Origin(self.file.name, line_of_key + lines_between + 1, column + 1, self.file.overlay)
 
+    def origins(self) -> Iterator[tuple[str, Origin]]:
+        """Each attribute with the position of its value."""
+        if not self._marks:  # positions are known elsewhere
+            yield from ((name, self.origin(name)) for name in self.values)
+        file, overlay = self.file.name, self.file.overlay
+        for name, mark in zip(self.values, self._marks, strict=False):
+            line_of_key, _, lines_between, column = unpacked_mark(mark)
+            yield name, Origin(file, line_of_key + lines_between + 1, column + 1, overlay)
+
     def origin_of_key(self, attribute: str) -> Origin:
         """Position of the name of an attribute."""
         line, column, _, _ = unpacked_mark(self._mark(attribute))

@@ -1,6 +1,7 @@
 """A declaration, resolved: each interface once, against the catalogue that knows what the file defines."""
 
 from collections.abc import Iterable
+from functools import lru_cache
 from pathlib import PurePath
 from typing import NamedTuple
 
@@ -115,8 +116,14 @@ def _provenance(document: Document, context: Context) -> Provenance:
 
 def _layers(catalogue: Catalogue) -> tuple[CatalogueLayer, ...]:
     """Each file once: one that defines interfaces and struct types is a layer of both trees."""
-    layers = dict.fromkeys((PurePath(layer.name).name, layer.digest) for layer in catalogue.layers)
+    layers = dict.fromkeys((_file_name(layer.name), layer.digest) for layer in catalogue.layers)
     return tuple(CatalogueLayer(name=name, digest=digest) for name, digest in layers)
+
+
+@lru_cache(2048)
+def _file_name(path: str) -> str:
+    """The name of a file. Each function of a set has the same layers, those of all others among them."""
+    return PurePath(path).name
 
 
 def _carried(nodes: Iterable[DefinedNode]) -> tuple[DefinedInterface, ...] | None:

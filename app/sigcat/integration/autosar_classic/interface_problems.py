@@ -12,6 +12,7 @@ from sigcat.integration.autosar_classic.model import (
     ParameterInterface,
     SenderReceiverInterface,
 )
+from sigcat.integration.autosar_classic.platform_types import WHOLE_NUMBERS
 from sigcat.integration.autosar_classic.problem import names, unknown
 from sigcat.integration.checked_document import Problem
 
@@ -72,7 +73,7 @@ def _modes(group: ModeGroup, at: Pointer, base: str) -> Iterator[Problem]:
     if base not in _MODE_TYPES:
         yield unknown((*at, "Type"), f"type that is {', '.join(_MODE_TYPES)}", group.type)
         return
-    largest = 2 ** int(base.removeprefix("uint")) - 1
+    _, largest = WHOLE_NUMBERS[base]
     places: list[tuple[Pointer, int]] = [((*at, "Modes", i, "Value"), mode.value) for i, mode in enumerate(group.modes)]
     places.append(((*at, "OnTransitionValue"), group.on_transition))
     seen: set[int] = set()

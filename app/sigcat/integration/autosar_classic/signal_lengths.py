@@ -10,9 +10,8 @@ from sigcat.integration.autosar_classic.model import (
     DataConstraint,
     ImplementationType,
 )
+from sigcat.integration.autosar_classic.platform_types import FLOATS, WHOLE_NUMBERS
 from sigcat.integration.autosar_classic.used_types import element_types
-
-_FLOATS = ("float32", "float64")
 
 
 class Need(NamedTuple):
@@ -69,13 +68,13 @@ class _Types:
 
     def _of_number(self, each: ImplementationType, meant: ApplicationType | None) -> Need | None:
         base = self._base(each)
-        if base in _FLOATS:
+        if base in FLOATS:
             return Need(int(base.removeprefix("float")), has_floats=True)
         method = self._methods.get((meant and meant.compu_method) or each.compu_method or "")
         if method is not None and method.symbols:
             numbers = [symbol.value for symbol in method.symbols]
             return Need(_bits(min(numbers), max(numbers)), has_floats=False)
-        limits = _limits(base)
+        limits = WHOLE_NUMBERS.get(base)
         if limits is None:
             return None
         constraint = self._constraints.get((meant and meant.constraint) or "")
@@ -88,17 +87,6 @@ class _Types:
                 break
             each = self._implementation[each.base]
         return each.base or each.name
-
-
-def _limits(base: str) -> tuple[int, int] | None:
-    """Range of a platform type of whole numbers."""
-    if base == "boolean":
-        return 0, 1
-    kind, digits = base[:4], base[4:]
-    if kind not in ("uint", "sint") or digits not in ("8", "16", "32", "64"):
-        return None
-    width = int(digits)
-    return (0, 2**width - 1) if kind == "uint" else (-(2 ** (width - 1)), 2 ** (width - 1) - 1)
 
 
 def _narrowed(limits: tuple[int, int], constraint: DataConstraint | None) -> tuple[int, int]:

@@ -4,15 +4,11 @@ from collections.abc import Iterator
 
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.model import ApplicationType, ClassicIntegration, ImplementationType
+from sigcat.integration.autosar_classic.platform_types import FLOATS, WHOLE_NUMBERS
 from sigcat.integration.autosar_classic.problem import names, unknown
 from sigcat.integration.checked_document import Problem
 
-PLATFORM_TYPES = (
-    "boolean",
-    *(f"{kind}{size}" for kind in ("uint", "sint") for size in (8, 16, 32, 64)),
-    "float32",
-    "float64",
-)
+PLATFORM_TYPES = (*WHOLE_NUMBERS, *FLOATS)
 """Types that every platform has (AUTOSAR_SWS_PlatformTypes)."""
 
 

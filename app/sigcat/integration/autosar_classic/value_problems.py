@@ -5,10 +5,9 @@ from typing import Any, NamedTuple, Union
 
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.model import ClassicIntegration, ImplementationType, Port
+from sigcat.integration.autosar_classic.platform_types import FLOATS, WHOLE_NUMBERS
 from sigcat.integration.autosar_classic.used_types import element_types
 from sigcat.integration.checked_document import Problem
-
-_LARGEST_FLOAT = {"float32": 3.4028234663852886e38, "float64": 1.7976931348623157e308}
 
 
 class _Shape(NamedTuple):
@@ -115,22 +114,16 @@ def _struct(value: dict[str, Any], shape: _Shape, at: Pointer) -> Iterator[Probl
 
 
 def _number(value: Any, base: str, at: Pointer) -> Iterator[Problem]:
+    if base not in WHOLE_NUMBERS and base not in FLOATS:
+        return  # `type_problems` reports it
     if isinstance(value, str | list | dict) or (isinstance(value, bool) and base != "boolean"):
         yield Problem(at, f"The initial value must be a number for {base}, not {_shown(value)}.", "Correct it.")
         return
-    low, high = _range(base)
+    low, high = WHOLE_NUMBERS.get(base) or (-FLOATS[base], FLOATS[base])
     if not low <= value <= high:
         yield Problem(at, f"The initial value must be from {low} to {high} for {base}, not {value}.", "Correct it.")
-    elif base not in _LARGEST_FLOAT and int(value) != value:
+    elif base in WHOLE_NUMBERS and int(value) != value:
         yield Problem(at, f"The initial value must be a whole number for {base}, not {value}.", "Correct it.")
-
-
-def _range(base: str) -> tuple[float, float]:
-    """Smallest and largest value of a platform type; of another type those of the largest."""
-    if base in _INTEGERS:
-        return _INTEGERS[base]
-    largest = _LARGEST_FLOAT.get(base, _LARGEST_FLOAT["float64"])
-    return -largest, largest
 
 
 def _shown(value: Any) -> str:

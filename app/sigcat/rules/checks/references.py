@@ -41,10 +41,11 @@ def names_in(definition: Definition, attribute: str) -> list[str]:
 def cycle(rule: Rule, tree: Tree) -> TreeTest:
     """Following `attribute` from interface to interface forms no cycle."""
     attribute = rule.options["attribute"]
+    top = attribute.partition(".")[0]
 
     def test() -> Iterator[Problem]:
         reported: set[str] = set()
-        for name in tree.interfaces:
+        for name in [name for name, definition in tree.interfaces.items() if top in definition.values]:
             names = () if name in reported else _cycle_through(name, attribute, tree.interfaces)
             if names:
                 reported.update(names)

@@ -21,11 +21,11 @@ from sigcat.api.requests.dependencies import (
 )
 from sigcat.api.requests.long_reading import in_turn
 from sigcat.api.requests.thread_turns import InThread
-from sigcat.api.routes.catalogues import SearchQuery, find_node, page_size, searched_state
+from sigcat.api.routes.catalogues import SearchQuery, find_node, node_at, page_size, searched_state
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.hosting.variants import folding, instance_counts, overlay_switches, stand_in
 from sigcat.catalogue.model.catalogue import Node
-from sigcat.catalogue.search import FACETS
+from sigcat.catalogue.search import FACETS, SearchResult
 from sigcat.catalogue.search_filters import checked_filters
 from sigcat.errors import UsageError
 from sigcat.findings import SEVERITIES
@@ -94,7 +94,7 @@ async def list_rows(
     version: Annotated[str, Query(alias="v")] = "",
 ) -> Response:
     """Compact rows below a branch, for the tree in the browser. An address with the right version never changes."""
-    nodes = find_node(hosted.catalogue, path).children if path else hosted.catalogue.roots
+    nodes = (await node_at(request, hosted.catalogue, path)).children if path else hosted.catalogue.roots
     levels = min(depth, _DEEPEST) - 1
     return await in_turn(request, nodes, levels, _rows_answer, hosted, functions, nodes, levels, version)
 
@@ -116,11 +116,10 @@ def show_search(
 ) -> Response:
     """Search results with the counts of every filter. A filter that no node can have is refused, as in the API."""
     text = query.q[: settings.query_characters]
-    refusal = _refusal(query, hosted)
     state = searched_state(hosted, query)
     offset = offset_of(query.cursor, state) if query.cursor else 0
     limit = page_size(query.limit, settings)
-    result = hosted.search_index.search(text, query.filters, limit=limit, offset=offset, each_instance=query.instances)
+    refusal, result = _searched(hosted, query, text, limit, offset)
     following = offset + len(result.hits)
     return page(
         request,
@@ -173,13 +172,18 @@ def no_icon(page_name: str) -> Response:  # noqa: ARG001 - browsers ask for it e
     return Response(status_code=204)
 
 
-def _refusal(query: SearchQuery, hosted: Hosted) -> str:
-    """Why the filters of a search are refused; empty where they are not."""
+def _searched(hosted: Hosted, query: SearchQuery, text: str, limit: int, offset: int) -> tuple[str, SearchResult]:
+    """Why a search is refused, empty where it is not, and what it finds: with a filter that is refused, the counts of others."""
+    refusal, index = "", hosted.search_index
     try:
-        checked_filters(query.filters, hosted.catalogue, hosted.search_index)
+        checked_filters(query.filters, hosted.catalogue, index)
     except UsageError as error:
-        return str(error)
-    return ""
+        refusal = str(error)
+    try:
+        result = index.search(text, query.filters, limit=limit, offset=offset, each_instance=query.instances)
+    except UsageError as error:
+        return str(error), SearchResult((), 0, {})
+    return refusal, result
 
 
 def _tree(request: Request, hosted: Hosted, path: str, opened: str, start: int) -> Response:

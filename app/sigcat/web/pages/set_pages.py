@@ -11,9 +11,7 @@ from sigcat.api.requests.dependencies import (
     NamedCatalogue,
     PostedBody,
     TheFunctions,
-    TheLibrary,
     TheWorkQueue,
-    functions_of,
     settings_of,
 )
 from sigcat.catalogue.hosting.library import Hosted
@@ -26,7 +24,7 @@ from sigcat.function.hosted_comparisons import HostedComparisons
 from sigcat.function.hosted_files import HostedFiles
 from sigcat.function.hosting import functions_over
 from sigcat.limits import PAGE_FINDINGS, PAGE_FUNCTIONS, Limits
-from sigcat.web.forms import Form, PostedFile, form_catalogue, read_form
+from sigcat.web.forms import PostedFile, PostedForm, form_catalogue, posted_form, read_form
 from sigcat.web.pictures.timeline import time_line
 from sigcat.web.pictures.wiring_diagram import wiring_diagram
 from sigcat.web.rendering import page_for
@@ -49,7 +47,7 @@ from sigcat.web.views.generated_documents import (
     document_named,
     integrations_of,
 )
-from sigcat.web.views.source_view import SourceView, shown_text, source_view
+from sigcat.web.views.source_view import SourceView, is_shown_whole, shown_text, source_view
 from sigcat.web.visits import Visit, visit_of
 
 router = APIRouter()
@@ -91,13 +89,11 @@ async def show_wiring(
 
 
 @router.post("/wiring")
-async def connect_posted(request: Request, library: TheLibrary, queue: TheWorkQueue, body: PostedBody) -> Response:
+async def connect_posted(request: Request, functions: TheFunctions, queue: TheWorkQueue, body: PostedBody) -> Response:
     """The same page for posted functions, together with the hosted ones that are named. Nothing of them is kept."""
-    form = await read_form(body, request.headers.get("content-type", ""))
-    hosted = await form_catalogue(form, library, queue)
-    known = functions_of(request)
-    asked = Asked(visit_of(request), hosted, known.files, settings_of(request).limits, known.comparisons)
-    return await queue.run(_posted, asked, form)
+    posted = posted_form(body, request.headers.get("content-type", ""))
+    limits = settings_of(request).limits
+    return await queue.run(_posted, visit_of(request), posted, functions.files, limits, functions.comparisons)
 
 
 @router.get("/wiring/files/{document_id}")
@@ -127,7 +123,11 @@ def _shown(asked: Asked, chosen: Sequence[str], view: str, *, is_writing: bool) 
     return _page(asked, chosen, together, view=view, is_writing=is_writing)
 
 
-def _posted(asked: Asked, form: Form) -> Response:
+def _posted(
+    visit: Visit, posted: PostedForm, known: HostedFiles, limits: Limits, comparisons: HostedComparisons
+) -> Response:
+    form = read_form(posted)
+    asked = Asked(visit, form_catalogue(form, visit.library), known, limits, comparisons)
     chosen = tuple(dict.fromkeys(form.every("f")))
     own = distinct((*form.files, *documents_in(form.text("text"))))
     files = (*chosen_files(asked.files, chosen), *own)
@@ -157,6 +157,7 @@ def _page(
 ) -> Response:
     functions = functions_over(asked.files, asked.catalogue)
     sets = known_sets(asked.files)
+    own_text = as_text(own)
     return page_for(
         asked.visit,
         "wiring.html",
@@ -168,7 +169,8 @@ def _page(
         chosen=chosen,
         own=own,
         is_writing=is_writing or (bool(own) and not together.functions),
-        own_text=as_text(own),
+        own_text=own_text,
+        is_own_text_shown=is_shown_whole(own_text),
         **_findings(together.findings, own),
         wiring=together.wiring,
         conversions=signal_conversions,

@@ -10,10 +10,8 @@ from sigcat.api.requests.dependencies import (
     NamedCatalogue,
     PostedBody,
     TheFunctions,
-    TheLibrary,
     TheRules,
     TheWorkQueue,
-    functions_of,
     settings_of,
 )
 from sigcat.api.routes.catalogues import find_node
@@ -33,7 +31,7 @@ from sigcat.function.hosted_files import FILE, HostedFiles
 from sigcat.function.hosting import file_of
 from sigcat.limits import Limits
 from sigcat.rules.linting.posted import lint_text
-from sigcat.web.forms import Form, form_catalogue, read_form
+from sigcat.web.forms import Form, PostedForm, form_catalogue, posted_form, read_form
 from sigcat.web.pictures.interface_diagram import interface_diagram
 from sigcat.web.pictures.timeline import time_line
 from sigcat.web.rendering import page_for
@@ -118,13 +116,12 @@ async def show_try(
 
 @router.post("/try")
 async def try_text(
-    request: Request, library: TheLibrary, rules: TheRules, queue: TheWorkQueue, body: PostedBody
+    request: Request, rules: TheRules, functions: TheFunctions, queue: TheWorkQueue, body: PostedBody
 ) -> Response:
     """The page with what was found in the posted text, or a document made of it. Nothing of it is kept."""
-    form = await read_form(body, request.headers.get("content-type", ""))
-    hosted = await form_catalogue(form, library, queue)
-    asked = Asked(visit_of(request), hosted, rules, functions_of(request).files, settings_of(request).limits)
-    return await queue.run(_tried_form, asked, form)
+    posted = posted_form(body, request.headers.get("content-type", ""))
+    limits = settings_of(request).limits
+    return await queue.run(_tried_form, visit_of(request), posted, rules, functions.files, limits)
 
 
 def _begun(asked: Asked, kind: Kind, example: str, change: str, below: str) -> Response:
@@ -132,7 +129,9 @@ def _begun(asked: Asked, kind: Kind, example: str, change: str, below: str) -> R
     return _page(asked, kind, text, _judged(asked, kind, text.encode("utf-8", "replace")))
 
 
-def _tried_form(asked: Asked, form: Form) -> Response:
+def _tried_form(visit: Visit, posted: PostedForm, rules: ServiceRules, files: HostedFiles, limits: Limits) -> Response:
+    form = read_form(posted)
+    asked = Asked(visit, form_catalogue(form, visit.library), rules, files, limits)
     given = form.last("kind", "overlay")
     kind = next((each for each in KINDS if each == given), None)
     if kind is None:

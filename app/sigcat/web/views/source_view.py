@@ -6,6 +6,10 @@ from typing import NamedTuple
 from sigcat.api.answers.schemas import Finding as ShownFinding
 from sigcat.api.answers.serializers import finding_schema
 from sigcat.findings import SEVERITIES, Finding
+from sigcat.limits import PAGE_FINDINGS, PAGE_LINES, PAGE_TEXT_CHARACTERS
+
+_LINE_CHARACTERS = 500
+"""Characters of a line of a text that is not shown whole."""
 
 
 class Line(NamedTuple):
@@ -19,15 +23,21 @@ class Line(NamedTuple):
 
 
 class SourceView(NamedTuple):
-    """All lines, and what concerns the text as a whole."""
+    """The lines, of a long text only those with findings, and what concerns the text as a whole."""
 
     lines: tuple[Line, ...]
     general: tuple[ShownFinding, ...]
+    is_whole: bool = True
 
 
 def shown_text(data: bytes) -> str:
     """What a file holds as a field of a form takes it: without byte order mark, and LF at the ends of its lines."""
     return data.decode("utf-8", "replace").removeprefix("\ufeff").replace("\r\n", "\n")
+
+
+def is_shown_whole(text: str) -> bool:
+    """Whether a page repeats a text."""
+    return len(text) <= PAGE_TEXT_CHARACTERS and text.count("\n") < PAGE_LINES
 
 
 def source_view(text: str, findings: Iterable[Finding]) -> SourceView:
@@ -37,6 +47,10 @@ def source_view(text: str, findings: Iterable[Finding]) -> SourceView:
     for finding in findings:
         line = finding.line if finding.line <= len(texts) else 0
         by_line.setdefault(line, []).append(finding_schema(finding))
+    if not is_shown_whole(text):
+        found = sorted(by_line.keys() - {0})[:PAGE_FINDINGS]
+        marked = (_line(index, texts[index - 1][:_LINE_CHARACTERS], by_line[index]) for index in found)
+        return SourceView(tuple(marked), tuple(by_line.get(0, ())), is_whole=False)
     lines = (_line(index, content, by_line.get(index, [])) for index, content in enumerate(texts, 1))
     return SourceView(tuple(lines), tuple(by_line.get(0, ())))
 

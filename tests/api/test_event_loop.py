@@ -1,0 +1,196 @@
+"""Whatever is not a lookup by key runs outside the event loop: no request, however much it asks for, keeps others waiting.
+
+Each route has here its most expensive legal requests. A new route fails until it has some.
+"""
+
+import subprocess
+import sys
+from collections.abc import Iterator, Mapping
+from functools import partial
+from types import MappingProxyType
+from typing import NamedTuple
+
+import httpx
+import pytest
+
+from sigcat.api.settings import DEFAULT_SETTINGS
+from sigcat.api.tokens import new_token
+from sigcat.catalogue.exporting.exporters import EXPORTERS
+from sigcat.data import EXAMPLES
+from sigcat.limits import SEARCH_WORDS
+from sigcat.platforms.table import PLATFORMS
+from tests.api.loop_lag import ADDRESS
+from tests.api.served_routes import served_routes
+from tests.clients.generating import ROOT
+from tests.waiting import DEADLINE
+
+MOST = 0.05
+"""Seconds of the processor for which the loop may stand still."""
+TRIES = 3
+"""A process looks for garbage now and then; a request that blocks the loop does so each time."""
+SECRET, TOKEN = new_token("operator", ["read", "reload"])
+WIDE = "/api/v1/catalogues/wide"
+SMALL = "/api/v1/catalogues/small"
+WORDS = "+".join(chr(ord("a") + number % 26) for number in range(SEARCH_WORDS))
+METADATA = "%7B%22type%22%3A%22static-metadata%22%2C%22parameter%22%3A%22%22%7D"
+MISSPELLED = "Vehicle.Part.Row1.Place1.Spee" + "d" * 400
+FORM = {"Content-Type": "application/x-www-form-urlencoded"}
+MULTIPART = {"Content-Type": "multipart/form-data; boundary=x"}
+YAML, CSV = {"Accept": "application/yaml"}, {"Accept": "text/csv"}
+BODY = DEFAULT_SETTINGS.body_bytes
+FORMS = (
+    (FORM, b"text=" + b"%" * (BODY - 5)),
+    (FORM, b"text=" + b"%41" * (BODY // 3 - 2)),
+    (MULTIPART, b'--x\r\nContent-Disposition: form-data; name="text"\r\n\r\n' + b"\r\n--y" * (BODY // 6) + b"\r\n--x--\r\n"),
+)  # fmt: skip
+LINES = b"a: b\n" * (BODY // 5)
+FUNCTION = (EXAMPLES / "core_acc/function.yaml").read_bytes()
+SIGNAL = "Vehicle.S{0}: {{type: sensor, datatype: float, description: Signal number {0} of a wide tree.}}\n"
+TREE = (
+    "Vehicle: {type: branch, description: A vehicle.}\n"
+    "Vehicle.Part: {type: branch, instances: ['Row[1,60]', 'Place[1,80]'], description: A part.}\n"
+    "Vehicle.Part.Speed: {type: sensor, datatype: float, description: Speed of a part.}\n"
+)
+"""With the signals below: as many nodes as one answer may have, most of them below one branch."""
+
+
+class Costly(NamedTuple):
+    """A request."""
+
+    address: str
+    headers: Mapping[str, str] = MappingProxyType({})
+    body: bytes = b""
+
+
+def post(address: str, *bodies: bytes) -> list[Costly]:
+    return [Costly(address, {}, body) for body in bodies]
+
+
+def get(*addresses: str) -> list[Costly]:
+    return [Costly(address) for address in addresses]
+
+
+def forms(address: str) -> list[Costly]:
+    return [Costly(address, headers, body) for headers, body in FORMS]
+
+
+_DOCUMENT = b"[" * 60 + b"0," * (BODY // 2 - 100)
+COSTLY: dict[str, list[Costly]] = {
+    "GET /": get("/", "/?open=*"),
+    "GET /api/v1/catalogues": [*get("/api/v1/catalogues"), Costly("/api/v1/catalogues", YAML)],
+    "GET /api/v1/catalogues/{catalogue}": [*get(WIDE, f"{WIDE}~folded"), Costly(WIDE, YAML)],
+    "GET /api/v1/catalogues/{catalogue}/diff": get(f"{WIDE}/diff?to=interfaces"),
+    "GET /api/v1/catalogues/{catalogue}/export/{format}": get(f"{WIDE}/export/{'x' * 200}"),
+    "GET /api/v1/catalogues/{catalogue}/nodes": [
+        *get(f"{WIDE}/nodes?q=vehicle&limit=200", f"{WIDE}/nodes?q={WORDS}"),
+        Costly(f"{WIDE}/nodes", CSV),
+        Costly(f"{WIDE}/nodes?q=vehicle&limit=200", YAML),
+    ],
+    "GET /api/v1/catalogues/{catalogue}/nodes/{path}": [
+        *get(f"{WIDE}/nodes/Vehicle", f"{WIDE}/nodes/{MISSPELLED}", f"{WIDE}/nodes/Vehicle.S7000"),
+        Costly(f"{WIDE}/nodes/Vehicle", YAML),
+    ],
+    "GET /api/v1/catalogues/{catalogue}/quantities": [Costly("/api/v1/catalogues/interfaces/quantities", YAML)],
+    "GET /api/v1/catalogues/{catalogue}/search": [
+        *get(f"{WIDE}/search?q={WORDS}", f"{WIDE}/search?q=vehicl3+sped+desc", f"{WIDE}/search?limit=200&instances=true"),
+        Costly(f"{WIDE}/search?q=s&limit=200", YAML),
+    ],
+    "GET /api/v1/catalogues/{catalogue}/tree": [
+        *get(f"{WIDE}/tree?depth=64", f"{WIDE}~folded/tree?depth=64", f"{WIDE}/tree?path={MISSPELLED}"),
+        Costly(f"{WIDE}/tree?depth=64", YAML),
+        Costly(f"{WIDE}/tree?depth=64", {"Accept-Encoding": "identity"}),
+    ],
+    "GET /api/v1/catalogues/{catalogue}/units": [Costly("/api/v1/catalogues/interfaces/units", YAML)],
+    "GET /api/v1/catalogues/{catalogue}/viss/{path:path}": get(f"{WIDE}/viss/Vehicle?filter={METADATA}"),
+    "GET /api/v1/rules": [*get("/api/v1/rules"), Costly("/api/v1/rules", YAML), Costly("/api/v1/rules", CSV)],
+    "GET /api/v1/rules/{rule_id}": get("/api/v1/rules/V102", f"/api/v1/rules/{'V' * 300}"),
+    "GET /api/v1/schemas": get("/api/v1/schemas"),
+    "GET /api/v1/schemas/{name}.json": get("/api/v1/schemas/function.json", f"/api/v1/schemas/{'f' * 300}.json"),
+    "GET /catalogues/{catalogue}": get("/catalogues/wide"),
+    "GET /changes": get("/changes?old=interfaces&new=wide"),
+    "GET /docs": get("/docs"),
+    "GET /functions": get("/functions", "/functions?catalogue=wide"),
+    "GET /functions.json": get("/functions.json", "/functions.json?catalogue=wide"),
+    "GET /functions/sets/{set_id}/compare": get("/functions/sets/ecocontrol/compare"),
+    "GET /functions/sets/{set_id}/compare.json": get("/functions/sets/ecocontrol/compare.json"),
+    "GET /functions/{function_id}": get(
+        "/functions/core_acc?view=ros2", "/functions/core_acc.json", "/functions/eco_control_mpc?view=run", "/functions/x"
+    ),
+    "GET /functions/{function_id}/files/{document_id}": get("/functions/core_acc/files/source", "/functions/core_acc/files/x"),
+    "GET /functions/{function_id}/runs.json": get("/functions/core_acc/runs.json"),
+    "GET /functions/{function_id}/runs/{run_id}": get("/functions/core_acc/runs/drive", "/functions/core_acc/runs/x"),
+    "GET /health/live": get("/health/live"),
+    "GET /health/ready": get("/health/ready"),
+    "GET /metrics": get("/metrics"),
+    "GET /openapi.json": get("/openapi.json"),
+    "GET /problems/{kind}": get("/problems/busy", f"/problems/{'x' * 300}"),
+    "GET /rows/{catalogue}": get("/rows/wide?depth=99", f"/rows/wide?path={MISSPELLED}"),
+    "GET /rules": get("/rules", "/rules?catalogue=wide"),
+    "GET /rules/{rule_id}": get("/rules/V102?catalogue=wide", f"/rules/{'V' * 300}"),
+    "GET /search/{catalogue}": get(f"/search/wide?q={WORDS}", "/search/wide?q=vehicl3+sped", "/search/wide?limit=200"),
+    "GET /tree/{catalogue}": get("/tree/wide?open=*", "/tree/wide~folded?open=*"),
+    "GET /tree/{catalogue}/{path}": get("/tree/wide/Vehicle?open=*", f"/tree/wide/{MISSPELLED}", "/tree/wide/Vehicle.json"),
+    "GET /try": get("/try", "/try?kind=function", "/try?catalogue=wide&change=Vehicle", "/try?catalogue=wide&below=Vehicle"),
+    "GET /units/{catalogue}": get("/units/interfaces"),
+    "GET /wiring": get("/wiring", "/wiring?catalogue=wide&view=ros2"),
+    "GET /wiring.json": get("/wiring.json"),
+    "GET /wiring/files/{document_id}": get("/wiring/files/ros2", f"/wiring/files/{'x' * 300}"),
+    "GET /{page_name}.ico": get("/favicon.ico"),
+    "POST /api/v1/catalogues/{catalogue}/reload": post(f"{WIDE}/reload", b""),
+    "POST /api/v1/catalogues/{catalogue}/trial": post(
+        f"{WIDE}/trial", LINES, b"Vehicle.Part: {type: branch, instances: ['A[1,300]', 'B[1,300]'], description: X.}"
+    ),
+    "POST /api/v1/functions/build": post("/api/v1/functions/build?catalogue=interfaces", FUNCTION, _DOCUMENT),
+    "POST /api/v1/functions/reload": post("/api/v1/functions/reload", b""),
+    "POST /api/v1/functions/validate": post("/api/v1/functions/validate?catalogue=wide", FUNCTION, _DOCUMENT, LINES),
+    "POST /api/v1/generate/core": post("/api/v1/generate/core?catalogue=interfaces", FUNCTION, _DOCUMENT),
+    "POST /api/v1/integrate/{platform}": post("/api/v1/integrate/ros2?catalogue=interfaces", FUNCTION, _DOCUMENT),
+    "POST /api/v1/integrate/{platform}/archive": post(
+        "/api/v1/integrate/autosar-classic/archive?catalogue=interfaces", FUNCTION, _DOCUMENT
+    ),
+    "POST /api/v1/lint": post("/api/v1/lint?catalogue=wide", LINES, _DOCUMENT, b"Vehicle.*: {max: 1}\n" * 1000),
+    "POST /try": forms("/try"),
+    "POST /wiring": forms("/wiring"),
+    **{f"GET /api/v1/catalogues/{{catalogue}}/export/{name}": get(f"{SMALL}/export/{name}") for name in EXPORTERS},
+    **{
+        f"POST /api/v1/generate/{generator.name}": post(f"/api/v1/generate/{generator.name}", _DOCUMENT)
+        for platform in PLATFORMS.values()
+        for generator in platform.generators
+    },
+}  # fmt: skip
+COSTLY["GET /api/v1/catalogues/{catalogue}/export/json"] += get(f"{WIDE}/export/json")
+
+
+def test_every_route_has_its_most_expensive_requests() -> None:
+    assert set(served_routes()) == set(COSTLY)
+
+
+@pytest.fixture(scope="module")
+def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
+    folder = tmp_path_factory.mktemp("watched")
+    (folder / "tree.vspec").write_text(TREE + "".join(map(SIGNAL.format, range(9_000))))
+    command = [sys.executable, "-m", "tests.api.loop_lag", str(folder / "tree.vspec"), str(TOKEN)]
+    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        address = process.stdout.readline().strip()
+        with httpx.Client(base_url=address, headers={"Authorization": f"Bearer {SECRET}"}, timeout=DEADLINE) as client:
+            client.post(
+                "/api/v1/lint?catalogue=wide", content=b"Vehicle: {}"
+            )  # answered when workers know all catalogues
+            yield client
+        process.kill()
+
+
+def standstill(client: httpx.Client, request: Costly, method: str) -> float:
+    """Seconds of the processor for which the loop stood still while a request was answered."""
+    client.get(ADDRESS)
+    answer = client.request(method, request.address, headers=request.headers, content=request.body)
+    assert answer.status_code != httpx.codes.INTERNAL_SERVER_ERROR
+    return float(client.get(ADDRESS).text)
+
+
+@pytest.mark.parametrize("route", COSTLY)
+def test_the_loop_goes_on_meanwhile(client: httpx.Client, route: str) -> None:
+    for request in COSTLY[route]:
+        tries = map(partial(standstill, client, request), [route.partition(" ")[0]] * TRIES)
+        assert any(seconds < MOST for seconds in tries), request.address
