@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from sigcat.cli.command_parser import positive
 from sigcat.cli.ended_by_signals import ended_by_signals
-from sigcat.cli.output import opened, write_text
-from sigcat.cli.output_options import FORMATS, add_output, add_outputs, make_folder
+from sigcat.cli.output import make_folder, opened, write_text
+from sigcat.cli.output_options import FORMATS, add_output, add_outputs
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import InputRefused, UsageError, existing_file
 
