@@ -29,6 +29,10 @@ _LIMITS = """
 A judgement is one comparison: an export, a file, a page, a request. What no test asked is not in the table; what nobody could judge
 yet is [said where it ends](why-sigcat.md#where-it-ends). `make test` and `make real` ask the same judges, with fewer
 repetitions, before each change.
+
+Documents as attacks: one function and its three Integration JSON have 1,470 fields with strings. Each field is free text, which
+is tested in the files of every generator with the parsers of C, C++, Python, XML and YAML, or it has a type, which refuses each of 24
+payloads: 54,816 combinations of field, payload and generator.
 """
 
 Verdict = Mapping[str, Any]

@@ -5,6 +5,7 @@ What becomes of free text is tested with the parsers of the languages, in tests/
 
 import json
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -21,7 +22,7 @@ from sigcat.integration.ros2.model import Ros2Integration
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.platform import Options
 from sigcat.platforms.table import PLATFORMS
-from tests.adapter.hostile.everything import DOCUMENTS, FUNCTION_JSON, document, strings
+from tests.adapter.hostile.everything import DOCUMENTS, FUNCTION_JSON, document, one_of_each, strings
 from tests.adapter.test_hostile_text import words_of_xml
 
 MODELS: dict[str, type[BaseModel]] = {
@@ -91,3 +92,11 @@ def test_what_a_document_only_keeps_is_text_in_arxml_at_most(kind):
             if EVIL.encode() in file.data:
                 assert file.name.endswith(".arxml")
                 assert not [word for word in words_of_xml(file) if EVIL in word]
+
+
+def test_the_page_counts_what_is_tested():
+    fields = {kind: len(one_of_each(kind)) for kind in DOCUMENTS}
+    times = {kind: len(PLATFORMS[kind].generators) if kind in PLATFORMS else 1 for kind in DOCUMENTS}
+    page = (Path(__file__).parents[3] / "docs/explanation/trust.md").read_text()
+    assert f"{sum(fields.values()):,} fields" in page
+    assert f"{sum(fields[kind] * times[kind] for kind in DOCUMENTS) * len(PAYLOADS):,} combinations" in page

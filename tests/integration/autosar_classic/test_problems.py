@@ -170,7 +170,7 @@ CHANGES = {
     ),
     "a block of no memory": (lambda d: first(d)["NvBlocks"][0].update(PerInstanceMemory="Other"), "per-instance memory"),
     "a block of another service": (lambda d: first(d)["NvBlocks"][0].update(Port="Clock"), "operation of the NvRamManager"),
-    "a count of an error that is not there": (lambda d: first(d)["NvBlocks"][0]["Errors"].append("Other"), "known error"),
+    "a count of an error that is not there": (lambda d: first(d)["NvBlocks"][0]["Errors"].append("Other"), "must be an error"),
     "a diagnostic event of another service": (
         lambda d: first(d)["DiagnosticEvents"][0].update(Port="Clock"), "operation of the DiagnosticEventManager",
     ),
@@ -179,7 +179,7 @@ CHANGES = {
     ),
     "two diagnostic events of one name": (lambda d: copied(first(d)["DiagnosticEvents"]), "is one already"),
     "an inhibition by an error that is not there": (
-        lambda d: first(d)["Inhibitions"][0]["Events"].append("Other"), "known error",
+        lambda d: first(d)["Inhibitions"][0]["Events"].append("Other"), "must be an error",
     ),
     "a checkpoint of another service": (
         lambda d: supervised(d)["Checkpoints"][0].update(Port="Clock"), "operation of the WatchdogManager",
@@ -192,7 +192,7 @@ CHANGES = {
     "more missing than expected": (lambda d: supervised(d)["Alive"][0].update(MinMargin=11), "No more than the 10"),
     "a cycle of no time": (lambda d: supervised(d)["Alive"][0].update(ReferenceCycle=0), "longer than 0 s"),
     "a supervision of an error that is not there": (
-        lambda d: supervised(d)["Alive"][0].update(Error="Other"), "known error",
+        lambda d: supervised(d)["Alive"][0].update(Error="Other"), "must be an error",
     ),
     "a deadline between one checkpoint": (
         lambda d: supervised(d, 1)["Deadline"][0].update(End="Step_Begin"), "another checkpoint",

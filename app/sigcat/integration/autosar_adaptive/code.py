@@ -7,7 +7,6 @@ from pydantic import BaseModel
 from sigcat.function.document.field_types import (
     CallName,
     CIdentifier,
-    ComponentName,
     Definer,
     ErrorName,
     FunctionName,
@@ -57,7 +56,7 @@ class MethodUse(WireModel):
     """One call's side of a method."""
 
     function: FunctionName = described("Function", "Name of the function.", source=OWN)
-    component: ComponentName = described("Component", "Name of the component.", source=OWN)
+    component: Name = described("Component", "Name of the component.", source=OWN)
     call: CallName = described("Call", "Name of the call.", source=OWN)
     method: MethodInterface = described("Method", "The method as it is in Function JSON.", source=OWN)
 

@@ -16,7 +16,6 @@ from sigcat.function.document.field_types import (
     Carried,
     CDefinition,
     CExpression,
-    ComponentName,
     FunctionName,
     Name,
     NumberText,
@@ -223,7 +222,7 @@ class Use(WireModel):
     """One call's side of an event: the interface of the function, and the datatype of its code."""
 
     function: FunctionName = always("Function", "Name of the function.")
-    component: ComponentName = always("Component", "Name of the component.")
+    component: Name = always("Component", "Name of the component.")
     call: CallName = always("Call", "Name of the call.")
     code_datatype: CDefinition | None = own("CodeDatatype", "Datatype of the C code.")
     code_symbols: tuple[Symbol, ...] | None = own(
