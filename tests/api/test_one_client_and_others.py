@@ -232,7 +232,7 @@ def test_a_search_has_a_bounded_number_of_words(fresh: Ask) -> None:
     for operation in ("search", "nodes"):
         assert fresh(f"/api/v1/catalogues/small/{operation}?q={words}").status_code == 200
         refused = fresh(f"/api/v1/catalogues/small/{operation}?q={more}")
-        assert (refused.status_code, f"at most {SEARCH_WORDS} words" in refused.json()["detail"]) == (400, True)
+        assert (refused.status_code, f"at most {SEARCH_WORDS} words" in refused.json()["detail"]) == (422, True)
 
 
 def test_one_client_does_not_keep_all_threads(monkeypatch: pytest.MonkeyPatch) -> None:
