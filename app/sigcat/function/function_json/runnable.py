@@ -12,7 +12,7 @@ from sigcat.function.function_json.data_interfaces import DataQueue, ParameterIn
 from sigcat.function.function_json.duration import exact_time
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
-from sigcat.function.function_json.wire import OWN, TABLE, Integer, Number, WireModel, described, own
+from sigcat.function.function_json.wire import OWN, TABLE, Integer, Number, WireModel, WrittenWhole, described, own
 
 
 class WatchdogLimits(WireModel):
@@ -56,7 +56,7 @@ class Runnable(WireModel):
     name: Name = described("Name", "Name of the call: <FunctionName>_Init, _Step or _Terminate.")
     description: Text = described("Description", "What the call does.")
     run_type: Name = described("Runtype", "Init, Cyclic, EventTriggered or Shutdown.")
-    cycle_time: Number | None = described("Cycletime", "Time from one call to the next.", default=None, unit="ms")
+    cycle_time: WrittenWhole | None = described("Cycletime", "Time from one call to the next.", default=None, unit="ms")
     cycle_time_nanoseconds: Integer | None = own(
         "CycletimeNanoseconds",
         "The cycle time, where it is not whole milliseconds; `Cycletime` is absent then.",

@@ -11,7 +11,17 @@ from sigcat.function.function_json.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.code import DEFINED_BY
 from sigcat.function.function_json.datatype import EnumerationValue
 from sigcat.function.function_json.duration import exact_time
-from sigcat.function.function_json.wire import OWN, TABLE, Integer, Number, TypeReference, WireModel, described, own
+from sigcat.function.function_json.wire import (
+    OWN,
+    TABLE,
+    Integer,
+    Number,
+    TypeReference,
+    WireModel,
+    WrittenWhole,
+    described,
+    own,
+)
 
 
 class ErrorInterface(WireModel):
@@ -33,7 +43,7 @@ class ErrorInterface(WireModel):
         "Ignition cycles after which the error is confirmed; 0 if they do not count.",
         unit="ignition cycles",
     )
-    maturation_time: Number = described(
+    maturation_time: WrittenWhole = described(
         "MaturationTime", "How long the error has to be present to be confirmed; 0 if it is at once.", unit="ms"
     )
     maturation_time_nanoseconds: Integer | None = own(
