@@ -8,6 +8,7 @@ from sigcat.errors import InputRefused
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import to_json
 from sigcat.integration.autosar_adaptive.versions import raised, version_of
+from sigcat.platforms.deployment_file import read_deployment
 from tests.integration.autosar_adaptive.sets import at, deployed, derive, function
 
 SERVICE = "DemoService"
@@ -41,8 +42,10 @@ def test_a_service_has_version_1_0_or_what_the_deployment_states():
 
 @pytest.mark.parametrize("text", ["3", "255.0", "1.-1", "one", "1.0.0"])
 def test_a_version_that_is_none_is_refused(text):
-    with pytest.raises(ValueError, match="versions"):
-        deployed(autosarAdaptive={"versions": {"A": text}})
+    with pytest.raises(InputRefused) as refused:
+        read_deployment(f"autosarAdaptive: {{versions: {{A: '{text}'}}}}\n".encode(), "deployment.yaml")
+    (finding,) = refused.value.findings
+    assert (finding.line, finding.pointer) == (1, "/autosarAdaptive/versions/A")
 
 
 def test_a_version_of_a_service_that_is_not_there_is_reported():

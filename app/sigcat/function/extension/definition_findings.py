@@ -38,8 +38,7 @@ def definition_findings(definitions: Definitions, document: Document, catalogue:
     if not definitions:
         return DefinitionFindings()
     judged = catalogue.written_in({document.name})
-    has_code = isinstance(document.value, Mapping) and "code" in document.value
-    found = [each for each, _ in found_in(catalogue, _rules(has_code=has_code), judged) if each.file == document.name]
+    found = [each for each, _ in found_in(catalogue, _rules(), judged) if each.file == document.name]
     values = _values_by_position((*definitions.nodes, *definitions.types), document) if found else {}
     at = [values.get(Position(each.line, each.column), _Value(("define",), ("define",))) for each in found]
     return DefinitionFindings(
@@ -49,10 +48,10 @@ def definition_findings(definitions: Definitions, document: Document, catalogue:
 
 
 @cache
-def _rules(*, has_code: bool) -> RuleSet:
-    """Definitions that an overlay has as well define nothing new, which is intended; code may have no Init or Terminate."""
-    rules = (rule for rule in compiled_rules(INTERFACE_RULES) if rule.default and rule.check != "overlay-no-effect")
-    return RuleSet(rule for rule in rules if not (has_code and rule.name == "scheduling-incomplete"))
+def _rules() -> RuleSet:
+    """The shipped rules. Definitions that an overlay has as well define nothing new, which is intended."""
+    rules = compiled_rules(INTERFACE_RULES)
+    return RuleSet(rule for rule in rules if rule.default and rule.check != "overlay-no-effect")
 
 
 def _values_by_position(nodes: Iterable[DefinedNode], document: Document) -> Mapping[Position, _Value]:

@@ -127,7 +127,7 @@ class Writer:
         """Times and places of messages, by channel."""
         out = ctypes.create_string_buffer(len(messages))
         self._library.sigcat_index_mcap(messages, _U64(len(messages)), out, self._counts)
-        found, at, data = [], 0, out.raw
+        found, at, data = [], 0, bytes(out)
         for channel, count in enumerate(self._counts[: self._most_channels]):
             if count:
                 found.append((channel, data[at : at + 16 * count]))
@@ -169,10 +169,12 @@ class Scanner:
     @property
     def last(self) -> dict[int, bytes]:
         """What was sent last, by the numbers of exits."""
+        last, has_last = bytes(self._last), bytes(self._has_last)
         return {
-            number: self._last.raw[self._places[number] : self._places[number] + size]
-            for number, size in enumerate(self._sizes) if self._has_last.raw[number]
-        }  # fmt: skip
+            number: last[self._places[number] : self._places[number] + size]
+            for number, size in enumerate(self._sizes)
+            if has_last[number]
+        }
 
 
 def _address(data: bytes) -> int | None:
