@@ -58,7 +58,8 @@ def generate_all(document: Any) -> None:
         try:
             integration = integrate(platform, functions).document
         except InputRefused as refused:
-            assert refused.findings
+            if not refused.findings:
+                raise
             continue
         for generator in platform.generators:
             files_of(generator, integration)
@@ -69,7 +70,8 @@ def files_of(generator: Generator, integration: bytes) -> None:
         try:
             assert generator.generate(integration, "i.json", DEFAULT_LIMITS, Options(bench=is_bench))
         except InputRefused as refused:
-            assert refused.findings
+            if not refused.findings:
+                raise
 
 
 def is_refused(document: Any, make: Callable[[Any], None]) -> bool:
@@ -77,7 +79,8 @@ def is_refused(document: Any, make: Callable[[Any], None]) -> bool:
     try:
         make(document)
     except InputRefused as refused:
-        assert refused.findings
+        if not refused.findings:
+            raise
         return True
     return False
 
@@ -117,7 +120,8 @@ def compiled_and_run(document: FunctionJson, seed: int, folder: Path) -> str:
     try:
         cores([checked.resolved])
     except InputRefused as refused:
-        assert refused.findings
+        if not refused.findings:
+            raise
         return ""
     return disagreement(checked.function, seed, 200, folder, ("-O0", "-w"))
 
