@@ -340,7 +340,7 @@ def test_a_missing_include_makes_no_roots_of_what_it_would_have_brought(tree):
     ("text", "told"),
     [
         (
-            "Vehicle.A: {type: branch, description: A., instances: 'Row[1, 2]'}\nVehicle.A.Row1: {comment: One.}\n",
+            "Vehicle.A: {type: branch, description: A., instances: 'Row[1, 2]'}\nVehicle.A.Row1: {type: branch, description: One.}\n",
             ["V029"],
         ),
         ("Vehicle.A: {type: branch, description: A., B: {type: branch, C: {type: sensor}}}\n", ["R019"]),
