@@ -17,7 +17,7 @@ def topics(**ros2):
 def test_members_of_structs_are_called_as_in_the_catalogue():
     text = topics()
     assert 'value.latitude = player::Read<std::decay_t<decltype(value.latitude)>>(item.At("Latitude"));' in text
-    assert 'std::string("{") + "\\"Latitude\\": " + player::Text(value.latitude)' in text
+    assert 'std::string("{") + "\\042Latitude\\042: " + player::Text(value.latitude)' in text
 
 
 def test_only_a_field_with_names_has_names():

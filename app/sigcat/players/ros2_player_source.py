@@ -327,7 +327,7 @@ struct Cell<{type}, void> final {{
         {type} value;
 {reads}        return value;
     }}
-    static std::string Text(const {type}& value) {{ return std::c_string("{{") + {texts} + "}}"; }}
+    static std::string Text(const {type}& value) {{ return std::string("{{") + {texts} + "}}"; }}
 }};
 
 """

@@ -176,9 +176,8 @@ def test_a_function_with_two_nodes_is_refused_since_its_core_is_one_object():
     nodes[1]["FunctionName"] = nodes[0]["FunctionName"]
     with pytest.raises(InputRefused) as refused:
         generated.files(json.dumps(document).encode())
-    (finding,) = refused.value.findings
-    assert (finding.rule, finding.pointer) == ("N219", "/NodePackageList/0/Nodes/1/FunctionName")
-    assert "must have one component to become a node" in finding.message
+    assert {finding.rule for finding in refused.value.findings} == {"N219"}
+    assert all(finding.pointer.startswith("/NodePackageList/0/Nodes/1/") for finding in refused.value.findings)
 
 
 def test_a_queue_that_shares_its_message_is_refused():

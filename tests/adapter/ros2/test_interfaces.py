@@ -252,7 +252,7 @@ def test_a_service_has_the_arguments_of_its_method():
     document = json.loads(integration(FULL / "function.yaml"))
     services = [each for call in document["CommunicationList"] for each in call.get("ROSServiceList") or ()]
     next(each for each in services if each["Request"])["Request"].pop()
-    with pytest.raises(InputRefused, match="cannot become ROS 2 packages"):
+    with pytest.raises(InputRefused, match="must be Integration JSON"):
         files(json.dumps(document).encode())
 
 
@@ -277,7 +277,7 @@ def test_a_service_is_a_method_of_its_function():
     document = json.loads(integration(FULL / "function.yaml"))
     service = next(each for call in document["CommunicationList"] for each in call.get("ROSServiceList") or ())
     service["MethodName"] = "Gone"
-    with pytest.raises(InputRefused, match="cannot become ROS 2 packages"):
+    with pytest.raises(InputRefused, match="must be Integration JSON"):
         files(json.dumps(document).encode())
 
 

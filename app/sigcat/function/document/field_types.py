@@ -102,8 +102,8 @@ ErrorName = Annotated[str, NAME, Refers("error")]
 InterfaceName = Annotated[str, NAME, Refers("interface")]
 """Names that an Integration JSON takes from the functions that it carries."""
 WORDS = Grammar(
-    "words without the signs \" ' \\ ` $ # ; < > & { } @, comments and invisible characters",
-    lambda text: len(text) <= 1_000 and is_inert(text),
+    'words without the signs " \\ ` $ # ; < > { } @, comments and invisible characters',
+    lambda text: len(text) <= 1_000 and is_inert(re.sub("['&]", "", text)),
     "Remove these signs.",
 )
 Words = Annotated[str, WORDS]

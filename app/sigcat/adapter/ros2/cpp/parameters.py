@@ -95,7 +95,7 @@ def _value(value: Any, element: str) -> str:
         return "true" if value else "false"
     if element == "integer":
         return "INT64_MIN" if value == -(2**63) else f"int64_t{{{int(value)}}}"
-    return f"std::c_string({c_string(value)})" if element == "string" else _double(value)
+    return f"std::string({c_string(value)})" if element == "string" else _double(value)
 
 
 def _double(value: float) -> str:
