@@ -67,6 +67,9 @@ class Zygote:
 
     def wait(self) -> int:
         """The exit status, once it has ended; below 0 the signal that killed it."""
+        if hasattr(os, "waitid"):  # `Popen.wait` holds a lock, with which `has_ended` cannot see the end
+            with suppress(ChildProcessError):
+                os.waitid(os.P_PID, self._process.pid, os.WEXITED | os.WNOWAIT)
         return self._process.wait()
 
     def child(self, kind: str = "") -> socket.socket:
