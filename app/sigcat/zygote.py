@@ -57,8 +57,13 @@ class Zygote:
 
     @property
     def has_ended(self) -> bool:
-        """Whether somebody ended it."""
-        return self._process.poll() is not None
+        """Whether somebody ended it, also while a thread waits for that: then `Popen.poll` does not see it."""
+        if self._process.poll() is not None or not hasattr(os, "waitid"):
+            return self._process.returncode is not None
+        try:
+            return os.waitid(os.P_PID, self._process.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None
+        except ChildProcessError:
+            return True  # the thread has its status already
 
     @property
     def is_closed(self) -> bool:
@@ -67,9 +72,6 @@ class Zygote:
 
     def wait(self) -> int:
         """The exit status, once it has ended; below 0 the signal that killed it."""
-        if hasattr(os, "waitid"):  # `Popen.wait` holds a lock, with which `has_ended` cannot see the end
-            with suppress(ChildProcessError):
-                os.waitid(os.P_PID, self._process.pid, os.WEXITED | os.WNOWAIT)
         return self._process.wait()
 
     def child(self, kind: str = "") -> socket.socket:
