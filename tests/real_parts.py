@@ -85,8 +85,12 @@ KINDS = (
     ),
     Kind(
         "attacks in the text of documents",
-        ("tests/adapter/test_hostile_text.py",),
         (
+            "tests/adapter/test_hostile_text.py",
+            "tests/adapter/hostile/test_cmake_runs_no_text.py::test_text_calls_no_command",
+        ),
+        (
+            "tests/adapter/hostile/test_cmake_runs_no_text.py::test_text_calls_no_command[ros2]",
             "tests/adapter/test_hostile_text.py::test_free_text_never_becomes_code[0-autosar-classic]",
             "tests/adapter/test_hostile_text.py::test_free_text_never_becomes_code[2-ros2]",
             "tests/adapter/test_hostile_text.py::test_free_text_never_becomes_code[10-autosar-adaptive]",

@@ -1,0 +1,58 @@
+"""CMake itself runs the files of attacked documents: it calls what it calls for the same documents without attacks.
+
+A file that an attack does not change is run once. Today no free text reaches a CMakeLists.txt, so that none is changed.
+"""
+
+import json
+import re
+import subprocess
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from tests.adapter.test_hostile_text import ATTACKS, READERS, generated
+
+HARMLESS = "EVIL"
+"""A text without any sign."""
+CALL = re.compile(r"^\s*([A-Za-z_]\w*)\s*\(", re.MULTILINE)
+FLOW = {"if", "elseif", "else", "endif", "foreach", "endforeach", "function", "endfunction", "macro", "endmacro", "set"}
+
+
+@cache
+def files_of_cmake(platform: str, attack: str) -> dict[str, str]:
+    return {
+        file.name: file.data.decode() for file in generated(platform, attack) if file.name.endswith("CMakeLists.txt")
+    }
+
+
+def calls(text: str, names: set[str], folder: Path) -> list[str]:
+    """Names of the commands that CMake calls, each of `names` doing nothing."""
+    folder.mkdir()
+    (folder / "listed.cmake").write_text(text, encoding="utf-8")
+    stubs = "".join(f"function({name})\nendfunction()\n" for name in sorted(names - FLOW))
+    (folder / "run.cmake").write_text(f"{stubs}include(${{CMAKE_CURRENT_LIST_DIR}}/listed.cmake)\n", encoding="utf-8")
+    command = ["cmake", "--trace-expand", "--trace-format=json-v1", "--trace-redirect=trace.json", "-P", "run.cmake"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=60, check=False)
+    assert done.returncode == 0, done.stderr
+    rows = [json.loads(row) for row in (folder / "trace.json").read_text(encoding="utf-8").splitlines()]
+    return [row["cmd"].lower() for row in rows if row.get("file", "").endswith("listed.cmake")]
+
+
+@pytest.mark.parametrize("platform", READERS)
+def test_text_calls_no_command(platform, tmp_path):
+    for name, plain in files_of_cmake(platform, HARMLESS).items():
+        names = {each.lower() for each in CALL.findall(plain)} - {"include"}
+        expected = calls(plain, names, tmp_path / f"{name.replace('/', '_')}.plain")
+        assert expected
+        for index, attack in enumerate(ATTACKS):
+            text = files_of_cmake(platform, attack)[name]
+            if text == plain:
+                continue
+            assert calls(text, names, tmp_path / f"{name.replace('/', '_')}.{index}") == expected, (name, attack)
+
+
+def test_a_command_in_a_text_is_noticed(tmp_path):
+    with pytest.raises(AssertionError, match="EVIL"):
+        calls("set(a b)\nEVIL()\n", set(), tmp_path / "a")
+    assert calls("set(a b)\nmessage(c)\n", set(), tmp_path / "b") == ["set", "message"]
