@@ -1,6 +1,6 @@
 """CMake itself runs the files of attacked documents: it calls what it calls for the same documents without attacks.
 
-A file that an attack does not change is run once. Today no free text reaches a CMakeLists.txt, so that none is changed.
+A file that an attack does not change is run once, as it is without the attack.
 """
 
 import json
