@@ -12,6 +12,7 @@ from sigcat.api.work.refusals import BeyondShare
 from sigcat.api.work.turns import Turns
 from sigcat.catalogue.hosting.library import Library
 from tests.api.conftest import Ask, asker
+from tests.own_loop import run
 
 OVERLAY = b"Vehicle.Speed:\n  type: sensor\n  datatype: float\n  description: Speed.\n"
 ITEM = re.compile(r'"[a-z-]+"(?:;[a-z]+=(?:\d+|"[a-z-]+"))*')
@@ -51,7 +52,7 @@ def test_what_remains_is_counted_for_each_client() -> None:
         await waiting
         return [*found, *(quota.remaining() for quota in quotas)]
 
-    assert asyncio.run(remaining()) == [2, 2, 1, 2, 0, 2, 2, 2]
+    assert run(remaining()) == [2, 2, 1, 2, 0, 2, 2, 2]
 
 
 def test_nothing_left_comes_with_seconds_to_wait() -> None:

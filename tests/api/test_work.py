@@ -9,8 +9,7 @@ import os
 import re
 import signal
 import time
-from collections.abc import Callable, Coroutine, Iterator
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -33,16 +32,11 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from tests.api.conftest import SOURCES
+from tests.own_loop import run
 from tests.processes import PROC, is_running
 from tests.waiting import DEADLINE, wait_until
 
 MEBIBYTE = 1024 * 1024
-
-
-def run(coroutine: Coroutine[Any, Any, Any]) -> Any:
-    """In a thread of its own: a browser that is open in this process has an event loop in the main one."""
-    with ThreadPoolExecutor(1) as thread:
-        return thread.submit(asyncio.run, coroutine).result()
 
 
 # -- turns --------------------------------------------------------------------------------------------------------
