@@ -259,11 +259,16 @@ def _received(receiver: Receiver, core: str, component: ComponentPlan) -> Lines:
     return joined([
         commented(receiver.comment),
         lines("application::Receive("),
-        indented(lines(f"logger_, service.{receiver.member}, {receiver.capacity}U,")),
+        indented(lines(f"logger_, service.{receiver.member}, {_subscription(receiver)},")),
         indented(lines(lambda_head)),
         indented(_taken(receiver, core, wakes=wakes), 2),
         indented(_rejected(receiver, core)),
     ])  # fmt: skip
+
+
+def _subscription(receiver: Receiver) -> str:
+    is_protected = "true" if receiver.is_protected else "false"
+    return f"{{{c_string(receiver.member)}, {receiver.capacity}U, {is_protected}}}"
 
 
 def _rejected(receiver: Receiver, core: str) -> Lines:

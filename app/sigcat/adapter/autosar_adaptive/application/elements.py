@@ -97,8 +97,16 @@ def _receivers(interface: ServiceInterface, context: ComponentContext) -> Iterat
             for port in _distinct(event, context, context.ports.get):
                 capacity = max(SAMPLES, *(item.queue.length if item.queue else 0 for _, item in port.consumers))
                 type_ = context.types.type(event.datatype)
-                rejects = port.tells_of_rejection
-                yield Receiver(member_name(event.name), port.name, type_, port.wire, capacity, port.comment, rejects)
+                yield Receiver(
+                    member_name(event.name),
+                    port.name,
+                    type_,
+                    port.wire,
+                    capacity,
+                    port.comment,
+                    port.tells_of_rejection,
+                    event.protection is not None,
+                )
         for field in services.fields:
             taken = context.status.get(_status_name(field)) or context.status.get(identifier(_status_name(field)))
             if taken is not None:

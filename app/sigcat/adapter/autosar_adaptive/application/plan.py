@@ -21,6 +21,8 @@ class Receiver(NamedTuple):
     comment: str
     tells_of_rejection: bool = False
     """Whether the core wants to know of messages that end-to-end protection rejects."""
+    is_protected: bool = False
+    """Whether the model protects the event end to end: what the platform does not check is rejected."""
 
 
 class SentEvent(NamedTuple):

@@ -13,36 +13,64 @@
 
 namespace application {
 
-/// Whether end-to-end protection has nothing against a sample. What is not protected is not checked. The first whole one
-/// has none before it: of a sender that already runs, the platform calls it out of sequence.
-inline bool IsAccepted(ara::com::e2e::ProfileCheckStatus status, bool is_first) {
+/// An event or a field, as a component receives it.
+struct Subscription final {
+    const char* name;
+    std::size_t capacity;
+    bool is_protected;  // end to end, as the model says
+};
+
+/// Whether the platform has checked a sample of a protected event at all.
+constexpr bool IsChecked(ara::com::e2e::ProfileCheckStatus status) {
     using Status = ara::com::e2e::ProfileCheckStatus;
-    return status != Status::kError && status != Status::kRepeated && (is_first || status != Status::kWrongSequence);
+    return status != Status::kNotAvailable && status != Status::kNoNewData && status != Status::kCheckDisabled;
 }
 
-/// Subscribes to an event or a field; each of its values goes to `take`, in a thread of the platform. For one that
-/// end-to-end protection rejects, `reject` is called.
+/// Whether a sample is taken. What is protected must be checked: a platform without the mapping would leave it
+/// unprotected. The first sample has none before it: of a sender that already runs, it is out of sequence.
+constexpr bool IsAccepted(ara::com::e2e::ProfileCheckStatus status, bool is_protected, bool is_first) {
+    using Status = ara::com::e2e::ProfileCheckStatus;
+    if (!IsChecked(status)) {
+        return !is_protected;
+    }
+    return status == Status::kOk || (status == Status::kWrongSequence && is_first);
+}
+
+/// What a subscription remembers from one sample to the next.
+struct Received final {
+    bool is_first{true};
+    bool has_logged_missing_check{false};
+};
+
+/// Subscribes to an event or a field; each of its values goes to `take`, in a thread of the platform. For one that is
+/// not accepted, `reject` is called.
 template <typename Event, typename Take, typename Reject>
-void Receive(ara::log::Logger& logger, Event& event, std::size_t capacity, Take take, Reject reject) {
-    const auto set = event.SetReceiveHandler([&event, take, reject, is_first = std::make_shared<bool>(true)] {
-        static_cast<void>(event.GetNewSamples([&take, &reject, &is_first](const auto& sample) {
-            if (IsAccepted(sample.GetProfileCheckStatus(), *is_first)) {
-                *is_first = false;
+void Receive(ara::log::Logger& logger, Event& event, const Subscription& subscription, Take take, Reject reject) {
+    const auto set = event.SetReceiveHandler([&logger, &event, subscription, take, reject,
+                                              received = std::make_shared<Received>()] {
+        static_cast<void>(event.GetNewSamples([&](const auto& sample) {
+            const auto status = sample.GetProfileCheckStatus();
+            if (IsAccepted(status, subscription.is_protected, received->is_first)) {
+                received->is_first = false;
                 take(*sample);
-            } else {
-                reject();
+                return;
             }
+            if (!IsChecked(status) && !received->has_logged_missing_check) {
+                received->has_logged_missing_check = true;
+                logger.LogError() << subscription.name << " must be protected end to end, but the platform does not check it";
+            }
+            reject();
         }));
     });
-    const auto subscribed = event.Subscribe(capacity);
+    const auto subscribed = event.Subscribe(subscription.capacity);
     if (!set.HasValue() || !subscribed.HasValue()) {
-        logger.LogError() << "An event cannot be subscribed to";
+        logger.LogError() << subscription.name << " cannot be subscribed to";
     }
 }
 
 template <typename Event, typename Take>
-void Receive(ara::log::Logger& logger, Event& event, std::size_t capacity, Take take) {
-    Receive(logger, event, capacity, take, [] {});
+void Receive(ara::log::Logger& logger, Event& event, const Subscription& subscription, Take take) {
+    Receive(logger, event, subscription, take, [] {});
 }
 
 /// Sends a value of the core as an event.

@@ -20,7 +20,7 @@ template <typename Event>
 void Hear(ara::log::Logger& logger, Event& event, const char* name, Recorder& recorder) {
     const auto set = event.SetReceiveHandler([&event, name, &recorder, is_first = std::make_shared<bool>(true)] {
         static_cast<void>(event.GetNewSamples([name, &recorder, &is_first](const auto& sample) {
-            if (application::IsAccepted(sample.GetProfileCheckStatus(), *is_first)) {
+            if (application::IsAccepted(sample.GetProfileCheckStatus(), false, *is_first)) {
                 *is_first = false;
                 recorder.Take(name, Text(*sample), sample.BenchSentAt());
             }
@@ -28,7 +28,7 @@ void Hear(ara::log::Logger& logger, Event& event, const char* name, Recorder& re
     });
     const auto subscribed = event.Subscribe(kMostSamples);
     if (!set.HasValue() || !subscribed.HasValue()) {
-        logger.LogError() << "An event cannot be subscribed to";
+        logger.LogError() << name << " cannot be subscribed to";
     }
 }
 
