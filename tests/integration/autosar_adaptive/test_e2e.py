@@ -125,6 +125,19 @@ def test_data_ids_of_profile_4_have_the_instance_in_their_highest_byte():
     assert [number >> 24 for number in data_ids(made)] == [instance]
 
 
+def test_a_field_is_not_protected_and_the_advice_says_what_is():
+    error = {
+        "Name": "Demo_Bad_ErrorSts", "Description": "Is bad.", "Datatype": "DT_Bool", "Dependancy": [], "OccurenceCountLimit": 1,
+        "IgnitionCountLimit": 0, "MaturationTime": 0, "Severity": "Low", "AsilLevel": "B",
+    }  # fmt: skip
+    one = function(contract={"ErrorList": [error]})
+    (service,) = derive([one]).model.components[0].services
+    key = f"{service.name}.Demo_Bad_ErrorSts"
+    by_rule = {finding.rule: finding for finding in derived({"events": {key: {"profile": 4}}}, one).findings}
+    assert "this is a field" in by_rule["A019"].fix
+    assert by_rule["A014"].message.startswith(f"{key} cannot be protected end to end.")
+
+
 def test_the_document_read_back_has_it():
     model = derived({"profile": 4, "maxDeltaCounter": 2}).model
     assert read_integration(to_json(model), "integration.json") == model

@@ -22,7 +22,12 @@ from sigcat.integration.autosar_adaptive.field_targets import field_targets
 from sigcat.integration.autosar_adaptive.grouping import MODES, SAFETY, Placed, placed
 from sigcat.integration.autosar_adaptive.namespaces import namespace_of
 from sigcat.integration.autosar_adaptive.processes import further_processes, process_problems
-from sigcat.integration.autosar_adaptive.protection import protected, report_open_lengths, report_unset_errors
+from sigcat.integration.autosar_adaptive.protection import (
+    ONLY_EVENTS_ARE_PROTECTED,
+    protected,
+    report_open_lengths,
+    report_unset_errors,
+)
 from sigcat.integration.autosar_adaptive.settings import (
     NO_SETTINGS,
     AutosarAdaptiveSettings,
@@ -51,7 +56,7 @@ UNKNOWN_PROVIDER = "SOME/IP"
 
 
 _PROTECT_EVENT = "State a `profile` under `e2e` in the deployment file, or protect it in the code."
-_PROTECT_OTHER = "Add an E2E profile for it to the deployment manifest, or protect it in the code."
+_PROTECT_OTHER = f"{ONLY_EVENTS_ARE_PROTECTED} Send its state as a signal too, with its ASIL and a profile, and let receivers use that."
 
 
 class Derived(NamedTuple):

@@ -9,6 +9,7 @@ from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.elements import Service
 from sigcat.integration.autosar_adaptive.grouping import Placed
 from sigcat.integration.autosar_adaptive.identifiers import DATA_ID
+from sigcat.integration.autosar_adaptive.protection import ONLY_EVENTS_ARE_PROTECTED
 from sigcat.integration.autosar_si_units import WITHOUT_SI, si_unit
 from sigcat.integration.unknown_paths import report_unknown_paths
 from sigcat.names import did_you_mean
@@ -24,7 +25,7 @@ def report_unused(sides: Sequence[Placed], services: Sequence[Service], context:
     )
     _report_unknown(("autosarAdaptive", "identifiers"), settings.identifiers, set(_identified(services)), context)
     _report_unknown(("autosarAdaptive", "versions"), settings.versions, {each.name for each in services}, context)
-    _report_unknown(("autosarAdaptive", "e2e", "events"), settings.e2e.events, set(_events(services)), context)
+    _report_unprotectable(services, context)
     paths = {context.path_of(item) for item in signals}
     for index, service in enumerate(settings.services):
         for number, above in enumerate(service.paths):
@@ -61,6 +62,18 @@ def _identified(services: Sequence[Service]) -> Iterator[str]:
         yield f"{service.name}:instance"
         yield from (f"{service.name}.{name}" for name in (*service.ids, *service.event_groups))
         yield from (f"{service.name}.{name}{DATA_ID}" for name in service.protections)
+
+
+def _report_unprotectable(services: Sequence[Service], context: Context) -> None:
+    """A finding for each key of `e2e` that names no event."""
+    section: Pointer = ("autosarAdaptive", "e2e", "events")
+    stated = context.settings.e2e.events
+    others = {f"{each.name}.{element.name}" for each in services for element in each.elements} - set(_events(services))
+    for key in sorted(stated.keys() & others):
+        message = f"{key} cannot be protected end to end. {ONLY_EVENTS_ARE_PROTECTED}"
+        fix = "Remove it. Send the state as a signal too, with its ASIL and a profile."
+        context.findings.report_deployment(codes.DEPLOYMENT_NAMES_NOTHING, message, (*section, key), fix, key)
+    _report_unknown(section, stated.keys() - others, set(_events(services)), context)
 
 
 def _events(services: Sequence[Service]) -> Iterator[str]:
