@@ -28,6 +28,7 @@ from sigcat.integration.autosar_adaptive.protection import (
     report_open_lengths,
     report_unset_errors,
 )
+from sigcat.integration.autosar_adaptive.segmentation import segmented
 from sigcat.integration.autosar_adaptive.settings import (
     NO_SETTINGS,
     AutosarAdaptiveSettings,
@@ -98,6 +99,7 @@ def derive(
         or None,
         functions=tuple(each.function for each in app.functions),
     )
+    integration = segmented(integration, context)
     report_open_lengths(integration, context)
     _report_processes(components, context)
     report_unused(sides, all_services, context)

@@ -258,6 +258,9 @@ class Event(WireModel):
     offset: NumberText | None = own("Offset", "Offset of that scaling.")
     cycle_time: Number | None = own("CycleTime", "Time from one value to the next.", unit="ms")
     protection: E2eProtection | None = own("E2eProtection", "How it is protected end to end, if it is.")
+    segment_length: Annotated[Integer, Field(ge=16, le=1392, multiple_of=16)] | None = own(
+        "SegmentLength", "Length of a segment of SOME/IP-TP, where a value may be longer than a datagram.", unit="bytes"
+    )
     vss_path: VssPath | None = own("VssPath", "Path of the signal in the catalogue.")
     uses: tuple[Use, ...] | None = own("Uses", "The sides of the event within this component.", strict=False)
 
