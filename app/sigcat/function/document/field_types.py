@@ -12,7 +12,7 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from sigcat.function.document.expression import expression_of, is_identifier
+from sigcat.function.document.expression import is_identifier, may_hold_value
 from sigcat.names import either
 
 
@@ -123,7 +123,7 @@ C_IDENTIFIER = Grammar("a C identifier", is_identifier, _LETTERS_FIRST)
 CIdentifier = Annotated[str, C_IDENTIFIER]
 C_EXPRESSION = Grammar(
     "an expression of C that holds a value",
-    lambda text: expression_of(text) is not None,
+    may_hold_value,
     "Name the variable as the code does, such as in.speed, in->speed or in[3].",
 )
 CExpression = Annotated[str, C_EXPRESSION]
@@ -133,6 +133,11 @@ C_TYPE = _matching(
     "Write it as the header does, such as ExtU_Acc_T.",
 )
 CType = Annotated[str, C_TYPE]
+C_VARIABLE_TYPE = (
+    r"^(volatile )?((un)?signed|((un)?signed )?(char|short|int|long|long long|short int|long int|long long int)|float|double|_Bool"
+    r"|((enum|struct) )?[A-Za-z_][A-Za-z0-9_]{0,127})$"
+)
+"""Pattern of the types of variables that an adapter defines."""
 C_DEFINITION = _matching(
     "a definition of a type in C",
     r"[A-Za-z_][A-Za-z0-9_]*(?: +[A-Za-z_][A-Za-z0-9_]*){0,4}(?: *\*)?(?: *\[[0-9]{0,9}\])?|",

@@ -106,7 +106,7 @@ def csv_tables(
     exits: Sequence[Placed], entries: Sequence[Shape], calls: Sequence[str], columns: int
 ) -> ShapeTables:  # fmt: skip
     """Tables for CSV. Raises Unfit."""
-    named = [(quoted(call) if "," in call else call, None) for call in calls]
+    named = [(quoted(call), None) for call in calls]
     return _shape_tables(exits, [(shape, None) for shape in entries], named, columns, _csv_parts)
 
 

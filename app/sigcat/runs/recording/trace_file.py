@@ -4,7 +4,7 @@ its line and column, and a file of any size is read row by row.
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from itertools import count, islice
+from itertools import islice
 from pathlib import Path
 from typing import BinaryIO, NamedTuple
 
@@ -239,12 +239,9 @@ def _unfit_value(trace: Trace, row: _Row, index: int, reason: Unfit) -> Finding:
 def _header(file: Path, *, ends_rows: bool) -> _Row | Finding:
     """The first row that is not empty."""
     with file.open("rb") as data:
-        for number in count(1):
-            line = data.readline(TRACE_ROW_BYTES + 1)
-            found = _line(line, number, str(file), ends_rows=ends_rows) if line else _Row(1, "", ())
-            if found is not None:
-                return found
-    raise AssertionError
+        lines = enumerate(iter(lambda: data.readline(TRACE_ROW_BYTES + 1), b""), 1)
+        rows = (_line(line, number, str(file), ends_rows=ends_rows) for number, line in lines)
+        return next((row for row in rows if row is not None), _Row(1, "", ()))
 
 
 def _line(line: bytes, number: int, file: str, *, ends_rows: bool) -> _Row | Finding | None:

@@ -72,8 +72,9 @@ def run(command: Command, layout: Layout, scan: Scan, progress: Progress) -> Ite
 
 def _unpacked(why: Exception, command: Command) -> Exception:
     """The reason without the sandbox: its status says by which signal the program ended."""
-    is_signal = command.is_sandboxed and isinstance(why, Ended) and why.status > _SIGNAL
-    return Ended(_SIGNAL - why.status) if is_signal and isinstance(why, Ended) else why
+    if command.is_sandboxed and isinstance(why, Ended) and why.status > _SIGNAL:
+        return Ended(_SIGNAL - why.status)
+    return why
 
 
 _SIGNAL = 128
