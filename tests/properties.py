@@ -21,7 +21,7 @@ from tests.needs import IS_SLOW_RUN
 
 FILE = Path(__file__).with_name("found_examples.json")
 FUZZ = int(os.environ.get("SIGCAT_FUZZ", "0"))
-"""How far `make fuzz` searches: the examples of a test are a fifth as many times the usual number."""
+"""Extent of the search of `make fuzz`: the examples of a test are a fifth as many times the usual number."""
 IS_SEARCH = IS_SLOW_RUN or bool(FUZZ)
 """Whether examples are random."""
 TIMES = FUZZ // 5 or (10 if IS_SLOW_RUN else 1)

@@ -92,7 +92,7 @@ _ERRORS = frozenset(
 
 
 def is_reserved(word: str) -> bool:
-    """Whether a word has a meaning of its own in C or C++, in a mode of GNU, or after a standard header."""
+    """Whether a word has a meaning in C or C++, in a mode of GNU, or after a standard header."""
     return word in C_KEYWORDS or word in CPP_KEYWORDS or is_of_headers(word)
 
 

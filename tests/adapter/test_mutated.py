@@ -40,7 +40,7 @@ GENERATED = [(name, generator) for name, platform in PLATFORMS.items() for gener
 
 @cache
 def example() -> Any:
-    """The Function JSON of an example, which uses most of what a function can say."""
+    """The Function JSON of an example, which has most of the fields of a function."""
     (function,) = (each for each in examples() if each.info.function_name == "CoreAcc")
     return json.loads(to_json(function))
 
@@ -112,7 +112,7 @@ def test_an_integration_is_generated_or_refused_with_findings(name, generator, s
 
 
 def compiled_and_run(document: FunctionJson, seed: int, folder: Path) -> str:
-    """Where the core and its model part; empty if the core is refused, or does what the model does."""
+    """Return the first difference of the core from its model; empty if the core is refused, or equal."""
     data = to_json(document)
     checked = check_function_json(data, "f.json")
     if has_errors(checked.findings) or checked.function is None or checked.resolved is None:
@@ -164,7 +164,7 @@ FOUND: dict[str, Callable[[Any], None]] = {
     "a priority that is a superscript": with_priority("²"),
     "modes without variables": without_mode_variable,
 }
-"""What fuzzing has found."""
+"""Failures that fuzzing has found."""
 
 
 @pytest.mark.parametrize("name", FOUND)

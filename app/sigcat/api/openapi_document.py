@@ -151,7 +151,7 @@ def _schemas(made: Mapping[str, dict[str, Any]]) -> dict[str, Any]:
 
 
 def _add_problems(responses: dict[str, Any], *, is_open: bool, has_versions: bool) -> None:
-    """Add the problems that any operation may answer with, one of what has an `ETag`, and 304 and 307."""
+    """Add the problems that any operation may answer with, that of operations with an `ETag`, and 304 and 307."""
     for status in (*_EVERYWHERE, *([412] if has_versions else [])):
         responses.setdefault(str(status), {"description": KINDS[status][1], **deepcopy(PROBLEM)})
     if not is_open:

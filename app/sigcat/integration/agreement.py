@@ -87,7 +87,7 @@ def _in_value(
 
 
 def argument_counts(functions: Sequence[FunctionJson]) -> Mapping[str, frozenset[tuple[int, int]]]:
-    """How many arguments and results the methods of a name have."""
+    """Numbers of arguments and results of methods, by name."""
     found: dict[str, frozenset[tuple[int, int]]] = {}
     for function in functions:
         for _, _, method in methods(function):

@@ -31,7 +31,7 @@ class Refers:
     """The string is the name of something that a function of the document has."""
 
     to: str
-    """What it is, in messages: `call`."""
+    """Noun for messages: `call`."""
 
 
 def _matching(expected: str, pattern: str, fix: str = "", longest: int = 500) -> Grammar:
@@ -46,7 +46,7 @@ def _one_of(*words: str) -> Grammar:
 _LETTERS = r"[^\W_]"
 """Letters and digits of any script."""
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\xad\u034f\u061c\u115f\u1160\u17b4\u17b5\u180b-\u180f\u200b-\u200f\u2028-\u202e\u2060-\u206f\u3164\ufe00-\ufe0f\ud800-\udfff\ufeff\uffa0\ufff0-\uffff\U000e0000-\U000e0fff]")  # fmt: skip
-"""Characters that nobody sees, and that turn the direction of text."""
+"""Invisible characters, and those that turn the direction of text."""
 _INERT = re.compile(r"""(?!.*(?:/[*/]|\*/|\?\?|\]\]))[^"'\\`$#;<>&{}@]*""", re.DOTALL)
 
 
@@ -107,7 +107,7 @@ WORDS = Grammar(
     "Remove these signs.",
 )
 Words = Annotated[str, WORDS]
-"""Who or what something is, in a few words."""
+"""A name of a person, an organization or a thing, in a few words."""
 UNIT = _matching(
     "a unit of letters, digits and the signs ^ / * . % ° - ( )",
     rf"(?!.*(?:/[*/]|\*/))(?:{_LETTERS}|[ _^/*.·%°()+-])*",

@@ -24,7 +24,7 @@ class Unfit(Exception):
 
 
 class ColumnTables(NamedTuple):
-    """Tables of what is read."""
+    """Tables for reading."""
 
     columns: bytes
     targets: bytes
@@ -84,7 +84,7 @@ def _kind(shape: Shape) -> int:
 
 
 class ShapeTables(NamedTuple):
-    """Tables of what is written."""
+    """Tables for writing."""
 
     exits: bytes
     entries: bytes
@@ -93,7 +93,7 @@ class ShapeTables(NamedTuple):
     symbols: bytes
     texts: bytes
     counts: tuple[int, int, int, int]
-    """Of exits, entries, calls and columns."""
+    """Numbers of exits, entries, calls and columns."""
     longest: int
     """Bytes of the longest text of a value."""
 

@@ -237,7 +237,7 @@ def open_mcap(path: Path, known: Known) -> Trace:
 
 
 class Topics:
-    """Messages to values, and what is wrong with them."""
+    """Messages to values, and findings about them."""
 
     def __init__(self, trace: Trace) -> None:
         assert trace.known is not None

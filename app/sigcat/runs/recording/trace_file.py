@@ -65,7 +65,7 @@ class Trace(NamedTuple):
     ends_rows: bool
     """Whether a row without a line break at its end was cut."""
     known: Known | None = None
-    """What the topics of a file in MCAP may be; None: it is CSV."""
+    """Known topics of a file in MCAP; None: it is CSV."""
 
 
 class _Row(NamedTuple):
@@ -102,7 +102,7 @@ def moments(trace: Trace) -> Iterator[Moment]:
 
 
 class Lines:
-    """Lines of a trace as they are read, and what is wrong with them."""
+    """Lines of a trace as they are read, and findings about them."""
 
     def __init__(self, trace: Trace) -> None:
         self.number = 0
@@ -113,7 +113,7 @@ class Lines:
 
     @property
     def is_over(self) -> bool:
-        """Whether no more lines are to be read."""
+        """Whether no more lines should be read."""
         return self._is_broken or len(self._findings) >= TRACE_FINDINGS
 
     def skip_header(self, data: BinaryIO) -> None:
@@ -197,7 +197,7 @@ def missing_inputs(known: Known, columns: Collection[str], file: str) -> Iterato
 
 
 def column_in(trace: Trace, line: int, name: str) -> int:
-    """Where the cell of a column begins in a line, from 1."""
+    """Position of the cell of a column in a line, from 1."""
     with trace.file.open("rb") as data:
         text = next(islice(data, line - 1, None), b"").decode().rstrip("\r\n")
     return _column(_Row(line, text, ()), trace.columns.index(name))

@@ -50,7 +50,7 @@ class Stopped(Exception):
         """Number of the call that did not return; None if the process ended between calls."""
         self.time = time
         self.how = how
-        """As text: the signal, the status, or what is wrong with the results."""
+        """As text: the signal, the status, or the damage of the results."""
 
 
 def run(command: Command, layout: Layout, scan: Scan, progress: Progress) -> Iterator[Event]:
