@@ -63,10 +63,11 @@ def names() -> Iterable[str]:
     return _texts()
 
 
-def seeds(test: str, usual: int) -> Sequence[object]:
-    """Seeds for `parametrize`: the usual one, or in a search a random one; then those that failed once."""
-    drawn = int.from_bytes(os.urandom(4)) if IS_SEARCH else usual
-    return [pytest.param(drawn, id="drawn"), *(each["seed"] for each in found(test))]
+def seeds(test: str, usual: int, number: int = 1) -> Sequence[object]:
+    """Seeds for `parametrize`: the usual ones, or in a search random ones; then those that failed once."""
+    first = int.from_bytes(os.urandom(4)) if IS_SEARCH else usual
+    drawn = [pytest.param(first + each, id=f"drawn {each}") for each in range(number)]  # workers draw their own
+    return [*drawn, *(each["seed"] for each in found(test))]
 
 
 def prepare(items: Iterable[pytest.Item]) -> None:
