@@ -157,12 +157,20 @@ def _signals(document: Any) -> Any:
                 yield from contract.get("SignalList") or ()
 
 
+def with_large_symbols(document: Any) -> None:
+    """The last value of each enumeration is beyond what its type in C holds."""
+    for each in document["Datatypes"]:
+        if each.get("Symbols"):
+            each["Symbols"][-1]["Value"] = 10**400
+
+
 FOUND: dict[str, Callable[[Any], None]] = {
     "an error of a time-out that is not there": without_time_out,
     "a priority with two signs": with_priority("--5"),
     "a priority with both signs": with_priority("+-5"),
     "a priority that is a superscript": with_priority("²"),
     "modes without variables": without_mode_variable,
+    "values of enumerations that no type holds": with_large_symbols,
 }
 """Failures that fuzzing has found."""
 
