@@ -285,7 +285,7 @@ def is_at(name: str, places: Iterable[str]) -> bool:
 
 
 def _beginnings(place: str) -> tuple[str, ...]:
-    """How names below a place begin."""
+    """Beginnings of names below a place."""
     return (place[:-1],) if place.endswith("*") else (f"{place}/", f"{place}::", f"{place}[")
 
 

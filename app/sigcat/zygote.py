@@ -57,7 +57,7 @@ class Zygote:
 
     @property
     def has_ended(self) -> bool:
-        """Whether somebody ended it, also while a thread waits for that: then `Popen.poll` does not see it."""
+        """Whether it has ended, also while a thread waits for that: then `Popen.poll` does not see it."""
         if self._process.poll() is not None or not hasattr(os, "waitid"):
             return self._process.returncode is not None
         try:

@@ -76,7 +76,7 @@ def _other(value: Any, chance: random.Random) -> Any:
 
 
 def difference(before: Any, after: Any, at: str = "") -> list[str]:
-    """What was changed, for the message of a failure."""
+    """Description of the change, for the message of a failure."""
     if type(before) is type(after) and isinstance(before, dict):
         keys = [*before, *(key for key in after if key not in before)]
         return [line for key in keys for line in difference(before.get(key), after.get(key), f"{at}/{key}")]

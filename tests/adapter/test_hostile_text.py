@@ -36,7 +36,7 @@ READERS: Mapping[str, tuple[Any, Any]] = {
     "ros2": (ros2.read_integration, ros2_json),
 }
 WORD = "int_EVIL_code"
-"""What no token, tag or key may be."""
+"""Text that no token, tag or key may have."""
 ATTACKS = (
     f"*/ {WORD} /* // {WORD} \\", f'"; {WORD}; "\\" ??/', f"a\n{WORD};\n#include <{WORD}>\r\n{WORD}\u2028{WORD}\x0c{WORD}",
     f"]]> <{WORD}/> <!-- {WORD} & ]]> <script>{WORD}</script>", f"${{{WORD}}} $({WORD}) `{WORD}` @{WORD}@ #) {WORD} #]] {WORD}; {WORD}",
@@ -45,7 +45,7 @@ ATTACKS = (
     f"{'e' * 60}, {WORD}; || {WORD} = {WORD}(" * 20,
 )  # fmt: skip
 ONE_LINE = {"maintainer", "license"}
-"""What a ROS package has on one line of printable characters, or is refused."""
+"""Texts of a ROS package that must be one line of printable characters."""
 
 
 @cache

@@ -5,8 +5,6 @@ finds is a case here.
 """
 
 import json
-import os
-import secrets
 import tempfile
 from collections.abc import Callable
 from functools import cache
@@ -31,16 +29,16 @@ from tests.adapter.core.fixed import FIXED
 from tests.adapter.mutating import difference, mutated
 from tests.function.shipped import interfaces, resolved
 from tests.integration.autosar_adaptive.sets import examples
+from tests.properties import FUZZ, seeds
 
-FUZZ = int(os.environ.get("SIGCAT_FUZZ", "0"))
-FIRST = secrets.randbelow(2**32) if FUZZ else 0
-SEEDS = range(FIRST, FIRST + (FUZZ or 2))
+HERE = "tests/adapter/test_mutated.py"
+TRIES = FUZZ or 2
 GENERATED = [(name, generator) for name, platform in PLATFORMS.items() for generator in platform.generators]
 
 
 @cache
 def example() -> Any:
-    """The Function JSON of an example, which uses most of what a function can say."""
+    """The Function JSON of an example, which has most of the fields of a function."""
     (function,) = (each for each in examples() if each.info.function_name == "CoreAcc")
     return json.loads(to_json(function))
 
@@ -85,7 +83,9 @@ def is_refused(document: Any, make: Callable[[Any], None]) -> bool:
     return False
 
 
-@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize(
+    "seed", seeds(f"{HERE}::test_a_function_is_generated_for_every_platform_or_refused_with_findings", 0, TRIES)
+)
 def test_a_function_is_generated_for_every_platform_or_refused_with_findings(seed):
     document = mutated(example(), seed)
     try:
@@ -100,7 +100,7 @@ def integrated(name: str) -> Any:
     return json.loads(integrate(PLATFORMS[name], [resolved(each) for each in examples()]).document)
 
 
-@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("seed", seeds(f"{HERE}::test_an_integration_is_generated_or_refused_with_findings", 0, TRIES))
 @pytest.mark.parametrize(("name", "generator"), GENERATED, ids=[f"{name} {each.name}" for name, each in GENERATED])
 def test_an_integration_is_generated_or_refused_with_findings(name, generator, seed):
     document = mutated(integrated(name), seed)
@@ -112,7 +112,7 @@ def test_an_integration_is_generated_or_refused_with_findings(name, generator, s
 
 
 def compiled_and_run(document: FunctionJson, seed: int, folder: Path) -> str:
-    """Where the core and its model part; empty if the core is refused, or does what the model does."""
+    """Return the first difference of the core from its model; empty if the core is refused, or equal."""
     data = to_json(document)
     checked = check_function_json(data, "f.json")
     if has_errors(checked.findings) or checked.function is None or checked.resolved is None:
@@ -157,14 +157,22 @@ def _signals(document: Any) -> Any:
                 yield from contract.get("SignalList") or ()
 
 
+def with_large_symbols(document: Any) -> None:
+    """The last value of each enumeration is beyond what its type in C holds."""
+    for each in document["Datatypes"]:
+        if each.get("Symbols"):
+            each["Symbols"][-1]["Value"] = 10**400
+
+
 FOUND: dict[str, Callable[[Any], None]] = {
     "an error of a time-out that is not there": without_time_out,
     "a priority with two signs": with_priority("--5"),
     "a priority with both signs": with_priority("+-5"),
     "a priority that is a superscript": with_priority("²"),
     "modes without variables": without_mode_variable,
+    "values of enumerations that no type holds": with_large_symbols,
 }
-"""What fuzzing has found."""
+"""Failures that fuzzing has found."""
 
 
 @pytest.mark.parametrize("name", FOUND)
@@ -182,7 +190,7 @@ def test_what_was_found_is_compiled_and_run(name, found, tmp_path):
     assert disagreement(FunctionJson.model_validate(document, by_name=False), 1, 200, tmp_path, ("-O0", "-w")) == ""
 
 
-@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("seed", seeds(f"{HERE}::test_cores_of_changed_documents_do_what_their_models_do", 0, TRIES))
 @pytest.mark.parametrize("name", ["conversions", "time_outs", "rejections", "errors", "schedules"])
 def test_cores_of_changed_documents_do_what_their_models_do(name, seed):
     before = json.loads(to_json(FIXED[name]()))

@@ -227,7 +227,7 @@ def test_each_call_is_a_runnable_with_a_symbol_of_its_own(core_acc):
 
 @pytest.mark.parametrize(("longest", "period"), [(7.4, 0.007), (30, 0.02), (0.4, 0.001)])
 def test_supervision_keeps_the_longest_period_of_the_core(longest, period):
-    """Of cycle and longest duration the shorter, in whole ticks, and a tick at least."""
+    """The period is the shorter one of cycle and longest duration, in whole ticks, and at least a tick."""
     limits = {"Min": 0, "Max": longest, "Ref": 0, "ErrorName": "Demo_Deadline_ErrorSts"}
     call = {
         "Cycletime": 20,

@@ -1,7 +1,7 @@
 """The operation that is asked most, without FastAPI around it: that takes several times as long as its answer.
 
 The operation stays where it is, and describes itself in the OpenAPI document. The shortcut answers plain requests for nodes that
-exist and have few children; any other goes on to the operation, which checks what it has to.
+exist and have few children; the operation answers all others, and checks them.
 """
 
 from fastapi import Request

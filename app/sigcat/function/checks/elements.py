@@ -6,7 +6,6 @@ from itertools import islice
 from typing import Any, NamedTuple
 
 from sigcat import codes
-from sigcat.catalogue.model.datatypes import INTEGER_RANGES
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.expression import is_identifier
 from sigcat.function.document.problem import Problem, Subject
@@ -14,7 +13,7 @@ from sigcat.function.document.yaml_words import in_yaml
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.datatype import Datatype, innermost
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.primitive_types import c_type
+from sigcat.function.function_json.primitive_types import c_type, integer_range
 from sigcat.function.function_json.walk import data, parameters
 from sigcat.names import did_you_mean
 
@@ -148,10 +147,7 @@ def _is_number(value: Any, integers: tuple[int, int] | None, limits: _Limits) ->
 
 def _integers(datatype: Datatype, limits: _Limits) -> tuple[int, int] | None:
     """The range of an integer that holds the number as it is; None for everything else."""
-    meant = c_type(datatype.c_definition)
-    if limits.is_scaled or meant is None or meant.kind not in ("signed", "unsigned") or not meant.bits:
-        return None
-    return INTEGER_RANGES[f"{'u' if meant.kind == 'unsigned' else ''}int{meant.bits}"]
+    return None if limits.is_scaled else integer_range(datatype.c_definition)
 
 
 def _wanted(datatype: Datatype, limits: _Limits) -> str:

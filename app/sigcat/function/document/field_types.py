@@ -12,7 +12,7 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from sigcat.function.document.expression import expression_of, is_identifier
+from sigcat.function.document.expression import is_identifier, may_hold_value
 from sigcat.names import either
 
 
@@ -31,7 +31,7 @@ class Refers:
     """The string is the name of something that a function of the document has."""
 
     to: str
-    """What it is, in messages: `call`."""
+    """Noun for messages: `call`."""
 
 
 def _matching(expected: str, pattern: str, fix: str = "", longest: int = 500) -> Grammar:
@@ -46,7 +46,7 @@ def _one_of(*words: str) -> Grammar:
 _LETTERS = r"[^\W_]"
 """Letters and digits of any script."""
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\xad\u034f\u061c\u115f\u1160\u17b4\u17b5\u180b-\u180f\u200b-\u200f\u2028-\u202e\u2060-\u206f\u3164\ufe00-\ufe0f\ud800-\udfff\ufeff\uffa0\ufff0-\uffff\U000e0000-\U000e0fff]")  # fmt: skip
-"""Characters that nobody sees, and that turn the direction of text."""
+"""Invisible characters, and those that turn the direction of text."""
 _INERT = re.compile(r"""(?!.*(?:/[*/]|\*/|\?\?|\]\]))[^"'\\`$#;<>&{}@]*""", re.DOTALL)
 
 
@@ -107,7 +107,7 @@ WORDS = Grammar(
     "Remove these signs.",
 )
 Words = Annotated[str, WORDS]
-"""Who or what something is, in a few words."""
+"""A name of a person, an organization or a thing, in a few words."""
 UNIT = _matching(
     "a unit of letters, digits and the signs ^ / * . % ° - ( )",
     rf"(?!.*(?:/[*/]|\*/))(?:{_LETTERS}|[ _^/*.·%°()+-])*",
@@ -123,7 +123,7 @@ C_IDENTIFIER = Grammar("a C identifier", is_identifier, _LETTERS_FIRST)
 CIdentifier = Annotated[str, C_IDENTIFIER]
 C_EXPRESSION = Grammar(
     "an expression of C that holds a value",
-    lambda text: expression_of(text) is not None,
+    may_hold_value,
     "Name the variable as the code does, such as in.speed, in->speed or in[3].",
 )
 CExpression = Annotated[str, C_EXPRESSION]
@@ -133,6 +133,11 @@ C_TYPE = _matching(
     "Write it as the header does, such as ExtU_Acc_T.",
 )
 CType = Annotated[str, C_TYPE]
+C_VARIABLE_TYPE = (
+    r"^(volatile )?((un)?signed|((un)?signed )?(char|short|int|long|long long|short int|long int|long long int)|float|double|_Bool"
+    r"|((enum|struct) )?[A-Za-z_][A-Za-z0-9_]{0,127})$"
+)
+"""Pattern of the types of variables that an adapter defines."""
 C_DEFINITION = _matching(
     "a definition of a type in C",
     r"[A-Za-z_][A-Za-z0-9_]*(?: +[A-Za-z_][A-Za-z0-9_]*){0,4}(?: *\*)?(?: *\[[0-9]{0,9}\])?|",

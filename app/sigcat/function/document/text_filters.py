@@ -126,7 +126,7 @@ def arxml_text(value: AnyText) -> str:
 
 
 def markdown(value: AnyText) -> str:
-    """Text of a paragraph or of a cell in Markdown, on one line: it is no markup, also none of HTML."""
+    """Text of a paragraph or of a cell in Markdown, on one line, without markup of Markdown or HTML."""
     text = _MARKUP.sub(r"\\\g<0>", escape(_one_line(value)))
     return _NUMBERED.sub(r"\1\\", text)
 

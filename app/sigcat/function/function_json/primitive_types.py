@@ -82,6 +82,14 @@ def c_type(definition: str) -> CType | None:
     return CType("floating", 0) if text == "long double" else _c_integer(text.split())
 
 
+def integer_range(definition: str) -> tuple[int, int] | None:
+    """The whole numbers that a C definition holds; None for everything else."""
+    meant = c_type(definition)
+    if meant is None or meant.kind not in ("signed", "unsigned") or not meant.bits:
+        return None
+    return INTEGER_RANGES[f"{'u' if meant.kind == 'unsigned' else ''}int{meant.bits}"]
+
+
 def _c_integer(words: list[str]) -> CType | None:
     signs = [word for word in words if word in ("signed", "unsigned")]
     rest = tuple(sorted(word for word in words if word not in signs))

@@ -95,13 +95,6 @@ def _listed(value: list[Any], shape: _Shape, element: _Shape, at: Pointer) -> It
         yield from _value(each, element, (*at, index))
 
 
-_INTEGERS: Mapping[str, tuple[int, int]] = {
-    "boolean": (0, 1),
-    **{f"uint{bits}": (0, 2**bits - 1) for bits in (8, 16, 32, 64)},
-    **{f"sint{bits}": (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1) for bits in (8, 16, 32, 64)},
-}
-
-
 def _struct(value: dict[str, Any], shape: _Shape, at: Pointer) -> Iterator[Problem]:
     for name in value.keys() ^ shape.members.keys():
         what = "is not one" if name in value else "is missing"

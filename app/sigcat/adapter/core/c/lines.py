@@ -145,7 +145,7 @@ def _wrapped(line: Line) -> Lines:
 
 
 def _outside_of_strings(code: str, sign: str, start: int) -> int:
-    """Where the last sign is that a line has room for. A string has no quotation mark inside."""
+    """Index of the last sign within the width of a line. A string has no quotation mark inside."""
     at = code.rfind(sign, start, WIDEST - len(sign.rstrip()))
     while at >= 0 and code.count('"', 0, at) % 2:
         at = code.rfind(sign, start, at)
