@@ -3,7 +3,7 @@
 import pytest
 
 from sigcat.api.application import create_app
-from sigcat.api.routes.shortcuts import NodeShortcut
+from sigcat.api.routes.shortcuts import Shortcuts
 from sigcat.catalogue.hosting.library import Library
 from tests.api.conftest import SETTINGS, Ask, asker
 
@@ -14,7 +14,7 @@ NODES = "/api/v1/catalogues/small/nodes"
 def without(library: Library) -> Ask:
     """The same service, in which every request takes the long way."""
     app = create_app(library, SETTINGS)
-    app.user_middleware[:] = [each for each in app.user_middleware if each.cls is not NodeShortcut]  # type: ignore[comparison-overlap]
+    app.user_middleware[:] = [each for each in app.user_middleware if each.cls is not Shortcuts]  # type: ignore[comparison-overlap]
     return asker(app)
 
 

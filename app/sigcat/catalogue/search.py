@@ -98,13 +98,15 @@ class SearchIndex:
         limit: int = 50,
         offset: int = 0,
         each_instance: bool = False,
+        is_proposing: bool = True,
     ) -> SearchResult:
         """Nodes in which every word of `text` begins a word of the path, the description or the unit.
 
         `text` may also be a static id, or have generated names in it. `filters` are exact values by facet: type,
         datatype, unit, category, asil, overlay, deprecated (`yes`, `no`). A name that was given whole comes first,
         then matches in the name, the path, the description; without words, all in the order of the tree. Instances
-        that share a definition are one hit, unless `each_instance` is wanted. Raises UsageError for too many words.
+        that share a definition are one hit, unless `each_instance` is wanted. Where nothing is found, near words are
+        looked for, which takes long, unless `is_proposing` is false. Raises UsageError for too many words.
         """
         allowed = {facet: self._facets[facet].get(value, 0) for facet, value in (filters or {}).items()}
         chosen = _common(allowed.values(), self._everything)
@@ -115,8 +117,12 @@ class SearchIndex:
         unfiltered = unfiltered if each_instance else self._groups.touched(unfiltered)
         facets = {facet: self._counted(facet, allowed, shown, unfiltered) for facet in self._facets}
         if not found and wanted:
-            near, instead = self._near(wanted), self._instead(wanted[:_MOST_MENDED], chosen)
-            return SearchResult((), 0, facets, tuple(wanted), near, instead)
+            result = SearchResult((), 0, facets, tuple(wanted))
+            if not is_proposing:
+                return result
+            return result._replace(
+                did_you_mean=self._near(wanted), instead=self._instead(wanted[:_MOST_MENDED], chosen)
+            )
         numbers = self._in_order(ranks, found, is_ranked=bool(wanted), each_instance=each_instance)
         page = islice(numbers, offset, offset + limit)
         hits = tuple(Hit(self._nodes[n]) if each_instance else self._hit(n, found) for n in page)
@@ -241,6 +247,11 @@ class SearchIndex:
 
 
 _indexes: WeakKeyDictionary[Catalogue, SearchIndex] = WeakKeyDictionary()
+
+
+def has_index(catalogue: Catalogue) -> bool:
+    """Whether the index of a catalogue is built."""
+    return catalogue in _indexes
 
 
 def index_of(catalogue: Catalogue) -> SearchIndex:

@@ -162,17 +162,8 @@ def search_nodes(
 ) -> Response:
     """Nodes whose path, description or unit has all the words, best first, with counts for every filter."""
     _refuse_repeated(request)
-    result, cursor = found(hosted, settings, query)
-    mark_next_page(request, cursor)
-    hits = [serializers.search_hit(hit) for hit in result.hits]
-    page = schemas.SearchPage(
-        total=result.total,
-        hits=hits,
-        facets={facet: dict(counts) for facet, counts in result.facets.items()},
-        suggestions=list(result.did_you_mean),
-        next_cursor=cursor,
-    )
-    return answer(request, page, rows(hits))
+    page = search_page(request, *found(hosted, settings, query))
+    return answer(request, page, rows(page.hits))
 
 
 @router.get(
@@ -217,13 +208,32 @@ def list_quantities(request: Request, hosted: TheCatalogue) -> Response:
     return answer(request, schemas.QuantityList(quantities=quantities), rows(quantities))
 
 
-def found(hosted: Hosted, settings: Settings, query: SearchQuery) -> tuple[SearchResult, str | None]:
+def search_page(request: Request, result: SearchResult, cursor: str | None) -> schemas.SearchPage:
+    """One page of results; the header of the answer names the next one."""
+    mark_next_page(request, cursor)
+    return schemas.SearchPage(
+        total=result.total,
+        hits=[serializers.search_hit(hit) for hit in result.hits],
+        facets={facet: dict(counts) for facet, counts in result.facets.items()},
+        suggestions=list(result.did_you_mean),
+        next_cursor=cursor,
+    )
+
+
+def found(
+    hosted: Hosted, settings: Settings, query: SearchQuery, *, is_proposing: bool = True
+) -> tuple[SearchResult, str | None]:
     """One page of what a query finds, and the cursor of the next one."""
     _check(hosted, settings, query)
     offset = offset_of(query.cursor, searched_state(hosted, query)) if query.cursor else 0
     limit = page_size(query.limit, settings)
     result = hosted.search_index.search(
-        query.q, query.filters, limit=limit, offset=offset, each_instance=query.instances
+        query.q,
+        query.filters,
+        limit=limit,
+        offset=offset,
+        each_instance=query.instances,
+        is_proposing=is_proposing,
     )
     following = offset + len(result.hits)
     if not result.hits or following >= result.total:
