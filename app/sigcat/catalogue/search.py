@@ -98,15 +98,13 @@ class SearchIndex:
         limit: int = 50,
         offset: int = 0,
         each_instance: bool = False,
-        is_proposing: bool = True,
     ) -> SearchResult:
         """Nodes in which every word of `text` begins a word of the path, the description or the unit.
 
         `text` may also be a static id, or have generated names in it. `filters` are exact values by facet: type,
         datatype, unit, category, asil, overlay, deprecated (`yes`, `no`). A name that was given whole comes first,
         then matches in the name, the path, the description; without words, all in the order of the tree. Instances
-        that share a definition are one hit, unless `each_instance` is wanted. Where nothing is found, near words are
-        looked for, which takes long, unless `is_proposing` is false. Raises UsageError for too many words.
+        that share a definition are one hit, unless `each_instance` is wanted. Raises UsageError for too many words.
         """
         allowed = {facet: self._facets[facet].get(value, 0) for facet, value in (filters or {}).items()}
         chosen = _common(allowed.values(), self._everything)
@@ -117,12 +115,8 @@ class SearchIndex:
         unfiltered = unfiltered if each_instance else self._groups.touched(unfiltered)
         facets = {facet: self._counted(facet, allowed, shown, unfiltered) for facet in self._facets}
         if not found and wanted:
-            result = SearchResult((), 0, facets, tuple(wanted))
-            if not is_proposing:
-                return result
-            return result._replace(
-                did_you_mean=self._near(wanted), instead=self._instead(wanted[:_MOST_MENDED], chosen)
-            )
+            near, instead = self._near(wanted), self._instead(wanted[:_MOST_MENDED], chosen)
+            return SearchResult((), 0, facets, tuple(wanted), near, instead)
         numbers = self._in_order(ranks, found, is_ranked=bool(wanted), each_instance=each_instance)
         page = islice(numbers, offset, offset + limit)
         hits = tuple(Hit(self._nodes[n]) if each_instance else self._hit(n, found) for n in page)
@@ -218,11 +212,12 @@ class SearchIndex:
 
     # -- where nothing is found
 
-    def _is_known(self, word: str) -> bool:
+    def is_known(self, word: str) -> bool:
+        """Whether something has a word that begins so, in small letters. Of others near ones are looked for, which takes long."""
         return any(index.knows(word) for index in (self._in_name, self._in_path, self._in_text))
 
     def _near(self, wanted: list[str]) -> tuple[str, ...]:
-        unknown = [word for word in wanted if not self._is_known(word)]
+        unknown = [word for word in wanted if not self.is_known(word)]
         return tuple(near for word in unknown[:3] for near in nearest(word, self._in_path.words))
 
     def _instead(self, wanted: list[str], chosen: Bits) -> tuple[str, ...]:
@@ -239,10 +234,10 @@ class SearchIndex:
 
     def _corrected(self, word: str) -> tuple[str, ...]:
         """A word itself if it is known; else the nearest ones, or else the two known words that it is made of."""
-        if self._is_known(word):
+        if self.is_known(word):
             return (word,)
         parts = ((word[:i], word[i:]) for i in range(_SHORTEST_PART, len(word) - _SHORTEST_PART + 1))
-        apart = (f"{one} {two}" for one, two in parts if self._is_known(one) and self._is_known(two))
+        apart = (f"{one} {two}" for one, two in parts if self.is_known(one) and self.is_known(two))
         return nearest(word, self._in_path.words) or tuple(islice(apart, 1))
 
 

@@ -51,7 +51,11 @@ class RequestLog:
                 return
             quotas = state.get("quotas")
             state["trace_id"] = name_span(method, _route_of(asked), request_id)
-            message["headers"] = [*message.get("headers", ()), header, *(quota_headers(quotas.values()) if quotas else ())]
+            message["headers"] = [
+                *message.get("headers", ()),
+                header,
+                *(quota_headers(quotas.values()) if quotas else ()),
+            ]
             await send(message)  # the client may leave before it has read earlier answers
             status = message["status"]
 
@@ -77,7 +81,9 @@ class RequestLog:
         client = scope.get("client") or ("", 0)
         trace = state.get("trace_id", "")
         route = _route_of(scope)
-        self._notes.add(note_of(state["request_id"], method, scope["path"], route, status, seconds, client[0], "", trace))
+        self._notes.add(
+            note_of(state["request_id"], method, scope["path"], route, status, seconds, client[0], "", trace)
+        )
 
 
 def _route_of(scope: Scope) -> str:

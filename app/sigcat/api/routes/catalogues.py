@@ -220,20 +220,13 @@ def search_page(request: Request, result: SearchResult, cursor: str | None) -> s
     )
 
 
-def found(
-    hosted: Hosted, settings: Settings, query: SearchQuery, *, is_proposing: bool = True
-) -> tuple[SearchResult, str | None]:
+def found(hosted: Hosted, settings: Settings, query: SearchQuery) -> tuple[SearchResult, str | None]:
     """One page of what a query finds, and the cursor of the next one."""
     _check(hosted, settings, query)
     offset = offset_of(query.cursor, searched_state(hosted, query)) if query.cursor else 0
     limit = page_size(query.limit, settings)
     result = hosted.search_index.search(
-        query.q,
-        query.filters,
-        limit=limit,
-        offset=offset,
-        each_instance=query.instances,
-        is_proposing=is_proposing,
+        query.q, query.filters, limit=limit, offset=offset, each_instance=query.instances
     )
     following = offset + len(result.hits)
     if not result.hits or following >= result.total:

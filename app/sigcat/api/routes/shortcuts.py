@@ -1,12 +1,11 @@
 """The operations that are asked most, without FastAPI around them: that takes several times as long as their answers.
 
 The operations stay where they are, and describe themselves in the OpenAPI document. The shortcuts answer plain requests: for nodes
-that exist and have few children, and for a few words that something has. Any other goes on to the operation, which checks what it
+that exist and have few children, and for a few words that the catalogue has. Any other goes on to the operation, which checks what it
 has to, and takes to a thread what may take long.
 """
 
 import re
-from urllib.parse import unquote_plus
 
 from fastapi import Request
 from starlette.types import ASGIApp, Receive, Scope, Send
@@ -18,13 +17,12 @@ from sigcat.api.requests.thread_turns import has_few_children, has_turn
 from sigcat.api.routes.catalogues import SearchQuery, found, router, search_page
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.search import has_index
-from sigcat.errors import UsageError
 
 _LONGEST = 200
 """Characters of an address whose parts need no check of their length."""
 _FEW_NODES = 20_000
 """Nodes among which a search for a few words takes a millisecond."""
-_WORDS = re.compile(rb"q=([A-Za-z]{1,20}(?:\+[A-Za-z]{1,20}){0,3})")
+_WORDS = re.compile(rb"q=([A-Za-z]{3,40}(?:\+[A-Za-z]{3,40}){0,3})")
 """A query of a few words and nothing else."""
 _CONDITIONS = (b"if-match", b"if-none-match")
 _AS_JSON = (ANY.encode(), JSON.encode())
@@ -72,7 +70,7 @@ def _answer(scope: Scope) -> bytes | None:
     if rest.startswith("nodes/") and not scope["query_string"]:
         return _node(request, hosted, rest.removeprefix("nodes/"))
     words = _WORDS.fullmatch(scope["query_string"]) if rest == "search" else None
-    return _found(request, hosted, words[1]) if words else None
+    return _found(request, hosted, words[1].decode().split("+")) if words else None
 
 
 def _node(request: Request, hosted: Hosted, path: str) -> bytes | None:
@@ -84,20 +82,16 @@ def _node(request: Request, hosted: Hosted, path: str) -> bytes | None:
     return json_bytes(node_data(hosted.catalogue, node))
 
 
-def _found(request: Request, hosted: Hosted, words: bytes) -> bytes | None:
-    """What a few words find in a catalogue that is not large. Where they find nothing, near words are looked for in a thread."""
-    catalogue = hosted.catalogue
-    if len(catalogue.nodes) > _FEW_NODES or not has_index(catalogue) or not has_turn(request):
+def _found(request: Request, hosted: Hosted, words: list[str]) -> bytes | None:
+    """What a few words find that a catalogue has which is not large."""
+    catalogue, settings = hosted.catalogue, settings_of(request)
+    query = SearchQuery(q=" ".join(words))
+    if len(catalogue.nodes) > _FEW_NODES or not has_index(catalogue) or len(query.q) > settings.query_characters:
         return None
-    query = SearchQuery(q=unquote_plus(words.decode("ascii")))
-    try:
-        result, cursor = found(hosted, settings_of(request), query, is_proposing=False)
-    except UsageError:  # the operation says what is wrong
-        return None
-    if not result.total:
+    if not all(hosted.search_index.is_known(word.lower()) for word in words) or not has_turn(request):
         return None
     _mark(request, hosted, "/search")
-    return json_bytes(search_page(request, result, cursor))
+    return json_bytes(search_page(request, *found(hosted, settings, query)))
 
 
 def _mark(request: Request, hosted: Hosted, route: str) -> None:
