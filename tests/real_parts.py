@@ -142,6 +142,17 @@ KINDS = (
         ),
     ),
     Kind(
+        "changed documents, compiled for every platform",
+        (
+            "tests/adapter/test_mutated.py::test_what_is_generated_of_a_changed_function_is_compiled",
+            "tests/adapter/test_mutated.py::test_what_is_generated_of_a_changed_integration_is_compiled",
+        ),
+        (
+            "tests/adapter/test_mutated.py::test_what_is_generated_of_a_changed_function_is_compiled[autosar-classic-time_outs-0]",
+            "tests/adapter/test_mutated.py::test_what_is_generated_of_a_changed_integration_is_compiled[autosar-classic-time_outs-0]",
+        ),
+    ),
+    Kind(
         "drives played to every platform",
         ("tests/comparison/running/test_platforms.py", "tests/comparison/test_can_drive.py"),
         (

@@ -1,9 +1,10 @@
 """Whatever the linter lets through is generated: mistakes in documents are findings, never exceptions.
 
-`make fuzz` tries many more documents (SIGCAT_FUZZ is their number), other ones each time, and compiles and runs the cores. What it
-finds is a case here.
+`make fuzz` tries many more documents (SIGCAT_FUZZ is their number), other ones each time. Cores are compiled and run, what is generated
+for a platform is compiled, and runs on the test RTE of AUTOSAR Classic. What it finds is a case here.
 """
 
+import copy
 import json
 import tempfile
 from collections.abc import Callable
@@ -24,6 +25,7 @@ from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.integrate import integrate
 from sigcat.platforms.platform import Generator, Options
 from sigcat.platforms.table import PLATFORMS
+from tests.adapter import mutated_platforms
 from tests.adapter.core.compared import disagreement
 from tests.adapter.core.fixed import FIXED
 from tests.adapter.mutating import difference, mutated
@@ -126,6 +128,31 @@ def compiled_and_run(document: FunctionJson, seed: int, folder: Path) -> str:
     return disagreement(checked.function, seed, 200, folder, ("-O0", "-w"))
 
 
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("name", mutated_platforms.NAMES)
+@pytest.mark.parametrize("platform", PLATFORMS)
+def test_what_is_generated_of_a_changed_function_is_compiled(platform, name, seed):
+    document = mutated(mutated_platforms.documents()[name], seed)
+    try:
+        mutated_platforms.compile_function(platform, document)
+    except Exception as error:
+        error.add_note("\n".join(difference(mutated_platforms.documents()[name], document)))
+        raise
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("name", mutated_platforms.NAMES)
+@pytest.mark.parametrize("platform", PLATFORMS)
+def test_what_is_generated_of_a_changed_integration_is_compiled(platform, name, seed):
+    before = mutated_platforms.integration_of(platform, name)
+    document = mutated(before, seed)
+    try:
+        mutated_platforms.compile_integration(platform, document)
+    except Exception as error:
+        error.add_note("\n".join(difference(before, document)))
+        raise
+
+
 def without_time_out(document: Any) -> None:
     """A signal keeps the error of its time-out, and loses the time-out."""
     for each in list(_signals(document)):
@@ -164,6 +191,44 @@ def with_large_symbols(document: Any) -> None:
             each["Symbols"][-1]["Value"] = 10**400
 
 
+def with_number_of_mode(number: int) -> Callable[[Any], None]:
+    """The first mode that is received has this number."""
+
+    def change(document: Any) -> None:
+        modes = next(each for each in document["ModeInterfaceList"] if each["Direction"] == "In")
+        datatype = next(each for each in document["Datatypes"] if each["typeRef"] == modes["Datatype"])
+        datatype["Symbols"][0]["Value"] = number
+
+    return change
+
+
+def with_mode_twice(document: Any) -> None:
+    """A mode is allowed twice."""
+    for each in document["ModeInterfaceList"]:
+        each["Modes"].append(each["Modes"][-1])
+
+
+def with_mode_without_number(document: Any) -> None:
+    """The datatype of the modes has no number for the last one."""
+    for each in document["Datatypes"]:
+        if each["typeRef"].startswith("DT_Mode"):
+            each["Symbols"].pop()
+
+
+def without_header(document: Any) -> None:
+    """No header declares the variables, and modes have numbers that their datatype does not hold."""
+    document["Code"]["Headers"] = []
+    for each in document["ModeInterfaceList"]:
+        each["Values"] = [{"Symbol": mode, "Value": 70000 + index} for index, mode in enumerate(each["Modes"])]
+
+
+def with_kind(document: Any) -> None:
+    """Datatypes are of a kind that is not known."""
+    for each in document["Datatypes"]:
+        if each.get("Kind"):
+            each["Kind"] = "²"
+
+
 FOUND: dict[str, Callable[[Any], None]] = {
     "an error of a time-out that is not there": without_time_out,
     "a priority with two signs": with_priority("--5"),
@@ -172,7 +237,16 @@ FOUND: dict[str, Callable[[Any], None]] = {
     "modes without variables": without_mode_variable,
     "values of enumerations that no type holds": with_large_symbols,
 }
-"""Failures that fuzzing has found."""
+"""What fuzzing has found."""
+MISCODED: dict[str, Callable[[Any], None]] = {
+    "a mode with a number beyond its type": with_number_of_mode(2**64),
+    "a mode with a number below its type": with_number_of_mode(-1),
+    "a mode twice": with_mode_twice,
+    "a mode without number": with_mode_without_number,
+    "modes with numbers of the code beyond their type": without_header,
+    "datatypes of an unknown kind": with_kind,
+}
+"""What no compiler takes, and was generated."""
 
 
 @pytest.mark.parametrize("name", FOUND)
@@ -180,6 +254,14 @@ def test_what_was_found_is_generated_for_every_platform(name):
     document = json.loads(json.dumps(example()))
     FOUND[name](document)
     is_refused(document, generate_all)
+
+
+@pytest.mark.parametrize("name", MISCODED)
+def test_what_no_compiler_takes_is_refused(name):
+    document = copy.deepcopy(mutated_platforms.documents()["schedules"])
+    assert not is_refused(document, mutated_platforms.read)
+    MISCODED[name](document)
+    assert is_refused(document, mutated_platforms.read)
 
 
 @pytest.mark.parametrize("name", ["time_outs", "errors"])
@@ -201,3 +283,10 @@ def test_cores_of_changed_documents_do_what_their_models_do(name, seed):
         return
     with tempfile.TemporaryDirectory() as folder:
         assert compiled_and_run(document, seed, Path(folder)) == "", "\n".join(difference(before, after))
+
+
+def test_an_initial_value_with_an_element_that_is_null_is_refused():
+    document = copy.deepcopy(mutated_platforms.integration_of("autosar-classic", "full"))
+    ports = [each for each in document["Composition"]["Ports"] if isinstance(each.get("InitValue"), list)]
+    ports[0]["InitValue"][0] = None
+    assert not mutated_platforms.compile_integration("autosar-classic", document)

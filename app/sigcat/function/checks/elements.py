@@ -13,7 +13,7 @@ from sigcat.function.document.yaml_words import in_yaml
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.datatype import Datatype, innermost
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.primitive_types import c_type, integer_range
+from sigcat.function.function_json.primitive_types import c_type, integer_limits
 from sigcat.function.function_json.walk import data, parameters
 from sigcat.names import did_you_mean
 
@@ -147,7 +147,7 @@ def _is_number(value: Any, integers: tuple[int, int] | None, limits: _Limits) ->
 
 def _integers(datatype: Datatype, limits: _Limits) -> tuple[int, int] | None:
     """The range of an integer that holds the number as it is; None for everything else."""
-    return None if limits.is_scaled else integer_range(datatype.c_definition)
+    return None if limits.is_scaled else integer_limits(datatype.c_definition)
 
 
 def _wanted(datatype: Datatype, limits: _Limits) -> str:

@@ -92,7 +92,7 @@ def _listed(value: list[Any], shape: _Shape, element: _Shape, at: Pointer) -> It
         yield Problem(at, message, "Give one for each.")
         return
     for index, each in enumerate(value):
-        yield from _value(each, element, (*at, index))
+        yield from _inner(each, element, (*at, index))
 
 
 def _struct(value: dict[str, Any], shape: _Shape, at: Pointer) -> Iterator[Problem]:
@@ -103,7 +103,15 @@ def _struct(value: dict[str, Any], shape: _Shape, at: Pointer) -> Iterator[Probl
         )
         yield Problem(at, message, "Give one value for each.")
     for name, member in shape.members.items():
-        yield from _value(value.get(name), member, (*at, name))
+        if name in value:
+            yield from _inner(value[name], member, (*at, name))
+
+
+def _inner(value: Any, shape: _Shape, at: Pointer) -> Iterator[Problem]:
+    """An element or a member: a whole value may be absent, but no part of it."""
+    if value is None:
+        yield Problem(at, "The initial value must have each element and member, not null.", "Give a value.")
+    yield from _value(value, shape, at)
 
 
 def _number(value: Any, base: str, at: Pointer) -> Iterator[Problem]:
