@@ -1,6 +1,5 @@
 """Values of arrays and structs: as many elements as there are, every member, each of its datatype and within its range."""
 
-import json
 from collections.abc import Iterator, Mapping
 from itertools import islice
 from typing import Any, NamedTuple
@@ -9,6 +8,7 @@ from sigcat import codes
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.expression import is_identifier
 from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.text import Text, json_of
 from sigcat.function.document.yaml_words import in_yaml
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.datatype import Datatype, innermost
@@ -46,17 +46,22 @@ def check_elements(function: FunctionJson) -> Problems:
     for pointer, _, item in (*data(function), *parameters(function)):
         for key in ("InitElements", "DefaultElements"):
             text = getattr(item, "init_elements" if key == "InitElements" else "default_elements", None)
-            if text is not None:
+            if text is not None and not _is_text(types.get(item.datatype)):
                 yield from _value(text, item, (*pointer, key), types)
         yield from _members(item, pointer, types)
 
 
-def _value(text: str, item: Item, at: Pointer, types: Types) -> Problems:
+def _is_text(datatype: Datatype | None) -> bool:
+    """Whether a value is one text, which is written as it is."""
+    meant = c_type(datatype.c_definition) if datatype is not None and datatype.kind is None else None
+    return meant is not None and meant.kind == "text"
+
+
+def _value(text: Text, item: Item, at: Pointer, types: Types) -> Problems:
     subject = Subject("data", item.vss_path or item.name, () if at[-1] == "InitElements" else ("default",))
     what = "init" if at[-1] == "InitElements" else "default"
-    try:
-        value = json.loads(text)
-    except (ValueError, RecursionError):
+    value = json_of(text)
+    if value is None:
         message = f"`{at[-1]}` of {item.name!r} must be JSON, a list or an object."
         yield Problem(codes.START_VALUE_OUT_OF_RANGE, at, message, subject=subject)
         return

@@ -4,7 +4,6 @@ A field that may have any characters is a `Text`, which reaches files through fi
 has one of these types.
 """
 
-import json
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -53,25 +52,6 @@ _INERT = re.compile(r"""(?!.*(?:/[*/]|\*/|\?\?|\]\]))[^"'\\`$#;<>&{}@]*""", re.D
 def is_inert(text: str) -> bool:
     """Whether nothing in a text has a meaning to C, C++, CMake, make, a shell, Python, XML or Markdown."""
     return _CONTROL.search(text) is None and _INERT.fullmatch(text) is not None
-
-
-def _is_value(text: str) -> bool:
-    return len(text) <= 10_000 and (is_inert(text) or _is_json(text))
-
-
-def _is_json(text: str) -> bool:
-    try:
-        return len(text) <= 1_000_000 and _is_inert_value(json.loads(text))
-    except (ValueError, RecursionError):
-        return False
-
-
-def _is_inert_value(value: Any) -> bool:
-    if isinstance(value, str):
-        return is_inert(value)
-    if isinstance(value, dict):
-        return all(map(is_inert, value)) and all(map(_is_inert_value, value.values()))
-    return not isinstance(value, list) or all(map(_is_inert_value, value))
 
 
 _LETTERS_FIRST = "Use letters, digits and underscores, and a letter first."
@@ -213,13 +193,6 @@ SOURCE_FILE = _matching(
 )
 SourceFile = Annotated[str, SOURCE_FILE]
 """A file or a folder below the declaration, without a sign that CMake, make or a shell interprets."""
-FILE_TITLE = Grammar(
-    "a file name without quotes and the signs \\ ` $ # ; < > & { } @",
-    lambda text: len(text) <= 1_000 and is_inert(text),
-    "Rename the file.",
-)
-FileTitle = Annotated[str, FILE_TITLE]
-"""The name of a file that is only mentioned."""
 VERSION = _matching(
     "a version such as 1.2.3 (SemVer)",
     r"(?:0|[1-9][0-9]*)(?:\.(?:0|[1-9][0-9]*)){1,2}(?:-[0-9A-Za-z.-]+)?(?:\+[0-9A-Za-z.-]+)?",
@@ -241,17 +214,6 @@ NumberText = Annotated[str, NUMBER_TEXT]
 QUANTITY = _matching("a number", rf"\s?{_NUMBER} ?[A-Za-zµ]{{0,10}}\s?|[A-Za-z ]{{0,30}}", "", 1_000)
 Quantity = Annotated[str, QUANTITY]
 """A number, with a unit where a document writes one; or a word such as none."""
-JSON_VALUE = Grammar("JSON without invisible characters and comments", _is_json, "Write a list or an object.")
-JsonValue = Annotated[str, JSON_VALUE]
-VALUE = Grammar(
-    "text without the signs \" ' \\ ` $ # ; < > & { } @, comments and invisible characters; or JSON of such",
-    _is_value,
-    "Remove these signs.",
-)
-Value = Annotated[str, VALUE]
-"""The value of a text, or JSON."""
-AnyValue = Annotated[Any, VALUE]
-"""A value of any kind, whose texts are values."""
 E_MAIL = _matching("a mail address", r"[A-Za-z0-9.!%*+/=?^_|~-]+@[A-Za-z0-9.-]+", "", 200)
 Email = Annotated[str, E_MAIL]
 

@@ -53,6 +53,11 @@ def ros_string(value: AnyText) -> str:
     return f'"{text}"'
 
 
+def ros_number(value: AnyText) -> str:
+    """A constant of a ROS message that is a whole number."""
+    return str(int(_raw(value)))
+
+
 def c_string(value: AnyText) -> str:
     """A string literal of C and C++. It has no quotation mark inside and begins no comment, so that lines can be broken."""
     text = "".join(map(_c_character, _storable(value))).replace("/*", r"/\052")

@@ -244,16 +244,16 @@ def _of_outside(service: Service, context: Context) -> ServiceSettings | None:
     return next((each for each in context.settings.services if each.name == service.group.name), None)
 
 
-def _provider_names(service: Service, content: model.Services, context: Context) -> list[str]:
+def _provider_names(service: Service, content: model.Services, context: Context) -> list[Text]:
     """The component of the set, or who the deployment or the functions say provides it; else only the network is known."""
     if service.group.provider is not None:
-        return [service.group.provider.name]
+        return [Text(service.group.provider.name)]
     app = context.application
     manager = {SAFETY: app.safety_manager, MODES: app.mode_manager}.get(service.group.origin)
     if manager:
         return [manager]
     uses = [use.interface.external_provider for event in content.events for use in event.uses or ()]
-    return sorted({name for name in uses if name}) or [UNKNOWN_PROVIDER]
+    return sorted({name for name in uses if name}) or [Text(UNKNOWN_PROVIDER)]
 
 
 def _meta(context: Context) -> model.MetaInformation:

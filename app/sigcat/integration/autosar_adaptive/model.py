@@ -24,7 +24,6 @@ from sigcat.function.document.field_types import (
     ShortName,
     SourceFile,
     UnitKey,
-    Value,
     Version,
     VssDatatype,
     VssPath,
@@ -181,8 +180,8 @@ class ParameterType(WireModel):
     offset: Number | None = published("Offset", "Offset of the scaling.", default=None)
     scaling: Number | None = published("Scaling", "Factor of the scaling.", default=None)
     unit: UnitKey | None = published("Unit", "Unit of the value; empty if it has none.", default=None)
-    default: bool | Number | Value | None = published("Default", "Value of a new vehicle.", default=None)
-    init_value: bool | Number | Value | None = published("InitValue", "Value at start-up.", default=None)
+    default: bool | Number | Text | None = published("Default", "Value of a new vehicle.", default=None)
+    init_value: bool | Number | Text | None = published("InitValue", "Value at start-up.", default=None)
 
     @property
     def word(self) -> str:
@@ -328,7 +327,7 @@ class EventGroup(WireModel):
 class Provider(WireModel):
     """Who offers a service, and how it is reached."""
 
-    name: Name = published("Name", "Component that provides the service; SOME/IP if none of the set does.")
+    name: Text = published("Name", "Component that provides the service; SOME/IP if none of the set does.")
     deployment: Name = published("ServiceDeploymentType", "SOME/IP.")
     instance_id: Integer | None = published("ServiceInstanceID", "SOME/IP id of the instance.")
     contract: Text = published("ContractName", "Name of the middleware framework.")

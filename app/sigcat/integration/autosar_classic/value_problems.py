@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple, Union
 
 from sigcat.function.document.document import Pointer
+from sigcat.function.document.text import Text
 from sigcat.integration.autosar_classic.model import ClassicIntegration, ImplementationType, Port
 from sigcat.integration.autosar_classic.platform_types import FLOATS, WHOLE_NUMBERS
 from sigcat.integration.autosar_classic.used_types import element_types
@@ -117,7 +118,7 @@ def _inner(value: Any, shape: _Shape, at: Pointer) -> Iterator[Problem]:
 def _number(value: Any, base: str, at: Pointer) -> Iterator[Problem]:
     if base not in WHOLE_NUMBERS and base not in FLOATS:
         return  # `type_problems` reports it
-    if isinstance(value, str | list | dict) or (isinstance(value, bool) and base != "boolean"):
+    if isinstance(value, Text | list | dict) or (isinstance(value, bool) and base != "boolean"):
         yield Problem(at, f"The initial value must be a number for {base}, not {_shown(value)}.", "Correct it.")
         return
     low, high = WHOLE_NUMBERS.get(base) or (-FLOATS[base], FLOATS[base])
@@ -130,4 +131,4 @@ def _number(value: Any, base: str, at: Pointer) -> Iterator[Problem]:
 def _shown(value: Any) -> str:
     if isinstance(value, list | dict):
         return "a list" if isinstance(value, list) else "an object"
-    return repr(value)[:60]
+    return repr(value.raw if isinstance(value, Text) else value)[:60]

@@ -6,13 +6,13 @@ from math import isfinite
 from typing import Any
 
 from sigcat.function.document.document import Pointer
+from sigcat.function.document.text import Text
 from sigcat.integration.agreement import argument_counts
 from sigcat.integration.checked_document import Problem
 from sigcat.integration.datatypes import BY_VSS
 from sigcat.integration.ros2.model import (
     InterfacePackage,
     Message,
-    MessageConstant,
     MessageField,
     NodePackage,
     Package,
@@ -112,15 +112,15 @@ def _message(message: Message, at: Pointer, known: set[str]) -> Iterator[Problem
     constants = [((*at, "Constants", i, "Name"), each.name) for i, each in enumerate(message.constants)]
     yield from _names(constants, CONSTANT, "constant")
     for index, constant in enumerate(message.constants):
-        if not _has_value(constant):
-            text = f"The value of {constant.name} must be one of {constant.datatype}, not {constant.value[:60]!r}."
+        if not _has_value(constant.datatype, constant.value.raw):
+            text = f"The value of {constant.name} must be one of {constant.datatype}, not {constant.value.raw[:60]!r}."
             yield Problem((*at, "Constants", index, "Value"), text)
 
 
-def _has_value(constant: MessageConstant) -> bool:
-    if constant.datatype == "string":
-        return constant.value.isprintable() and "#" not in constant.value
-    return constant.datatype in _PRIMITIVES and bool(_INTEGER.fullmatch(constant.value))
+def _has_value(datatype: str, value: str) -> bool:
+    if datatype == "string":
+        return value.isprintable() and "#" not in value
+    return datatype in _PRIMITIVES and bool(_INTEGER.fullmatch(value))
 
 
 def _fields(fields: tuple[MessageField, ...], at: Pointer, known: set[str]) -> Iterator[Problem]:
@@ -190,4 +190,4 @@ def _is_value(value: Any, element: str) -> bool:
         return is_number and value == int(value) and -(2**63) <= value < 2**63
     if element == "double":
         return is_number
-    return isinstance(value, bool if element == "bool" else str)
+    return isinstance(value, bool if element == "bool" else Text)
