@@ -6,6 +6,7 @@ import os
 from collections.abc import AsyncIterator, Iterator, Mapping
 from contextlib import asynccontextmanager, contextmanager
 from math import ceil
+from typing import Any
 
 from anyio.to_thread import current_default_thread_limiter
 from fastapi import Depends, FastAPI
@@ -83,24 +84,26 @@ _MODULES_OF_WORK = tuple(module.__name__ for module in (changes, exports, functi
 
 
 class Service(FastAPI):
-    """FastAPI without the layers that have nothing to do here: errors are answered by `RequestLog`, bodies bounded by their readers."""
+    """FastAPI without its outer layers: `RequestLog` answers errors, and what reads a body bounds it."""
+
+    _first_layer: ASGIApp | None = None
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Pass a request to the first layer; by way of all those of FastAPI where requests are traced."""
+        """Pass a request to the first layer; through all those of FastAPI where requests are traced."""
         if self._first_layer is None or scope["type"] != "http":
             await super().__call__(scope, receive, send)
             return
         scope["app"] = self
         await self._first_layer(scope, receive, send)
 
-    _first_layer: ASGIApp | None = None
-
     def build_middleware_stack(self) -> ASGIApp:
-        """The layers; of those that were added here the first one is kept."""
-        stack = layer = super().build_middleware_stack()
-        if not self._telemetry["tracing"]:
-            while not isinstance(layer, self.user_middleware[0].cls):  # type: ignore[arg-type]
-                layer = layer.app  # type: ignore[attr-defined]
+        """Build the layers, and keep the first of those that were added here."""
+        stack = super().build_middleware_stack()
+        layer: Any = stack
+        if not self.state.is_traced:
+            first: Any = self.user_middleware[0].cls
+            while not isinstance(layer, first):
+                layer = layer.app
             self._first_layer = layer
         return stack
 
@@ -109,15 +112,17 @@ def create_app(
     library: Library, settings: Settings = DEFAULT_SETTINGS, functions: FunctionLibrary | None = None
 ) -> FastAPI:
     """The API over a library. Pages for people are put on top of it by `sigcat.web.site.create_site`."""
+    tracing = telemetry()
     app = Service(
         title="sigcat",
         version=__version__,
         description=_DESCRIPTION,
         openapi_url=None,  # `routes/contract.py` has it
         generate_unique_id_function=_operation_id,
-        telemetry=telemetry(),
+        telemetry=tracing,
         lifespan=_running,
     )
+    app.state.is_traced = tracing["tracing"]
     app.state.library = library
     app.state.functions = functions or FunctionLibrary(catalogues=library)
     app.state.settings = settings

@@ -1,4 +1,4 @@
-"""A request and its answer. A fifth of the time of a small answer is that of its head."""
+"""A request and its answer: the part of uvicorn that writes answers, made faster."""
 
 import re
 from functools import lru_cache
@@ -7,12 +7,16 @@ from typing import Any
 from uvicorn._types import ASGISendEvent
 from uvicorn.protocols.http.httptools_impl import STATUS_LINE, RequestResponseCycle
 
+_COPIED = 64 * 1024
+"""Bytes of an answer that are faster copied behind its head than written apart from it."""
 _FRAMING = frozenset((b"content-length", b"transfer-encoding", b"connection"))
+_OF_EACH = frozenset((b"content-length", b"x-request-id"))
+"""Headers with another value in nearly every answer. All others are mostly those of the answer before."""
 _HEADER = re.compile(rb"[^\x00-\x1f\x7f()<>@,;:\[\]={} \\\"]+: [^\x00-\x08\x0a-\x1f\x7f]*\r\n")  # as uvicorn has it
 
 
 class Exchange(RequestResponseCycle):
-    """uvicorn's, with an answer that goes out in one piece where it is made in one, and whose lines are made and checked once."""
+    """An exchange of uvicorn that sends the head with the first part of a body, and checks each header line once."""
 
     _unsent_head = b""
     _says_close = False
@@ -46,7 +50,12 @@ class Exchange(RequestResponseCycle):
             self._unsent_head = b""
 
     def _send_whole(self, body: bytes) -> None:
-        self.transport.write(self._unsent_head if self.scope["method"] == "HEAD" else self._unsent_head + body)
+        if self.scope["method"] == "HEAD":
+            self._send_head()
+        elif len(body) > _COPIED:
+            self.transport.writelines((self._unsent_head, body))
+        else:
+            self.transport.write(self._unsent_head + body)
         self._unsent_head = b""
         self.response_complete = True
         self.message_event.set()
@@ -62,7 +71,7 @@ class Exchange(RequestResponseCycle):
             small = name.lower()
             if small in _FRAMING:
                 self._frame(small, value)
-            lines.append(_line(small, value))
+            lines.append(_line(small, value) if small in _OF_EACH else _kept_line(small, value))
         return b"".join((*lines, self._framing(status), b"\r\n"))
 
     def _frame(self, name: bytes, value: bytes) -> None:
@@ -86,10 +95,12 @@ class Exchange(RequestResponseCycle):
         return lines
 
 
-@lru_cache(512)
 def _line(name: bytes, value: bytes) -> bytes:
-    """The line of a header. Nearly all headers of an answer are those of the answer before."""
+    """The line of a header. Raises RuntimeError for one that would be more than a line."""
     line = b"%b: %b\r\n" % (name, value)
     if not _HEADER.fullmatch(line):
         raise RuntimeError(f"The header {name!r} of an answer has characters that no header may have.")
     return line
+
+
+_kept_line = lru_cache(512)(_line)

@@ -259,7 +259,7 @@ class HttpConnection(HttpToolsProtocol):
             "http_version": version,
             "server": self.server,
             "client": self.client,
-            "scheme": self.scheme,
+            "scheme": self.scheme,  # type: ignore[typeddict-item]
             "method": method.decode("ascii"),
             "root_path": self.root_path,
             "path": self.root_path + (unquote(text) if "%" in text else text),
@@ -267,7 +267,7 @@ class HttpConnection(HttpToolsProtocol):
             "query_string": query,
             "headers": self.headers,
             "state": {**self.app_state, "has_left": self._has_left},
-        }  # type: ignore[typeddict-item]
+        }
 
     def _check_headers(self, version: str) -> None:
         """Raises Refused unless `Host` and `Transfer-Encoding` are as they must be; finds both, and `Expect`, in one pass."""

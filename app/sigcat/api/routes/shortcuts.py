@@ -85,7 +85,7 @@ def _node(request: Request, hosted: Hosted, path: str) -> bytes | None:
 def _found(request: Request, hosted: Hosted, words: list[str]) -> bytes | None:
     """What a few words find that a catalogue has which is not large."""
     catalogue, settings = hosted.catalogue, settings_of(request)
-    query = SearchQuery(q=" ".join(words))
+    query = SearchQuery.model_validate({"q": " ".join(words)})
     if len(catalogue.nodes) > _FEW_NODES or not has_index(catalogue) or len(query.q) > settings.query_characters:
         return None
     if not all(hosted.search_index.is_known(word.lower()) for word in words) or not has_turn(request):
