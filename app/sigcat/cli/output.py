@@ -54,22 +54,13 @@ def opened(output: Path | None) -> Iterator[BinaryIO]:
         return
     if output.is_dir():
         raise UsageError(must_be_a_file(output))
-    target = Path(os.path.realpath(output))
     if output.exists() and not output.is_file():
         with output.open("wb") as file:
             yield file
         return
-    if not target.parent.is_dir():
-        raise UsageError(f"{target.parent}: there is no such folder")
-    temporary = target.with_name(f".{target.name}.{os.getpid()}")
-    try:
-        with temporary.open("wb") as file:
-            yield file
-        if target.exists():
-            temporary.chmod(target.stat().st_mode & 0o777)
-        temporary.replace(target)
-    finally:
-        temporary.unlink(missing_ok=True)
+    target = _target(output)
+    with _replacing(target) as temporary, temporary.open("wb") as file:
+        yield file
 
 
 def write_lines(lines: Iterable[str], output: Path | None) -> None:
@@ -82,7 +73,8 @@ def write_lines(lines: Iterable[str], output: Path | None) -> None:
     if output.exists() and not output.is_file():
         _write_lines_to(output, lines)
     else:
-        _replace_by_lines(_target(output), lines)
+        with _replacing(_target(output)) as temporary:
+            _write_lines_to(temporary, lines)
 
 
 def _target(output: Path) -> Path:
@@ -109,22 +101,37 @@ def _write_lines_to(output: Path, lines: Iterable[str]) -> None:
         file.writelines(lines)
 
 
-def _replace_by_lines(target: Path, lines: Iterable[str]) -> None:
+@contextmanager
+def _replacing(target: Path) -> Iterator[Path]:
+    """A path beside a file, which takes its place when the block ends without an error."""
     temporary = target.with_name(f".{target.name}.{os.getpid()}")
     try:
-        _write_lines_to(temporary, lines)
-        if target.exists():
-            temporary.chmod(target.stat().st_mode & 0o777)
-        temporary.replace(target)
+        with _named_as(target):
+            yield temporary
+            if target.exists():
+                temporary.chmod(target.stat().st_mode & 0o777)
+            temporary.replace(target)
     finally:
         temporary.unlink(missing_ok=True)
+
+
+@contextmanager
+def _named_as(target: Path) -> Iterator[None]:
+    """Errors of a temporary file beside another one name that one, which the user knows."""
+    try:
+        yield
+    except OSError as error:
+        if Path(str(error.filename)).name.startswith(f".{target.name}."):
+            raise OSError(error.errno, error.strerror, str(target)) from error
+        raise
 
 
 def _replace(target: Path, data: bytes) -> None:
     import tempfile
 
     try:
-        handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+        with _named_as(target):
+            handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
     except PermissionError:
         if not target.exists():
             raise
