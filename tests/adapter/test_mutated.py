@@ -128,7 +128,7 @@ def compiled_and_run(document: FunctionJson, seed: int, folder: Path) -> str:
     return disagreement(checked.function, seed, 200, folder, ("-O0", "-w"))
 
 
-@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("seed", seeds(f"{HERE}::test_what_is_generated_of_a_changed_function_is_compiled", 0, TRIES))
 @pytest.mark.parametrize("name", mutated_platforms.NAMES)
 @pytest.mark.parametrize("platform", PLATFORMS)
 def test_what_is_generated_of_a_changed_function_is_compiled(platform, name, seed):
@@ -140,7 +140,7 @@ def test_what_is_generated_of_a_changed_function_is_compiled(platform, name, see
         raise
 
 
-@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("seed", seeds(f"{HERE}::test_what_is_generated_of_a_changed_integration_is_compiled", 0, TRIES))
 @pytest.mark.parametrize("name", mutated_platforms.NAMES)
 @pytest.mark.parametrize("platform", PLATFORMS)
 def test_what_is_generated_of_a_changed_integration_is_compiled(platform, name, seed):

@@ -83,22 +83,34 @@ def make_folder(folder: Path) -> None:
 def _replacing(target: Path) -> Iterator[BinaryIO]:
     """A file that takes the place of another one when the block ends without an error."""
     temporary = target.with_name(f".{target.name}.{os.urandom(6).hex()}")
+    with _named_as(target):
+        try:
+            opening = temporary.open("xb")
+        except PermissionError:
+            if not target.exists():
+                raise
+            with target.open("wb") as file:  # a file that may be written, in a folder that may not
+                yield file
+            return
+        try:
+            with opening as file:
+                yield file
+            if target.exists():
+                temporary.chmod(target.stat().st_mode & 0o777)
+            _put_in_place(temporary, target)
+        finally:
+            temporary.unlink(missing_ok=True)
+
+
+@contextmanager
+def _named_as(target: Path) -> Iterator[None]:
+    """Name the file that the user knows in errors of a temporary one beside it."""
     try:
-        opening = temporary.open("xb")
-    except PermissionError:
-        if not target.exists():
-            raise
-        with target.open("wb") as file:  # a file that may be written, in a folder that may not
-            yield file
-        return
-    try:
-        with opening as file:
-            yield file
-        if target.exists():
-            temporary.chmod(target.stat().st_mode & 0o777)
-        _put_in_place(temporary, target)
-    finally:
-        temporary.unlink(missing_ok=True)
+        yield
+    except OSError as error:
+        if Path(str(error.filename)).name.startswith(f".{target.name}."):
+            raise OSError(error.errno, error.strerror, str(target)) from error
+        raise
 
 
 def _put_in_place(temporary: Path, target: Path) -> None:
