@@ -74,7 +74,7 @@ def files_of(generator: Generator, integration: bytes) -> None:
                 raise
 
 
-def is_refused(document: Any, make: Callable[[Any], None]) -> bool:
+def is_refused(document: Any, make: Callable[[Any], object]) -> bool:
     """Whether a document is refused with findings. Raises what else is raised."""
     try:
         make(document)
@@ -140,7 +140,9 @@ def test_what_is_generated_of_a_changed_function_is_compiled(platform, name, see
         raise
 
 
-@pytest.mark.parametrize("seed", seeds(f"{HERE}::test_what_is_generated_of_a_changed_integration_is_compiled", 0, TRIES))
+@pytest.mark.parametrize(
+    "seed", seeds(f"{HERE}::test_what_is_generated_of_a_changed_integration_is_compiled", 0, TRIES)
+)
 @pytest.mark.parametrize("name", mutated_platforms.NAMES)
 @pytest.mark.parametrize("platform", PLATFORMS)
 def test_what_is_generated_of_a_changed_integration_is_compiled(platform, name, seed):

@@ -28,14 +28,14 @@ class Written:
 
 
 def answered(*messages: dict[str, Any], method: str = "GET", keep_alive: bool = True) -> Written:
-    """What is written for these messages."""
-    written: Any = Written()
+    """Return the bytes that are written for these messages."""
+    written = Written()
 
     async def send() -> None:
         exchange = Exchange(
             scope={"method": method, "type": "http"},  # type: ignore[typeddict-item]
-            transport=written,
-            flow=FlowControl(written),
+            transport=written,  # type: ignore[arg-type]
+            flow=FlowControl(written),  # type: ignore[arg-type]
             logger=None,  # type: ignore[arg-type]
             access_logger=None,  # type: ignore[arg-type]
             access_log=False,

@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 import pytest
@@ -19,7 +19,7 @@ from sigcat.function.function_file import check_function_json
 from sigcat.integration.reading import read_functions
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.deployment_file import DEPLOYMENT_FILE, read_deployment
-from sigcat.platforms.platform import Options
+from sigcat.platforms.platform import Generator, Options
 from sigcat.platforms.table import PLATFORMS
 from tests.adapter.hostile.dangerous import MODELS, at_pointer
 from tests.adapter.hostile.deployment import DEPLOYMENT
@@ -46,19 +46,16 @@ def catalogue() -> Catalogue:
     return load(shipped_sources()[0])
 
 
+def _generate(generator: Generator, data: bytes) -> object:
+    return generator.generate(data, "a.json", DEFAULT_LIMITS, Options(bench=generator.has_bench))
+
+
 def _doors() -> Iterator[tuple[str, str, Door]]:
     yield FUNCTION_JSON, "function validate", lambda data: check_function_json(data, "a.json").findings
     yield FUNCTION_JSON, "core", refused_by(lambda data: read_functions([(data, "a.json")], catalogue()))
     for name, platform in PLATFORMS.items():
         for each in platform.generators:
-            options = Options(bench=each.has_bench)
-            yield (
-                name,
-                each.name,
-                refused_by(
-                    lambda data, each=each, options=options: each.generate(data, "a.json", DEFAULT_LIMITS, options)
-                ),
-            )
+            yield name, each.name, refused_by(partial(_generate, each))
     yield "deployment", "integrate", refused_by(lambda data: read_deployment(data, "a.json"))
 
 
