@@ -17,6 +17,7 @@ from sigcat.patterns import compile_bounded
 from sigcat.rules import patterns
 from sigcat.rules.report import FORMATS
 from tests.catalogue.trees import ROOT
+from tests.unreadable import unreadable
 from tests.waiting import wait_until
 
 PROJECT = Path(__file__).parents[2]
@@ -51,6 +52,16 @@ def status_of(arguments):
         return main(arguments)
     except SystemExit as end:  # argparse ends the process itself
         return end.code
+
+
+def test_a_folder_that_cannot_be_read_is_an_error(folder, monkeypatch, capsys):
+    Path("names/closed").mkdir(parents=True)
+    Path("names/tree.vspec").write_text(ROOT)
+    unreadable(Path("names/closed"), monkeypatch)
+    assert status_of(["lint", "names"]) == 2
+    output, errors = capsys.readouterr()
+    assert "No findings" not in output
+    assert "names/closed: Permission denied" in errors
 
 
 # -- pipes ---------------------------------------------------------------------------------------------------------

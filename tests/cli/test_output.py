@@ -150,6 +150,15 @@ def test_an_error_while_writing_leaves_the_old_file(folder):
     assert sorted(file.name for file in folder.iterdir()) == ["result", "tree.vspec"]
 
 
+def test_an_error_names_the_file_of_the_user(monkeypatch):
+    def refuse(self, *_arguments):
+        raise OSError(errno.ENOSPC, "No space left on device", str(self))
+
+    monkeypatch.setattr(Path, "open", refuse)
+    with pytest.raises(OSError, match=r"/result\.json'$"):
+        write_bytes(b"new", Path("result.json"))
+
+
 def test_all_commands_write_here_alone():
     files = [file for file in (PROJECT / "app/sigcat/cli").glob("*.py") if file.name != "output.py"]
     assert len(files) > 10

@@ -12,6 +12,7 @@ from sigcat.function.function_file import build_function
 from sigcat.function.function_json.model import to_json
 from sigcat.function.hosting import FunctionLibrary, _read, built_over, function_over, functions_over
 from sigcat.limits import HOSTED_FUNCTION_BYTES
+from tests.unreadable import unreadable
 
 NOISE = """\
 function: {name}
@@ -52,6 +53,13 @@ def folder(tmp_path: Path) -> Path:
 
 def ids(library: FunctionLibrary) -> list[str]:
     return [file.id for file in library.files]
+
+
+def test_a_folder_that_cannot_be_read_is_logged(folder: Path, monkeypatch, caplog) -> None:
+    (folder / "closed").mkdir()
+    unreadable(folder / "closed", monkeypatch)
+    assert ids(FunctionLibrary((folder,), has_shipped=False)) == ["cabin_noise"]
+    assert f"{folder / 'closed'}: Permission denied" in caplog.text
 
 
 def test_without_folders_it_has_what_sigcat_ships() -> None:
