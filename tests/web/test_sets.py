@@ -1,5 +1,6 @@
 """Sets of functions: several posted documents, alone and with shipped ones."""
 
+import json
 import re
 
 import httpx
@@ -157,3 +158,27 @@ def test_no_view_takes_the_place_of_another_one() -> None:
 
 def _views(platform: Platform) -> list[str]:
     return [platform.name, *{generator.view or generator.name for generator in platform.generators}]
+
+
+def test_names_in_a_box_stand_beside_each_other(site: Ask, proposing: str) -> None:
+    long = proposing.replace('"EcoAccProp"', f'"{"Proposed" * 8}"').replace('"EnaMpc"', f'"{"Measured" * 8}"')
+    page = connected(site, ("mpc.json", long), f="core_acc").text
+    boxes = [
+        (float(x), float(width)) for x, width in re.findall(r'<rect class="box" x="(\d+)" y="\d+" width="(\d+)"', page)
+    ]
+    assert len(boxes) == 2
+    assert boxes[0][1] > 2 * 64 * 7
+    assert boxes[1][0] > sum(boxes[0])
+    assert f'viewBox="0 0 {int(sum(boxes[1])) + 40} ' in page
+
+
+def test_the_scaling_of_a_variable_is_shown(site: Ask) -> None:
+    text = site("/functions/core_acc.json").text
+    document = json.loads(text)
+    calls = [call for each in document["ComponentList"] for call in each["functionList"]]
+    contracts = [contract for call in calls for contract in call.get("funcContractList") or ()]
+    signal = next(each for of in contracts for each in of["SignalList"] or () if each["Name"] == "SetSpd")
+    signal.update(Factor="0.01", Offset="-40")
+    page = connected(site, ("acc.json", json.dumps(document))).text
+    assert "value = SetSpd ×\u00a00.01 −\u00a040" in page
+    assert page.count("value = ") == 1

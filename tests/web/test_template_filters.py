@@ -3,7 +3,7 @@
 import pytest
 from markupsafe import Markup
 
-from sigcat.web.template_filters import breakable, count, date, marked, number, scalar, unit, with_code
+from sigcat.web.template_filters import breakable, count, datatype, date, marked, number, scalar, unit, with_code
 
 
 @pytest.mark.parametrize(
@@ -57,3 +57,14 @@ def test_a_path_may_break_behind_its_dots_and_is_copied_as_it_is() -> None:
 def test_what_stands_between_backticks_is_code_and_never_markup() -> None:
     assert with_code("Add `<b>`.") == "Add <code>&lt;b&gt;</code>."
     assert with_code("one ` only") == "one ` only"
+
+
+@pytest.mark.parametrize(
+    ("values", "shown"),
+    [
+        ({"datatype": "float[]", "arraysize": 4}, "float[4]"), ({"datatype": "float[]"}, "float[]"),
+        ({"datatype": "uint8", "arraysize": 4}, "uint8"), ({}, ""),
+    ],
+)  # fmt: skip
+def test_an_array_is_shown_with_its_size(values: dict[str, object], shown: str) -> None:
+    assert datatype(values) == shown

@@ -19,7 +19,7 @@ from sigcat.catalogue.hosting.variants import choice_of
 from sigcat.findings import has_errors
 from sigcat.web.addresses import Addresses
 from sigcat.web.catalogue_titles import title_in
-from sigcat.web.template_filters import breakable, count, date, marked, number, scalar, unit, with_code
+from sigcat.web.template_filters import breakable, count, datatype, date, marked, number, scalar, unit, with_code
 from sigcat.web.visits import Visit, visit_of
 
 TYPE_LETTERS = {
@@ -39,7 +39,14 @@ _ENVIRONMENT = Environment(
     lstrip_blocks=True,
 )
 _ENVIRONMENT.filters.update(
-    number=number, scalar=scalar, unit=unit, date=date, breakable=breakable, marked=marked, with_code=with_code
+    number=number,
+    scalar=scalar,
+    unit=unit,
+    date=date,
+    datatype=datatype,
+    breakable=breakable,
+    marked=marked,
+    with_code=with_code,
 )
 _ENVIRONMENT.filters.update(shown_file=shown_file, shown_finding=finding_schema)
 _ENVIRONMENT.globals.update(count=count, letters=TYPE_LETTERS, category_words=CATEGORY_WORDS, version=__version__)

@@ -1,7 +1,7 @@
 """Numbers and matches as readers expect to see them."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from datetime import UTC, datetime
 from typing import Any
 
@@ -38,6 +38,12 @@ def count(value: int, one: str, many: str = "") -> str:
 def unit(key: str) -> str:
     """The key of a unit with its exponents raised: `m/s^2` → `m/s²`."""
     return _EXPONENT.sub(lambda power: power.group(1).translate(_RAISED), key)
+
+
+def datatype(values: Mapping[str, Any]) -> str:
+    """The datatype of a node, an array with its size: `float[4]`; empty if it has none."""
+    text, size = str(values.get("datatype") or ""), values.get("arraysize")
+    return f"{text[:-1]}{size}]" if size and text.endswith("[]") else text
 
 
 def date(text: str) -> str:

@@ -1,13 +1,17 @@
 """A set of functions as boxes from left to right, in the order in which data flows. Units are pixels."""
 
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import zip_longest
+from math import ceil
 from typing import NamedTuple
 
 from sigcat.function.sets.ends import End
 from sigcat.function.sets.wiring import Link, Wiring
 
-_BOX, _GAP, _MARGIN = 270, 130, 40
+_NARROWEST, _GAP, _MARGIN = 270, 130, 40
 _ROW, _HEAD, _BETWEEN = 26, 44, 36
+_LETTER, _TITLE_LETTER, _AROUND = 7.3, 9.5, 48
+"""Width of a letter of a name and of a title, and what stands beside the two names of a row."""
 
 
 class Pin(NamedTuple):
@@ -59,14 +63,17 @@ def wiring_diagram(wiring: Wiring) -> WiringDiagram:
         (end.function, end.path, end.is_provider) for link in wiring.links for end in (link.provider, link.consumer)
     }
     boxes: list[Box] = []
-    for index, names in enumerate(columns):
-        y = _MARGIN // 2
+    x = _MARGIN
+    for names in columns:
+        ends = {name: _ends_of(name, wiring) for name in names}
+        width, y = max(_width(name, ends[name]) for name in names), _MARGIN // 2
         for name in names:
-            boxes.append(_box(name, _MARGIN + index * (_BOX + _GAP), y, _ends_of(name, wiring), linked))
+            boxes.append(_box(name, x, y, width, ends[name], linked))
             y += boxes[-1].height + _BETWEEN
+        x += width + _GAP
     pins = {(box.name, pin.path, pin.is_out): pin for box in boxes for pin in box.pins}
     wires = tuple(_wire(link, pins) for link in wiring.links)
-    width = 2 * _MARGIN + len(columns) * _BOX + max(len(columns) - 1, 0) * _GAP
+    width = max((box.x + box.width for box in boxes), default=_MARGIN) + _MARGIN
     return WiringDiagram(tuple(boxes), wires, width, max((box.y + box.height for box in boxes), default=0) + 20)
 
 
@@ -92,7 +99,14 @@ def _ends_of(name: str, wiring: Wiring) -> list[End]:
     return list({(end.path, end.is_provider): end for end in ends}.values())
 
 
-def _box(name: str, x: int, y: int, ends: Sequence[End], linked: Iterable[tuple[str, str, bool]]) -> Box:
+def _width(name: str, ends: Sequence[End]) -> int:
+    """Width of a box in which the two names of each row stand beside each other."""
+    taken, given = ([len(end.signal.name) for end in ends if end.is_provider is side] for side in (False, True))
+    rows = [sum(row) * _LETTER for row in zip_longest(taken, given, fillvalue=0)]
+    return ceil(max(_NARROWEST, _AROUND + max(rows, default=0), _AROUND + len(name) * _TITLE_LETTER))
+
+
+def _box(name: str, x: int, y: int, width: int, ends: Sequence[End], linked: Iterable[tuple[str, str, bool]]) -> Box:
     known = set(linked)
     pins: list[Pin] = []
     rows = [0, 0]
@@ -101,8 +115,8 @@ def _box(name: str, x: int, y: int, ends: Sequence[End], linked: Iterable[tuple[
         at = y + _HEAD + _ROW * rows[side] + _ROW // 2
         rows[side] += 1
         is_free = (end.function, end.path, end.is_provider) not in known
-        pins.append(Pin(x + _BOX * side, at, end.is_provider, end.signal.name, end.path, is_free))
-    return Box(x, y, _BOX, _HEAD + _ROW * max(*rows, 1) + 10, name, tuple(pins))
+        pins.append(Pin(x + width * side, at, end.is_provider, end.signal.name, end.path, is_free))
+    return Box(x, y, width, _HEAD + _ROW * max(*rows, 1) + 10, name, tuple(pins))
 
 
 def _wire(link: Link, pins: Mapping[tuple[str, str, bool], Pin]) -> Wire:

@@ -28,6 +28,13 @@ def to_outside(end: End) -> str:
     return _text(end.signal.units, end.signal.vss_unit, linear) if linear else ""
 
 
+def stored(end: End) -> str:
+    """`value = EgoSpd × 0.01`: the scaling of the variable; empty if it holds the value itself."""
+    factor, offset = of_text(str(end.signal.factor or 1)), of_text(str(end.signal.offset or 0))
+    linear = Linear(factor or Fraction(1), offset or Fraction(0))
+    return "" if linear == IDENTITY else f"value = {end.signal.name} {_formula(linear)}"
+
+
 def _to_catalogue(end: End) -> Linear | None:
     """None where a document has no number in its place."""
     factor, offset = of_text(end.signal.conversion_factor or "1"), of_text(end.signal.conversion_offset or "0")
@@ -38,9 +45,13 @@ def _text(source: str | None, target: str | None, linear: Linear) -> str:
     """`km/h → m/s: × 0.277778`."""
     if linear == IDENTITY:
         return ""
+    return f"{unit(source or '1')} → {unit(target or '1')}: {_formula(linear)}"
+
+
+def _formula(linear: Linear) -> str:
     sign = "+" if linear.offset > 0 else "−"
     offset = f" {sign}\u00a0{_rounded(abs(linear.offset))}" if linear.offset else ""
-    return f"{unit(source or '1')} → {unit(target or '1')}: ×\u00a0{_rounded(linear.factor)}{offset}"
+    return f"×\u00a0{_rounded(linear.factor)}{offset}"
 
 
 def _rounded(value: Fraction) -> str:
