@@ -88,9 +88,16 @@ KINDS = (
         (
             "tests/adapter/test_hostile_text.py",
             "tests/adapter/hostile/test_cmake_runs_no_text.py::test_text_calls_no_command",
+            "tests/adapter/hostile/test_cmake_runs_no_text.py::test_values_of_types_call_no_command",
+            "tests/adapter/hostile/test_dangerous_values.py",
+            "tests/adapter/hostile/test_every_field_refuses.py::test_every_field_refuses_it_at_every_door",
+            "tests/adapter/hostile/test_function_yaml.py::test_it_is_refused_or_no_code",
         ),
         (
-            "tests/adapter/hostile/test_cmake_runs_no_text.py::test_text_calls_no_command[ros2]",
+            "tests/adapter/hostile/test_cmake_runs_no_text.py::test_text_calls_no_command[autosar-classic]",
+            "tests/adapter/hostile/test_dangerous_values.py::test_no_value_of_a_type_becomes_code[function-json]",
+            "tests/adapter/hostile/test_every_field_refuses.py::test_every_field_refuses_it_at_every_door[deployment-*",
+            "tests/adapter/hostile/test_function_yaml.py::test_it_is_refused_or_no_code['x; EVIL_code']",
             "tests/adapter/test_hostile_text.py::test_free_text_never_becomes_code[0-autosar-classic]",
             "tests/adapter/test_hostile_text.py::test_free_text_never_becomes_code[2-ros2]",
             "tests/adapter/test_hostile_text.py::test_free_text_never_becomes_code[10-autosar-adaptive]",

@@ -1,5 +1,6 @@
 """What kind of file this is: one answer for the linter, the service, its pages and the hooks of pre-commit."""
 
+import json
 import re
 from pathlib import Path
 
@@ -8,6 +9,7 @@ import yaml
 
 from sigcat.data import EXAMPLES, INTERFACE_RULES, OVERLAYS, VSPEC
 from sigcat.file_kind import FileKind, file_kind, holds_function, holds_only_structs, is_json
+from sigcat.platforms.schemas import SCHEMAS, schema
 from sigcat.rules.linting.discovery import discover
 from sigcat.rules.linting.posted import lint_text
 from sigcat.rules.rule_set import RuleSet
@@ -51,6 +53,15 @@ ADAPTIVE_JSON = b'{"FunctionInformation": {}}'
         (RULES, "our-rules.yaml", "rules"),
         (RULES.replace(b"\n", b"\r\n"), "our-rules.yaml", "rules"),
         (b"services:\n  web:\n    type: process\n", "compose.yaml", "unknown"),
+        (b'{"openapi": "3.1.0", "components": {"schemas": {"A": {"properties": {"FunctionInfo": {}}}}}}', "api.json", "unknown"),
+        (b'{"openapi": "3.1.0", "components": {"example": {"FunctionInformation": {}}}}', "", "unknown"),
+        (b'{\n  "swagger": "2.0", "example": {\n"type": "sensor"}}', "api.yaml", "unknown"),
+        (b"openapi: 3.1.0\ninfo:\n  example: {type: sensor}\n", "api.yaml", "unknown"),
+        (b"openapi: '3.1.0'\nfunction: CoreAcc\ncomponents:\n  schemas: {}\n", "api.yaml", "unknown"),
+        (b"$schema: https://json-schema.org/draft/2020-12/schema\nexamples: [{type: sensor}]\n", "a.yaml", "unknown"),
+        (b'{"$schema": "x", "properties": {"FunctionInfo": {}, "FunctionInformation": {}}}', "a.schema.json", "unknown"),
+        (b'{"$schema": "x", "FunctionInfo": {}}', "acc.json", "function json"),
+        (b'{"A": "}\\"", "FunctionInfo": {', "acc.json", "function json"),
     ],
 )  # fmt: skip
 def test_name_and_content_tell_the_kind(data: bytes, name: str, kind: FileKind) -> None:
@@ -66,6 +77,18 @@ def test_everything_that_is_shipped_is_what_its_folder_says() -> None:
     for kind, files in kinds.items():
         assert files, kind
         assert {file_kind(file.read_bytes(), file.name) for file in files} == {kind}
+
+
+def test_no_schema_and_no_description_of_an_api_is_a_document() -> None:
+    written = [json.dumps(schema(name)).encode() for name in SCHEMAS]
+    assert len(written) > 5
+    described = (PROJECT / "docs/reference/openapi.json").read_bytes()
+    assert {file_kind(data, "a.json") for data in (*written, described)} == {"unknown"}
+
+
+def test_brackets_and_quotation_marks_are_read_once() -> None:
+    for part in (b'"\\"' * 700_000, b"{" * 2_000_000, b'"' * 2_000_000):
+        assert file_kind(part + b'"FunctionInfo"', "a.json") == "unknown"
 
 
 @pytest.mark.parametrize(

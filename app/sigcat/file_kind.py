@@ -6,7 +6,7 @@ beside them: that is `sigcat.rules.linting.discovery`.
 
 import os
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from typing import Literal, NamedTuple
 
 from sigcat.limits import RECOGNITION_BYTES
@@ -81,6 +81,12 @@ DOCUMENT_KINDS = (*INTEGRATION_JSON, FUNCTION_JSON, FUNCTION_YAML)
 
 _FUNCTION_KEYS = (*(f'"{key}"'.encode() for key in FUNCTION_JSON.keys), b'"InterfaceData"', b'"SchedulingInfo"')
 _INTEGRATION_KEYS = tuple(f'"{key}"'.encode() for each in INTEGRATION_JSON for key in each.keys - FUNCTION_JSON.keys)
+_JSON_TOKEN = rb"""(?s)"(?:[^"\\]++|\\.?)*+"?|[][{}]"""
+_FOREIGN_WORDS = (b"openapi", b"swagger", b"asyncapi", b"$schema")
+_FOREIGN = (
+    rb"""(?:^|\A\s*\{\s*)["']?(?:(?:openapi|swagger|asyncapi)["']?[ \t]*:[ \t]*["']?[0-9]|\$schema["']?[ \t]*:)"""
+)
+"""Descriptions of APIs, and JSON Schemas: examples in them are not documents."""
 _FUNCTION_NAME = rb"""^["']?[Ff]unction["']?:[ \t]+[^\s#{&!]"""
 _FUNCTION_PARTS = tuple(f"^{key}:".encode() for key in FUNCTION_YAML.keys)
 _RULE_WORD = b"check:"
@@ -169,9 +175,24 @@ def _is_json_text(data: bytes) -> bool:
 
 
 def _kind_of_json(data: bytes) -> FileKind:
-    if any(key in data for key in _INTEGRATION_KEYS):
+    wanted = {key for key in (*_INTEGRATION_KEYS, *_FUNCTION_KEYS) if key in data}
+    found = wanted.intersection(_outermost_texts(data)) if wanted else set()
+    if found.intersection(_INTEGRATION_KEYS):
         return "integration json"
-    return "function json" if any(key in data for key in _FUNCTION_KEYS) else "unknown"
+    return "function json" if found else "unknown"
+
+
+def _outermost_texts(data: bytes) -> Iterator[bytes]:
+    """Keys and texts of the outermost mapping of JSON, in quotation marks. Schemas and OpenAPI have names of our keys further in."""
+    depth = 0
+    for match in re.finditer(_JSON_TOKEN, data):
+        token = match[0]
+        if token in b"{[":
+            depth += 1
+        elif token in b"}]":
+            depth -= 1
+        elif depth == 1:
+            yield token
 
 
 def _kind_of_yaml(data: bytes, base: str) -> FileKind:
@@ -181,7 +202,15 @@ def _kind_of_yaml(data: bytes, base: str) -> FileKind:
         return "units"
     if base in QUANTITY_NAMES:
         return "quantities"
-    if _is_function_name(base) or _declares_function(data):
+    if _is_function_name(base):
+        return "function"
+    return _kind_of_unnamed_yaml(data)
+
+
+def _kind_of_unnamed_yaml(data: bytes) -> FileKind:
+    if any(word in data for word in _FOREIGN_WORDS) and _holds(_FOREIGN, data):
+        return "unknown"
+    if _declares_function(data):
         return "function"
     return "vspec" if b"type" in data and _holds(_NODE, data) else "unknown"
 

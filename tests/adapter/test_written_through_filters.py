@@ -4,8 +4,10 @@ The test reads their source: in each text that is put together, it looks where t
 """
 
 import ast
+import inspect
 import re
 import string
+import sys
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -14,6 +16,7 @@ import pytest
 
 import sigcat
 from sigcat.function.document import text_filters
+from sigcat.platforms.table import PLATFORMS
 
 SOURCE = Path(sigcat.__file__).parent
 ROOMS = ("adapter", "comparison", "players", "runs")
@@ -199,3 +202,22 @@ def test_values_stand_in_comments_and_strings_through_filters_alone(path: Path) 
 def test_nobody_else_takes_the_characters_of_a_text(path: Path) -> None:
     nodes = ast.walk(ast.parse(path.read_text()))
     assert [node.lineno for node in nodes if isinstance(node, ast.Attribute) and node.attr == "raw"] == []
+
+
+def test_every_generator_is_in_these_rooms() -> None:
+    """The platforms name generators, whose modules import what writes their files."""
+    modules = {
+        module.__name__
+        for platform in PLATFORMS.values()
+        for generator in platform.generators
+        for module in [inspect.getmodule(generator.generate)]
+        if module is not None
+    }
+    imported = {
+        node.module
+        for module in modules
+        for node in ast.walk(ast.parse(inspect.getsource(sys.modules[module])))
+        if isinstance(node, ast.ImportFrom) and node.module and node.module.endswith("generate")
+    }
+    assert len(imported) >= len(PLATFORMS)
+    assert {module.split(".")[1] for module in imported} <= set(ROOMS)

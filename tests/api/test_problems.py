@@ -121,6 +121,17 @@ def test_an_unknown_parameter_proposes_near_ones(ask: Ask) -> None:
     assert (finding["message"], finding["fix"]) == ("Unknown parameter 'overlays'.", "Did you mean 'overlay'?")
 
 
+@pytest.mark.parametrize("query", ["q=%FF", "q=speed%C3", "q=%ED%A0%80", "type=sensor&%FF=1"])
+@pytest.mark.parametrize("page", ["search", "nodes", "tree"])
+def test_bytes_that_are_not_utf_8_are_refused(ask: Ask, page: str, query: str) -> None:
+    (finding,) = problem(ask, f"{SMALL}/{page}?{query}", 422)["findings"]
+    assert finding["message"].endswith(": must be percent-encoded UTF-8.")
+
+
+def test_any_text_in_utf_8_is_searched_for(ask: Ask) -> None:
+    assert ask(f"{SMALL}/search?q=%C3%A9%EF%BF%BD").status_code == 200
+
+
 def test_a_text_to_search_for_has_a_limit(ask: Ask) -> None:
     assert "200 characters" in problem(ask, f"{SMALL}/search?q={'a ' * 500}", 422)["detail"]
 
@@ -168,6 +179,6 @@ def test_what_fails_inside_tells_nothing_of_the_inside(ask: Ask, monkeypatch: py
     def fail(*_: object) -> None:
         raise RuntimeError("secret")
 
-    monkeypatch.setattr("sigcat.api.answers.serializers.node_data", fail)
+    monkeypatch.setattr("sigcat.api.routes.shortcuts.node_data", fail)
     body = problem(ask, f"{SMALL}/nodes/Vehicle.Door.Left", 500)
     assert "secret" not in str(body)

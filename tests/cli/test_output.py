@@ -166,3 +166,18 @@ def test_all_commands_write_here_alone():
         calls = (node for node in ast.walk(ast.parse(file.read_text())) if isinstance(node, ast.Call))
         named = {call.func.attr for call in calls if isinstance(call.func, ast.Attribute)}
         assert not named & {"write_bytes", "write_text", "mkstemp", "NamedTemporaryFile"}, file.name
+
+
+@pytest.mark.parametrize(
+    "arguments", ["--help", "--version", "lint --help", "generate core --help", "rule V001", "schema function"]
+)
+def test_output_that_cannot_be_written_is_an_error(arguments):
+    command = f"{sys.executable} -m sigcat.cli {arguments} >/dev/full"
+    done = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (2, "sigcat: No space left on device\n")
+
+
+def test_help_whose_reader_has_gone_is_no_error():
+    command = f"set -o pipefail; {sys.executable} -m sigcat.cli --help | true"
+    done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")

@@ -66,6 +66,14 @@ class CommandParser(argparse.ArgumentParser):
             action, f"must be one of {', '.join(choices)}, not {value!r}. {meant}".rstrip(". ")
         )
 
+    def _print_message(self, message: str, file: Any = None) -> None:
+        """Print at once, so that output that cannot be written is an error: argparse passes over it."""
+        if message and file is not None and file is sys.stdout:
+            file.write(message)
+            file.flush()
+        else:
+            super()._print_message(message, file)
+
     def _run_without_command(self, _arguments: argparse.Namespace) -> int:
         self.print_help(sys.stderr)
         return 2

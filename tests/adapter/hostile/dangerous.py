@@ -18,31 +18,35 @@ from sigcat.function.document import field_types as types
 from sigcat.function.document.document import Pointer, pointer_text
 from sigcat.function.document.field_types import Grammar
 from sigcat.function.document.unfit_texts import typed_strings
-from sigcat.function.function_file import check_function_json
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.autosar_adaptive import document as adaptive
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
 from sigcat.integration.autosar_classic import document as classic
 from sigcat.integration.autosar_classic.model import ClassicIntegration
+from sigcat.integration.reading import read_functions
 from sigcat.integration.ros2 import document as ros2
 from sigcat.integration.ros2.model import Ros2Integration
 from sigcat.limits import DEFAULT_LIMITS
-from tests.adapter.hostile.everything import FUNCTION_JSON, document
+from tests.adapter.hostile.everything import FUNCTION_JSON, catalogue, document
 
 NAMES = ("{} EVIL x", "{}/EVIL.x", "{}: EVIL, é", "{}-EVIL_", "{}EVIL")
+"""`EVIL` becomes a word by itself where such a value is written into code as it is; made into a name, it is a part of one.
+
+What is an expression or a type of C by itself has `KNOWN` instead.
+"""
 VALUES: Mapping[Grammar, Sequence[str]] = {
     types.NAME: NAMES,
     types.WORDS: ("{} (EVIL's & x): /x", "{}"),
     types.UNIT: ("{}*EVIL/x^2.% (°-)",),
-    types.C_IDENTIFIER: ("{}EVIL",),
-    types.C_EXPRESSION: ("(*(struct EVIL *)&(({})[EVIL + 1u])).EVIL", "{}.EVIL[EVIL - 1].x", "EVIL_{}"),
-    types.C_TYPE: ("const struct {}_EVIL", "{}_EVIL"),
-    types.C_DEFINITION: ("{}_EVIL",),
-    types.C_MEMBER: ("{}.EVIL", "{}EVIL"),
-    types.MACRO_VALUE: ("-EVIL.xe+5",),
-    types.CPP_NAMESPACE: ("{}::EVIL",),
-    types.VSS_PATH: ("{}.EVIL",),
-    types.VSS_DATATYPE: ("{}.EVIL",),
+    types.C_IDENTIFIER: ("{}KNOWN",),
+    types.C_EXPRESSION: ("(*(struct KNOWN *)&(({})[KNOWN + 1u])).KNOWN", "{}.KNOWN[KNOWN - 1].x", "KNOWN_{}"),
+    types.C_TYPE: ("const struct {}_KNOWN", "{}_KNOWN"),
+    types.C_DEFINITION: ("{}_KNOWN",),
+    types.C_MEMBER: ("{}.KNOWN", "{}KNOWN"),
+    types.MACRO_VALUE: ("-KNOWN.xe+5",),
+    types.CPP_NAMESPACE: ("{}::KNOWN",),
+    types.VSS_PATH: ("{}.xEVIL",),
+    types.VSS_DATATYPE: ("{}.xEVIL",),
     types.SOURCE_FILE: ("EVIL=+é-x./{}",),
     types.VERSION: ("{}-EVIL.x+EVIL-y",),
     types.NUMBER_TEXT: ("\n{}e-0\n", "\n{}\n"),
@@ -80,9 +84,7 @@ class Dangerous(NamedTuple):
 
 
 def refusals(kind: str, data: bytes) -> Sequence[Finding]:
-    """What the product says of a document: `function validate`, or what every generator reads it with."""
-    if kind == FUNCTION_JSON:
-        return [each for each in check_function_json(data, "a.json").findings if each.severity == "error"]
+    """What every generator that takes a document says of it when it reads it."""
     try:
         READERS[kind](data, "a.json", DEFAULT_LIMITS)
     except InputRefused as refused:
@@ -97,6 +99,7 @@ MODELS: Mapping[str, type[BaseModel]] = {
     "ros2": Ros2Integration,
 }
 READERS: Mapping[str, Callable[..., Any]] = {
+    FUNCTION_JSON: lambda data, name, limits: read_functions([(data, name)], catalogue(), limits),
     "autosar-adaptive": adaptive.read_integration,
     "autosar-classic": classic.read_integration,
     "ros2": ros2.read_integration,

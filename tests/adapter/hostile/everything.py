@@ -8,6 +8,7 @@ from typing import Any
 
 from sigcat.catalogue.hosting.source import load
 from sigcat.catalogue.hosting.sources import shipped_sources
+from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.model import to_json
 from sigcat.integration.reading import read_functions
@@ -21,9 +22,14 @@ DOCUMENTS = (FUNCTION_JSON, *PLATFORMS)
 
 
 @cache
+def catalogue() -> Catalogue:
+    return load(shipped_sources()[0])
+
+
+@cache
 def document(kind: str) -> bytes:
     """A document of the function, as it is generated from."""
-    (function,) = read_functions([(FUNCTION.read_bytes(), FUNCTION.name)], load(shipped_sources()[0])).functions
+    (function,) = read_functions([(FUNCTION.read_bytes(), FUNCTION.name)], catalogue()).functions
     if kind == FUNCTION_JSON:
         return to_json(function.function)
     return integrate(PLATFORMS[kind], (function,), DEFAULT_DEPLOYMENT).document

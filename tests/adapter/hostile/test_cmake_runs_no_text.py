@@ -11,6 +11,11 @@ from pathlib import Path
 
 import pytest
 
+from sigcat.limits import DEFAULT_LIMITS
+from sigcat.platforms.platform import Options
+from sigcat.platforms.table import PLATFORMS
+from tests.adapter.hostile.dangerous import dangerous
+from tests.adapter.hostile.everything import document
 from tests.adapter.test_hostile_text import ATTACKS, READERS, generated
 
 HARMLESS = "EVIL"
@@ -50,6 +55,28 @@ def test_text_calls_no_command(platform, tmp_path):
             if text == plain:
                 continue
             assert calls(text, names, tmp_path / f"{name.replace('/', '_')}.{index}") == expected, (name, attack)
+
+
+@pytest.mark.parametrize("platform", READERS)
+def test_values_of_types_call_no_command(platform, tmp_path):
+    names, expected, found = set[str](), [], []
+    for index, text in enumerate(listed(platform, document(platform))):
+        names |= {each.lower() for each in CALL.findall(text)} - {"include"}
+        expected.append(sorted(calls(text, names, tmp_path / f"plain{index}")))
+    for index, text in enumerate(listed(platform, dangerous(platform).data)):
+        found.append(sorted(calls(text, names, tmp_path / str(index))))
+    assert any(expected)
+    assert sorted(found) == sorted(expected)
+
+
+def listed(platform: str, data: bytes) -> list[str]:
+    """Files of CMake of a document."""
+    return [
+        file.data.decode()
+        for generator in PLATFORMS[platform].generators
+        for file in generator.generate(data, "a.json", DEFAULT_LIMITS, Options(bench=generator.has_bench))
+        if file.name.endswith("CMakeLists.txt")
+    ]
 
 
 def test_a_command_in_a_text_is_noticed(tmp_path):

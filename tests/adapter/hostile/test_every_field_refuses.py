@@ -2,14 +2,11 @@
 
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import cache, partial
+from functools import partial
 from typing import Any
 
 import pytest
 
-from sigcat.catalogue.hosting.source import load
-from sigcat.catalogue.hosting.sources import shipped_sources
-from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from sigcat.function.document.document import Pointer, pointer_text
@@ -23,7 +20,7 @@ from sigcat.platforms.platform import Generator, Options
 from sigcat.platforms.table import PLATFORMS
 from tests.adapter.hostile.dangerous import MODELS, at_pointer
 from tests.adapter.hostile.deployment import DEPLOYMENT
-from tests.adapter.hostile.everything import FUNCTION_JSON, document
+from tests.adapter.hostile.everything import FUNCTION_JSON, catalogue, document
 from tests.adapter.hostile.payloads import PAYLOADS
 from tests.function.test_field_types import models
 
@@ -39,11 +36,6 @@ def refused_by(read: Callable[[bytes], Any]) -> Door:
         return ()
 
     return findings
-
-
-@cache
-def catalogue() -> Catalogue:
-    return load(shipped_sources()[0])
 
 
 def _generate(generator: Generator, data: bytes) -> object:

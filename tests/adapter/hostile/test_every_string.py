@@ -22,8 +22,10 @@ from sigcat.integration.ros2.model import Ros2Integration
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.platform import Options
 from sigcat.platforms.table import PLATFORMS
+from tests.adapter.hostile.deployment import DEPLOYMENT
 from tests.adapter.hostile.everything import DOCUMENTS, FUNCTION_JSON, document, one_of_each, strings
 from tests.adapter.hostile.payloads import EVIL, PAYLOADS
+from tests.adapter.hostile.test_function_yaml import fields as fields_of_declaration
 from tests.adapter.test_hostile_text import words_of_xml
 
 MODELS: dict[str, type[BaseModel]] = {
@@ -90,8 +92,13 @@ def test_what_a_document_only_keeps_is_text_in_arxml_at_most(kind):
 
 
 def test_the_page_counts_what_is_tested():
-    fields = {kind: len(one_of_each(kind)) for kind in DOCUMENTS}
-    times = {kind: len(PLATFORMS[kind].generators) if kind in PLATFORMS else 1 for kind in DOCUMENTS}
+    generators = {kind: len(PLATFORMS[kind].generators) for kind in PLATFORMS}
+    numbers = [  # fields, and generators of each
+        *((len(one_of_each(kind)), generators.get(kind, 1)) for kind in DOCUMENTS),
+        (len(fields_of_declaration()), sum(generators.values())),
+        (len(list(strings(DEPLOYMENT))), 1),
+    ]
     page = (Path(__file__).parents[3] / "docs/explanation/trust.md").read_text()
-    assert f"{sum(fields.values()):,} fields" in page
-    assert f"{sum(fields[kind] * times[kind] for kind in DOCUMENTS) * len(PAYLOADS):,} combinations" in page
+    assert f"{sum(fields for fields, _ in numbers):,} fields" in page
+    assert f"{len(PAYLOADS)} payloads" in page
+    assert f"{sum(fields * times for fields, times in numbers) * len(PAYLOADS):,} combinations" in page

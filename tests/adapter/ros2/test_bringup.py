@@ -261,11 +261,11 @@ def test_words_of_a_document_are_no_markup():
     def change(document):
         document["NodePackageList"][0]["Description"] = "<script> | `x` [y](z)\n# more"
         topic = document["CommunicationList"][0]["ROSTopicList"][0]
-        topic["DataMappingList"][0]["FieldList"][0]["ExternalProvider"] = "A 'b' & c"
+        topic["DataMappingList"][0]["FieldList"][0]["ExternalProvider"] = 'A "b" <c>\n  x --> y'
 
     page = edited(change)["README.md"]
     assert "\n\\&lt;script".replace("\\", "") + "&gt; \\| \\`x\\` \\[y\\](z) # more\n" in page
-    assert '["A #39;b#39; #38; c"]' in page
+    assert '["A #34;b#34; #60;c#62; x --#62; y"]' in page
 
 
 def test_it_says_how_the_code_of_each_function_is_given():

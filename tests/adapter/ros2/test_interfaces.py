@@ -66,7 +66,7 @@ def run_in_ros2(script, *arguments):
 def parsed(made, folder):
     """What rosidl reads in the messages and services of a workspace."""
     write(made, folder)
-    (package,) = folder.glob("*_interfaces")
+    (package,) = folder.glob("*_interfaces*")
     return json.loads(run_in_ros2(PARSED, package))
 
 

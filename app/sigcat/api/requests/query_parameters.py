@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Iterable, Iterator
 from typing import Any
+from urllib.parse import unquote_to_bytes
 
 from fastapi import Request
 from fastapi.dependencies.models import Dependant
@@ -29,8 +30,29 @@ async def refuse_unknown(request: Request) -> None:
 
 def refuse_unless_known(request: Request, also: Iterable[str] = ()) -> None:
     """Raises RequestValidationError for parameters that the route does not have, and that are not among these."""
-    if request.scope["query_string"]:
+    if query := request.scope["query_string"]:
+        _refuse_unless_utf8(query)
         refuse_others(request.query_params, {*parameter_names(request.scope["route"].dependant), *also})
+
+
+def _refuse_unless_utf8(query: bytes) -> None:
+    """Raises RequestValidationError for parameters with bytes that are not UTF-8, or that are not percent-encoded."""
+    wrong = [part.partition(b"=")[0] for part in query.split(b"&") if not _is_utf8(part)]
+    if wrong:
+        raise RequestValidationError([_not_utf8(name) for name in dict.fromkeys(wrong)])
+
+
+def _is_utf8(part: bytes) -> bool:
+    try:
+        unquote_to_bytes(part).decode()
+    except UnicodeDecodeError:
+        return False
+    return part.isascii()
+
+
+def _not_utf8(name: bytes) -> dict[str, Any]:
+    shown = unquote_to_bytes(name[:300]).decode(errors="replace")[:100]
+    return {"type": "string_unicode", "loc": ("query", shown), "msg": "Must be percent-encoded UTF-8", "input": ""}
 
 
 def refuse_others(given: Iterable[str], known: Collection[str]) -> None:

@@ -312,7 +312,7 @@ class Diagnostic(WireModel):
     name: Name = described("Name", "Name of the status: node and error interface.", source=OWN)
     error: ErrorName = described("Error", "Error interface.", source=OWN)
     message: Text = described("Message", "Text of the status while the error is present.", source=OWN)
-    level: Name = described("Level", "Level while the error is confirmed: WARN or ERROR.", source=OWN)
+    level: Literal["WARN", "ERROR"] = described("Level", "Level while the error is confirmed.", source=OWN)
     severity: Text = described("Severity", "What the error leads to.", source=OWN)
     maturation_time: Number = described("MaturationTime", "Time until confirmed.", unit="ms", source=OWN)
     occurrence_count_limit: Integer = described("OccurenceCountLimit", "Occurrences until confirmed.", source=OWN)
