@@ -11,11 +11,11 @@ from tests.own_loop import run
 
 
 class Written:
-    """Keeps what is written to a transport, and whether it was closed."""
+    """Keeps what is written to a transport, and whether the answer was complete."""
 
     def __init__(self) -> None:
         self.pieces: list[bytes] = []
-        self.is_closed = False
+        self.is_complete = False
 
     def write(self, data: bytes) -> None:
         self.pieces.append(bytes(data))
@@ -23,8 +23,8 @@ class Written:
     def writelines(self, pieces: tuple[bytes, ...]) -> None:
         self.pieces.extend(pieces)
 
-    def close(self) -> None:
-        self.is_closed = True
+    def complete(self) -> None:
+        self.is_complete = True
 
 
 def answered(*messages: dict[str, Any], method: str = "GET", keep_alive: bool = True) -> Written:
@@ -43,7 +43,7 @@ def answered(*messages: dict[str, Any], method: str = "GET", keep_alive: bool = 
             message_event=asyncio.Event(),
             expect_100_continue=False,
             keep_alive=keep_alive,
-            on_response=lambda: None,
+            on_response=written.complete,
         )
         for message in messages:
             await exchange.send(message)  # type: ignore[arg-type]
@@ -81,7 +81,7 @@ def test_the_head_of_a_stream_does_not_wait_for_its_parts() -> None:
 
 
 def test_parts_of_a_known_length_are_written_one_by_one() -> None:
-    assert answered(start(LENGTH), body(b"a", more=True), body(b"b")).pieces == [HEAD + b"\r\n", b"a", b"b"]
+    assert answered(start(LENGTH), body(b"a", more=True), body(b"b")).pieces == [HEAD + b"\r\na", b"b"]
 
 
 @pytest.mark.parametrize("method", ["HEAD", "GET"])
@@ -96,7 +96,7 @@ def test_what_has_no_body_is_its_head(method: str) -> None:
 def test_the_last_answer_says_that_it_closes(keep_alive: bool, header: tuple[tuple[bytes, bytes], ...]) -> None:
     written = answered(start(LENGTH, *header), body(b"ab"), keep_alive=keep_alive)
     assert written.pieces[0].lower().count(b"connection:") == 1
-    assert written.is_closed
+    assert written.is_complete
 
 
 @pytest.mark.parametrize("name", [b"x-text", b"x-request-id"])
@@ -116,3 +116,13 @@ def test_no_name_has_what_ends_it(name: bytes) -> None:
 def test_a_body_has_the_length_that_its_head_says(data: bytes) -> None:
     with pytest.raises(RuntimeError, match="Content-Length"):
         answered(start(LENGTH), body(data))
+
+
+@pytest.mark.parametrize(
+    "messages",
+    [(body(b""),), (start(LENGTH), start(LENGTH)), (start(LENGTH), body(b"ab"), body(b""))],
+    ids=["a body without a head", "two heads", "a body after its end"],
+)
+def test_parts_are_sent_in_their_order(messages: tuple[dict[str, Any], ...]) -> None:
+    with pytest.raises(RuntimeError, match=r"http\.response"):
+        answered(*messages)

@@ -10,8 +10,8 @@ import re
 from fastapi import Request
 from starlette.types import ASGIApp, Receive, Scope, Send
 
+from sigcat.api.answers import serializers
 from sigcat.api.answers.negotiation import ANY, JSON, VARY_OF_304, json_bytes
-from sigcat.api.answers.serializers import node_data
 from sigcat.api.requests.dependencies import library_of, mark_catalogue, settings_of
 from sigcat.api.requests.thread_turns import has_few_children, has_turn
 from sigcat.api.routes.catalogues import SearchQuery, found, router, search_page
@@ -79,7 +79,7 @@ def _node(request: Request, hosted: Hosted, path: str) -> bytes | None:
     if node is None or not has_few_children(node):
         return None
     _mark(request, hosted, "/nodes/{path}")
-    return json_bytes(node_data(hosted.catalogue, node))
+    return json_bytes(serializers.node_data(hosted.catalogue, node))
 
 
 def _found(request: Request, hosted: Hosted, words: list[str]) -> bytes | None:
