@@ -48,7 +48,12 @@ def requests(library: Library) -> Iterator[Request]:
     """Nodes and searches that have shortcuts, and all that is nearly so."""
     hosted = library.get("small")
     addresses = (*(f"{NODES}/{path}" for path in hosted.catalogue.nodes), *ADDRESSES)
-    tags = ({}, {"If-None-Match": f'W/"{state_of(hosted)}"'}, {"If-Match": '"another"'}, {"If-None-Match": "*"})
+    tags: tuple[dict[str, str], ...] = (
+        {},
+        {"If-None-Match": f'W/"{state_of(hosted)}"'},
+        {"If-Match": '"another"'},
+        {"If-None-Match": "*"},
+    )
     for address, method, tag in product(addresses, ("GET", "HEAD"), tags):
         yield method, address, {"Accept-Encoding": "identity", **tag}
     yield from ((method, address, {}) for method, address in product(OTHER_METHODS, addresses))
