@@ -1,6 +1,7 @@
 """The head of an answer is one piece with the first part of its body, and each of its headers is one line."""
 
 import asyncio
+import logging
 from typing import Any
 
 import pytest
@@ -16,6 +17,7 @@ class Written:
     def __init__(self) -> None:
         self.pieces: list[bytes] = []
         self.is_complete = False
+        self.is_closed = False
 
     def write(self, data: bytes) -> None:
         self.pieces.append(bytes(data))
@@ -23,8 +25,27 @@ class Written:
     def writelines(self, pieces: tuple[bytes, ...]) -> None:
         self.pieces.extend(pieces)
 
+    def close(self) -> None:
+        self.is_closed = True
+
     def complete(self) -> None:
         self.is_complete = True
+
+
+def exchange_of(written: Written, method: str = "GET", *, keep_alive: bool = True) -> Exchange:
+    return Exchange(
+        scope={"method": method, "type": "http"},  # type: ignore[typeddict-item]
+        transport=written,  # type: ignore[arg-type]
+        flow=FlowControl(written),  # type: ignore[arg-type]
+        logger=logging.getLogger("exchange"),
+        access_logger=logging.getLogger("exchange"),
+        access_log=False,
+        default_headers=[(b"date", b"now")],
+        message_event=asyncio.Event(),
+        expect_100_continue=False,
+        keep_alive=keep_alive,
+        on_response=written.complete,
+    )
 
 
 def answered(*messages: dict[str, Any], method: str = "GET", keep_alive: bool = True) -> Written:
@@ -32,19 +53,7 @@ def answered(*messages: dict[str, Any], method: str = "GET", keep_alive: bool = 
     written = Written()
 
     async def send() -> None:
-        exchange = Exchange(
-            scope={"method": method, "type": "http"},  # type: ignore[typeddict-item]
-            transport=written,  # type: ignore[arg-type]
-            flow=FlowControl(written),  # type: ignore[arg-type]
-            logger=None,  # type: ignore[arg-type]
-            access_logger=None,  # type: ignore[arg-type]
-            access_log=False,
-            default_headers=[(b"date", b"now")],
-            message_event=asyncio.Event(),
-            expect_100_continue=False,
-            keep_alive=keep_alive,
-            on_response=written.complete,
-        )
+        exchange = exchange_of(written, method, keep_alive=keep_alive)
         for message in messages:
             await exchange.send(message)  # type: ignore[arg-type]
 
@@ -126,3 +135,22 @@ def test_a_body_has_the_length_that_its_head_says(data: bytes) -> None:
 def test_parts_are_sent_in_their_order(messages: tuple[dict[str, Any], ...]) -> None:
     with pytest.raises(RuntimeError, match=r"http\.response"):
         answered(*messages)
+
+
+@pytest.mark.parametrize(
+    "sent", [(start(LENGTH),), (start(LENGTH), body(b"a", more=True)), (start(), body(b"a", more=True))]
+)
+def test_an_answer_that_fails_after_its_head_is_cut_off(sent: tuple[dict[str, Any], ...]) -> None:
+    written = Written()
+
+    async def fail(_scope: object, _receive: object, send: Any) -> None:
+        for message in sent:
+            await send(message)
+        raise ValueError("broken")
+
+    async def answer() -> None:
+        await exchange_of(written).run_asgi(fail)
+
+    run(answer())
+    assert (written.is_closed, written.is_complete) == (True, False)
+    assert b"500" not in b"".join(written.pieces)

@@ -59,7 +59,7 @@ class Shortcuts:
         await send({"type": "http.response.body", "body": body})
 
     def _answer(self, scope: Scope) -> bytes | None:
-        """What is answered, if the address names a catalogue as it is, and something in it."""
+        """Return the answer if the address names a catalogue as it is, and something in it."""
         path: str = scope["path"].removeprefix(scope.get("root_path", ""))
         if not path.startswith(_CATALOGUES):
             return None
@@ -73,7 +73,7 @@ class Shortcuts:
         return self._found(scope, hosted, words[1].decode().split("+")) if words else None
 
     def _node(self, scope: Scope, hosted: Hosted, path: str) -> bytes | None:
-        """A node that exists and has few children."""
+        """Return a node that exists and has few children."""
         node = hosted.catalogue.get(path)
         if node is None or not has_few_children(node):
             return None
@@ -81,7 +81,7 @@ class Shortcuts:
         return json_bytes(serializers.node_data(hosted.catalogue, node))
 
     def _found(self, scope: Scope, hosted: Hosted, words: list[str]) -> bytes | None:
-        """What a few words find that a catalogue has which is not large."""
+        """Return the hits of a few words that a catalogue has which is not large."""
         catalogue, request = hosted.catalogue, Request(scope)
         query = SearchQuery.model_validate({"q": " ".join(words)})
         is_long = len(query.q) > self._settings.query_characters
