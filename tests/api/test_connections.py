@@ -4,6 +4,8 @@ import asyncio
 import json
 import socket
 import time
+import urllib.error
+import urllib.request
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack, contextmanager, suppress
@@ -265,6 +267,22 @@ def test_a_body_that_is_too_long_may_be_sent_on_so_that_the_refusal_is_read(serv
         connection.sendall(b"a" * size)
         connection.sendall(LAST)
         assert statuses(received(connection)) == [413, 200]
+
+
+def test_a_client_that_reads_after_its_body_reads_the_refusal(service: Service) -> None:
+    """urllib asks for the connection to be closed, sends the whole body, and then reads."""
+    asked = urllib.request.Request(f"{service.address}/api/v1/lint", b"a" * 6_000_000)
+    for _ in range(20):
+        with pytest.raises(urllib.error.HTTPError, match="413"):
+            urllib.request.urlopen(asked)
+
+
+@pytest.mark.parametrize("header", [b"", b"Connection: close\r\n"])
+def test_what_is_discarded_after_an_answer_is_bounded(service: Service, header: bytes) -> None:
+    with connected(service, LINT + header + b"Content-Length: 9999999999\r\n\r\n") as connection:
+        assert statuses(connection.recv(65536)) == [413]
+        with pytest.raises(ConnectionError):
+            connection.sendall(b"a" * 100_000_000)
 
 
 # -- what a client invents ------------------------------------------------------------------------------------------

@@ -1,6 +1,7 @@
 """The head of an answer is one piece with the first part of its body, and each of its headers is one line."""
 
 import asyncio
+import logging
 from typing import Any
 
 import pytest
@@ -11,10 +12,11 @@ from tests.own_loop import run
 
 
 class Written:
-    """Keeps what is written to a transport, and whether it was closed."""
+    """Keeps what is written to a transport, and whether the answer was complete."""
 
     def __init__(self) -> None:
         self.pieces: list[bytes] = []
+        self.is_complete = False
         self.is_closed = False
 
     def write(self, data: bytes) -> None:
@@ -26,25 +28,32 @@ class Written:
     def close(self) -> None:
         self.is_closed = True
 
+    def complete(self) -> None:
+        self.is_complete = True
+
+
+def exchange_of(written: Written, method: str = "GET", *, keep_alive: bool = True) -> Exchange:
+    return Exchange(
+        scope={"method": method, "type": "http"},  # type: ignore[typeddict-item]
+        transport=written,  # type: ignore[arg-type]
+        flow=FlowControl(written),  # type: ignore[arg-type]
+        logger=logging.getLogger("exchange"),
+        access_logger=logging.getLogger("exchange"),
+        access_log=False,
+        default_headers=[(b"date", b"now")],
+        message_event=asyncio.Event(),
+        expect_100_continue=False,
+        keep_alive=keep_alive,
+        on_response=written.complete,
+    )
+
 
 def answered(*messages: dict[str, Any], method: str = "GET", keep_alive: bool = True) -> Written:
     """Return the bytes that are written for these messages."""
     written = Written()
 
     async def send() -> None:
-        exchange = Exchange(
-            scope={"method": method, "type": "http"},  # type: ignore[typeddict-item]
-            transport=written,  # type: ignore[arg-type]
-            flow=FlowControl(written),  # type: ignore[arg-type]
-            logger=None,  # type: ignore[arg-type]
-            access_logger=None,  # type: ignore[arg-type]
-            access_log=False,
-            default_headers=[(b"date", b"now")],
-            message_event=asyncio.Event(),
-            expect_100_continue=False,
-            keep_alive=keep_alive,
-            on_response=lambda: None,
-        )
+        exchange = exchange_of(written, method, keep_alive=keep_alive)
         for message in messages:
             await exchange.send(message)  # type: ignore[arg-type]
 
@@ -81,7 +90,7 @@ def test_the_head_of_a_stream_does_not_wait_for_its_parts() -> None:
 
 
 def test_parts_of_a_known_length_are_written_one_by_one() -> None:
-    assert answered(start(LENGTH), body(b"a", more=True), body(b"b")).pieces == [HEAD + b"\r\n", b"a", b"b"]
+    assert answered(start(LENGTH), body(b"a", more=True), body(b"b")).pieces == [HEAD + b"\r\na", b"b"]
 
 
 @pytest.mark.parametrize("method", ["HEAD", "GET"])
@@ -96,7 +105,7 @@ def test_what_has_no_body_is_its_head(method: str) -> None:
 def test_the_last_answer_says_that_it_closes(keep_alive: bool, header: tuple[tuple[bytes, bytes], ...]) -> None:
     written = answered(start(LENGTH, *header), body(b"ab"), keep_alive=keep_alive)
     assert written.pieces[0].lower().count(b"connection:") == 1
-    assert written.is_closed
+    assert written.is_complete
 
 
 @pytest.mark.parametrize("name", [b"x-text", b"x-request-id"])
@@ -116,3 +125,32 @@ def test_no_name_has_what_ends_it(name: bytes) -> None:
 def test_a_body_has_the_length_that_its_head_says(data: bytes) -> None:
     with pytest.raises(RuntimeError, match="Content-Length"):
         answered(start(LENGTH), body(data))
+
+
+@pytest.mark.parametrize(
+    "messages",
+    [(body(b""),), (start(LENGTH), start(LENGTH)), (start(LENGTH), body(b"ab"), body(b""))],
+    ids=["a body without a head", "two heads", "a body after its end"],
+)
+def test_parts_are_sent_in_their_order(messages: tuple[dict[str, Any], ...]) -> None:
+    with pytest.raises(RuntimeError, match=r"http\.response"):
+        answered(*messages)
+
+
+@pytest.mark.parametrize(
+    "sent", [(start(LENGTH),), (start(LENGTH), body(b"a", more=True)), (start(), body(b"a", more=True))]
+)
+def test_an_answer_that_fails_after_its_head_is_cut_off(sent: tuple[dict[str, Any], ...]) -> None:
+    written = Written()
+
+    async def fail(_scope: object, _receive: object, send: Any) -> None:
+        for message in sent:
+            await send(message)
+        raise ValueError("broken")
+
+    async def answer() -> None:
+        await exchange_of(written).run_asgi(fail)
+
+    run(answer())
+    assert (written.is_closed, written.is_complete) == (True, False)
+    assert b"500" not in b"".join(written.pieces)

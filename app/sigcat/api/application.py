@@ -110,7 +110,7 @@ class Service(FastAPI):
 
 def create_app(
     library: Library, settings: Settings = DEFAULT_SETTINGS, functions: FunctionLibrary | None = None
-) -> FastAPI:
+) -> Service:
     """The API over a library. Pages for people are put on top of it by `sigcat.web.site.create_site`."""
     tracing = telemetry()
     app = Service(
@@ -159,7 +159,7 @@ def _queue(at_once: int, settings: Settings, kind: str = "") -> WorkQueue:
 
 def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
     """What stands around the routes; the one that is added last is passed first."""
-    app.add_middleware(Shortcuts)
+    app.add_middleware(Shortcuts, library=library, settings=settings)
     app.add_middleware(Packing, minimum_size=1000, compresslevel=5, thread_minimum_size=_PACKED_IN_THREAD)
     app.add_middleware(AnswerCache, library=library, most_bytes=settings.cache_bytes)
     app.add_middleware(RequestHeaders)

@@ -9,6 +9,7 @@ from uvicorn.protocols.http.httptools_impl import STATUS_LINE, RequestResponseCy
 
 _COPIED = 64 * 1024
 """Bytes of an answer that are faster copied behind its head than written apart from it."""
+_LAST_CHUNK = b"0\r\n\r\n"
 _FRAMING = frozenset((b"content-length", b"transfer-encoding", b"connection"))
 _OF_EACH = frozenset((b"content-length", b"x-request-id"))
 """Headers with another value in nearly every answer. All others are mostly those of the answer before."""
@@ -16,7 +17,10 @@ _HEADER = re.compile(rb"[^\x00-\x1f\x7f()<>@,;:\[\]={} \\\"]+: [^\x00-\x08\x0a-\
 
 
 class Exchange(RequestResponseCycle):
-    """An exchange of uvicorn that sends the head with the first part of a body, and checks each header line once."""
+    """An exchange of uvicorn that sends the head with the first part of a body, and checks each header line once.
+
+    `on_response` closes the connection behind the last answer.
+    """
 
     _unsent_head = b""
     _says_close = False
@@ -27,41 +31,50 @@ class Exchange(RequestResponseCycle):
             await self.flow.drain()
         if self.disconnected:
             return
-        if not self.response_started and message["type"] == "http.response.start":
-            self.response_started = True
-            self.waiting_for_100_continue = False
-            self._unsent_head = self._head(message)
-            if self.chunked_encoding:  # its parts may be long in coming
-                self._send_head()
-        elif self._unsent_head and message["type"] == "http.response.body" and self._is_whole(message):
-            self._send_whole(message.get("body", b""))
-        else:
-            self._send_head()
-            await super().send(message)
+        if self.response_complete or message["type"] != self._expected:
+            raise RuntimeError(f"The message {message['type']!r} must not be sent now.")
+        if message["type"] == "http.response.start":
+            self._begin(message)
+        elif message["type"] == "http.response.body":
+            self._continue(message.get("body", b""), has_more=message.get("more_body", False))
 
-    def _is_whole(self, message: Any) -> bool:
-        return not message.get("more_body") and (
-            self.scope["method"] == "HEAD" or len(message.get("body", b"")) == self.expected_content_length
-        )
+    @property
+    def _expected(self) -> str:
+        return "http.response.body" if self.response_started else "http.response.start"
 
-    def _send_head(self) -> None:
-        if self._unsent_head:
-            self.transport.write(self._unsent_head)
-            self._unsent_head = b""
+    def _begin(self, message: Any) -> None:
+        self.response_started = True
+        self.waiting_for_100_continue = False
+        self._unsent_head = self._head(message)
+        if self.chunked_encoding:  # its parts may be long in coming
+            self._write(b"")
 
-    def _send_whole(self, body: bytes) -> None:
+    def _continue(self, body: bytes, *, has_more: bool) -> None:
         if self.scope["method"] == "HEAD":
-            self._send_head()
-        elif len(body) > _COPIED:
-            self.transport.writelines((self._unsent_head, body))
+            body = b""
+        elif self.chunked_encoding:
+            body = _chunk(body) if has_more else _chunk(body) + _LAST_CHUNK
         else:
-            self.transport.write(self._unsent_head + body)
-        self._unsent_head = b""
-        self.response_complete = True
-        self.message_event.set()
-        if not self.keep_alive:
-            self.transport.close()
-        self.on_response()
+            self._count(len(body), has_more=has_more)
+        self._write(body)
+        if not has_more:
+            self.response_complete = True
+            self.message_event.set()
+            self.on_response()
+
+    def _count(self, size: int, *, has_more: bool) -> None:
+        """Raises RuntimeError for a body that is not as long as the head says."""
+        self.expected_content_length -= size
+        if self.expected_content_length < 0 or (self.expected_content_length and not has_more):
+            raise RuntimeError("The body of an answer must be as long as `Content-Length` says.")
+
+    def _write(self, body: bytes) -> None:
+        """Write a part, and the head before it, if it is the first."""
+        head, self._unsent_head = self._unsent_head, b""
+        if head and len(body) > _COPIED:
+            self.transport.writelines((head, body))
+        else:
+            self.transport.write(head + body if head else body)
 
     def _head(self, message: Any) -> bytes:
         """The lines of the head. Raises RuntimeError for a header that would break them."""
@@ -93,6 +106,11 @@ class Exchange(RequestResponseCycle):
             self.chunked_encoding = True
             lines += b"transfer-encoding: chunked\r\n"
         return lines
+
+
+def _chunk(body: bytes) -> bytes:
+    """A part of a body; an empty one would be the last chunk."""
+    return b"%x\r\n%b\r\n" % (len(body), body) if body else b""
 
 
 def _line(name: bytes, value: bytes) -> bytes:

@@ -42,6 +42,8 @@ _PIPELINED = 32
 """Requests of one connection that wait for the answer to another one before them."""
 _LINGERING_SECONDS = 2.0
 """How long a client may read why it was refused, before the connection is gone."""
+_DISCARDED_BYTES = 16 * 1024 * 1024
+"""Bytes of a body that are read after its answer: clients that send all of it first read the answer only then."""
 
 _NO_METHOD = (
     "A request must begin with a method of HTTP in capitals, such as `GET`. This address speaks neither TLS nor HTTP/2."
@@ -93,7 +95,8 @@ class HttpConnection(HttpToolsProtocol):
         self._header_count = 0
         self._content_bytes = 0
         self._extension_bytes = 0
-        self._is_refused = False
+        self._discarded_bytes = 0
+        self._is_ending = False
         self._answering: tuple[RequestResponseCycle, asyncio.Task[None]] | None = None
         self._head_timer: asyncio.TimerHandle | None = None
         self._unread_timer: asyncio.TimerHandle | None = None
@@ -117,8 +120,9 @@ class HttpConnection(HttpToolsProtocol):
         super().connection_lost(exc)
 
     def data_received(self, data: bytes) -> None:
-        """Read on; what follows a refusal is not looked at."""
-        if self._is_refused:
+        """Read on; what follows the last answer is discarded."""
+        if self._is_ending:
+            self._discard(len(data))
             return
         self._unset_keepalive_if_required()
         self._rules.open_connections.heard_from(self)
@@ -134,7 +138,7 @@ class HttpConnection(HttpToolsProtocol):
             self._refuse(self._refusal_of(error.__context__ or error))
         except (httptools.HttpParserError, Refused) as error:
             self._refuse(self._refusal_of(error))
-        if self._head_timer is None and not self._is_refused and (self._is_in_head or not self._is_under_way):
+        if self._head_timer is None and not self._is_ending and (self._is_in_head or not self._is_under_way):
             self._expect_head()
 
     @property
@@ -168,7 +172,7 @@ class HttpConnection(HttpToolsProtocol):
         self.headers = []
         self.expect_100_continue = False
         self._is_in_head = True
-        self._head_bytes = self._header_count = self._extension_bytes = 0
+        self._head_bytes = self._header_count = self._extension_bytes = self._discarded_bytes = 0
 
     def on_url(self, url: bytes) -> None:
         """A part of its address."""
@@ -204,7 +208,10 @@ class HttpConnection(HttpToolsProtocol):
     def on_body(self, body: bytes) -> None:
         """A part of the body."""
         self._content_bytes += len(body)
-        super().on_body(body)
+        if self.cycle.response_complete:
+            self._discard(len(body))
+        else:
+            super().on_body(body)
 
     def on_message_complete(self) -> None:
         """The request is whole."""
@@ -377,7 +384,7 @@ class HttpConnection(HttpToolsProtocol):
 
     def _refuse(self, refused: Refused) -> None:
         """Answer with a problem and close. Requests before it are answered first, and the last one closes."""
-        self._is_refused = True
+        self._is_ending = True
         self._stop_expecting_head()
         path = self.url.partition(b"?")[0].decode("latin-1")
         answer = self._rules.refusals.answer(refused, path, self._address, self.server_state.default_headers)
@@ -392,6 +399,7 @@ class HttpConnection(HttpToolsProtocol):
         if self._is_under_way:  # its body is what is wrong: the application waits for it in vain
             self.cycle.disconnected = True
             self.cycle.message_event.set()
+            self.flow.resume_reading()
         self.transport.write(answer)
         if self.transport.can_write_eof():
             self.transport.write_eof()
@@ -399,8 +407,29 @@ class HttpConnection(HttpToolsProtocol):
 
     def on_response_complete(self) -> None:
         """The answer is made; the client has yet to read it."""
+        if self._answering is not None and not self._answering[0].keep_alive:
+            self._end()
         super().on_response_complete()
         self._expect_reading()
+
+    def _end(self) -> None:
+        """Close behind the last answer. A client that still sends is reset if its bytes are not read, and loses the answer.
+
+        Therefore they are read and discarded until it closes, sends too many, or the timer of connections without requests is over.
+        """
+        if self._in_body is None:
+            self.transport.close()
+            return
+        self._is_ending = True
+        self.pipeline.clear()
+        if self.transport.can_write_eof():
+            self.transport.write_eof()
+
+    def _discard(self, size: int) -> None:
+        """Count what is read and belongs to no request that waits for an answer."""
+        self._discarded_bytes += size
+        if self._discarded_bytes > _DISCARDED_BYTES:
+            self.transport.abort()
 
     def pause_writing(self) -> None:
         """The client is slower than the answer."""

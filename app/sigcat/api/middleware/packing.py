@@ -4,8 +4,13 @@ from fastapi.middleware.gzip import GZipMiddleware
 from starlette.datastructures import MutableHeaders
 from starlette.types import Message, Receive, Scope, Send
 
+from sigcat.api.answers.negotiation import VARY_OF_304
+
 _ALLOWED = (b"accept-encoding", b"gzip")
 """As `RequestHeaders` says it."""
+_ENCODING = b"Accept-Encoding"
+_VARIES = (b"vary", VARY_OF_304.encode())
+"""As most answers have it: it is found faster than its part."""
 
 
 class Packing(GZipMiddleware):
@@ -41,7 +46,7 @@ def _varying(send: Send) -> Send:
     async def varying_send(message: Message) -> None:
         if message["type"] == "http.response.start":
             headers = message.setdefault("headers", [])
-            if not any(name == b"vary" and b"Accept-Encoding" in value for name, value in headers):
+            if _VARIES not in headers and not any(name == b"vary" and _ENCODING in value for name, value in headers):
                 MutableHeaders(raw=headers).add_vary_header("Accept-Encoding")
         await send(message)
 

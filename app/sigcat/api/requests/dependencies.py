@@ -1,7 +1,8 @@
 """What the routes take from a request: the hosted catalogue, the posted text."""
 
 import asyncio
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Mapping
+from functools import lru_cache
 from http import HTTPStatus
 from typing import Annotated, Any
 
@@ -42,6 +43,7 @@ __all__ = [
     "TheWorkQueue",
     "catalogue_at",
     "functions_of",
+    "headers_of_state",
     "hosted_at",
     "judge_conditions",
     "library_of",
@@ -187,15 +189,21 @@ def mark_catalogue(request: Request, hosted: Hosted, *, is_fixed: bool) -> None:
 
 
 def mark_state(request: Request, version: str, *, is_fixed: bool) -> None:
-    """Keep the headers for the answer. Where reading needs a token, no cache may keep an answer for others."""
-    reach = "private" if settings_of(request).reading == "token" else "public"
+    """Keep the headers for the answer."""
+    request.state.caching = headers_of_state(version, settings_of(request).reading, is_fixed=is_fixed)
+
+
+@lru_cache(64)
+def headers_of_state(version: str, reading: str, *, is_fixed: bool) -> Mapping[str, str]:
+    """Headers of an answer about a state. Where reading needs a token, no cache may keep an answer for others."""
+    reach = "private" if reading == "token" else "public"
     lasting = f"{reach}, {_NEVER_CHANGES}" if is_fixed else "no-cache" if reach == "public" else "private, no-cache"
-    request.state.caching = {"ETag": f'W/"{version}"', "Cache-Control": lasting}
+    return {"ETag": f'W/"{version}"', "Cache-Control": lasting}
 
 
 def judge_conditions(request: Request) -> None:
     """Raises a 304 if the client holds the state that was marked, a 412 if it wants another one."""
-    headers: dict[str, str] = request.state.caching
+    headers: Mapping[str, str] = request.state.caching
     refuse_unless_matched(request.headers.get("if-match"), headers["ETag"])
     if is_known(request.headers.get("if-none-match", ""), headers["ETag"]):
         raise HTTPException(HTTPStatus.NOT_MODIFIED, headers={**headers, "Vary": VARY_OF_304})

@@ -6,16 +6,20 @@ runs in a thread what may take long.
 """
 
 import re
+from collections.abc import Mapping
+from functools import lru_cache
 
 from fastapi import Request
 from starlette.types import ASGIApp, Receive, Scope, Send
 
+from sigcat.api.answers import serializers
 from sigcat.api.answers.negotiation import ANY, JSON, VARY_OF_304, json_bytes
-from sigcat.api.answers.serializers import node_data
-from sigcat.api.requests.dependencies import library_of, mark_catalogue, settings_of
+from sigcat.api.answers.versions import state_of
+from sigcat.api.requests.dependencies import headers_of_state
 from sigcat.api.requests.thread_turns import has_few_children, has_turn
 from sigcat.api.routes.catalogues import SearchQuery, found, router, search_page
-from sigcat.catalogue.hosting.library import Hosted
+from sigcat.api.settings import Settings
+from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.catalogue.search import has_index
 
 _LONGEST = 200
@@ -29,22 +33,69 @@ _AS_JSON = (ANY.encode(), JSON.encode())
 _PACKED = (b"accept-encoding", b"gzip")
 """As `RequestHeaders` says it."""
 _CATALOGUES = router.prefix.partition("{")[0]
+_NODE, _SEARCH = f"{router.prefix}/nodes/{{path}}", f"{router.prefix}/search"
+
+Headers = tuple[tuple[bytes, bytes], ...]
 
 
 class Shortcuts:
     """Answers what is plain, and passes on what is not."""
 
-    def __init__(self, app: ASGIApp) -> None:
+    def __init__(self, app: ASGIApp, library: Library, settings: Settings) -> None:
         self._app = app
+        self._library = library
+        self._settings = settings
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer, or pass the request on."""
-        body = _answer(scope) if scope["type"] == "http" and _is_plain(scope) else None
+        body = self._answer(scope) if scope["type"] == "http" and _is_plain(scope) else None
         if body is None:
             await self._app(scope, receive, send)
             return
-        await send({"type": "http.response.start", "status": 200, "headers": _headers(scope, len(body))})
+        caching: Mapping[str, str] = scope["state"]["caching"]
+        headers = [*_headers(tuple(caching.items()), may_be_packed=_PACKED in scope["headers"])]
+        headers.append((b"content-length", b"%d" % len(body)))
+        await send({"type": "http.response.start", "status": 200, "headers": headers})
         await send({"type": "http.response.body", "body": body})
+
+    def _answer(self, scope: Scope) -> bytes | None:
+        """Return the answer if the address names a catalogue as it is, and something in it."""
+        path: str = scope["path"].removeprefix(scope.get("root_path", ""))
+        if not path.startswith(_CATALOGUES):
+            return None
+        catalogue, _, rest = path.removeprefix(_CATALOGUES).partition("/")
+        hosted = self._library.find(catalogue)
+        if hosted is None:
+            return None
+        if rest.startswith("nodes/") and not scope["query_string"]:
+            return self._node(scope, hosted, rest.removeprefix("nodes/"))
+        words = _WORDS.fullmatch(scope["query_string"]) if rest == "search" else None
+        return self._found(scope, hosted, words[1].decode().split("+")) if words else None
+
+    def _node(self, scope: Scope, hosted: Hosted, path: str) -> bytes | None:
+        """Return a node that exists and has few children."""
+        node = hosted.catalogue.get(path)
+        if node is None or not has_few_children(node):
+            return None
+        self._mark(scope, hosted, _NODE)
+        return json_bytes(serializers.node_data(hosted.catalogue, node))
+
+    def _found(self, scope: Scope, hosted: Hosted, words: list[str]) -> bytes | None:
+        """Return the hits of a few words that a catalogue has which is not large."""
+        catalogue, request = hosted.catalogue, Request(scope)
+        query = SearchQuery.model_validate({"q": " ".join(words)})
+        is_long = len(query.q) > self._settings.query_characters
+        if is_long or len(catalogue.nodes) > _FEW_NODES or not has_index(catalogue):
+            return None
+        if not all(hosted.search_index.is_known(word.lower()) for word in words) or not has_turn(request):
+            return None
+        self._mark(scope, hosted, _SEARCH)
+        return json_bytes(search_page(request, *found(hosted, self._settings, query)))
+
+    def _mark(self, scope: Scope, hosted: Hosted, route: str) -> None:
+        """Keep which catalogue the answer is about, for its headers, and the route, for the log and the metrics."""
+        caching = headers_of_state(state_of(hosted), self._settings.reading, is_fixed=False)
+        scope["state"].update(hosted=hosted, caching=caching, route=route)
 
 
 def _is_plain(scope: Scope) -> bool:
@@ -57,55 +108,11 @@ def _is_plain(scope: Scope) -> bool:
     return True
 
 
-def _answer(scope: Scope) -> bytes | None:
-    """What is answered, if the address names a catalogue as it is, and something in it."""
-    path: str = scope["path"].removeprefix(scope.get("root_path", ""))
-    if not path.startswith(_CATALOGUES):
-        return None
-    catalogue, _, rest = path.removeprefix(_CATALOGUES).partition("/")
-    request = Request(scope)
-    hosted = library_of(request).find(catalogue)
-    if hosted is None:
-        return None
-    if rest.startswith("nodes/") and not scope["query_string"]:
-        return _node(request, hosted, rest.removeprefix("nodes/"))
-    words = _WORDS.fullmatch(scope["query_string"]) if rest == "search" else None
-    return _found(request, hosted, words[1].decode().split("+")) if words else None
-
-
-def _node(request: Request, hosted: Hosted, path: str) -> bytes | None:
-    """A node that exists and has few children."""
-    node = hosted.catalogue.get(path)
-    if node is None or not has_few_children(node):
-        return None
-    _mark(request, hosted, "/nodes/{path}")
-    return json_bytes(node_data(hosted.catalogue, node))
-
-
-def _found(request: Request, hosted: Hosted, words: list[str]) -> bytes | None:
-    """What a few words find that a catalogue has which is not large."""
-    catalogue, settings = hosted.catalogue, settings_of(request)
-    query = SearchQuery.model_validate({"q": " ".join(words)})
-    if len(catalogue.nodes) > _FEW_NODES or not has_index(catalogue) or len(query.q) > settings.query_characters:
-        return None
-    if not all(hosted.search_index.is_known(word.lower()) for word in words) or not has_turn(request):
-        return None
-    _mark(request, hosted, "/search")
-    return json_bytes(search_page(request, *found(hosted, settings, query)))
-
-
-def _mark(request: Request, hosted: Hosted, route: str) -> None:
-    """Keep which catalogue the answer is about, for its headers, and the route, for the log and the metrics."""
-    mark_catalogue(request, hosted, is_fixed=False)
-    request.scope["state"]["route"] = f"{router.prefix}{route}"
-
-
-def _headers(scope: Scope, length: int) -> list[tuple[bytes, bytes]]:
+@lru_cache(64)
+def _headers(caching: tuple[tuple[str, str], ...], *, may_be_packed: bool) -> Headers:
     """Headers of an answer as the operation has them; `Packing` completes `Vary` of one that it may pack."""
-    caching: dict[str, str] = scope["state"]["caching"]
-    return [
-        *((name.lower().encode(), value.encode()) for name, value in caching.items()),
-        (b"vary", b"Accept" if _PACKED in scope["headers"] else VARY_OF_304.encode()),
-        (b"content-length", b"%d" % length),
+    return (
+        *((name.lower().encode(), value.encode()) for name, value in caching),
+        (b"vary", b"Accept" if may_be_packed else VARY_OF_304.encode()),
         (b"content-type", JSON.encode()),
-    ]
+    )

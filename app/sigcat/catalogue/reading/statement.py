@@ -127,7 +127,7 @@ class Statement:
         return self._marks[place] if place is not None and place < len(self._marks) else 0
 
     def _mark(self, attribute: str) -> int:
-        place = _places_of(self).get(attribute)
+        place = _places_of(self).get(attribute) if attribute else None
         return self._key_mark if place is None else self._marks[place]
 
 
