@@ -24,6 +24,7 @@ def disagreements(swc: SwcPlan, index: int) -> Iterator[Finding]:
         if runnable.role == "Step" and runnable.call not in steps:
             yield _finding((*below, "Call"), f"{runnable.name} must run a step of {swc.core.function}.")
         yield from _unknown_data(runnable, swc, at)
+    yield from _untold_rejections(swc, at)
 
 
 def _unknown_data(runnable: Runnable, swc: SwcPlan, at: Pointer) -> Iterator[Finding]:
@@ -43,6 +44,16 @@ def _unknown_data(runnable: Runnable, swc: SwcPlan, at: Pointer) -> Iterator[Fin
             is_known = access.kind not in _DATA or (port.name, access.element) in known
         if not is_known:
             yield _of_port(access, port, number, swc, at)
+
+
+def _untold_rejections(swc: SwcPlan, at: Pointer) -> Iterator[Finding]:
+    """Elements whose rejections the core needs, and of which the RTE would say nothing."""
+    needed = {end.key for end in swc.received if end.tells_of_rejection and not end.has_transformer_errors}
+    for number, port in enumerate(swc.component.ports):
+        for index, element in enumerate(port.elements):
+            if (port.name, element.name) in needed:
+                message = f"{port.name}.{element.name} must have `TransformerErrors`: {swc.core.function} names an `e2eError` for it."
+                yield _finding((*at, "Ports", number, "Elements", index), message)
 
 
 def _of_port(access: Access, port: Port, number: int, swc: SwcPlan, at: Pointer) -> Finding:

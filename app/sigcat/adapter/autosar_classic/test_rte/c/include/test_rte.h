@@ -53,6 +53,8 @@ typedef struct {
     const char *name;
     const TestRte_Shape *shape;
     void (*deliver)(const void *value);
+    /* With a code of end-to-end protection; without a value, if only the code comes. NULL: the port has no codes. */
+    void (*deliver_checked)(const void *value, uint8 code);
 } TestRte_Input;
 
 /* A memory of a component. */
@@ -121,6 +123,12 @@ Std_ReturnType NvM_SetRamBlockStatus(const char *block, boolean has_changed);
 void NvM_ReadAll(const char *folder); /* NULL: nothing was stored */
 void NvM_WriteAll(const char *folder);
 void TestRte_SetCycle(uint32 cycle);
+
+/* -- end-to-end protection, whose codes the trace has ------------------------------------------------------------- */
+
+#define TEST_RTE_HARD_ERROR 0x80U /* codes from here on: nothing is delivered */
+
+Std_ReturnType TestRte_Checked(uint8 code, Std_TransformerError *error); /* what a function that reads returns */
 
 /* -- texts of values ----------------------------------------------------------------------------------------------- */
 
