@@ -1,4 +1,4 @@
-"""Run a coroutine in a thread of its own: a browser that is open in this process has an event loop in the main one."""
+"""Run a coroutine in a separate thread: a browser that is open in this process has an event loop in the main one."""
 
 import asyncio
 from collections.abc import Coroutine

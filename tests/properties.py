@@ -21,7 +21,7 @@ from tests.needs import IS_SLOW_RUN
 
 FILE = Path(__file__).with_name("found_examples.json")
 FUZZ = int(os.environ.get("SIGCAT_FUZZ", "0"))
-"""How far `make fuzz` searches: the examples of a test are a fifth as many times the usual number."""
+"""Extent of the search of `make fuzz`: the examples of a test are a fifth as many times the usual number."""
 IS_SEARCH = IS_SLOW_RUN or bool(FUZZ)
 """Whether examples are random."""
 TIMES = FUZZ // 5 or (10 if IS_SLOW_RUN else 1)
@@ -63,10 +63,11 @@ def names() -> Iterable[str]:
     return _texts()
 
 
-def seeds(test: str, usual: int) -> Sequence[object]:
-    """Seeds for `parametrize`: the usual one, or in a search a random one; then those that failed once."""
-    drawn = int.from_bytes(os.urandom(4)) if IS_SEARCH else usual
-    return [pytest.param(drawn, id="drawn"), *(each["seed"] for each in found(test))]
+def seeds(test: str, usual: int, number: int = 1) -> Sequence[object]:
+    """Seeds for `parametrize`: the usual ones, or in a search random ones; then those that failed once."""
+    first = int.from_bytes(os.urandom(4)) if IS_SEARCH else usual
+    drawn = [pytest.param(first + each, id=f"drawn {each}") for each in range(number)]  # workers draw their own
+    return [*drawn, *(each["seed"] for each in found(test))]
 
 
 def prepare(items: Iterable[pytest.Item]) -> None:

@@ -142,6 +142,17 @@ KINDS = (
         ),
     ),
     Kind(
+        "changed documents, compiled for every platform",
+        (
+            "tests/adapter/test_mutated.py::test_what_is_generated_of_a_changed_function_is_compiled",
+            "tests/adapter/test_mutated.py::test_what_is_generated_of_a_changed_integration_is_compiled",
+        ),
+        (
+            "tests/adapter/test_mutated.py::test_what_is_generated_of_a_changed_function_is_compiled[autosar-classic-time_outs-0]",
+            "tests/adapter/test_mutated.py::test_what_is_generated_of_a_changed_integration_is_compiled[autosar-classic-time_outs-0]",
+        ),
+    ),
+    Kind(
         "drives played to every platform",
         ("tests/comparison/running/test_platforms.py", "tests/comparison/test_can_drive.py"),
         (
@@ -285,7 +296,7 @@ def is_at(name: str, places: Iterable[str]) -> bool:
 
 
 def _beginnings(place: str) -> tuple[str, ...]:
-    """How names below a place begin."""
+    """Beginnings of names below a place."""
     return (place[:-1],) if place.endswith("*") else (f"{place}/", f"{place}::", f"{place}[")
 
 

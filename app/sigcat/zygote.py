@@ -57,7 +57,7 @@ class Zygote:
 
     @property
     def has_ended(self) -> bool:
-        """Whether somebody ended it, also while a thread waits for that: then `Popen.poll` does not see it."""
+        """Whether it has ended, also while a thread waits for that: then `Popen.poll` does not see it."""
         if self._process.poll() is not None or not hasattr(os, "waitid"):
             return self._process.returncode is not None
         try:
@@ -81,7 +81,7 @@ class Zygote:
     def tell(self, data: bytes) -> None:
         """Let the zygote keep something; waits until it reads. Raises OSError if it has ended."""
         with self._asked("", is_told=True) as connection:
-            connection.sendall(data)
+            write_message(connection, data)
 
     def close(self) -> None:
         """Let it end, and its children as soon as their connections are closed."""
@@ -116,7 +116,9 @@ def main(descriptor: int, module: str) -> None:
             child = cast(Child, importlib.import_module(module))
             with request.connection:
                 if request.is_told:
-                    child.keep(_all_of(request.connection))
+                    data = read_message(request.connection)
+                    if data is not None:  # else whoever started this process ended while it sent
+                        child.keep(data)
                     continue
                 child.prepare(request.kind)
                 gc.freeze()
@@ -160,10 +162,6 @@ def _live(child: Child, connection: socket.socket) -> None:
         sys.excepthook(*sys.exc_info())
     finally:
         os._exit(status)
-
-
-def _all_of(connection: socket.socket) -> bytes:
-    return b"".join(iter(lambda: connection.recv(1 << 20), b""))
 
 
 def read_message(connection: socket.socket) -> bytes | None:

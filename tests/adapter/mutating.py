@@ -76,10 +76,13 @@ def _other(value: Any, chance: random.Random) -> Any:
 
 
 def difference(before: Any, after: Any, at: str = "") -> list[str]:
-    """What was changed, for the message of a failure."""
+    """Description of the change, for the message of a failure."""
     if type(before) is type(after) and isinstance(before, dict):
         keys = [*before, *(key for key in after if key not in before)]
         return [line for key in keys for line in difference(before.get(key), after.get(key), f"{at}/{key}")]
-    if before == after:
+    if isinstance(before, list) and isinstance(after, list) and len(before) == len(after):
+        pairs = enumerate(zip(before, after, strict=True))
+        return [line for index, (old, new) in pairs for line in difference(old, new, f"{at}/{index}")]
+    if before == after and type(before) is type(after):
         return []
     return [f"{at}: {json.dumps(before)[:300]} -> {json.dumps(after)[:300]}"]

@@ -345,3 +345,19 @@ def test_every_instance_and_event_group_has_the_timing_of_service_discovery_in_s
         found = [element for _, element in model.elements_dfs if element.element_name == kind]
         assert found
         assert all(any(child.element_name == timed for child in element.sub_elements) for element in found)
+
+
+HEIGHTS = {"typeRef": "DT_Heights", "category": "userdefined", "cDef": "float[1000]", "Kind": "array", "Length": 1000,
+           "ElementType": "DT_Float32"}  # fmt: skip
+
+
+@EACH_RELEASE
+def test_an_event_that_is_longer_than_a_datagram_is_sent_in_segments(release):
+    long = {**at("Vehicle.Heights"), "Datatype": "DT_Heights", "VssDatatype": "float[1000]"}
+    derived = derive([function(signals=[long, at("Vehicle.Speed")], datatypes=[HEIGHTS])])
+    files = generate(derived.model, release)
+    assert texts(files, "MAXIMUM-SEGMENT-LENGTH") == ["1392"]
+    model = loaded(files)
+    assert (dangling(model), misplaced(model)) == ([], [])
+    (finding,) = [each for each in derived.findings if each.rule == "A024"]
+    assert "4,004 bytes" in finding.message

@@ -14,12 +14,13 @@ from clang.cindex import Index, TokenKind
 from pydantic import BaseModel
 
 from sigcat.adapter.files import GeneratedFile
-from sigcat.function.document.text import Text
+from sigcat.function.document.text import Text, json_of
 from sigcat.integration.autosar_adaptive import document as adaptive
 from sigcat.integration.autosar_adaptive.model import to_json as adaptive_json
 from sigcat.integration.autosar_classic import document as classic
 from sigcat.integration.autosar_classic.model import to_json as classic_json
 from sigcat.integration.ros2 import document as ros2
+from sigcat.integration.ros2.model import MessageConstant
 from sigcat.integration.ros2.model import to_json as ros2_json
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT
@@ -36,7 +37,7 @@ READERS: Mapping[str, tuple[Any, Any]] = {
     "ros2": (ros2.read_integration, ros2_json),
 }
 WORD = "int_EVIL_code"
-"""What no token, tag or key may be."""
+"""Text that no token, tag or key may have."""
 ATTACKS = (
     f"*/ {WORD} /* // {WORD} \\", f'"; {WORD}; "\\" ??/', f"a\n{WORD};\n#include <{WORD}>\r\n{WORD}\u2028{WORD}\x0c{WORD}",
     f"]]> <{WORD}/> <!-- {WORD} & ]]> <script>{WORD}</script>", f"${{{WORD}}} $({WORD}) `{WORD}` @{WORD}@ #) {WORD} #]] {WORD}; {WORD}",
@@ -44,8 +45,10 @@ ATTACKS = (
     f"%s {{0}} {{}} {{{WORD}}} : {WORD}\n- {WORD}: {WORD}\n---\n{WORD}", f"x {WORD} " * 600, f"{'e' * 60}({WORD};" * 20,
     f"{'e' * 60}, {WORD}; || {WORD} = {WORD}(" * 20,
 )  # fmt: skip
-ONE_LINE = {"maintainer", "license"}
-"""What a ROS package has on one line of printable characters, or is refused."""
+JSON = {"default_elements", "default_text", "init_elements"}
+"""Texts that are JSON, where they are of an array or a struct."""
+ONE_LINE = {"maintainer", "license", "value"}
+"""Texts that ROS has on one line of printable characters; others are refused."""
 
 
 @cache
@@ -55,13 +58,17 @@ def document(platform: str) -> bytes:
 
 def attacked(value: Any, attack: str, name: str = "") -> Any:
     """A model with an attack in the place of each free text."""
+    if isinstance(value, MessageConstant) and value.datatype != "string":
+        return value
     if isinstance(value, BaseModel):
         fields = type(value).model_fields
         return value.model_copy(update={each: attacked(getattr(value, each), attack, each) for each in fields})
     if isinstance(value, tuple):
         return tuple(attacked(each, attack, name) for each in value)
-    if isinstance(value, Text) and name != "default_text":
-        return Text(re.sub(r"[^ -~]+", " ", attack) if name in ONE_LINE else attack)
+    if isinstance(value, list):
+        return [attacked(each, attack, name) for each in value]
+    if isinstance(value, Text) and (name not in JSON or json_of(value) is None):
+        return Text(re.sub(r"[^ -~]+|#", " ", attack) if name in ONE_LINE else attack)
     return value
 
 

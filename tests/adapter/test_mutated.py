@@ -1,12 +1,11 @@
 """Whatever the linter lets through is generated: mistakes in documents are findings, never exceptions.
 
-`make fuzz` tries many more documents (SIGCAT_FUZZ is their number), other ones each time, and compiles and runs the cores. What it
-finds is a case here.
+`make fuzz` tries many more documents (SIGCAT_FUZZ is their number), other ones each time. Cores are compiled and run, what is generated
+for a platform is compiled, and runs on the test RTE of AUTOSAR Classic. What it finds is a case here.
 """
 
+import copy
 import json
-import os
-import secrets
 import tempfile
 from collections.abc import Callable
 from functools import cache
@@ -26,21 +25,22 @@ from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.integrate import integrate
 from sigcat.platforms.platform import Generator, Options
 from sigcat.platforms.table import PLATFORMS
+from tests.adapter import mutated_platforms
 from tests.adapter.core.compared import disagreement
 from tests.adapter.core.fixed import FIXED
 from tests.adapter.mutating import difference, mutated
 from tests.function.shipped import interfaces, resolved
 from tests.integration.autosar_adaptive.sets import examples
+from tests.properties import FUZZ, seeds
 
-FUZZ = int(os.environ.get("SIGCAT_FUZZ", "0"))
-FIRST = secrets.randbelow(2**32) if FUZZ else 0
-SEEDS = range(FIRST, FIRST + (FUZZ or 2))
+HERE = "tests/adapter/test_mutated.py"
+TRIES = FUZZ or 2
 GENERATED = [(name, generator) for name, platform in PLATFORMS.items() for generator in platform.generators]
 
 
 @cache
 def example() -> Any:
-    """The Function JSON of an example, which uses most of what a function can say."""
+    """The Function JSON of an example, which has most of the fields of a function."""
     (function,) = (each for each in examples() if each.info.function_name == "CoreAcc")
     return json.loads(to_json(function))
 
@@ -74,7 +74,7 @@ def files_of(generator: Generator, integration: bytes) -> None:
                 raise
 
 
-def is_refused(document: Any, make: Callable[[Any], None]) -> bool:
+def is_refused(document: Any, make: Callable[[Any], object]) -> bool:
     """Whether a document is refused with findings. Raises what else is raised."""
     try:
         make(document)
@@ -85,7 +85,9 @@ def is_refused(document: Any, make: Callable[[Any], None]) -> bool:
     return False
 
 
-@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize(
+    "seed", seeds(f"{HERE}::test_a_function_is_generated_for_every_platform_or_refused_with_findings", 0, TRIES)
+)
 def test_a_function_is_generated_for_every_platform_or_refused_with_findings(seed):
     document = mutated(example(), seed)
     try:
@@ -100,7 +102,7 @@ def integrated(name: str) -> Any:
     return json.loads(integrate(PLATFORMS[name], [resolved(each) for each in examples()]).document)
 
 
-@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("seed", seeds(f"{HERE}::test_an_integration_is_generated_or_refused_with_findings", 0, TRIES))
 @pytest.mark.parametrize(("name", "generator"), GENERATED, ids=[f"{name} {each.name}" for name, each in GENERATED])
 def test_an_integration_is_generated_or_refused_with_findings(name, generator, seed):
     document = mutated(integrated(name), seed)
@@ -112,7 +114,7 @@ def test_an_integration_is_generated_or_refused_with_findings(name, generator, s
 
 
 def compiled_and_run(document: FunctionJson, seed: int, folder: Path) -> str:
-    """Where the core and its model part; empty if the core is refused, or does what the model does."""
+    """Return the first difference of the core from its model; empty if the core is refused, or equal."""
     data = to_json(document)
     checked = check_function_json(data, "f.json")
     if has_errors(checked.findings) or checked.function is None or checked.resolved is None:
@@ -124,6 +126,33 @@ def compiled_and_run(document: FunctionJson, seed: int, folder: Path) -> str:
             raise
         return ""
     return disagreement(checked.function, seed, 200, folder, ("-O0", "-w"))
+
+
+@pytest.mark.parametrize("seed", seeds(f"{HERE}::test_what_is_generated_of_a_changed_function_is_compiled", 0, TRIES))
+@pytest.mark.parametrize("name", mutated_platforms.NAMES)
+@pytest.mark.parametrize("platform", PLATFORMS)
+def test_what_is_generated_of_a_changed_function_is_compiled(platform, name, seed):
+    document = mutated(mutated_platforms.documents()[name], seed)
+    try:
+        mutated_platforms.compile_function(platform, document)
+    except Exception as error:
+        error.add_note("\n".join(difference(mutated_platforms.documents()[name], document)))
+        raise
+
+
+@pytest.mark.parametrize(
+    "seed", seeds(f"{HERE}::test_what_is_generated_of_a_changed_integration_is_compiled", 0, TRIES)
+)
+@pytest.mark.parametrize("name", mutated_platforms.NAMES)
+@pytest.mark.parametrize("platform", PLATFORMS)
+def test_what_is_generated_of_a_changed_integration_is_compiled(platform, name, seed):
+    before = mutated_platforms.integration_of(platform, name)
+    document = mutated(before, seed)
+    try:
+        mutated_platforms.compile_integration(platform, document)
+    except Exception as error:
+        error.add_note("\n".join(difference(before, document)))
+        raise
 
 
 def without_time_out(document: Any) -> None:
@@ -157,14 +186,69 @@ def _signals(document: Any) -> Any:
                 yield from contract.get("SignalList") or ()
 
 
+def with_large_symbols(document: Any) -> None:
+    """The last value of each enumeration is beyond what its type in C holds."""
+    for each in document["Datatypes"]:
+        if each.get("Symbols"):
+            each["Symbols"][-1]["Value"] = 10**400
+
+
+def with_number_of_mode(number: int) -> Callable[[Any], None]:
+    """The first mode that is received has this number."""
+
+    def change(document: Any) -> None:
+        modes = next(each for each in document["ModeInterfaceList"] if each["Direction"] == "In")
+        datatype = next(each for each in document["Datatypes"] if each["typeRef"] == modes["Datatype"])
+        datatype["Symbols"][0]["Value"] = number
+
+    return change
+
+
+def with_mode_twice(document: Any) -> None:
+    """A mode is allowed twice."""
+    for each in document["ModeInterfaceList"]:
+        each["Modes"].append(each["Modes"][-1])
+
+
+def with_mode_without_number(document: Any) -> None:
+    """The datatype of the modes has no number for the last one."""
+    for each in document["Datatypes"]:
+        if each["typeRef"].startswith("DT_Mode"):
+            each["Symbols"].pop()
+
+
+def without_header(document: Any) -> None:
+    """No header declares the variables, and modes have numbers that their datatype does not hold."""
+    document["Code"]["Headers"] = []
+    for each in document["ModeInterfaceList"]:
+        each["Values"] = [{"Symbol": mode, "Value": 70000 + index} for index, mode in enumerate(each["Modes"])]
+
+
+def with_kind(document: Any) -> None:
+    """Datatypes are of a kind that is not known."""
+    for each in document["Datatypes"]:
+        if each.get("Kind"):
+            each["Kind"] = "²"
+
+
 FOUND: dict[str, Callable[[Any], None]] = {
     "an error of a time-out that is not there": without_time_out,
     "a priority with two signs": with_priority("--5"),
     "a priority with both signs": with_priority("+-5"),
     "a priority that is a superscript": with_priority("²"),
     "modes without variables": without_mode_variable,
+    "values of enumerations that no type holds": with_large_symbols,
 }
 """What fuzzing has found."""
+MISCODED: dict[str, Callable[[Any], None]] = {
+    "a mode with a number beyond its type": with_number_of_mode(2**64),
+    "a mode with a number below its type": with_number_of_mode(-1),
+    "a mode twice": with_mode_twice,
+    "a mode without number": with_mode_without_number,
+    "modes with numbers of the code beyond their type": without_header,
+    "datatypes of an unknown kind": with_kind,
+}
+"""What no compiler takes, and was generated."""
 
 
 @pytest.mark.parametrize("name", FOUND)
@@ -172,6 +256,14 @@ def test_what_was_found_is_generated_for_every_platform(name):
     document = json.loads(json.dumps(example()))
     FOUND[name](document)
     is_refused(document, generate_all)
+
+
+@pytest.mark.parametrize("name", MISCODED)
+def test_what_no_compiler_takes_is_refused(name):
+    document = copy.deepcopy(mutated_platforms.documents()["schedules"])
+    assert not is_refused(document, mutated_platforms.read)
+    MISCODED[name](document)
+    assert is_refused(document, mutated_platforms.read)
 
 
 @pytest.mark.parametrize("name", ["time_outs", "errors"])
@@ -182,7 +274,7 @@ def test_what_was_found_is_compiled_and_run(name, found, tmp_path):
     assert disagreement(FunctionJson.model_validate(document, by_name=False), 1, 200, tmp_path, ("-O0", "-w")) == ""
 
 
-@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("seed", seeds(f"{HERE}::test_cores_of_changed_documents_do_what_their_models_do", 0, TRIES))
 @pytest.mark.parametrize("name", ["conversions", "time_outs", "rejections", "errors", "schedules"])
 def test_cores_of_changed_documents_do_what_their_models_do(name, seed):
     before = json.loads(to_json(FIXED[name]()))
@@ -193,3 +285,10 @@ def test_cores_of_changed_documents_do_what_their_models_do(name, seed):
         return
     with tempfile.TemporaryDirectory() as folder:
         assert compiled_and_run(document, seed, Path(folder)) == "", "\n".join(difference(before, after))
+
+
+def test_an_initial_value_with_an_element_that_is_null_is_refused():
+    document = copy.deepcopy(mutated_platforms.integration_of("autosar-classic", "full"))
+    ports = [each for each in document["Composition"]["Ports"] if isinstance(each.get("InitValue"), list)]
+    ports[0]["InitValue"][0] = None
+    assert not mutated_platforms.compile_integration("autosar-classic", document)

@@ -46,11 +46,11 @@ AS_THEY_ARE = {
     "values": "behind `/**:`, which is a key of YAML",
     "body": "the same",
 }
-"""Values that stand in comments and strings as they are, and why that is safe."""
+"""Values that are in comments and strings without a filter, and why that is safe."""
 
 
 class Part(NamedTuple):
-    """A piece of a text that is put together: what it says, or the value that stands there."""
+    """A piece of a text that is put together: its text, or the value in its place."""
 
     text: str
     value: ast.expr | None = None
@@ -117,7 +117,7 @@ _CLOSES = {"/*": r"\*/", "//": r"\n", "#": r"\n", '"': r'(?<!\\)"|\n', "'": r"(?
 
 
 def inside(parts: Sequence[Part]) -> Iterator[ast.expr]:
-    """Values that stand in a comment or in a string."""
+    """Values in a comment or in a string."""
     opened: str | None = None
     for part in parts:
         if part.value is not None:
@@ -131,7 +131,7 @@ def inside(parts: Sequence[Part]) -> Iterator[ast.expr]:
 
 
 def is_filtered(value: ast.expr, known: Mapping[str, list[ast.expr]]) -> bool:
-    """Whether a filter has made it, or it stands in the source. `known` are the values of variables of the module."""
+    """Whether a filter has made it, or it is a literal of the source. `known` are the values of variables of the module."""
     if isinstance(value, ast.Constant) or ast.unparse(value) in {*FILTERS, *AS_THEY_ARE}:
         return True
     if isinstance(value, ast.Call):
@@ -160,7 +160,7 @@ def variables(tree: ast.AST) -> Mapping[str, list[ast.expr]]:
 
 
 def bypasses(source: str) -> list[str]:
-    """Values of a module that stand in a comment or a string as they are."""
+    """Values of a module that are in a comment or a string without a filter."""
     tree = ast.parse(source)
     known = variables(tree)
     found = [value for parts in texts(tree) for value in inside(parts) if not is_filtered(value, known)]

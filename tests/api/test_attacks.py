@@ -31,7 +31,7 @@ ORDINARY = (NODE, "/api/v1/rules/V102", "/api/v1/schemas", "/api/v1/catalogues/l
 """What is kept, what is made in a thread, what nobody has asked before, and a page."""
 ASKED = 150
 TIMES = 10
-"""How many times as long an ordinary request may take during an attack."""
+"""Factor by which an ordinary request may be slower during an attack."""
 UNHURRIED = 0.02
 """Seconds that a request without an attack counts for at least: of less, the ratio says nothing."""
 

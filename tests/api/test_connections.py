@@ -227,7 +227,7 @@ LEFT = {
         lambda service, connection: "sigcat_exports_pending 1" in plain_http.get(f"{service.address}/metrics").text,
     ),
 }
-"""What is sent, and when the client leaves."""
+"""Bytes to send, and when the client leaves."""
 
 
 @pytest.mark.parametrize("case", LEFT)
@@ -413,7 +413,7 @@ def test_of_many_answers_that_wait_the_one_left_longest_is_cut_off(tmp_path: Pat
 
 
 def received_to_its_end(connection: socket.socket) -> bytes:
-    """What comes until the answer is whole, or the service closes."""
+    """Read until the answer is whole, or the service closes."""
     answer = bytearray()
     with suppress(ConnectionError):
         while not answer.endswith(b"\r\n0\r\n\r\n") and (part := connection.recv(1 << 20)):

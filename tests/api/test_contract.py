@@ -49,7 +49,7 @@ RECORDS: list[Callable[[str, object], None]] = []
 
 @pytest.fixture(autouse=True)
 def recorded(record_property: Callable[[str, object], None]) -> None:
-    """A test of a state machine has no fixtures of its own."""
+    """A test of a state machine has no fixtures."""
     RECORDS[:] = [record_property]
 
 

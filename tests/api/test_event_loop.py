@@ -93,6 +93,7 @@ COSTLY: dict[str, list[Costly]] = {
     "GET /api/v1/catalogues/{catalogue}/quantities": [Costly("/api/v1/catalogues/interfaces/quantities", YAML)],
     "GET /api/v1/catalogues/{catalogue}/search": [
         *get(f"{WIDE}/search?q={WORDS}", f"{WIDE}/search?q=vehicl3+sped+desc", f"{WIDE}/search?limit=200&instances=true"),
+        *get(f"{WIDE}/search?q=sig+num+des+tree", f"{WIDE}/search?q=signal+number+speed+place"),
         Costly(f"{WIDE}/search?q=s&limit=200", YAML),
     ],
     "GET /api/v1/catalogues/{catalogue}/tree": [

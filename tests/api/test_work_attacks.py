@@ -52,7 +52,7 @@ asyncio.run(main())
 
 
 TIMES = 10
-"""How many times as long a request may take as one to a server that has nothing else to do."""
+"""Factor by which a request may be slower than one to an idle server."""
 UNHURRIED = 0.02
 """Seconds that such a request counts for at least: of less, the ratio says nothing."""
 

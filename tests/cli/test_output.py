@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from sigcat.cli import main
-from sigcat.cli.output import write_bytes
+from sigcat.cli.output import opened, write_bytes, write_lines
 from sigcat.errors import UsageError
 
 PROJECT = Path(__file__).parents[2]
@@ -125,6 +125,27 @@ def test_what_fails_leaves_the_old_file(folder, monkeypatch):
     monkeypatch.setattr(Path, "replace", full)
     with pytest.raises(OSError, match="No space"):
         write_bytes(b"new", Path("result"))
+    assert Path("result").read_text() == "old"
+    assert sorted(file.name for file in folder.iterdir()) == ["result", "tree.vspec"]
+
+
+def test_folders_are_created_for_what_is_written_bit_by_bit():
+    with opened(Path("runs/today/run.csv")) as file:
+        file.write(b"time\n")
+        assert not Path("runs/today/run.csv").exists()
+    write_lines(["time\n"], Path("lines/today/run.csv"))
+    assert Path("runs/today/run.csv").read_bytes() == Path("lines/today/run.csv").read_bytes() == b"time\n"
+    assert [file.name for file in Path("runs/today").iterdir()] == ["run.csv"]
+
+
+def test_an_error_while_writing_leaves_the_old_file(folder):
+    def lines():
+        yield "new\n"
+        raise ValueError("wrong")
+
+    Path("result").write_text("old")
+    with pytest.raises(ValueError, match="wrong"):
+        write_lines(lines(), Path("result"))
     assert Path("result").read_text() == "old"
     assert sorted(file.name for file in folder.iterdir()) == ["result", "tree.vspec"]
 

@@ -387,3 +387,11 @@ def test_steps_of_a_free_run_are_fewer_or_more(steps, said):
     found = material(other._replace(free_run=recording))
     report = report_of(found._replace(platforms=(sound, *found.platforms[1:])))
     assert f"| {said} |" in markdown(report)
+
+
+def test_a_criterion_with_too_few_figures_is_inconclusive_and_one_without_is_not_measured():
+    short = report_of(material(played("ros2-cpp"))._replace(end_ns=END // 100))
+    assert target(short, "outputs equal").measured
+    assert re.search(r"outputs equal on all platforms.*\| inconclusive \|", markdown(short))
+    missing = told(Played("ros2-cpp", "ROS 2, C++", left_out="get it"))
+    assert re.search(r"outputs equal on all platforms.*\| not measured \|", markdown(missing))

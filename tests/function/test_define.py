@@ -69,8 +69,8 @@ def test_the_document_remembers_the_file_that_defines_and_validates_with_its_ove
     function, _ = build_function(LANES, "f.yaml", interfaces())
     assert function.provenance is not None
     names = [layer.name for layer in function.provenance.layers]
-    assert names[0] == "VehicleSignalSpecification.vspec"
-    assert names.count("f.yaml") == 1
+    assert names[0] == Text("VehicleSignalSpecification.vspec")
+    assert names.count(Text("f.yaml")) == 1
     overlay, types = tmp_path / "lanes.vspec", tmp_path / "types.vspec"
     made = overlay_of(LANES, "f.yaml", interfaces())
     overlay.write_text(made.text)

@@ -75,4 +75,4 @@ def test_one_start_value_for_all_elements_is_seen_beside_a_default(item: str) ->
     items: list[ParameterInterface | Signal] = []
     for contract in contracts:
         items += [*(contract.parameters or ()), *(contract.signals or ())]
-    assert [each.init_elements for each in items] == ["[5, 5]"]
+    assert [each.init_elements for each in items] == [Text("[5, 5]")]

@@ -1,4 +1,4 @@
-"""Free text of documents is no string of Python: whoever writes it has to say how."""
+"""Free text of documents is not a string of Python: code that writes it must choose a filter."""
 
 import json
 import pickle

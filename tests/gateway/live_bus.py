@@ -14,11 +14,11 @@ from tests.waiting import wait_until
 
 @contextmanager
 def sending(channel: str, frames: Sequence[can.Message], first: Callable[[], None] = lambda: None) -> Iterator[None]:
-    """Send frames with their own times once somebody listens; when all are received, tell this process to end."""
+    """Send frames with their own times once a receiver listens; when all are received, tell this process to end."""
 
     def send() -> None:
         first()
-        wait_until(lambda: len(channels[channel]) == 2, "somebody listens")
+        wait_until(lambda: len(channels[channel]) == 2, "a receiver listens")
         for frame in frames:
             bus.send(frame)
         wait_until(lambda: all(queue.empty() for queue in channels[channel]), "all frames are received")

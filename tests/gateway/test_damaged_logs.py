@@ -249,7 +249,7 @@ def test_a_database_that_is_none_is_a_finding(run, log, tmp_path, capsys, text):
 
 
 def test_a_bus_is_listened_to(run, tmp_path):
-    """What one end of a virtual bus sends, the other receives; it is written when the process is told to end."""
+    """One end of a virtual bus receives what the other sends, and the trace is written when the process receives a signal."""
     out = tmp_path / "live.csv"
     given = ["gateway", "--live", "virtual:drive", "--dbc", str(tmp_path / "bus.dbc"), "-s", "vss"]
     with sending("drive", [message(0.05 * n, motion(speed)) for n, speed in enumerate((100, 200, 300))]):
@@ -266,7 +266,7 @@ def test_a_bus_is_listened_to_for_a_while():
 
 
 def test_a_log_of_any_size_takes_the_same_memory(tmp_path):
-    """What is allocated for a log that is four times as long is the same."""
+    """A log that is four times as long takes the same memory."""
     from sigcat.catalogue.hosting.source import load
     from sigcat.catalogue.hosting.sources import source_of_tree
     from sigcat.gateway.frames import read_log

@@ -1,4 +1,4 @@
-"""What the library in C converts has the bytes that Python gives."""
+"""The library in C converts to the same bytes as Python."""
 
 import io
 import random
@@ -54,7 +54,7 @@ def library(tmp_path_factory):
 
 
 def _both(text, folder, library):
-    """The input of the driver and what is wrong with a trace, of Python and of the library."""
+    """The input of the driver and the findings about a trace, of Python and of the library."""
     file = folder / "trace.csv"
     file.write_bytes(text)
     trace = open_trace(file, Known(SHAPES, ("other",)))

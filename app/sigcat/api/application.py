@@ -6,11 +6,13 @@ import os
 from collections.abc import AsyncIterator, Iterator, Mapping
 from contextlib import asynccontextmanager, contextmanager
 from math import ceil
+from typing import Any
 
 from anyio.to_thread import current_default_thread_limiter
 from fastapi import Depends, FastAPI
 from fastapi.middleware.cors import CORSMiddleware
 from fastapi.routing import APIRoute
+from starlette.types import ASGIApp, Receive, Scope, Send
 
 from sigcat import __version__
 from sigcat.api.answers.problems import install_problems
@@ -47,7 +49,7 @@ from sigcat.api.routes import (
     rules,
     viss,
 )
-from sigcat.api.routes.shortcuts import NodeShortcut
+from sigcat.api.routes.shortcuts import Shortcuts
 from sigcat.api.service_rules import service_rules
 from sigcat.api.settings import DEFAULT_SETTINGS, Settings
 from sigcat.api.tracing import telemetry
@@ -81,19 +83,46 @@ _ROUTERS = (
 _MODULES_OF_WORK = tuple(module.__name__ for module in (changes, exports, functions, integration, lint))
 
 
+class Service(FastAPI):
+    """FastAPI without its outer layers: `RequestLog` answers errors, and what reads a body bounds it."""
+
+    _first_layer: ASGIApp | None = None
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Pass a request to the first layer; through all those of FastAPI where requests are traced."""
+        if self._first_layer is None or scope["type"] != "http":
+            await super().__call__(scope, receive, send)
+            return
+        scope["app"] = self
+        await self._first_layer(scope, receive, send)
+
+    def build_middleware_stack(self) -> ASGIApp:
+        """Build the layers, and keep the first of those that were added here."""
+        stack = super().build_middleware_stack()
+        layer: Any = stack
+        if not self.state.is_traced:
+            first: Any = self.user_middleware[0].cls
+            while not isinstance(layer, first):
+                layer = layer.app
+            self._first_layer = layer
+        return stack
+
+
 def create_app(
     library: Library, settings: Settings = DEFAULT_SETTINGS, functions: FunctionLibrary | None = None
 ) -> FastAPI:
     """The API over a library. Pages for people are put on top of it by `sigcat.web.site.create_site`."""
-    app = FastAPI(
+    tracing = telemetry()
+    app = Service(
         title="sigcat",
         version=__version__,
         description=_DESCRIPTION,
         openapi_url=None,  # `routes/contract.py` has it
         generate_unique_id_function=_operation_id,
-        telemetry=telemetry(),
+        telemetry=tracing,
         lifespan=_running,
     )
+    app.state.is_traced = tracing["tracing"]
     app.state.library = library
     app.state.functions = functions or FunctionLibrary(catalogues=library)
     app.state.settings = settings
@@ -130,7 +159,7 @@ def _queue(at_once: int, settings: Settings, kind: str = "") -> WorkQueue:
 
 def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
     """What stands around the routes; the one that is added last is passed first."""
-    app.add_middleware(NodeShortcut)
+    app.add_middleware(Shortcuts)
     app.add_middleware(Packing, minimum_size=1000, compresslevel=5, thread_minimum_size=_PACKED_IN_THREAD)
     app.add_middleware(AnswerCache, library=library, most_bytes=settings.cache_bytes)
     app.add_middleware(RequestHeaders)

@@ -6,9 +6,11 @@ import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
 from threading import current_thread, main_thread
+from typing import TYPE_CHECKING
 
-from sigcat.catalogue.hosting.library import Library
-from sigcat.function.hosting import FunctionLibrary
+if TYPE_CHECKING:  # a service ignores SIGHUP before it imports what takes time
+    from sigcat.catalogue.hosting.library import Library
+    from sigcat.function.hosting import FunctionLibrary
 
 _log = logging.getLogger("sigcat.hosting")
 
@@ -20,7 +22,7 @@ def ignore_hangup() -> None:
 
 
 @contextmanager
-def reloading_at_hangup(library: Library, functions: FunctionLibrary) -> Iterator[None]:
+def reloading_at_hangup(library: "Library", functions: "FunctionLibrary") -> Iterator[None]:
     """Reload at each SIGHUP meanwhile, in a thread: requests are answered from the earlier state until it is done."""
     if not _may_be_handled():
         yield
@@ -42,7 +44,7 @@ def _may_be_handled() -> bool:
     return hasattr(signal, "SIGHUP") and current_thread() is main_thread()
 
 
-def _reload(library: Library, functions: FunctionLibrary) -> None:
+def _reload(library: "Library", functions: "FunctionLibrary") -> None:
     _log.info("SIGHUP: the files of all catalogues and functions are read again")
     try:
         for hosted in library:

@@ -151,12 +151,11 @@ def _schemas(made: Mapping[str, dict[str, Any]]) -> dict[str, Any]:
 
 
 def _add_problems(responses: dict[str, Any], *, is_open: bool, has_versions: bool) -> None:
-    """The problems that any operation may answer with, and one of what has an `ETag`."""
+    """Add the problems that any operation may answer with, that of operations with an `ETag`, and 304 and 307."""
     for status in (*_EVERYWHERE, *([412] if has_versions else [])):
         responses.setdefault(str(status), {"description": KINDS[status][1], **deepcopy(PROBLEM)})
     if not is_open:
         responses.setdefault("401", {"description": _CLOSED, **deepcopy(PROBLEM)})
-    if not is_open:
         responses.setdefault("307", {**_MOVED})
     if has_versions:
         responses.setdefault("304", {**_UNCHANGED})

@@ -46,7 +46,7 @@ class Near(NamedTuple):
     whole: int
     """Words that stand for whole words of the path, not for their beginnings."""
     shares_word: bool
-    """Whether one of these, and the word that it stands for, has three letters or more."""
+    """Whether one of these, and the word that it matches, has three letters or more."""
 
     @property
     def has_all(self) -> bool:

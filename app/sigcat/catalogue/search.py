@@ -212,11 +212,12 @@ class SearchIndex:
 
     # -- where nothing is found
 
-    def _is_known(self, word: str) -> bool:
+    def is_known(self, word: str) -> bool:
+        """Whether something has a word that begins so, in small letters. Of others near ones are looked for, which takes long."""
         return any(index.knows(word) for index in (self._in_name, self._in_path, self._in_text))
 
     def _near(self, wanted: list[str]) -> tuple[str, ...]:
-        unknown = [word for word in wanted if not self._is_known(word)]
+        unknown = [word for word in wanted if not self.is_known(word)]
         return tuple(near for word in unknown[:3] for near in nearest(word, self._in_path.words))
 
     def _instead(self, wanted: list[str], chosen: Bits) -> tuple[str, ...]:
@@ -233,14 +234,19 @@ class SearchIndex:
 
     def _corrected(self, word: str) -> tuple[str, ...]:
         """A word itself if it is known; else the nearest ones, or else the two known words that it is made of."""
-        if self._is_known(word):
+        if self.is_known(word):
             return (word,)
         parts = ((word[:i], word[i:]) for i in range(_SHORTEST_PART, len(word) - _SHORTEST_PART + 1))
-        apart = (f"{one} {two}" for one, two in parts if self._is_known(one) and self._is_known(two))
+        apart = (f"{one} {two}" for one, two in parts if self.is_known(one) and self.is_known(two))
         return nearest(word, self._in_path.words) or tuple(islice(apart, 1))
 
 
 _indexes: WeakKeyDictionary[Catalogue, SearchIndex] = WeakKeyDictionary()
+
+
+def has_index(catalogue: Catalogue) -> bool:
+    """Whether the index of a catalogue is built."""
+    return catalogue in _indexes
 
 
 def index_of(catalogue: Catalogue) -> SearchIndex:

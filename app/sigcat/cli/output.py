@@ -33,43 +33,8 @@ def write_bytes(data: bytes, output: Path | None) -> None:
     A regular file is replaced when the new one is complete, through links too; a device or a pipe is written to. Missing
     folders are created.
     """
-    if output is None or str(output) == "-":
-        sys.stdout.flush()
-        sys.stdout.buffer.write(data)
-        return
-    if output.is_dir():
-        raise UsageError(must_be_a_file(output))
-    if output.exists() and not output.is_file():
-        _write_to(output, data)
-    else:
-        _replace(_target(output), data)
-
-
-@contextmanager
-def opened(output: Path | None) -> Iterator[BinaryIO]:
-    """A file to write to bit by bit: standard output, or one that appears when the block ends without an error."""
-    if output is None or str(output) == "-":
-        yield sys.stdout.buffer
-        sys.stdout.buffer.flush()
-        return
-    if output.is_dir():
-        raise UsageError(must_be_a_file(output))
-    target = Path(os.path.realpath(output))
-    if output.exists() and not output.is_file():
-        with output.open("wb") as file:
-            yield file
-        return
-    if not target.parent.is_dir():
-        raise UsageError(f"{target.parent}: there is no such folder")
-    temporary = target.with_name(f".{target.name}.{os.getpid()}")
-    try:
-        with temporary.open("wb") as file:
-            yield file
-        if target.exists():
-            temporary.chmod(target.stat().st_mode & 0o777)
-        temporary.replace(target)
-    finally:
-        temporary.unlink(missing_ok=True)
+    with opened(output) as file:
+        file.write(data)
 
 
 def write_lines(lines: Iterable[str], output: Path | None) -> None:
@@ -77,12 +42,22 @@ def write_lines(lines: Iterable[str], output: Path | None) -> None:
     if output is None or str(output) == "-":
         sys.stdout.writelines(lines)
         return
+    with opened(output) as file:
+        file.writelines(line.encode() for line in lines)
+
+
+@contextmanager
+def opened(output: Path | None) -> Iterator[BinaryIO]:
+    """Open standard output, or a file that appears when the block ends without an error, as `write_bytes` does."""
+    if output is None or str(output) == "-":
+        sys.stdout.flush()
+        yield sys.stdout.buffer
+        return
     if output.is_dir():
         raise UsageError(must_be_a_file(output))
-    if output.exists() and not output.is_file():
-        _write_lines_to(output, lines)
-    else:
-        _replace_by_lines(_target(output), lines)
+    is_regular = output.is_file() or not output.exists()
+    with _replacing(_target(output)) if is_regular else output.open("wb") as file:
+        yield file
 
 
 def _target(output: Path) -> Path:
@@ -104,61 +79,49 @@ def make_folder(folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
 
 
-def _write_lines_to(output: Path, lines: Iterable[str]) -> None:
-    with output.open("w", encoding="utf-8", newline="") as file:
-        file.writelines(lines)
+@contextmanager
+def _replacing(target: Path) -> Iterator[BinaryIO]:
+    """A file that takes the place of another one when the block ends without an error."""
+    temporary = target.with_name(f".{target.name}.{os.urandom(6).hex()}")
+    with _named_as(target):
+        try:
+            opening = temporary.open("xb")
+        except PermissionError:
+            if not target.exists():
+                raise
+            with target.open("wb") as file:  # a file that may be written, in a folder that may not
+                yield file
+            return
+        try:
+            with opening as file:
+                yield file
+            if target.exists():
+                temporary.chmod(target.stat().st_mode & 0o777)
+            _put_in_place(temporary, target)
+        finally:
+            temporary.unlink(missing_ok=True)
 
 
-def _replace_by_lines(target: Path, lines: Iterable[str]) -> None:
-    temporary = target.with_name(f".{target.name}.{os.getpid()}")
+@contextmanager
+def _named_as(target: Path) -> Iterator[None]:
+    """Name the file that the user knows in errors of a temporary one beside it."""
     try:
-        _write_lines_to(temporary, lines)
-        if target.exists():
-            temporary.chmod(target.stat().st_mode & 0o777)
-        temporary.replace(target)
-    finally:
-        temporary.unlink(missing_ok=True)
-
-
-def _replace(target: Path, data: bytes) -> None:
-    import tempfile
-
-    try:
-        handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
-    except PermissionError:
-        if not target.exists():
-            raise
-        _write_to(target, data)  # a file that may be written, in a folder that may not
-        return
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
-        Path(temporary).chmod(target.stat().st_mode & 0o777 if target.exists() else 0o666 & ~_umask())
-        _put_in_place(Path(temporary), target, data)
-    except BaseException:
-        Path(temporary).unlink(missing_ok=True)
+        yield
+    except OSError as error:
+        if Path(str(error.filename)).name.startswith(f".{target.name}."):
+            raise OSError(error.errno, error.strerror, str(target)) from error
         raise
 
 
-def _put_in_place(temporary: Path, target: Path, data: bytes) -> None:
+def _put_in_place(temporary: Path, target: Path) -> None:
+    import shutil
+
     try:
         temporary.replace(target)
     except OSError as error:
         if error.errno != errno.EBUSY:  # a single file that is mounted into a container cannot be replaced
             raise
-        _write_to(target, data)
-        temporary.unlink()
-
-
-def _write_to(output: Path, data: bytes) -> None:
-    with output.open("wb") as file:
-        file.write(data)
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
+        shutil.copyfile(temporary, target)
 
 
 def could_not_run(error: InputRefused) -> UsageError:

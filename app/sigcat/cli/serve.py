@@ -30,18 +30,18 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def serve(arguments: argparse.Namespace) -> int:
     """Serve until interrupted."""
+    from sigcat.api.hangup import ignore_hangup
     from sigcat.zygote import IS_POSSIBLE
 
     if not IS_POSSIBLE:
         raise UsageError("`sigcat serve` needs Linux or macOS. Use the container, or the Linux subsystem of Windows.")
-    from sigcat.api.hangup import ignore_hangup
+    ignore_hangup()
     from sigcat.api.server import run
     from sigcat.catalogue.hosting.library import Library, Watch
     from sigcat.function.hosting import FunctionLibrary
     from sigcat.temporary_files import temporary_folder
     from sigcat.web.site import create_site
 
-    ignore_hangup()
     with temporary_folder("sigcat-serve-"):
         pass  # better told now than with the first export
     configuration, settings = chosen_settings(arguments)

@@ -70,7 +70,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     )
     parser.add_argument(
         "--tolerance", action="append", default=[], metavar="[NAME=]NUMBER",
-        help="accepted difference of numbers: 0.01, or a share of what is expected, 1%%; of one output with its NAME",
+        help="accepted difference of numbers: 0.01, or a share of the expected value, 1%%; of one output with its NAME",
     )  # fmt: skip
     add_output(parser, "--differences", metavar="FILE", help="an .svg of the first differences from --expect")
     add_output(parser, "--junit", metavar="FILE", help="a JUnit report with a test case for each output of --expect")
@@ -175,7 +175,7 @@ def _check(arguments: argparse.Namespace, tools: "Toolchain") -> None:
 def _expected(
     arguments: argparse.Namespace, prepared: "Prepared", paths: "Collection[str]", found: "list[Finding]"
 ) -> "Expected | None":
-    """What compares the run with a file, if one is given."""
+    """Return the comparison of the run with a file, if one is given."""
     from sigcat.runs.expecting.expect import Expected
 
     if arguments.expect is None:

@@ -1,7 +1,8 @@
 """Function files that a service hosts: those in a folder, and those that sigcat ships, with the names that addresses have."""
 
 import logging
-from collections.abc import Iterable, Iterator
+import os
+from collections.abc import Callable, Iterable, Iterator
 from functools import lru_cache
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
@@ -63,18 +64,26 @@ def shipped_files() -> HostedFiles:
     return tuple(HostedFile(path.parent.name, FILE, path.read_bytes(), SHIPPED) for path in found)
 
 
-def candidates(folder: Path) -> Iterator[Path]:
-    """Files below a folder that may be functions, or runs of them; what is hidden is not looked at."""
-    for path in sorted(folder.rglob("*")):
-        is_hidden = any(part.startswith(".") for part in path.relative_to(folder).parts)
-        if ending_of(path.name) in (*ENDINGS, ENDING) and not is_hidden and path.is_file():
-            yield path
+def candidates(folder: Path, unreadable: Callable[[OSError], None] | None = None) -> Iterator[Path]:
+    """Files below a folder that may be functions, or runs of them, in order; hidden ones are skipped.
+
+    `unreadable` is called for each folder that cannot be read.
+    """
+    found: list[Path] = []
+    for here, folders, files in os.walk(folder, onerror=unreadable):
+        folders[:] = (name for name in folders if not name.startswith("."))
+        found += (Path(here, name) for name in files if not name.startswith("."))
+    yield from (path for path in sorted(found) if ending_of(path.name) in (*ENDINGS, ENDING) and path.is_file())
+
+
+def _log_unreadable(error: OSError) -> None:
+    _log.warning("%s: %s; nothing in it is served", error.filename, error.strerror or error)
 
 
 def files_in(folder: Path, before: Iterable[HostedFile] = ()) -> Iterator[HostedFile]:
     """The functions of a folder. A file that was one before still is, whatever it holds now; it may have to be written again."""
     hosted = {file.path: file for file in before if file.group == str(folder)}
-    for path in candidates(folder):
+    for path in candidates(folder, _log_unreadable):
         if ending_of(path.name) == ENDING:
             continue
         try:

@@ -16,6 +16,7 @@ from sigcat.gateway.translation import Moment
 from sigcat.limits import TRACE_ROW_BYTES
 from sigcat.names import did_you_mean
 from sigcat.runs.recording.cells import Unfit, cell_of, value_of
+from sigcat.runs.recording.csv_file import quoted
 from sigcat.runs.recording.shapes import Number
 from sigcat.runs.recording.times import nanoseconds, seconds
 
@@ -64,11 +65,8 @@ def lines_of(rows: Iterable[Row], columns: Sequence[str]) -> Iterator[str]:
 
 
 def _quoted(text: str) -> str:
-    """A cell, in quotes where it needs them."""
-    if not {",", '"', "\n", "\r"}.isdisjoint(text):
-        doubled = text.replace('"', '""').replace("\n", " ").replace("\r", " ")
-        return f'"{doubled}"'
-    return text
+    """A cell on one line, in quotes where it needs them."""
+    return quoted(text).replace("\n", " ").replace("\r", " ")
 
 
 # -- another trace ------------------------------------------------------------------------------------------------

@@ -77,18 +77,17 @@ def _in_value(
         for index, item in enumerate(value):
             yield from _in_value(item, field, known, of_each, of_all, (*at, index))
     elif isinstance(value, str) and field.refers is not None:
-        names = known[field.refers.to]
-        if value not in names:
-            message = f"{titled(at)} must be a {field.refers.to} of the functions in `SourceFunctionList`, not {value[:80]!r}."
-            yield Missing(
-                at,
-                message.replace("a error", "an error").replace("a interface", "an interface"),
-                did_you_mean(value, names) or "Integrate the functions again.",
+        kind = field.refers.to
+        if value not in known[kind]:
+            article = "an" if kind[0] in "aeiou" else "a"
+            message = (
+                f"{titled(at)} must be {article} {kind} of the functions in `SourceFunctionList`, not {value[:80]!r}."
             )
+            yield Missing(at, message, did_you_mean(value, known[kind]) or "Integrate the functions again.")
 
 
 def argument_counts(functions: Sequence[FunctionJson]) -> Mapping[str, frozenset[tuple[int, int]]]:
-    """How many arguments and results the methods of a name have."""
+    """Numbers of arguments and results of methods, by name."""
     found: dict[str, frozenset[tuple[int, int]]] = {}
     for function in functions:
         for _, _, method in methods(function):

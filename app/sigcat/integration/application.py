@@ -31,9 +31,9 @@ class Application(NamedTuple):
     """The latest of the functions' dates."""
     version: str | None
     """As the deployment states it: functions have versions of their own."""
-    safety_manager: str | None
+    safety_manager: Text | None
     """Who informs functions of safety conditions."""
-    mode_manager: str | None
+    mode_manager: Text | None
     """Who sends functions their mode."""
     paths: Mapping[str, str]
     """VSS paths of signals that name none, by `Function.Signal`."""
@@ -74,8 +74,8 @@ def application(functions: Sequence[ResolvedFunction], deployment: Deployment = 
         author=optional(deployment.author) or joined(function.meta.schema_author for function in wholes),
         date=deployment.date or max(filter(None, map(_date, wholes)), default=None),
         version=deployment.version,
-        safety_manager=deployment.safety_manager,
-        mode_manager=deployment.mode_manager,
+        safety_manager=optional(deployment.safety_manager),
+        mode_manager=optional(deployment.mode_manager),
         paths=deployment.paths,
     )
 

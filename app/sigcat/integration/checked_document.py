@@ -16,7 +16,7 @@ from sigcat.function.document.unfit_texts import unfit_texts
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.agreement import missing_names
 from sigcat.integration.misspelled import misspelled_keys
-from sigcat.integration.source_functions import SOURCE_FUNCTIONS, errors_of_function
+from sigcat.integration.source_functions import errors_of_function
 from sigcat.limits import Limits
 
 M = TypeVar("M", bound=BaseModel)
@@ -70,9 +70,8 @@ class DocumentKind(Generic[M]):
         """Strings that are not of the type of their field, and errors of the functions that the document carries."""
         functions: Sequence[FunctionJson] = getattr(model, "functions", None) or ()
         accessors = [name for function in functions for name in accessors_of(function)]
-        for each in unfit_texts(model, accessors):
-            if each.pointer[0] != SOURCE_FUNCTIONS:
-                yield document.finding(self.rule, each.pointer, each.message, each.fix)
+        for each in unfit_texts(model.model_copy(update={"functions": None}), accessors):
+            yield document.finding(self.rule, each.pointer, each.message, each.fix)
         for index in range(len(functions)):
             yield from errors_of_function(document, index)
         for missing in missing_names(model, functions) if functions else ():

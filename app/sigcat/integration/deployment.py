@@ -8,7 +8,7 @@ from pydantic import Field, PrivateAttr
 from sigcat.findings import Finding, RuleCode
 from sigcat.function.declaration.form import DeclarationModel, Text
 from sigcat.function.document.document import Document, Pointer
-from sigcat.function.document.field_types import VERSION, Name, VssPath, Words
+from sigcat.function.document.field_types import VERSION, Name, VssPath
 
 
 class Deployment(DeclarationModel):
@@ -23,10 +23,10 @@ class Deployment(DeclarationModel):
     version: Annotated[str, Field(pattern=r"^\d+\.\d+\.\d+$"), VERSION] | None = Field(
         None, description="Version of the documents, as 1.2.3."
     )
-    safety_manager: Words | None = Field(
+    safety_manager: Text | None = Field(
         None, description="Who informs functions of safety conditions: the provider of every safety reaction."
     )
-    mode_manager: Words | None = Field(
+    mode_manager: Text | None = Field(
         None, description="Who sends functions their mode: the provider of every mode in."
     )
     paths: dict[Name, VssPath] = Field(

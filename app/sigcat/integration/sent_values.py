@@ -1,10 +1,10 @@
 """Values of a declaration as they are sent: in the unit of the catalogue, exact."""
 
-import json
 from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
+from sigcat.function.document.text import json_of
 from sigcat.function.function_json.conversion import of_text
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 
@@ -33,7 +33,7 @@ def initial(
     Of an enumeration, `names` has what the numbers of the code are called, `numbers` what is sent for these names.
     """
     if interface.init_elements is not None:
-        return _each(json.loads(interface.init_elements), interface)
+        return _each(json_of(interface.init_elements), interface)
     value = interface.init_value if interface.init_value is not None else interface.default
     if value is not None and names is not None and numbers is not None:
         return numbers.get(names.get(int(value), ""), value)

@@ -38,7 +38,7 @@ class Prepared(NamedTuple):
 
     @property
     def inputs(self) -> frozenset[str]:
-        """All names of what functions receive, and of calls."""
+        """All names of inputs and of calls."""
         names = {name for each in self.connections.entries for name in each.names}
         return frozenset(names | {call.interface for call in self.numbers.calls if call})
 

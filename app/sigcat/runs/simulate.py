@@ -135,7 +135,7 @@ def simulate(prepared: Prepared, trace: Trace | None, settings: Settings, tools:
 
 
 def _sandbox(settings: Settings, folder: Path) -> tuple[str, ...]:
-    """What the program is started by: nothing, or a sandbox that writes to nothing but the results."""
+    """Words that start the program: none, or a sandbox that writes to nothing but the results."""
     if not settings.is_sandboxed:
         return ()
     (folder / RESULTS).touch()

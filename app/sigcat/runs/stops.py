@@ -22,7 +22,7 @@ _LONGEST = 200
 def refusal(
     stopped: Stopped, prepared: Prepared, trace: Trace | None, sent: Mapping[int, Value], limits: Limits
 ) -> InputRefused:
-    """What is said of a run that stopped. `sent` is what was sent last, by the numbers of exits."""
+    """Return the error for a run that stopped. `sent` are the values sent last, by the numbers of exits."""
     at = f"{seconds(stopped.time)} s"
     if stopped.reason == "no end":
         message = f"At {at}, calls trigger each other without end."

@@ -63,7 +63,7 @@ class Form(Protocol):
 def form_of(
     form: str, file: BinaryIO, prepared: Prepared, trace: Trace | None, plotted: Sequence[str]
 ) -> Form:  # fmt: skip
-    """What writes a form to a file; `plotted` are the signals of a picture."""
+    """Return the writer of a form; `plotted` are the signals of a picture."""
     if form == CSV:
         return _Csv(file, prepared)
     signals = signals_of(prepared, trace)

@@ -1,4 +1,4 @@
-"""What a browser posts: the fields and files of a form. It is taken apart in a worker: a hostile one takes seconds."""
+"""Fields and files of a posted form. It is taken apart in a worker: a hostile one takes seconds."""
 
 import asyncio
 from collections.abc import AsyncGenerator
@@ -54,7 +54,7 @@ class PostedForm(NamedTuple):
 
     body: bytes
     boundary: bytes
-    """What separates its parts, where it is multipart (RFC 7578); else it is url-encoded."""
+    """Separator of its parts, if it is multipart (RFC 7578); else it is url-encoded."""
 
 
 def posted_form(body: bytes, content_type: str) -> PostedForm:

@@ -49,6 +49,19 @@ def _result(subject: Subject, symbol: str) -> str:
     return "int32_t" if has_result else "void"
 
 
+def silent_code(subject: Subject) -> str:
+    """The function itself, in C: its variables, and calls that do nothing."""
+    own = [f"{item.declared};" for item in subject.variables] if subject.signature == GLOBALS else []
+    calls = [f"{_head(subject, name)}\n{{\n{_nothing(subject, name)}}}" for name in subject.symbols]
+    hooks = [f"void {name}({subject.plan.type_name} *hooked)\n{{\n    (void)hooked;\n}}" for name in subject.hooks]
+    return "\n".join([*own, *calls, *hooks, ""])
+
+
+def _nothing(subject: Subject, name: str) -> str:
+    own = f"    (void){OBJECT};\n" if subject.signature == POINTERS else ""
+    return own + ("    return 0;\n" if _result(subject, name) != "void" else "")
+
+
 def code(subject: Subject) -> str:
     """The function itself: each of its calls prints what it sees, and does what the script said before."""
     variables = "".join(f"{item.declared};\n" for item in subject.variables) if subject.signature == GLOBALS else ""

@@ -9,6 +9,7 @@ from sigcat.adapter.core.plan import CLASS, CorePlan, WireType
 from sigcat.adapter.core.plan import Argument as PlannedArgument
 from sigcat.adapter.model.function import Function
 from sigcat.adapter.model.parts.methods import Argument
+from sigcat.adapter.model.reading.data import port_key
 from sigcat.adapter.model.reading.read import read
 from sigcat.adapter.model.reading.shape import shape_of
 from sigcat.adapter.model.values.number_format import NumberFormat
@@ -18,7 +19,7 @@ from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
-from tests.adapter.written import BOOL, U32, enumeration
+from tests.adapter.written import enumeration
 from tests.function.shipped import resolved
 
 C_NAMES = {
@@ -28,8 +29,17 @@ C_NAMES = {
 }  # fmt: skip
 STATUS8, STATUS32 = "DT_Status8", "DT_Status32"
 """Datatypes of variables that hold states and modes: enumerations, where the code has types for them."""
-STATUSES = tuple(
-    Datatype.model_validate(enumeration(name, c, NONE=0)) for name, c in ((STATUS8, "uint8_t"), (STATUS32, "int32_t"))
+COUNT, FLAG = "DT_OwnCount", "DT_OwnFlag"
+"""Datatypes of variables that count values, and of those that request."""
+OWN_TYPES = (
+    *(
+        Datatype.model_validate(enumeration(name, c, NONE=0))
+        for name, c in ((STATUS8, "uint8_t"), (STATUS32, "int32_t"))
+    ),
+    *(
+        Datatype(reference=name, category="primitive", c_definition=c)
+        for name, c in ((COUNT, "uint32_t"), (FLAG, "bool"))
+    ),
 )
 VSS_NAMES = {c: vss for vss, c in C_NAMES.items()}
 
@@ -122,6 +132,11 @@ class Subject:
         return tuple(each.name for each in self.function.parameters if not each.is_learned)
 
 
+def _own(reference: str) -> str:
+    """Name of a type of the code: platforms have types of the datatype's name."""
+    return f"Own_{reference}"
+
+
 # -- from a document ----------------------------------------------------------------------------------------------
 
 
@@ -130,7 +145,7 @@ class _Reading:
 
     def __init__(self, document: FunctionJson) -> None:
         self.function, self.plan = read(document), derive(resolved(document)).plan
-        self.table = {each.reference: each for each in (*document.datatypes, *STATUSES)}
+        self.table = {each.reference: each for each in (*document.datatypes, *OWN_TYPES)}
         self.document = document
         self.has_enumerations = self.plan.code.signature == CLASS
         """Whether the code has types for enumerations, as C++ does: scoped ones, which no number turns into by itself."""
@@ -149,18 +164,18 @@ class _Reading:
         if datatype.kind == "array":
             return self.declared(datatype.element or "", f"{name}[{datatype.length}]")
         is_named = datatype.kind == "struct" or (self.has_enumerations and datatype.symbols)
-        return f"{reference if is_named else datatype.c_definition} {name}"
+        return f"{_own(reference) if is_named else datatype.c_definition} {name}"
 
     @property
     def structs(self) -> tuple[str, ...]:
         """Definitions of the structs of the code; members of a struct are defined before it."""
         enumerations = tuple(
-            f"enum class {name} : {each.c_definition} {{}};"
+            f"enum class {_own(name)} : {each.c_definition} {{}};"
             for name, each in self.table.items()
             if self.has_enumerations and each.symbols
         )
         return enumerations + tuple(
-            f"typedef struct {{ {' '.join(f'{self.declared(f.datatype, f.name)};' for f in each.fields or ())} }} {name};"
+            f"typedef struct {{ {' '.join(f'{self.declared(f.datatype, f.name)};' for f in each.fields or ())} }} {_own(name)};"
             for name, each in self.table.items()
             if each.kind == "struct"
         )
@@ -214,14 +229,14 @@ def _named_variables(reading: _Reading) -> Iterator[tuple[str | None, str, int]]
     for item in reading.data:
         yield item.variable, item.datatype, _places(item)
         if isinstance(item, DataQueue):
-            yield item.count_variable, U32, 0
+            yield item.count_variable, COUNT, 0
     yield from ((item.variable, item.datatype, 0) for item in reading.parameters)
     for _, _, error in walk.errors(reading.document):
         yield error.variable, STATUS32, 0
         yield error.status_variable, STATUS8, 0
     yield from ((each.variable, STATUS8, 0) for _, _, each in walk.safety_reactions(reading.document))
     for method in reading.methods:
-        yield method.request_variable, BOOL, 0
+        yield method.request_variable, FLAG, 0
         yield method.status_variable, STATUS8, 0
         yield from ((each.variable, each.datatype, 0) for each in (*method.inputs, *method.outputs))
     yield from ((mode.variable, STATUS32, 0) for mode in reading.document.mode_interfaces or ())
@@ -241,11 +256,11 @@ def _places(item: Signal | DataQueue) -> int:
 def _ports(reading: _Reading) -> tuple[Item, ...]:
     """What is received."""
     function, plan = reading.function, reading.plan
-    transfers = {each.port: each.transfer for step in function.steps for each in step.inputs}
-    references = _references(reading, CONSUMER)
+    transfers = {each.port: each.transfer for call in function.calls for each in call.inputs}
+    references = {port_key(item): item.datatype for item in reversed(reading.data) if item.role == CONSUMER}
     found = [
-        reading.wire(port.name, port.name, port.wire, transfers[port.name], references[port.name], is_source=True)
-        for port in plan.ports
+        reading.wire(name, port.name, port.wire, transfers[name], references[key], is_source=True)
+        for (key, name), port in zip(function.ports.items(), plan.ports, strict=True)
     ]
     others = [(error.name, error.name, error.wire) for error in plan.foreign_errors]
     others += [(each.named.comment, each.named.name, each.wire) for each in plan.reactions]
@@ -253,9 +268,14 @@ def _ports(reading: _Reading) -> tuple[Item, ...]:
     return (*found, *(_status(*each) for each in others))
 
 
-def _references(reading: _Reading, role: str) -> dict[str, str]:
-    """Datatypes of signals, by their names."""
-    return {item.name: item.datatype for item in reading.data if item.role == role}
+def _provided(reading: _Reading) -> list[str]:
+    """Datatypes of what steps provide, in the order of the file."""
+    steps = {step.name for step in reading.function.steps}
+    return [
+        item.datatype
+        for _, located, item in walk.data(reading.document)
+        if item.role == PROVIDER and located.runnable.name in steps
+    ]
 
 
 def _status(name: str, c: str, wire: WireType) -> Item:
@@ -265,7 +285,6 @@ def _status(name: str, c: str, wire: WireType) -> Item:
 def _outs(reading: _Reading) -> tuple[Item, ...]:
     """What is sent."""
     function, plan = reading.function, reading.plan
-    references = _references(reading, PROVIDER)
     pairs = [
         (output, planned)
         for step, planned_step in zip(function.steps, plan.steps, strict=True)
@@ -273,10 +292,10 @@ def _outs(reading: _Reading) -> tuple[Item, ...]:
     ]
     found = [
         replace(
-            reading.wire(each.name, c.named.name, c.value.wire, each.transfer, references[each.name], is_source=False),
+            reading.wire(each.name, c.named.name, c.value.wire, each.transfer, reference, is_source=False),
             length=each.queue.length if each.queue else 0,
         )
-        for each, c in pairs
+        for (each, c), reference in zip(pairs, _provided(reading), strict=True)
     ]
     others = [(each.named.comment, each.named.name, each.wire) for each in plan.errors]
     others += [(each.named.comment, each.named.name, each.wire) for each in plan.reactions]

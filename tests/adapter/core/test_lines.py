@@ -1,8 +1,9 @@
 """Long lines of C are broken between words of code, and nowhere else."""
 
+import pytest
 from clang.cindex import Index, TokenKind
 
-from sigcat.adapter.core.c.lines import WIDEST, Line, wrapped
+from sigcat.adapter.core.c.lines import WIDEST, Line, at_now, code_of, function, lines, replaced, wrapped
 from sigcat.function.document.text_filters import block_comment, c_string
 
 HOSTILE = "evil(evil, evil) || evil = evil /* evil */ evil; " * 8
@@ -30,3 +31,25 @@ def test_a_comment_stays_one():
     assert kinds(f"// {'evil(' * 60}") == [TokenKind.COMMENT]
     assert kinds(block_comment(HOSTILE)) == [TokenKind.COMMENT]
     assert kinds(f"first = second; {block_comment(HOSTILE)}").count(TokenKind.COMMENT) == 1
+
+
+COMMENTS = ("/* t, self */", '"t, self"', "// t, self", "/* t\n * self */")
+
+
+@pytest.mark.parametrize("comment", COMMENTS)
+def test_a_word_of_a_comment_or_a_string_uses_no_argument(comment):
+    made = function("void f(int *self, int t)", [lines(f"g(); {comment}")])
+    assert {"    (void)self;", "    (void)t;"} <= {line.text for line in made}
+
+
+@pytest.mark.parametrize("comment", COMMENTS)
+def test_a_word_of_a_comment_or_a_string_is_not_the_time(comment):
+    made = at_now([lines(f"g(t); {comment}")], "F")
+    assert "\n".join(line.text for line in made) == f"const uint64_t now = F_Now(self, t);\ng(now); {comment}"
+    assert at_now([lines(comment)], "F")[0].text == "(void)F_Now(self, t);"
+
+
+@pytest.mark.parametrize("comment", COMMENTS)
+def test_comments_and_strings_are_not_code(comment):
+    assert code_of(lines(f"a {comment}\nb")).split() == ["a", "b"]
+    assert replaced("self", "me", lines(f"self {comment}")) == lines(f"me {comment}")

@@ -23,6 +23,7 @@ from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.platform import Options
 from sigcat.platforms.table import PLATFORMS
 from tests.adapter.hostile.everything import DOCUMENTS, FUNCTION_JSON, document, one_of_each, strings
+from tests.adapter.hostile.payloads import EVIL, PAYLOADS
 from tests.adapter.test_hostile_text import words_of_xml
 
 MODELS: dict[str, type[BaseModel]] = {
@@ -31,12 +32,6 @@ MODELS: dict[str, type[BaseModel]] = {
     "autosar-classic": ClassicIntegration,
     "ros2": Ros2Integration,
 }
-EVIL = "EVIL_code"
-PAYLOADS = (
-    f"x */ {EVIL}; /*", f'x"; {EVIL}; "', f"x'; {EVIL}; '", "x\\", f"x\n{EVIL}", f"x\r{EVIL}", f"]]><{EVIL}/>", f"${{{EVIL}}}", f"$({EVIL})",
-    f"#) {EVIL}(", f'"""\n{EVIL}\n"""', f"x ??/\n{EVIL}", f"x\0{EVIL}", f"x\u202e{EVIL}", f"x\u2066{EVIL}", f"x\u2028{EVIL}", f"`{EVIL}`",
-    f"<script>{EVIL}</script>", f"x; {EVIL}", f"$<{EVIL}:x>", f"@{EVIL}@", f"x // {EVIL}\n", f"%s {{0}} #{EVIL}", f"x {EVIL} " * 1_000,
-)  # fmt: skip
 
 
 def read(kind: str) -> BaseModel:

@@ -153,7 +153,7 @@ def test_a_parameter_file_says_path_unit_and_range():
     ("kind", "value"),
     [
         ("double", 1e-05), ("double", 1e22), ("double", 0.1), ("integer", -(2**63)), ("bool", True),
-        ("string", "a, b: - é"), ("string", "~"), ("string_array", ["no", "1"]), ("integer_array", [1, 2]),
+        ("string", 'a "b": \\ # \u2028\x85 é'), ("string", "~"), ("string_array", ["no", "1; 'x' <y>"]), ("integer_array", [1, 2]),
     ],
 )  # fmt: skip
 def test_any_default_is_read_back_as_it_is(kind, value):

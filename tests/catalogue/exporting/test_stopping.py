@@ -1,4 +1,4 @@
-"""What vss-tools exports, sigcat exports too: one table says which errors of a tree stop an export."""
+"""sigcat exports every tree that vss-tools exports: one table says which errors of a tree stop an export."""
 
 import shutil
 from collections.abc import Mapping

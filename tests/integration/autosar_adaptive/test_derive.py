@@ -6,6 +6,7 @@ import jsonschema
 import pytest
 
 from sigcat.errors import UsageError
+from sigcat.function.document.text import Text
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import integration_schema, to_json
 from tests.integration.autosar_adaptive.derived import events, rules, services
@@ -62,7 +63,7 @@ def test_what_a_function_of_the_set_provides_is_a_service_of_its_own():
     provided = services(model, "EcoControlMpc")["EcoControlMpcService", "Provider"]
     assert [event.name for event in consumed.services[0].events] == ["ADAS_EcoControl_AccelerationProposal"]
     assert consumed.providers is not None
-    assert consumed.providers[0].name == "EcoControlMpc"
+    assert consumed.providers[0].name == Text("EcoControlMpc")
     assert consumed.service_id == provided.service_id
     assert consumed.services[0].events[0].event_id == provided.services[0].events[0].event_id
 

@@ -3,6 +3,7 @@
 import pytest
 
 from sigcat.errors import InputRefused, UsageError
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import to_json
@@ -102,7 +103,7 @@ def test_who_provides_from_outside_is_the_provider():
     one = function(signals=[at("Vehicle.A.B", ExternalProvider="Gateway")])
     provider = services(derive([one]).model)["VehicleAService", "Consumer"].providers
     assert provider is not None
-    assert [item.name for item in provider] == ["Gateway"]
+    assert [item.name for item in provider] == [Text("Gateway")]
 
 
 def test_a_queue_is_an_event_that_keeps_its_length():
@@ -165,7 +166,7 @@ def test_a_component_consumes_the_errors_that_set_its_own():
     derived = derive([other, one])
     found = services(derived.model)["SenseService", "Consumer"]
     assert [field.name for field in found.services[0].fields] == ["Sense_Bad_ErrorSts"]
-    assert [provider.name for provider in found.providers or ()] == ["Sense"]
+    assert [provider.name for provider in found.providers or ()] == [Text("Sense")]
     (act,) = [component for component in derived.model.components if component.name == "Act"]
     assert {service.name for service in act.services} == {"SenseService", "ActService"}
     told = [entry for entry in derived.report if entry.interface == "Sense_Bad_ErrorSts"]
@@ -186,8 +187,8 @@ def test_the_deployment_names_who_provides_safety_conditions_and_modes():
     derived = derive([example("CoreAcc")], deployed(safetyManager="SafetyCluster", modeManager="StateManagement"))
     found = services(derived.model)
     named = {service: [each.name for each in interface.providers or ()] for (service, _), interface in found.items()}
-    assert named["SafetyManagementService"] == ["SafetyCluster"]
-    assert named["ModeManagementService"] == ["StateManagement"]
+    assert named["SafetyManagementService"] == [Text("SafetyCluster")]
+    assert named["ModeManagementService"] == [Text("StateManagement")]
 
 
 def test_an_interface_above_qm_has_no_protection():

@@ -5,6 +5,7 @@ import json
 import jsonschema
 import pytest
 
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.runnable import Runnable
@@ -227,7 +228,7 @@ def test_each_call_is_a_runnable_with_a_symbol_of_its_own(core_acc):
 
 @pytest.mark.parametrize(("longest", "period"), [(7.4, 0.007), (30, 0.02), (0.4, 0.001)])
 def test_supervision_keeps_the_longest_period_of_the_core(longest, period):
-    """Of cycle and longest duration the shorter, in whole ticks, and a tick at least."""
+    """The period is the shorter one of cycle and longest duration, in whole ticks, and at least a tick."""
     limits = {"Min": 0, "Max": longest, "Ref": 0, "ErrorName": "Demo_Deadline_ErrorSts"}
     call = {
         "Cycletime": 20,
@@ -376,7 +377,7 @@ def test_what_one_component_provides_is_connected_with_all_who_require_it(whole)
 
 def test_what_comes_from_outside_names_who_provides_it(whole):
     outer = next(each for each in whole.composition.ports if each.name == CYLP)
-    assert (outer.direction, outer.provider) == ("Required", "Brake control unit")
+    assert (outer.direction, outer.provider) == ("Required", Text("Brake control unit"))
 
 
 def test_a_data_element_is_carried_by_the_signal_that_the_deployment_names():
@@ -385,7 +386,7 @@ def test_a_data_element_is_carried_by_the_signal_that_the_deployment_names():
     }
     derived = derive([function(signals=[at("Vehicle.Speed")])], deployed(autosarClassic=settings))
     (one,) = derived.model.ecu.signals
-    assert (one.port, one.element, one.signal, one.database, one.length) == ("Vehicle_Speed", "Speed", "Status_Speed", "can.dbc", 16)  # fmt: skip
+    assert (one.port, one.element, one.signal, one.database, one.length) == ("Vehicle_Speed", "Speed", "Status_Speed", Text("can.dbc"), 16)  # fmt: skip
     assert "K007" not in rules(derived)
 
 

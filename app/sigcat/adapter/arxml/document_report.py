@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 
 from pydantic import BaseModel
 
+from sigcat.function.document.text_filters import comment
 from sigcat.integration.report import Entry, FieldTarget, entries
 
 Targets = Mapping[str, FieldTarget | str]
@@ -19,7 +20,7 @@ def document_report(document: BaseModel, tables: Tables) -> tuple[Entry, ...]:
 def _of_part(part: BaseModel, function: str, above: str, tables: Tables) -> Iterator[Entry]:
     kind, table = tables[type(part)]
     function = getattr(part, "function", None) or function
-    name = str(getattr(part, "name", None) or getattr(part, "call", None) or "")
+    name = comment(getattr(part, "name", None) or getattr(part, "call", None) or "")
     where = "/".join(filter(None, (above, name)))
     inner: list[BaseModel] = []
     targets = dict(table)

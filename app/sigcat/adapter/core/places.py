@@ -34,7 +34,7 @@ class CorePlaces:
     @cached_property
     def interface_names(self) -> Mapping[Pointer, str]:
         """Names of all interfaces, by where they stand."""
-        return {pointer: str(item.name) for pointer, item in parts(self.function) if hasattr(item, "name")}
+        return {at: name for at, item in parts(self.function) if isinstance(name := getattr(item, "name", None), str)}
 
     @cached_property
     def errors(self) -> Mapping[str, Error]:

@@ -1,8 +1,7 @@
 """What all parts of planning know, and how they report what cannot be planned."""
 
-import json
 from collections.abc import Generator, Mapping
-from typing import Any, NamedTuple, TypeVar
+from typing import NamedTuple, TypeVar
 
 from sigcat import codes
 from sigcat.function.document.document import Pointer
@@ -78,11 +77,3 @@ def expression(text: str | None, what: str, at: Pointer) -> Planning[str | None]
     message = f"The variable of {what} must be an expression of C, not {text!r}."
     yield Problem(codes.VARIABLE_MISSING, at, message, "Write it as in the code, such as bus.speed.")
     return None
-
-
-def elements(text: str | None) -> Any:
-    """Elements of an array or members of a struct, as Function JSON has them; None if there are none."""
-    try:
-        return json.loads(text) if text is not None else None
-    except ValueError:
-        return None

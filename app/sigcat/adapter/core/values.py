@@ -17,9 +17,10 @@ from sigcat.adapter.core.numbers import (
     type_of_c,
 )
 from sigcat.adapter.core.plan import Element, Leaf, Value, WireType
-from sigcat.adapter.core.planning import Context, Planning, elements
+from sigcat.adapter.core.planning import Context, Planning
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem
+from sigcat.function.document.text import json_of
 from sigcat.function.function_json.conversion import IDENTITY, Linear, of_text
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.datatype import Datatype, EnumerationValue
@@ -254,7 +255,7 @@ def _on_source(low: Fraction | None, high: Fraction | None, source: Side) -> dic
 
 def _given(item: Interface, name: str, part: Part) -> tuple[Fraction, ...] | None:
     """A start value or default, one number for each element; None if there is none."""
-    given = elements(getattr(item, f"{name}_elements", None))
+    given = json_of(getattr(item, f"{name}_elements", None))
     if given is None and _is_only_default(item, name, part):
         return None
     if given is None and not part.keys:

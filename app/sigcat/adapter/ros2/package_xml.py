@@ -8,7 +8,7 @@ from sigcat.integration.ros2.model import Package
 
 
 def rights(package: Package) -> Text:
-    """Who has the rights on the files of a package, in one line."""
+    """Copyright and license of the files of a package, in one line."""
     return composed("Copyright ", package.maintainer, ". License: ", package.license, ".")
 
 

@@ -122,7 +122,7 @@ def yaml_text(data: Any) -> str:
 
 
 def _counted(data: Any, most: int) -> int:
-    """How many values there are inside each other, counted no further than to `most`."""
+    """Count the values inside each other, no further than to `most`."""
     count = 1
     for item in data.values() if isinstance(data, dict) else data if isinstance(data, list) else ():
         if count > most:

@@ -9,6 +9,7 @@ import re
 from functools import lru_cache
 from http import HTTPStatus
 from typing import Any, NamedTuple
+from urllib.parse import unquote
 
 import httptools
 from uvicorn._types import ASGI3Application
@@ -17,6 +18,7 @@ from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol, RequestResp
 from uvicorn.server import ServerState
 
 from sigcat.api.client_network import network_of
+from sigcat.api.connections.exchange import Exchange
 from sigcat.api.connections.open_connections import OpenConnections
 from sigcat.api.connections.refusals import Refusals, Refused
 from sigcat.api.connections.request_starts import RequestStarts
@@ -162,28 +164,29 @@ class HttpConnection(HttpToolsProtocol):
 
     def on_message_begin(self) -> None:
         """A request begins."""
-        super().on_message_begin()
+        self.url = b""
+        self.headers = []
+        self.expect_100_continue = False
         self._is_in_head = True
-        self._head_bytes = 0
-        self._header_count = 0
-        self._extension_bytes = 0
+        self._head_bytes = self._header_count = self._extension_bytes = 0
 
     def on_url(self, url: bytes) -> None:
         """A part of its address."""
         self._count_head(len(url))
-        super().on_url(url)
+        self.url += url
 
     def on_header(self, name: bytes, value: bytes) -> None:
         """A header, without the spaces around its value; what stands behind a body in chunks is none."""
         self._header_count += 1
         self._count_head(len(name) + len(value) + _AROUND_HEADER)
         if self._is_in_head:
-            super().on_header(name, value.strip(b" \t"))
+            self.headers.append((name.lower(), value.strip(b" \t")))
 
     def on_headers_complete(self) -> None:
         """Hand the request to the application, if it is one."""
         self._is_in_head = False
-        self._stop_expecting_head()
+        if self._head_timer is not None:
+            self._stop_expecting_head()
         if not self._has_room:
             raise Refused(
                 HTTPStatus.SERVICE_UNAVAILABLE,
@@ -192,7 +195,7 @@ class HttpConnection(HttpToolsProtocol):
             )
         self._check_head()
         if not self.parser.should_upgrade():
-            super().on_headers_complete()
+            self._answer()
 
     def on_chunk_header(self) -> None:
         """A chunk of the body begins."""
@@ -237,39 +240,59 @@ class HttpConnection(HttpToolsProtocol):
             raise Refused(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, detail)
 
     def _check_head(self) -> None:
-        """Raises Refused for what the parser lets pass, and RFC 9112 does not."""
-        version = self.parser.get_http_version()
-        hosts, encodings = self._hosts_and_encodings()
+        """Make the scope of the request. Raises Refused for what the parser lets pass, and RFC 9112 does not."""
+        version, method = self.parser.get_http_version(), self.parser.get_method()
         if version not in ("1.0", "1.1"):
             raise _bad("The version of HTTP must be 1.0 or 1.1.")
-        if len(hosts) != 1 and (version == "1.1" or hosts):
-            raise _bad("The header `Host` must be there once.")
-        if not all(map(_is_host, hosts)):
-            raise _bad("The header `Host` must be a name or an address, and perhaps `:PORT`.")
-        if encodings and (version == "1.0" or encodings != [b"chunked"]):
-            raise _bad("`Transfer-Encoding` must be `chunked`, and the version of HTTP 1.1.")
-        path, method = self._path(), self.parser.get_method()
+        self._check_headers(version)
+        path, query = self._path_and_query()
         if not path or b"#" in self.url or method == b"CONNECT" or (path == b"*" and method != b"OPTIONS"):
             raise _bad(_NO_PATH)
         if (b"/." in path or b"%" in path) and _DOTS.search(path):
             raise _bad("The address must have no segments `.` and `..`: write the path that is meant.")
         if len(self.pipeline) >= _PIPELINED:
             raise _bad(f"At most {_PIPELINED} requests may wait for the answer to another one.")
+        text = path.decode("ascii")
+        self.scope = {
+            "type": "http",
+            "asgi": {"version": self.asgi_version, "spec_version": "2.3"},
+            "http_version": version,
+            "server": self.server,
+            "client": self.client,
+            "scheme": self.scheme,  # type: ignore[typeddict-item]
+            "method": method.decode("ascii"),
+            "root_path": self.root_path,
+            "path": self.root_path + (unquote(text) if "%" in text else text),
+            "raw_path": self.root_path.encode("ascii") + path,
+            "query_string": query,
+            "headers": self.headers,
+            "state": {**self.app_state, "has_left": self._has_left},
+        }
 
-    def _hosts_and_encodings(self) -> tuple[list[bytes], list[bytes]]:
-        """Values of `Host` and `Transfer-Encoding`, found in one pass."""
-        hosts, encodings = [], []
+    def _check_headers(self, version: str) -> None:
+        """Raises Refused unless `Host` and `Transfer-Encoding` are as they must be; finds both, and `Expect`, in one pass."""
+        hosts, is_chunked = 0, False
         for name, value in self.headers:
             if name == b"host":
-                hosts.append(value)
+                hosts += 1
+                if not _is_host(value):
+                    raise _bad("The header `Host` must be a name or an address, and perhaps `:PORT`.")
             elif name == b"transfer-encoding":
-                encodings.append(value.lower())
-        return hosts, encodings
+                if version == "1.0" or is_chunked or value.lower() != b"chunked":
+                    raise _bad("`Transfer-Encoding` must be `chunked`, and the version of HTTP 1.1.")
+                is_chunked = True
+            elif name == b"expect" and value.lower() == b"100-continue":
+                self.expect_100_continue = True
+        if hosts != 1 and (version == "1.1" or hosts):
+            raise _bad("The header `Host` must be there once.")
 
-    def _path(self) -> bytes:
-        """The path of the address, which proxies may be sent with a scheme and a host before it."""
-        url = self.url
-        return url.partition(b"?")[0] if url.startswith(b"/") else httptools.parse_url(url).path
+    def _path_and_query(self) -> tuple[bytes, bytes]:
+        """The path and the query of the address, which proxies may be sent with a scheme and a host before it."""
+        if self.url.startswith(b"/"):
+            path, _, query = self.url.partition(b"?")
+            return path, query
+        parsed = httptools.parse_url(self.url)
+        return parsed.path, parsed.query or b""
 
     def _expect_head(self) -> None:
         self._head_timer = self.loop.call_later(self._rules.head_seconds, self._give_up_head)
@@ -302,6 +325,28 @@ class HttpConnection(HttpToolsProtocol):
 
     # -- answers --------------------------------------------------------------------------------------------------
 
+    def _answer(self) -> None:
+        """Have the request answered, at once or after those before it."""
+        before = self.cycle
+        self.cycle = Exchange(
+            scope=self.scope,
+            transport=self.transport,
+            flow=self.flow,
+            logger=self.logger,
+            access_logger=self.access_logger,
+            access_log=self.access_log,
+            default_headers=self.server_state.default_headers,
+            message_event=asyncio.Event(),
+            expect_100_continue=self.expect_100_continue,
+            keep_alive=self.scope["http_version"] != "1.0" and self.parser.should_keep_alive(),
+            on_response=self.on_response_complete,
+        )
+        if before is None or before.response_complete:
+            self._start_asgi_task(self.cycle, self.app)
+        else:
+            self.flow.pause_reading()
+            self.pipeline.appendleft((self.cycle, self.app))
+
     def _start_asgi_task(self, cycle: RequestResponseCycle, app: ASGI3Application) -> None:
         """Have the application answer when it is the client's turn."""
         self._rules.request_starts.add(self._network, lambda: self._start(cycle, app))
@@ -310,7 +355,6 @@ class HttpConnection(HttpToolsProtocol):
         """Have the application answer, as long as somebody is there who waits for it."""
         if self.transport.is_closing():
             return
-        cycle.scope["state"]["has_left"] = self._has_left
         task = self.loop.create_task(cycle.run_asgi(app))
         self._answering = cycle, task
         self.tasks.add(task)

@@ -1,4 +1,4 @@
-"""Metrics for Prometheus: requests by route template, so that there are as many series as routes.
+"""Metrics for Prometheus: requests by route template, so that each route has one series.
 
 Several workers keep their figures in the folder that PROMETHEUS_MULTIPROC_DIR names, and each answers with the total.
 """

@@ -49,9 +49,13 @@ class RequestLog:
             if message["type"] != "http.response.start":
                 await send({**message, "body": b""} if method == "HEAD" else message)
                 return
-            quotas = state.get("quotas", {}).values()
+            quotas = state.get("quotas")
             state["trace_id"] = name_span(method, _route_of(asked), request_id)
-            message["headers"] = [*message.get("headers", ()), header, *(quota_headers(quotas) if quotas else ())]
+            message["headers"] = [
+                *message.get("headers", ()),
+                header,
+                *(quota_headers(quotas.values()) if quotas else ()),
+            ]
             await send(message)  # the client may leave before it has read earlier answers
             status = message["status"]
 
@@ -75,8 +79,11 @@ class RequestLog:
     def _note(self, scope: Scope, method: str, status: int, seconds: float) -> None:
         state = scope["state"]
         client = scope.get("client") or ("", 0)
-        note = note_of(state["request_id"], method, scope["path"], _route_of(scope), status, seconds, client[0])
-        self._notes.add(note._replace(trace_id=state.get("trace_id", "")))
+        trace = state.get("trace_id", "")
+        route = _route_of(scope)
+        self._notes.add(
+            note_of(state["request_id"], method, scope["path"], route, status, seconds, client[0], "", trace)
+        )
 
 
 def _route_of(scope: Scope) -> str:

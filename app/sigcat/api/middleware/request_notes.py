@@ -27,10 +27,18 @@ class Note(NamedTuple):
 
 
 def note_of(
-    request_id: str, method: str, path: str, route: str, status: int, seconds: float, client: str, refused: str = ""
+    request_id: str,
+    method: str,
+    path: str,
+    route: str,
+    status: int,
+    seconds: float,
+    client: str,
+    refused: str = "",
+    trace_id: str = "",
 ) -> Note:
     """A note in which what a client chose is cut. The route is that of the application, or none."""
-    return Note(request_id, method[:20], path[:500], route, status, seconds, client[:100], refused)
+    return Note(request_id, method[:20], path[:500], route, status, seconds, client[:100], refused, trace_id)
 
 
 class RequestNotes:

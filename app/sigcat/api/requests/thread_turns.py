@@ -44,6 +44,16 @@ async def in_thread(
     return await turns.to_the_end(client, lambda: run_in_threadpool(function, *arguments, **options))
 
 
+def has_turn(request: Request) -> bool:
+    """Whether who asks may have one more answer made; if so, the answer names the quota, as `in_thread` does."""
+    turns: Turns = request.app.state.thread_turns
+    quota = turns.quota_of(client_of(request), "answers")
+    if quota.remaining() < 1:
+        return False
+    mark_quota(request, quota)
+    return True
+
+
 async def parts_in_turn(request: Request, parts: Iterator[bytes]) -> AsyncIterator[bytes]:
     """An answer that is sent while it is made: each part of it has a turn of its own."""
     while (part := await in_thread(request, next, parts, None)) is not None:
@@ -52,7 +62,12 @@ async def parts_in_turn(request: Request, parts: Iterator[bytes]) -> AsyncIterat
 
 def is_for_the_loop(request: Request, node: Node) -> bool:
     """Whether an answer about a node costs so little that it is made on the event loop: as JSON, with few children."""
-    return len(node.children) <= _FEW_CHILDREN and request.headers.get("accept", ANY) in (ANY, JSON)
+    return has_few_children(node) and request.headers.get("accept", ANY) in (ANY, JSON)
+
+
+def has_few_children(node: Node) -> bool:
+    """Whether an answer about a node is short."""
+    return len(node.children) <= _FEW_CHILDREN
 
 
 async def _asking(request: Request) -> Request:

@@ -162,17 +162,8 @@ def search_nodes(
 ) -> Response:
     """Nodes whose path, description or unit has all the words, best first, with counts for every filter."""
     _refuse_repeated(request)
-    result, cursor = found(hosted, settings, query)
-    mark_next_page(request, cursor)
-    hits = [serializers.search_hit(hit) for hit in result.hits]
-    page = schemas.SearchPage(
-        total=result.total,
-        hits=hits,
-        facets={facet: dict(counts) for facet, counts in result.facets.items()},
-        suggestions=list(result.did_you_mean),
-        next_cursor=cursor,
-    )
-    return answer(request, page, rows(hits))
+    page = search_page(request, *found(hosted, settings, query))
+    return answer(request, page, rows(page.hits))
 
 
 @router.get(
@@ -215,6 +206,18 @@ def list_quantities(request: Request, hosted: TheCatalogue) -> Response:
     known = hosted.catalogue.vocabulary.quantities.values()
     quantities = [serializers.quantity_schema(quantity) for quantity in known]
     return answer(request, schemas.QuantityList(quantities=quantities), rows(quantities))
+
+
+def search_page(request: Request, result: SearchResult, cursor: str | None) -> schemas.SearchPage:
+    """One page of results; the header of the answer names the next one."""
+    mark_next_page(request, cursor)
+    return schemas.SearchPage(
+        total=result.total,
+        hits=[serializers.search_hit(hit) for hit in result.hits],
+        facets={facet: dict(counts) for facet, counts in result.facets.items()},
+        suggestions=list(result.did_you_mean),
+        next_cursor=cursor,
+    )
 
 
 def found(hosted: Hosted, settings: Settings, query: SearchQuery) -> tuple[SearchResult, str | None]:

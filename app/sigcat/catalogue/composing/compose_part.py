@@ -32,7 +32,7 @@ def compose_part(base: Catalogue, overlay: Layer, limits: Limits = DEFAULT_LIMIT
 
 
 def _near(base: Catalogue, changed: Mapping[str, Definition]) -> dict[str, Definition]:
-    """What changed, all above it, and the branches right below these, which a misspelled one may have meant.
+    """Changed definitions, all above them, and the branches right below these, which a misspelled path may have meant.
 
     A branch that the base does not define is added again for the definition of the base that it was added for.
     """

@@ -14,7 +14,7 @@ ALL_ATTRIBUTES = Option("extend-all-attributes", "switch", "keep all extended at
 PRETTY = Option("pretty", "switch", "indent the output", False)
 STRICT = Option("strict", "switch", "refuse every tree with errors, and whatever --aborts can refuse", False)
 OWN_STRICT = Option("strict", "flag", "refuse every tree with errors", own=True)
-"""Of exporters for which vss-tools has no such option."""
+"""The same for exporters for which vss-tools has no such option."""
 STRICTNESS = (
     Option("extended-attributes", "texts", "extended attribute to keep and to accept; may be repeated", also=("-e",)),
     STRICT,

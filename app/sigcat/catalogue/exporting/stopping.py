@@ -1,4 +1,4 @@
-"""Which errors of a tree stop its export: those where vss-tools 6.1 stops, too, and the limits of sigcat."""
+"""Errors of a tree that stop its export: those where vss-tools 6.1 stops too, and the limits of sigcat."""
 
 from collections.abc import Mapping
 from typing import Literal
@@ -8,7 +8,7 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.findings import Finding, RuleCode
 
 Decision = Literal["exported", "stops", "limit"]
-"""What becomes of a tree with an error.
+"""Result for a tree with an error.
 
 exported: vss-tools exports it, and so does sigcat, with the same bytes and a warning. stops: vss-tools refuses it, too.
 limit: vss-tools may export it; sigcat reads nothing outside of the folders that are named, and bounds time and memory.

@@ -4,7 +4,17 @@ from collections.abc import Iterator, Sequence
 from typing import Literal, NamedTuple
 
 from sigcat.comparison.report.drawing import Mark, Row, distributions, traces
-from sigcat.comparison.report.model import Difference, Durations, Fault, FaultOutcome, FreeRun, Lines, Report, Timing
+from sigcat.comparison.report.model import (
+    Difference,
+    Durations,
+    Fault,
+    FaultOutcome,
+    FreeRun,
+    Lines,
+    Report,
+    Target,
+    Timing,
+)
 from sigcat.comparison.report.words import duration, memory, percent, seconds
 
 Tone = Literal["", "good", "bad", "muted"]
@@ -74,11 +84,18 @@ def _table(title: str, head: str, rows: Sequence[tuple[Cell, ...]], *, is_folded
     return (Table(title, tuple(head.split("|")), tuple(rows), is_folded),) if rows else ()
 
 
-_HOLDS = {True: Cell("holds", "good"), False: Cell("does not hold", "bad"), None: Cell("not measured", "muted")}
+_HOLDS = {True: Cell("holds", "good"), False: Cell("does not hold", "bad")}
+
+
+def _held(target: Target) -> Cell:
+    """Whether a criterion holds; with figures that are too few it is inconclusive."""
+    if target.holds is not None:
+        return _HOLDS[target.holds]
+    return Cell("inconclusive" if target.measured else "not measured", "muted")
 
 
 def _targets(report: Report) -> Section:
-    rows = [_cells(each.what, each.wanted, each.measured, _HOLDS[each.holds], each.note) for each in report.targets]
+    rows = [_cells(each.what, each.wanted, each.measured, _held(each), each.note) for each in report.targets]
     return Section("What must hold", report.notes, _table("What must hold", "what|wanted|measured||remark", rows))
 
 

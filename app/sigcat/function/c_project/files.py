@@ -58,7 +58,7 @@ _INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"](?P<path>[^<>\"\n]+)[>\"
 
 
 def headers_of(folder: Path, headers: Sequence[str], folders: Sequence[str]) -> Mapping[str, str] | None:
-    """Texts of headers and of what they include, by path below a folder; None if a header is not there.
+    """Texts of headers and of the headers that they include, by path below a folder; None if a header is missing.
 
     What they include and the folder does not have is left out: it is the system's, or missing.
     """

@@ -32,7 +32,7 @@ class Value(NamedTuple):
     is_const: bool = False
     defined_by: str = "function"
     c_type: str = ""
-    """Type in C, with its qualifiers, of what the adapter has to define."""
+    """Type in C, with its qualifiers, of a variable that the adapter defines."""
     key: str = ""
     """What functions name it by that use it: of a member its key, of a variable its name."""
     problem: str = ""

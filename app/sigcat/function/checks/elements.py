@@ -1,20 +1,19 @@
 """Values of arrays and structs: as many elements as there are, every member, each of its datatype and within its range."""
 
-import json
 from collections.abc import Iterator, Mapping
 from itertools import islice
 from typing import Any, NamedTuple
 
 from sigcat import codes
-from sigcat.catalogue.model.datatypes import INTEGER_RANGES
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.expression import is_identifier
 from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.text import Text, json_of
 from sigcat.function.document.yaml_words import in_yaml
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.datatype import Datatype, innermost
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.primitive_types import c_type
+from sigcat.function.function_json.primitive_types import c_type, integer_limits
 from sigcat.function.function_json.walk import data, parameters
 from sigcat.names import did_you_mean
 
@@ -47,17 +46,22 @@ def check_elements(function: FunctionJson) -> Problems:
     for pointer, _, item in (*data(function), *parameters(function)):
         for key in ("InitElements", "DefaultElements"):
             text = getattr(item, "init_elements" if key == "InitElements" else "default_elements", None)
-            if text is not None:
+            if text is not None and not _is_text(types.get(item.datatype)):
                 yield from _value(text, item, (*pointer, key), types)
         yield from _members(item, pointer, types)
 
 
-def _value(text: str, item: Item, at: Pointer, types: Types) -> Problems:
+def _is_text(datatype: Datatype | None) -> bool:
+    """Whether a value is one text, which is written as it is."""
+    meant = c_type(datatype.c_definition) if datatype is not None and datatype.kind is None else None
+    return meant is not None and meant.kind == "text"
+
+
+def _value(text: Text, item: Item, at: Pointer, types: Types) -> Problems:
     subject = Subject("data", item.vss_path or item.name, () if at[-1] == "InitElements" else ("default",))
     what = "init" if at[-1] == "InitElements" else "default"
-    try:
-        value = json.loads(text)
-    except (ValueError, RecursionError):
+    value = json_of(text)
+    if value is None:
         message = f"`{at[-1]}` of {item.name!r} must be JSON, a list or an object."
         yield Problem(codes.START_VALUE_OUT_OF_RANGE, at, message, subject=subject)
         return
@@ -148,10 +152,7 @@ def _is_number(value: Any, integers: tuple[int, int] | None, limits: _Limits) ->
 
 def _integers(datatype: Datatype, limits: _Limits) -> tuple[int, int] | None:
     """The range of an integer that holds the number as it is; None for everything else."""
-    meant = c_type(datatype.c_definition)
-    if limits.is_scaled or meant is None or meant.kind not in ("signed", "unsigned") or not meant.bits:
-        return None
-    return INTEGER_RANGES[f"{'u' if meant.kind == 'unsigned' else ''}int{meant.bits}"]
+    return None if limits.is_scaled else integer_limits(datatype.c_definition)
 
 
 def _wanted(datatype: Datatype, limits: _Limits) -> str:

@@ -7,7 +7,9 @@ from sigcat.function.checks.order import previous_calls
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.model import FunctionJson, Mode
+from sigcat.function.function_json.primitive_types import integer_limits
 from sigcat.function.function_json.runnable import Runnable
+from sigcat.function.function_json.status_interfaces import ModeInterface
 from sigcat.function.function_json.walk import Located, runnables, safety_reactions
 from sigcat.names import did_you_mean, either
 
@@ -24,6 +26,7 @@ def check_modes(function: FunctionJson) -> Problems:
     yield from unknown
     yield from _names(function)
     yield from _initial(function)
+    yield from _numbers(function)
     yield from _values(function)
     yield from _untold(function)
     yield from _without_entry(function)
@@ -82,6 +85,24 @@ def _not_allowed(what: str, word: str, allowed: Sequence[str], at: Pointer, subj
     return Problem(codes.INITIAL_NOT_ALLOWED, at, message, did_you_mean(word, allowed), subject)
 
 
+def _numbers(function: FunctionJson) -> Problems:
+    """Each mode is allowed once, and has a number where the datatype has numbers."""
+    types = {datatype.reference: datatype for datatype in function.datatypes}
+    for index, mode in enumerate(function.mode_interfaces or ()):
+        datatype = types.get(mode.datatype)
+        symbols = {each.symbol for each in (datatype.symbols if datatype else None) or ()}
+        subject = Subject("mode", mode.name)
+        for position, name in enumerate(mode.modes):
+            at = ("ModeInterfaceList", index, "Modes", position)
+            if name in mode.modes[:position]:
+                message = f"{mode.name} must allow each mode once, not {name!r} again."
+                yield Problem(codes.ENUMERATION_MISCODED, at, message, "Remove it.", subject)
+            elif symbols and name not in symbols:
+                message = f"The datatype of {mode.name} must have a number for the mode {name!r}."
+                fix = did_you_mean(name, symbols) or f"Add it to `Symbols` of {mode.datatype}."
+                yield Problem(codes.ENUMERATION_MISCODED, at, message, fix, subject)
+
+
 def _values(function: FunctionJson) -> Problems:
     """Numbers of modes in the code: one for each, and each its own."""
     for index, mode in enumerate(function.mode_interfaces or ()):
@@ -98,11 +119,31 @@ def _values(function: FunctionJson) -> Problems:
                 message = f"{mode.name} does not allow {name!r}."
                 fix = did_you_mean(name, mode.modes) or "Remove it."
                 yield Problem(codes.ENUMERATION_MISCODED, (*at, position), message, fix, subject)
+        low, high = _limits_in_code(mode, function) or _WIDEST
+        for position, each in enumerate(mode.values):
+            if not low <= each.value <= high:
+                message = f"The number of {each.symbol!r} must be {low} to {high}, not {each.value}: its variable holds no other."
+                fix = "Give another number, or the variable's type as `cType`."
+                yield Problem(codes.ENUMERATION_MISCODED, (*at, position, "Value"), message, fix, subject)
         if len(set(numbers.values())) < len(mode.values):
             fix = "Give each mode a number of its own."
             yield Problem(
                 codes.ENUMERATION_MISCODED, at, f"Two modes of {mode.name} have the same number.", fix, subject
             )
+
+
+_WIDEST = -(2**63) + 1, 2**63 - 1
+"""What a variable holds whose type only the headers of the function know."""
+
+
+def _limits_in_code(mode: ModeInterface, function: FunctionJson) -> tuple[int, int] | None:
+    """Limits of a mode's variable, where the document has its type; None if a header has it, or there is no variable."""
+    if mode.variable is None or mode.c_type is not None:
+        return integer_limits(mode.c_type or "")
+    if mode.defined_by != "Adapter" and function.code and function.code.headers:
+        return None
+    definitions = {each.reference: each.c_definition for each in function.datatypes}
+    return integer_limits(definitions.get(mode.datatype, ""))
 
 
 def _untold(function: FunctionJson) -> Problems:

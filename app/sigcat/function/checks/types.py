@@ -1,18 +1,44 @@
 """The datatypes of a document."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from sigcat import codes
+from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem
+from sigcat.function.function_json.datatype import EnumerationValue
 from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.primitive_types import integer_limits
 from sigcat.function.function_json.walk import references
 from sigcat.names import did_you_mean
 
 
 def check_types(function: FunctionJson) -> Iterator[Problem]:
-    """Every datatype that is referred to is defined."""
+    """Every datatype that is referred to is defined, and has a number of its own for each of its names."""
     defined = dict.fromkeys(datatype.reference for datatype in function.datatypes)
     for pointer, reference in references(function):
         if reference not in defined:
             message = f"The datatype must be one of the document's `Datatypes`, not {reference!r}."
             yield Problem(codes.TYPE_UNDEFINED, pointer, message, did_you_mean(reference, defined))
+    for index, datatype in enumerate(function.datatypes):
+        at = ("Datatypes", index, "Symbols")
+        yield from _numbers(datatype.symbols or (), integer_limits(datatype.c_definition), datatype.c_definition, at)
+
+
+def _numbers(
+    symbols: Sequence[EnumerationValue], limits: tuple[int, int] | None, definition: str, at: Pointer
+) -> Iterator[Problem]:
+    names, numbers = set[str](), set[int]()
+    for index, each in enumerate(symbols):
+        if limits and not limits[0] <= each.value <= limits[1]:
+            message = (
+                f"The number of {each.symbol!r} must be {limits[0]} to {limits[1]} for {definition}, not {each.value}."
+            )
+            yield Problem(codes.ENUMERATION_MISCODED, (*at, index, "Value"), message)
+        elif each.value in numbers:
+            message = f"The number of {each.symbol!r} must be its own; another name has {each.value}, too."
+            yield Problem(codes.ENUMERATION_MISCODED, (*at, index, "Value"), message)
+        if each.symbol in names:
+            message = f"The name must be given once, not {each.symbol!r} again."
+            yield Problem(codes.ENUMERATION_MISCODED, (*at, index, "Symbol"), message, "Remove it.")
+        names.add(each.symbol)
+        numbers.add(each.value)

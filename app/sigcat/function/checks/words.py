@@ -11,6 +11,7 @@ from sigcat.function.function_json.walk import parts
 from sigcat.names import did_you_mean, either
 
 WORDS: Mapping[str, tuple[str, ...]] = {
+    "kind": ("enumeration", "array", "struct"),
     "defined_by": ("Function", "Adapter"),
     "timeout_start": ("Init", "First"),
     "timeout_value": ("Last", "Default", "Init"),

@@ -4,7 +4,6 @@ A field that may have any characters is a `Text`, which reaches files through fi
 has one of these types.
 """
 
-import json
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -12,7 +11,7 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from sigcat.function.document.expression import expression_of, is_identifier
+from sigcat.function.document.expression import is_identifier, may_hold_value
 from sigcat.names import either
 
 
@@ -31,7 +30,7 @@ class Refers:
     """The string is the name of something that a function of the document has."""
 
     to: str
-    """What it is, in messages: `call`."""
+    """Noun for messages: `call`."""
 
 
 def _matching(expected: str, pattern: str, fix: str = "", longest: int = 500) -> Grammar:
@@ -46,32 +45,13 @@ def _one_of(*words: str) -> Grammar:
 _LETTERS = r"[^\W_]"
 """Letters and digits of any script."""
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\xad\u034f\u061c\u115f\u1160\u17b4\u17b5\u180b-\u180f\u200b-\u200f\u2028-\u202e\u2060-\u206f\u3164\ufe00-\ufe0f\ud800-\udfff\ufeff\uffa0\ufff0-\uffff\U000e0000-\U000e0fff]")  # fmt: skip
-"""Characters that nobody sees, and that turn the direction of text."""
+"""Invisible characters, and those that turn the direction of text."""
 _INERT = re.compile(r"""(?!.*(?:/[*/]|\*/|\?\?|\]\]))[^"'\\`$#;<>&{}@]*""", re.DOTALL)
 
 
 def is_inert(text: str) -> bool:
     """Whether nothing in a text has a meaning to C, C++, CMake, make, a shell, Python, XML or Markdown."""
     return _CONTROL.search(text) is None and _INERT.fullmatch(text) is not None
-
-
-def _is_value(text: str) -> bool:
-    return len(text) <= 10_000 and (is_inert(text) or _is_json(text))
-
-
-def _is_json(text: str) -> bool:
-    try:
-        return len(text) <= 1_000_000 and _is_inert_value(json.loads(text))
-    except (ValueError, RecursionError):
-        return False
-
-
-def _is_inert_value(value: Any) -> bool:
-    if isinstance(value, str):
-        return is_inert(value)
-    if isinstance(value, dict):
-        return all(map(is_inert, value)) and all(map(_is_inert_value, value.values()))
-    return not isinstance(value, list) or all(map(_is_inert_value, value))
 
 
 _LETTERS_FIRST = "Use letters, digits and underscores, and a letter first."
@@ -107,7 +87,7 @@ WORDS = Grammar(
     "Remove these signs.",
 )
 Words = Annotated[str, WORDS]
-"""Who or what something is, in a few words."""
+"""A name of a person, an organization or a thing, in a few words."""
 UNIT = _matching(
     "a unit of letters, digits and the signs ^ / * . % ° - ( )",
     rf"(?!.*(?:/[*/]|\*/))(?:{_LETTERS}|[ _^/*.·%°()+-])*",
@@ -123,7 +103,7 @@ C_IDENTIFIER = Grammar("a C identifier", is_identifier, _LETTERS_FIRST)
 CIdentifier = Annotated[str, C_IDENTIFIER]
 C_EXPRESSION = Grammar(
     "an expression of C that holds a value",
-    lambda text: expression_of(text) is not None,
+    may_hold_value,
     "Name the variable as the code does, such as in.speed, in->speed or in[3].",
 )
 CExpression = Annotated[str, C_EXPRESSION]
@@ -133,6 +113,11 @@ C_TYPE = _matching(
     "Write it as the header does, such as ExtU_Acc_T.",
 )
 CType = Annotated[str, C_TYPE]
+C_VARIABLE_TYPE = (
+    r"^(volatile )?((un)?signed|((un)?signed )?(char|short|int|long|long long|short int|long int|long long int)|float|double|_Bool"
+    r"|((enum|struct) )?[A-Za-z_][A-Za-z0-9_]{0,127})$"
+)
+"""Pattern of the types of variables that an adapter defines."""
 C_DEFINITION = _matching(
     "a definition of a type in C",
     r"[A-Za-z_][A-Za-z0-9_]*(?: +[A-Za-z_][A-Za-z0-9_]*){0,4}(?: *\*)?(?: *\[[0-9]{0,9}\])?|",
@@ -208,13 +193,6 @@ SOURCE_FILE = _matching(
 )
 SourceFile = Annotated[str, SOURCE_FILE]
 """A file or a folder below the declaration, without a sign that CMake, make or a shell interprets."""
-FILE_TITLE = Grammar(
-    "a file name without quotes and the signs \\ ` $ # ; < > & { } @",
-    lambda text: len(text) <= 1_000 and is_inert(text),
-    "Rename the file.",
-)
-FileTitle = Annotated[str, FILE_TITLE]
-"""The name of a file that is only mentioned."""
 VERSION = _matching(
     "a version such as 1.2.3 (SemVer)",
     r"(?:0|[1-9][0-9]*)(?:\.(?:0|[1-9][0-9]*)){1,2}(?:-[0-9A-Za-z.-]+)?(?:\+[0-9A-Za-z.-]+)?",
@@ -236,17 +214,6 @@ NumberText = Annotated[str, NUMBER_TEXT]
 QUANTITY = _matching("a number", rf"\s?{_NUMBER} ?[A-Za-zµ]{{0,10}}\s?|[A-Za-z ]{{0,30}}", "", 1_000)
 Quantity = Annotated[str, QUANTITY]
 """A number, with a unit where a document writes one; or a word such as none."""
-JSON_VALUE = Grammar("JSON without invisible characters and comments", _is_json, "Write a list or an object.")
-JsonValue = Annotated[str, JSON_VALUE]
-VALUE = Grammar(
-    "text without the signs \" ' \\ ` $ # ; < > & { } @, comments and invisible characters; or JSON of such",
-    _is_value,
-    "Remove these signs.",
-)
-Value = Annotated[str, VALUE]
-"""The value of a text, or JSON."""
-AnyValue = Annotated[Any, VALUE]
-"""A value of any kind, whose texts are values."""
 E_MAIL = _matching("a mail address", r"[A-Za-z0-9.!%*+/=?^_|~-]+@[A-Za-z0-9.-]+", "", 200)
 Email = Annotated[str, E_MAIL]
 

@@ -15,6 +15,7 @@ from sigcat.catalogue.model.definition import TYPES
 from sigcat.file_kind import DOCUMENT_KINDS, document_kind
 from sigcat.findings import Finding
 from sigcat.function.document.document import Document, Pointer
+from sigcat.function.document.field_types import C_VARIABLE_TYPE
 from sigcat.function.document.yaml_words import in_yaml
 from sigcat.limits import FUNCTION_PROBLEMS
 from sigcat.names import did_you_mean, either, nearest
@@ -40,8 +41,7 @@ _PATTERNS = {
     r"^[A-Za-z][A-Za-z0-9_]{0,127}(::[A-Za-z][A-Za-z0-9_]{0,127})*$": "C++ namespaces such as eco::control",
     r"^[A-Za-z][A-Za-z0-9_]{0,127}$": "letters, digits and underscores, a letter first, 128 at most",
     r"^[A-Za-z_][A-Za-z0-9_]{0,127}$": "letters, digits and underscores, no digit first, 128 at most",
-    r"^(volatile )?((un)?signed|((un)?signed )?(char|short|int|long|long long|short int|long int|long long int)|float|double|_Bool"
-    r"|((enum|struct) )?[A-Za-z_][A-Za-z0-9_]{0,127})$": "a type of C such as boolean_T or volatile unsigned char",
+    C_VARIABLE_TYPE: "a type of C such as boolean_T or volatile unsigned char",
 }
 """What patterns of the models ask for."""
 _BOUNDS = {

@@ -1,16 +1,19 @@
 """Free text of documents: descriptions, names of people and organizations, conditions that people read."""
 
+import json
 from dataclasses import dataclass
 from html import escape
-from typing import Any, NoReturn, final
+from typing import Annotated, Any, NoReturn, final
 
-from pydantic import GetCoreSchemaHandler, ValidatorFunctionWrapHandler
+from pydantic import BeforeValidator, GetCoreSchemaHandler, PlainSerializer, ValidatorFunctionWrapHandler
 from pydantic_core import CoreSchema
 from pydantic_core.core_schema import (
     no_info_wrap_validator_function,
     plain_serializer_function_ser_schema,
     str_schema,
 )
+
+from sigcat.function.document.field_types import FREE
 
 _REFUSED = "text of a document is written by a filter of sigcat.function.document.text_filters, which knows the place"
 
@@ -43,6 +46,26 @@ class Text:
         return no_info_wrap_validator_function(_validated, str_schema(), serialization=serialized)
 
 
+def _with_texts(value: Any) -> Any:
+    if isinstance(value, str):
+        return Text(value)
+    if isinstance(value, dict):
+        return {key: _with_texts(each) for key, each in value.items()}
+    return [_with_texts(each) for each in value] if isinstance(value, list | tuple) else value
+
+
+def _with_strings(value: Any) -> Any:
+    if isinstance(value, Text):
+        return value.raw
+    if isinstance(value, dict):
+        return {key: _with_strings(each) for key, each in value.items()}
+    return [_with_strings(each) for each in value] if isinstance(value, list | tuple) else value
+
+
+AnyValue = Annotated[Any, FREE, BeforeValidator(_with_texts), PlainSerializer(_with_strings)]
+"""A value of any kind, whose strings are texts."""
+
+
 def optional(text: str | None) -> Text | None:
     """Text, if there is any."""
     return None if text is None else Text(text)
@@ -51,6 +74,14 @@ def optional(text: str | None) -> Text | None:
 def composed(*parts: Text | str) -> Text:
     """Texts, one after the other."""
     return Text("".join(part.raw if isinstance(part, Text) else part for part in parts))
+
+
+def json_of(text: Text | None) -> Any:
+    """The value that a text has as JSON; None if it is not JSON."""
+    try:
+        return None if text is None else json.loads(text.raw)
+    except (ValueError, RecursionError):
+        return None
 
 
 def sentence(*parts: Text | str | None) -> Text:

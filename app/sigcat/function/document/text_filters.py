@@ -53,6 +53,11 @@ def ros_string(value: AnyText) -> str:
     return f'"{text}"'
 
 
+def ros_number(value: AnyText) -> str:
+    """A constant of a ROS message that is a whole number."""
+    return str(int(_raw(value)))
+
+
 def c_string(value: AnyText) -> str:
     """A string literal of C and C++. It has no quotation mark inside and begins no comment, so that lines can be broken."""
     text = "".join(map(_c_character, _storable(value))).replace("/*", r"/\052")
@@ -126,7 +131,7 @@ def arxml_text(value: AnyText) -> str:
 
 
 def markdown(value: AnyText) -> str:
-    """Text of a paragraph or of a cell in Markdown, on one line: it is no markup, also none of HTML."""
+    """Text of a paragraph or of a cell in Markdown, on one line, without markup of Markdown or HTML."""
     text = _MARKUP.sub(r"\\\g<0>", escape(_one_line(value)))
     return _NUMBERED.sub(r"\1\\", text)
 

@@ -106,7 +106,7 @@ def annotation_of(info: FieldInfo) -> Any:
 
 
 def _found(annotation: Any, kind: type[Any], *, of_keys: bool = False) -> Iterator[Any]:
-    """What an annotation says of this kind: of its strings, or of the keys of its mappings."""
+    """Parts of an annotation that are of a kind: those of its strings, or of the keys of its mappings."""
     parts = get_args(annotation)
     if get_origin(annotation) is dict:
         yield from _found(parts[0 if of_keys else 1], kind)
@@ -119,6 +119,6 @@ def _found(annotation: Any, kind: type[Any], *, of_keys: bool = False) -> Iterat
 
 
 def titled(pointer: Pointer) -> str:
-    """What a field is called in messages."""
+    """Name of a field in messages."""
     key = next(part for part in reversed(pointer) if isinstance(part, str))
     return f"`{key[:60]}`" if isinstance(pointer[-1], str) else f"An entry of `{key[:60]}`"

@@ -3,7 +3,6 @@
 from sigcat.function.document.field_types import (
     CExpression,
     Definer,
-    JsonValue,
     Name,
     NumberText,
     Overflow,
@@ -13,7 +12,6 @@ from sigcat.function.document.field_types import (
     UnitKey,
     VssDatatype,
     VssPath,
-    Words,
 )
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.c_type import C_TYPE, CTypeName
@@ -101,7 +99,7 @@ class Signal(WireModel):
         source=OWN,
         unit="that of `VssUnit`",
     )
-    external_provider: Words | None = described(
+    external_provider: Text | None = described(
         "ExternalProvider", "Who provides a consumed signal, where no other function does.", default=None, source=OWN
     )
     variable: CExpression | None = described(
@@ -124,12 +122,12 @@ class Signal(WireModel):
     e2e_error: Name | None = own(
         "E2eError", "Error interface that is set while end-to-end protection rejects messages."
     )
-    init_elements: JsonValue | None = own(
+    init_elements: Text | None = own(
         "InitElements",
         "Value of an array or struct before the first one arrives, as JSON: a list or an object.",
         unit=PHYSICAL,
     )
-    default_elements: JsonValue | None = own(
+    default_elements: Text | None = own(
         "DefaultElements", "Value of an array or struct that stands in for a missing one, as JSON.", unit=PHYSICAL
     )
 
@@ -188,7 +186,7 @@ class DataQueue(WireModel):
     conversion_offset: NumberText | None = described(
         "ConversionOffset", "As in a signal.", default=None, source=OWN, unit="that of `VssUnit`"
     )
-    external_provider: Words | None = described("ExternalProvider", "As in a signal.", default=None, source=OWN)
+    external_provider: Text | None = described("ExternalProvider", "As in a signal.", default=None, source=OWN)
     variable: CExpression | None = described(
         "Variable", "Expression of the C code that holds the queue.", default=None, source=OWN
     )
@@ -202,8 +200,8 @@ class DataQueue(WireModel):
     e2e_error: Name | None = own(
         "E2eError", "Error interface that is set while end-to-end protection rejects messages."
     )
-    init_elements: JsonValue | None = own("InitElements", "As in a signal.", unit=PHYSICAL)
-    default_elements: JsonValue | None = own("DefaultElements", "As in a signal.", unit=PHYSICAL)
+    init_elements: Text | None = own("InitElements", "As in a signal.", unit=PHYSICAL)
+    default_elements: Text | None = own("DefaultElements", "As in a signal.", unit=PHYSICAL)
     overflow: Overflow | None = own(
         "Overflow", "What is lost when the queue is full: the oldest value (DropOldest, also if absent) or DropNewest."
     )
@@ -255,11 +253,9 @@ class ParameterInterface(WireModel):
     key: Name | None = own("Key", "Key under which the value is stored; the name of the parameter if absent.")
     storage: Name | None = own("Storage", "Key-value storage that holds it; that of `Code` if absent.")
     range_error: Name | None = own("RangeError", "Error interface that is set while the value is out of range.")
-    init_elements: JsonValue | None = own(
-        "InitElements", "Value of an array or struct at start-up, as JSON.", unit=PHYSICAL
-    )
+    init_elements: Text | None = own("InitElements", "Value of an array or struct at start-up, as JSON.", unit=PHYSICAL)
 
     @property
-    def default_elements(self) -> str | None:
+    def default_elements(self) -> Text | None:
         """The default of an array, as a signal has it."""
-        return self.default_text.raw if self.default_text is not None else None
+        return self.default_text

@@ -82,6 +82,17 @@ def c_type(definition: str) -> CType | None:
     return CType("floating", 0) if text == "long double" else _c_integer(text.split())
 
 
+def integer_limits(definition: str) -> tuple[int, int] | None:
+    """Smallest and largest number of a C type for integers or booleans; None if it is another one, or has no fixed width."""
+    meant = c_type(definition)
+    if meant is None or meant.bits == 0 or meant.kind == "floating":
+        return None
+    if meant.kind == "boolean":
+        return 0, 1
+    half = 2 ** (meant.bits - 1)
+    return (-half, half - 1) if meant.kind == "signed" else (0, 2 * half - 1)
+
+
 def _c_integer(words: list[str]) -> CType | None:
     signs = [word for word in words if word in ("signed", "unsigned")]
     rest = tuple(sorted(word for word in words if word not in signs))

@@ -5,7 +5,8 @@ from typing import Annotated
 from pydantic import Field
 from typing_extensions import TypeAliasType
 
-from sigcat.function.document.field_types import Carried, Digest, FileTitle, Name, VssPath, Words
+from sigcat.function.document.field_types import Carried, Digest, Name, VssPath
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.wire import OWN, WireModel, described
 
 VspecAttributes = TypeAliasType(
@@ -16,7 +17,7 @@ VspecAttributes = TypeAliasType(
 class CatalogueLayer(WireModel):
     """A tree or an overlay that took part."""
 
-    name: FileTitle = described("Name", "Name of its file.", source=OWN)
+    name: Text = described("Name", "Name of its file.", source=OWN)
     digest: Digest = described("Digest", "SHA-256 over its files.", source=OWN)
 
 
@@ -30,14 +31,14 @@ class DefinedInterface(WireModel):
 class Provenance(WireModel):
     """What the document was made from: with the same, it can be made again, byte for byte."""
 
-    generator: Words = described("Generator", "Program and version.", source=OWN)
-    declaration: FileTitle = described("Declaration", "Name of the file that declares the function.", source=OWN)
+    generator: Text = described("Generator", "Program and version.", source=OWN)
+    declaration: Text = described("Declaration", "Name of the file that declares the function.", source=OWN)
     declaration_digest: Digest = described("DeclarationDigest", "SHA-256 of its bytes.", source=OWN)
-    catalogue: FileTitle = described("Catalogue", "Name of the catalogue.", source=OWN)
+    catalogue: Text = described("Catalogue", "Name of the catalogue.", source=OWN)
     catalogue_digest: Digest = described(
         "CatalogueDigest", "SHA-256 of its content, however split into files.", source=OWN
     )
-    release: Words | None = described("Release", "Release of VSS, if the tree states it.", default=None, source=OWN)
+    release: Text | None = described("Release", "Release of VSS, if the tree states it.", default=None, source=OWN)
     layers: tuple[CatalogueLayer, ...] = described(
         "Layers", "The tree and its overlays, in the order in which they apply.", source=OWN, strict=False
     )

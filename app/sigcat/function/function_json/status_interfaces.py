@@ -5,7 +5,7 @@ from typing import Any
 
 from pydantic import field_serializer, model_validator
 
-from sigcat.function.document.field_types import CExpression, Definer, Name, Quantity, UnknownAction, VssPath, Words
+from sigcat.function.document.field_types import CExpression, Definer, Name, Quantity, UnknownAction, VssPath
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.code import DEFINED_BY
@@ -50,7 +50,7 @@ class ErrorInterface(WireModel):
         "MaturationTimeNanoseconds", "The maturation time, where it is not whole milliseconds; `MaturationTime` is rounded up then.",
         unit="ns",
     )  # fmt: skip
-    severity: Words = described("Severity", "What the error leads to.")
+    severity: Text = described("Severity", "What the error leads to.")
     reset_time: Number | None = described(
         "ResetTime", "Time from the reset condition to the reset of the error.", default=None, unit="ms", source=TABLE
     )

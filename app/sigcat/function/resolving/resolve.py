@@ -102,12 +102,12 @@ def _provenance(document: Document, context: Context) -> Provenance:
     """Names without folders: the document is the same wherever it is made."""
     catalogue = context.catalogue
     return Provenance(
-        generator=f"sigcat {__version__}",
-        declaration=PurePath(document.name).name,
+        generator=Text(f"sigcat {__version__}"),
+        declaration=Text(PurePath(document.name).name),
         declaration_digest=document.digest,
-        catalogue=catalogue.name,
+        catalogue=Text(catalogue.name),
         catalogue_digest=catalogue.digest,
-        release=_release(catalogue),
+        release=optional(_release(catalogue)),
         layers=_layers(catalogue),
         definitions=_carried(context.definitions.nodes),
         type_definitions=_carried(context.definitions.types),
@@ -117,7 +117,7 @@ def _provenance(document: Document, context: Context) -> Provenance:
 def _layers(catalogue: Catalogue) -> tuple[CatalogueLayer, ...]:
     """Each file once: one that defines interfaces and struct types is a layer of both trees."""
     layers = dict.fromkeys((_file_name(layer.name), layer.digest) for layer in catalogue.layers)
-    return tuple(CatalogueLayer(name=name, digest=digest) for name, digest in layers)
+    return tuple(CatalogueLayer(name=Text(name), digest=digest) for name, digest in layers)
 
 
 @lru_cache(2048)

@@ -29,7 +29,7 @@ def error(item: ErrorItem, at: Pointer, context: Context) -> Resolving[Part[Erro
         occurrence_count_limit=item.occurrence_count_limit,
         ignition_count_limit=item.ignition_count_limit,
         maturation_time=(yield from number_of(node, "maturationTime", at)) or 0,
-        severity=text_of(node, "severity") or "",
+        severity=Text(text_of(node, "severity") or ""),
         reset_time=(yield from number_of(node, "resetTime", at)),
         reset_condition=optional(text_of(node, "resetCondition")),
         asil_level=(yield from asil_of(node, at)),

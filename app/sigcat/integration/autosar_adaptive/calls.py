@@ -5,6 +5,7 @@ from functools import partial
 from typing import TypeVar
 
 from sigcat import codes
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.conversion import as_number, of_text
 from sigcat.function.function_json.data_interfaces import ParameterInterface
 from sigcat.function.function_json.runnable import Runnable
@@ -197,7 +198,7 @@ def _parameter_type(parameter: ParameterInterface, part: Part, types: TypeTable)
             init_value=parameter.init_elements or parameter.default_elements or parameter.init_value,
         )  # fmt: skip
     if word == "string":
-        text = parameter.default_elements or ""
+        text = parameter.default_text or Text("")
         return model.ParameterType(text_datatype="string", default=text, init_value=text)
     if word == "bool":
         return model.ParameterType(

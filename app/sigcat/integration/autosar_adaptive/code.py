@@ -10,10 +10,10 @@ from sigcat.function.document.field_types import (
     Definer,
     ErrorName,
     FunctionName,
-    JsonValue,
     Name,
     NumberText,
 )
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.code import Checkpoint, Member
 from sigcat.function.function_json.methods import MethodInterface
@@ -49,7 +49,7 @@ class ParameterCode(WireModel):
     key: Name | None = own("Key", "Key under which the value is stored.")
     storage: Name | None = own("Storage", "Key-value storage that holds it.")
     range_error: ErrorName | None = own("RangeError", "Error interface that is set while the value is out of range.")
-    init_elements: JsonValue | None = own("InitElements", "Value of an array or struct at start-up, as JSON.")
+    init_elements: Text | None = own("InitElements", "Value of an array or struct at start-up, as JSON.")
 
 
 class MethodUse(WireModel):

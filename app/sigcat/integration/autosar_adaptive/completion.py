@@ -70,7 +70,7 @@ def _ids(names: Iterable[str], span: Span, given: dict[str, int | None], scope: 
 
 
 def _instances(given: Mapping[str, int | None]) -> dict[str, int]:
-    """Instances are told apart by their services: each is by the rule for its own."""
+    """Instances by the rule, each for its service alone: two services may have instances with one id."""
     return {
         name: assign((name,), RULED_INSTANCES, scope=INSTANCE).ids[name] if number is None else number
         for name, number in given.items()

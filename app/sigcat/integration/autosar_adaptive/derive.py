@@ -28,6 +28,7 @@ from sigcat.integration.autosar_adaptive.protection import (
     report_open_lengths,
     report_unset_errors,
 )
+from sigcat.integration.autosar_adaptive.segmentation import segmented
 from sigcat.integration.autosar_adaptive.settings import (
     NO_SETTINGS,
     AutosarAdaptiveSettings,
@@ -98,6 +99,7 @@ def derive(
         or None,
         functions=tuple(each.function for each in app.functions),
     )
+    integration = segmented(integration, context)
     report_open_lengths(integration, context)
     _report_processes(components, context)
     report_unused(sides, all_services, context)
@@ -242,16 +244,16 @@ def _of_outside(service: Service, context: Context) -> ServiceSettings | None:
     return next((each for each in context.settings.services if each.name == service.group.name), None)
 
 
-def _provider_names(service: Service, content: model.Services, context: Context) -> list[str]:
+def _provider_names(service: Service, content: model.Services, context: Context) -> list[Text]:
     """The component of the set, or who the deployment or the functions say provides it; else only the network is known."""
     if service.group.provider is not None:
-        return [service.group.provider.name]
+        return [Text(service.group.provider.name)]
     app = context.application
     manager = {SAFETY: app.safety_manager, MODES: app.mode_manager}.get(service.group.origin)
     if manager:
         return [manager]
     uses = [use.interface.external_provider for event in content.events for use in event.uses or ()]
-    return sorted({name for name in uses if name}) or [UNKNOWN_PROVIDER]
+    return sorted({name for name in uses if name}) or [Text(UNKNOWN_PROVIDER)]
 
 
 def _meta(context: Context) -> model.MetaInformation:

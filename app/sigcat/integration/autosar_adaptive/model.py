@@ -24,7 +24,6 @@ from sigcat.function.document.field_types import (
     ShortName,
     SourceFile,
     UnitKey,
-    Value,
     Version,
     VssDatatype,
     VssPath,
@@ -181,8 +180,8 @@ class ParameterType(WireModel):
     offset: Number | None = published("Offset", "Offset of the scaling.", default=None)
     scaling: Number | None = published("Scaling", "Factor of the scaling.", default=None)
     unit: UnitKey | None = published("Unit", "Unit of the value; empty if it has none.", default=None)
-    default: bool | Number | Value | None = published("Default", "Value of a new vehicle.", default=None)
-    init_value: bool | Number | Value | None = published("InitValue", "Value at start-up.", default=None)
+    default: bool | Number | Text | None = published("Default", "Value of a new vehicle.", default=None)
+    init_value: bool | Number | Text | None = published("InitValue", "Value at start-up.", default=None)
 
     @property
     def word(self) -> str:
@@ -258,6 +257,9 @@ class Event(WireModel):
     offset: NumberText | None = own("Offset", "Offset of that scaling.")
     cycle_time: Number | None = own("CycleTime", "Time from one value to the next.", unit="ms")
     protection: E2eProtection | None = own("E2eProtection", "How it is protected end to end, if it is.")
+    segment_length: Annotated[Integer, Field(ge=16, le=1392, multiple_of=16)] | None = own(
+        "SegmentLength", "Length of a segment of SOME/IP-TP, where a value may be longer than a datagram.", unit="bytes"
+    )
     vss_path: VssPath | None = own("VssPath", "Path of the signal in the catalogue.")
     uses: tuple[Use, ...] | None = own("Uses", "The sides of the event within this component.", strict=False)
 
@@ -325,7 +327,7 @@ class EventGroup(WireModel):
 class Provider(WireModel):
     """Who offers a service, and how it is reached."""
 
-    name: Name = published("Name", "Component that provides the service; SOME/IP if none of the set does.")
+    name: Text = published("Name", "Component that provides the service; SOME/IP if none of the set does.")
     deployment: Name = published("ServiceDeploymentType", "SOME/IP.")
     instance_id: Integer | None = published("ServiceInstanceID", "SOME/IP id of the instance.")
     contract: Text = published("ContractName", "Name of the middleware framework.")

@@ -15,7 +15,7 @@ from sigcat.integration.autosar_adaptive.model import IntegrationModel, TypeEntr
 from sigcat.integration.autosar_adaptive.numbering import Names, is_given, numbers
 from sigcat.integration.finding_collector import Subject
 
-ONLY_EVENTS_ARE_PROTECTED = "AUTOSAR adaptive protects events end to end, and this is a field or a method."
+ONLY_EVENTS_ARE_PROTECTED = "sigcat protects events end to end, and this is a field or a method."
 TEXT = "string"
 WITH_INSTANCE = 4
 """The profile in whose data ids vsomeip puts the instance."""

@@ -6,8 +6,9 @@ from typing import Any, Literal, NamedTuple, Self
 from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
 
 from sigcat.function.declaration.form import DeclarationModel, Duration, Natural
-from sigcat.function.document.field_types import CIdentifier, Value
+from sigcat.function.document.field_types import CIdentifier
 from sigcat.function.document.structure import unfit
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.wire import Integer
 
 Policy = Literal["SCHED_FIFO", "SCHED_RR", "SCHED_OTHER"]
@@ -30,8 +31,8 @@ class StartupSettings(DeclarationModel):
     )
     enter_timeout: Duration | None = Field(None, description="Longest time until the process runs, in ms.")
     exit_timeout: Duration | None = Field(None, description="Longest time until the process has ended, in ms.")
-    arguments: list[Value] | None = Field(None, description="Arguments of the executable.")
-    environment: dict[CIdentifier, Value] | None = Field(None, description="Environment variables of the process.")
+    arguments: list[Text] | None = Field(None, description="Arguments of the executable.")
+    environment: dict[CIdentifier, Text] | None = Field(None, description="Environment variables of the process.")
     restart_attempts: Natural | None = Field(None, description="How often a process that fails is started again.")
 
     @model_serializer(mode="wrap")

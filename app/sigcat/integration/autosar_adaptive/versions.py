@@ -135,7 +135,7 @@ def _head(interface: ServiceInterface, model: IntegrationModel) -> Shape:
 
 
 def _elements(interfaces: list[ServiceInterface], model: IntegrationModel) -> dict[str, Shape]:
-    """What is sent, by name. Of an element that several components list, the provider's counts."""
+    """Shapes of elements, by name. If several components list an element, the provider's counts."""
     types = {entry.name: entry for entry in model.datatypes or ()}
     found: dict[str, Shape] = {}
     for interface in sorted(interfaces, key=lambda each: each.role != "Provider"):
@@ -161,7 +161,7 @@ def _shape(each: Element, types: Mapping[str, TypeEntry], groups: Mapping[str, i
 
 
 def _type(word: str, types: Mapping[str, TypeEntry], above: frozenset[str] = frozenset()) -> Shape | str:
-    """What a datatype is made of; the word itself for a primitive."""
+    """Parts of a datatype; the word itself for a primitive."""
     entry = types.get(word)
     if entry is None or word in above:
         return word

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from sigcat.function.document.text import Text
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import Context
 from sigcat.integration.autosar_classic.elements import Element
@@ -63,11 +64,11 @@ def _by_interface(
     return dict(sorted(found.items()))
 
 
-def _providers_outside(elements: Sequence[Element], context: Context) -> Mapping[str, str]:
+def _providers_outside(elements: Sequence[Element], context: Context) -> Mapping[str, Text]:
     """Who provides what comes from outside, by interface, as the functions or the deployment say."""
     app = context.application
     managers = {"reaction": app.safety_manager, "mode in": app.mode_manager}
-    found: dict[str, str] = {}
+    found: dict[str, Text] = {}
     for element in elements:
         named = [getattr(side.interface, "external_provider", None) for side in element.sides]
         provider = next(filter(None, named), None) or managers.get(element.kind)
@@ -92,7 +93,7 @@ def _delegation(side: _Side, outer: str) -> model.Delegation:
     )
 
 
-def _outer(name: str, port: model.Port, provider: str | None) -> model.OuterPort:
+def _outer(name: str, port: model.Port, provider: Text | None) -> model.OuterPort:
     is_data = port.kind == "SenderReceiver" and port.elements[0].queue_length is None
     return model.OuterPort(
         name=name,

@@ -128,7 +128,11 @@ def signal_problems(model: ClassicIntegration, elements: Mapping[str, frozenset[
         if each.length is not None and not 1 <= each.length <= LONGEST_SIGNAL:
             message = f"A signal must be 1 to {LONGEST_SIGNAL} bits long, not {each.length}."
             yield Problem((*here, "Length"), message, "Correct it.")
-        elif each.length is not None and need is not None and not need.fits(each.length, each.database):
+        elif (
+            each.length is not None
+            and need is not None
+            and not need.fits(each.length, has_database=each.database is not None)
+        ):
             message = f"{each.signal} must have at least {need.bits} bits for every value of {each.element}, not {each.length}."
             yield Problem((*here, "Length"), message, need.advice)
 

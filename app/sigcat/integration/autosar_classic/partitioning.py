@@ -1,7 +1,7 @@
 """ASIL of a component's memory and runnables, by which an integrator partitions them (ISO 26262-6, annex D).
 
 The core of a component is one object. Each runnable reads and writes it, so that each has the ASIL of that memory: the
-highest one of the component's calls and of what they exchange.
+highest one of the component's calls and their interfaces.
 """
 
 from collections.abc import Iterator, Sequence
@@ -55,7 +55,7 @@ def report_lower_calls(part: Part, context: Context) -> None:
         declared = level_of(call.asil_level)
         if is_above(cause.level, declared):
             message = f"{call.name} must have ASIL {cause.level}, not {declared}: its runnable writes the core, which holds {cause.name}."
-            fix = f"Develop its code to ASIL {cause.level}, or move the call to a component of its own."
+            fix = f"Develop its code to ASIL {cause.level}, or move the call to a separate component."
             context.findings.report(
                 codes.CALL_BELOW_ITS_MEMORY, message, Subject(call.name, call), fix, key="AsilLevel"
             )

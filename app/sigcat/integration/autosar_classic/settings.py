@@ -5,8 +5,8 @@ from typing import Annotated, Literal
 from pydantic import AfterValidator, Field
 from pydantic_core import PydanticCustomError
 
-from sigcat.function.declaration.form import DeclarationModel
-from sigcat.function.document.field_types import C_IDENTIFIER, SHORT_NAME, FileTitle, Name
+from sigcat.function.declaration.form import DeclarationModel, Text
+from sigcat.function.document.field_types import C_IDENTIFIER, SHORT_NAME, Name
 from sigcat.function.document.structure import unfit
 from sigcat.function.function_json.wire import Integer
 from sigcat.integration.autosar_classic.releases import DEFAULT_RELEASE, ReleaseName
@@ -33,9 +33,7 @@ class SignalSettings(DeclarationModel):
     message: BusName | None = Field(
         None, description="Message that has it; its name is part of that of the system signal."
     )
-    database: FileTitle | None = Field(
-        None, description="File name of the CAN database, for those who read the document."
-    )
+    database: Text | None = Field(None, description="File name of the CAN database, for those who read the document.")
     length: Annotated[Integer, Field(ge=1, le=512)] | None = Field(
         None, description="Length of the signal, in bits: room for every value (K013)."
     )

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from sigcat import codes
+from sigcat.function.document.text import optional
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import Context
 from sigcat.integration.autosar_classic.elements import Element
@@ -48,7 +49,7 @@ def system_signals(
             element=element.leaf,
             signal=names[name],
             message=settings.message,
-            database=settings.database,
+            database=optional(settings.database),
             length=settings.length,
         )
         for name, (element, settings) in chosen.items()
@@ -61,7 +62,11 @@ def report_narrow_signals(elements: Sequence[Element], integration: model.Classi
     for key, settings in context.settings.signals.items():
         element = known.get(key)
         need = needs.get((element.name, element.leaf)) if element else None
-        if settings.length is not None and need is not None and not need.fits(settings.length, settings.database):
+        if (
+            settings.length is not None
+            and need is not None
+            and not need.fits(settings.length, has_database=settings.database is not None)
+        ):
             message = f"{settings.signal} must have at least {need.bits} bits for every value of {key}, not {settings.length}."
             pointer = (*SECTION, key, "length")
             context.findings.report_deployment(codes.SIGNAL_TOO_SHORT, message, pointer, need.advice, key)

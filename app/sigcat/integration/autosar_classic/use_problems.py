@@ -19,7 +19,7 @@ Known = Mapping[str, frozenset[str]]
 
 
 def use_problems(model: ClassicIntegration) -> Iterator[Problem]:
-    """What is wrong with `Uses`, for each component whose function is in the document."""
+    """Problems of `Uses`, for each component whose function is in the document."""
     functions = {each.info.function_name: each for each in model.functions or ()}
     for index, component in enumerate(model.components):
         if component.function in functions:

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple, Union
 
 from sigcat.function.document.document import Pointer
+from sigcat.function.document.text import Text
 from sigcat.integration.autosar_classic.model import ClassicIntegration, ImplementationType, Port
 from sigcat.integration.autosar_classic.platform_types import FLOATS, WHOLE_NUMBERS
 from sigcat.integration.autosar_classic.used_types import element_types
@@ -92,14 +93,7 @@ def _listed(value: list[Any], shape: _Shape, element: _Shape, at: Pointer) -> It
         yield Problem(at, message, "Give one for each.")
         return
     for index, each in enumerate(value):
-        yield from _value(each, element, (*at, index))
-
-
-_INTEGERS: Mapping[str, tuple[int, int]] = {
-    "boolean": (0, 1),
-    **{f"uint{bits}": (0, 2**bits - 1) for bits in (8, 16, 32, 64)},
-    **{f"sint{bits}": (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1) for bits in (8, 16, 32, 64)},
-}
+        yield from _inner(each, element, (*at, index))
 
 
 def _struct(value: dict[str, Any], shape: _Shape, at: Pointer) -> Iterator[Problem]:
@@ -110,13 +104,21 @@ def _struct(value: dict[str, Any], shape: _Shape, at: Pointer) -> Iterator[Probl
         )
         yield Problem(at, message, "Give one value for each.")
     for name, member in shape.members.items():
-        yield from _value(value.get(name), member, (*at, name))
+        if name in value:
+            yield from _inner(value[name], member, (*at, name))
+
+
+def _inner(value: Any, shape: _Shape, at: Pointer) -> Iterator[Problem]:
+    """An element or a member: a whole value may be absent, but no part of it."""
+    if value is None:
+        yield Problem(at, "The initial value must have each element and member, not null.", "Give a value.")
+    yield from _value(value, shape, at)
 
 
 def _number(value: Any, base: str, at: Pointer) -> Iterator[Problem]:
     if base not in WHOLE_NUMBERS and base not in FLOATS:
         return  # `type_problems` reports it
-    if isinstance(value, str | list | dict) or (isinstance(value, bool) and base != "boolean"):
+    if isinstance(value, Text | list | dict) or (isinstance(value, bool) and base != "boolean"):
         yield Problem(at, f"The initial value must be a number for {base}, not {_shown(value)}.", "Correct it.")
         return
     low, high = WHOLE_NUMBERS.get(base) or (-FLOATS[base], FLOATS[base])
@@ -129,4 +131,4 @@ def _number(value: Any, base: str, at: Pointer) -> Iterator[Problem]:
 def _shown(value: Any) -> str:
     if isinstance(value, list | dict):
         return "a list" if isinstance(value, list) else "an object"
-    return repr(value)[:60]
+    return repr(value.raw if isinstance(value, Text) else value)[:60]

@@ -12,7 +12,9 @@ _TOLD = MessageField(name="stamp", datatype="builtin_interfaces/Time", descripti
 
 
 def _numbers(*names: str) -> tuple[MessageConstant, ...]:
-    return tuple(MessageConstant(name=name, datatype="uint8", value=str(value)) for value, name in enumerate(names))
+    return tuple(
+        MessageConstant(name=name, datatype="uint8", value=Text(str(value))) for value, name in enumerate(names)
+    )
 
 
 ERROR_STATUS = Message(

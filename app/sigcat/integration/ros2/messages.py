@@ -135,5 +135,5 @@ def constants(
         name = constant_name(f"{prefix}_{symbol.symbol}" if prefix else symbol.symbol, taken | made.keys())
         report_renamed(name, symbol.symbol, interface, findings)
         value = symbol.symbol if kind.is_text else str(symbol.value)
-        made[name.text] = MessageConstant(name=name.text, datatype=datatype, value=value)
+        made[name.text] = MessageConstant(name=name.text, datatype=datatype, value=Text(value))
     return tuple(made.values())

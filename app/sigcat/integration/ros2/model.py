@@ -7,7 +7,6 @@ there: packages with messages and services, nodes with their life cycle, quality
 from typing import Any, Literal
 
 from sigcat.function.document.field_types import (
-    AnyValue,
     CallName,
     CDefinition,
     CExpression,
@@ -29,12 +28,10 @@ from sigcat.function.document.field_types import (
     RosPlugin,
     RosTopicName,
     UnitKey,
-    Value,
     Version,
     VssPath,
-    Words,
 )
-from sigcat.function.document.text import Text
+from sigcat.function.document.text import AnyValue, Text
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, written
 from sigcat.integration.ros2.settings import SchedulingPolicy
@@ -101,7 +98,7 @@ class FieldMapping(WireModel):
     timeout_error: ErrorName | None = described("TimeoutError", "Error that it sets.", default=None, source=OWN)
     access: Name | None = described("Access", "Immediate or Buffered.", default=None, source=OWN)
     queue_length: Integer | None = described("QueueLength", "Values to queue.", default=None, source=OWN)
-    external_provider: Words | None = described(
+    external_provider: Text | None = described(
         "ExternalProvider", "Who provides it, where no other function does.", default=None, source=OWN
     )
     asil_level: Name | None = described("AsilLevel", "ASIL of the signal.", default=None, source=OWN)
@@ -210,7 +207,7 @@ class MessageConstant(WireModel):
 
     name: RosConstant = described("Name", "Name of the constant.", source=OWN)
     datatype: RosDatatype = described("DataType", "Its datatype.", source=OWN)
-    value: Value = described("Value", "Its value.", source=OWN)
+    value: Text = described("Value", "Its value.", source=OWN)
 
 
 class MessageField(WireModel):
@@ -316,7 +313,7 @@ class Diagnostic(WireModel):
     error: ErrorName = described("Error", "Error interface.", source=OWN)
     message: Text = described("Message", "Text of the status while the error is present.", source=OWN)
     level: Name = described("Level", "Level while the error is confirmed: WARN or ERROR.", source=OWN)
-    severity: Words = described("Severity", "What the error leads to.", source=OWN)
+    severity: Text = described("Severity", "What the error leads to.", source=OWN)
     maturation_time: Number = described("MaturationTime", "Time until confirmed.", unit="ms", source=OWN)
     occurrence_count_limit: Integer = described("OccurenceCountLimit", "Occurrences until confirmed.", source=OWN)
     ignition_count_limit: Integer = described(
@@ -341,7 +338,7 @@ class ConditionMonitor(WireModel):
     statuses: tuple[Name, ...] = described(
         "Statuses", "Names of the diagnostic statuses of its errors.", source=OWN, strict=False
     )
-    provider: Words | None = described(
+    provider: Text | None = described(
         "Provider", "Who informs of the condition, as the deployment names it.", default=None, source=OWN
     )
     variable_type: CDefinition = described("VariableDataType", "Datatype in the code.", source=OWN)
@@ -356,7 +353,7 @@ class StatusTopic(WireModel):
     role: Name = described("Role", "Publisher or Subscription.", source=OWN)
     message: RosInterface = described("MessageType", "Package, `msg` and message.", source=OWN)
     field: RosName = described("Field", "Field that has the mode, the status or the state.", source=OWN)
-    provider: Words | None = described(
+    provider: Text | None = described(
         "Provider", "Who sends it to a subscription: a node of the set, or whom the deployment names.", default=None,
         source=OWN,
     )  # fmt: skip

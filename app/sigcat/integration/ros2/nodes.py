@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 
 from sigcat import codes
 from sigcat.function.checks.order import previous_calls
+from sigcat.function.document.text import Text
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.status_interfaces import ModeInterface
@@ -49,9 +50,9 @@ class NodeContext(NamedTuple):
 
     package: str
     namespace: str
-    safety_manager: str | None
+    safety_manager: Text | None
     """Who informs of safety conditions."""
-    mode_manager: str | None
+    mode_manager: Text | None
     """Who sends the modes."""
     policy: SchedulingPolicy
     """Of the threads that run calls."""

@@ -1,13 +1,12 @@
 """Parameters of nodes, in the unit of the catalogue, so that one file of parameters serves every function."""
 
-import json
 from collections.abc import Iterable, Mapping
 from math import isfinite
 from typing import Any, NamedTuple
 
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
-from sigcat.function.document.text import optional
+from sigcat.function.document.text import Text, json_of, optional
 from sigcat.function.function_json.conversion import Linear
 from sigcat.function.function_json.data_interfaces import ParameterInterface
 from sigcat.function.function_json.datatype import Datatype
@@ -124,7 +123,7 @@ def _limits(item: ParameterInterface, kind: FieldType, linear: Linear) -> tuple[
 def _default(item: ParameterInterface, kind: FieldType, linear: Linear, names: Mapping[float, str]) -> Any:
     """The start value. `names` are those of the numbers that an enumeration has in the code."""
     if not kind.suffix:
-        given = item.default_elements if kind.is_text and not kind.symbols else item.init_value
+        given = item.default_text if kind.is_text and not kind.symbols else item.init_value
         return _one_default(given, kind, linear, names)
     elements = _elements(item.init_elements or item.default_elements)
     if elements is None:
@@ -132,12 +131,9 @@ def _default(item: ParameterInterface, kind: FieldType, linear: Linear, names: M
     return [_one_default(each, kind, linear, names) for each in elements[:_LONGEST]]
 
 
-def _elements(text: str | None) -> list[Any] | None:
+def _elements(text: Text | None) -> list[Any] | None:
     """Elements of an array, which Function JSON has as JSON in a text."""
-    try:
-        value = json.loads(text) if text else None
-    except (ValueError, RecursionError):
-        return None
+    value = json_of(text)
     return value if isinstance(value, list) else None
 
 
@@ -148,7 +144,7 @@ def _one_default(given: Any, kind: FieldType, linear: Linear, names: Mapping[flo
         name = names.get(given, "") if isinstance(given, int | float) else given
         return (name if name in numbers else "") if kind.is_text else numbers.get(name, given)
     if kind.is_text:
-        return given if isinstance(given, str) else ""
+        return given if isinstance(given, str | Text) else ""
     number = given if isinstance(given, int | float) and isfinite(given) else 0
     if kind.element.vss == "boolean":
         return bool(number)

@@ -6,20 +6,19 @@ from math import isfinite
 from typing import Any
 
 from sigcat.function.document.document import Pointer
+from sigcat.function.document.text import Text
 from sigcat.integration.agreement import argument_counts
 from sigcat.integration.checked_document import Problem
 from sigcat.integration.datatypes import BY_VSS
 from sigcat.integration.ros2.model import (
     InterfacePackage,
     Message,
-    MessageConstant,
     MessageField,
     NodePackage,
     Package,
     Ros2Integration,
     RosNode,
     RosParameter,
-    RosService,
 )
 from sigcat.integration.ros2.names import CONSTANT, FIELD, LONGEST, MESSAGE
 from sigcat.integration.ros2.settings import EMAIL, NAMESPACE
@@ -59,14 +58,10 @@ def problems_of(model: Ros2Integration) -> Iterator[Problem]:
             below = (*at, "ROSServiceList", number)
             yield from _is(service.name, _TOPIC, (*below, "ServiceName"), "name of a service")
             yield from _is(service.service, _INTERFACE, (*below, "ServiceType"), "type of a service")
-            if (len(service.request), len(service.response)) not in counts.get(service.method, _any_count(service)):
+            own, known = (len(service.request), len(service.response)), counts.get(service.method)
+            if known is not None and own not in known:  # a method that no function has is reported elsewhere
                 message = f"{service.name} must have the arguments and results of {service.method}."
                 yield Problem(below, message, "Integrate the functions again.")
-
-
-def _any_count(service: RosService) -> frozenset[tuple[int, int]]:
-    """What fits where no function has the method, which is told elsewhere."""
-    return frozenset(((len(service.request), len(service.response)),))
 
 
 def _is(text: str, form: re.Pattern[str], at: Pointer, what: str) -> Iterator[Problem]:
@@ -117,15 +112,15 @@ def _message(message: Message, at: Pointer, known: set[str]) -> Iterator[Problem
     constants = [((*at, "Constants", i, "Name"), each.name) for i, each in enumerate(message.constants)]
     yield from _names(constants, CONSTANT, "constant")
     for index, constant in enumerate(message.constants):
-        if not _has_value(constant):
-            text = f"The value of {constant.name} must be one of {constant.datatype}, not {constant.value[:60]!r}."
+        if not _has_value(constant.datatype, constant.value.raw):
+            text = f"The value of {constant.name} must be one of {constant.datatype}, not {constant.value.raw[:60]!r}."
             yield Problem((*at, "Constants", index, "Value"), text)
 
 
-def _has_value(constant: MessageConstant) -> bool:
-    if constant.datatype == "string":
-        return constant.value.isprintable() and "#" not in constant.value
-    return constant.datatype in _PRIMITIVES and bool(_INTEGER.fullmatch(constant.value))
+def _has_value(datatype: str, value: str) -> bool:
+    if datatype == "string":
+        return value.isprintable() and "#" not in value
+    return datatype in _PRIMITIVES and bool(_INTEGER.fullmatch(value))
 
 
 def _fields(fields: tuple[MessageField, ...], at: Pointer, known: set[str]) -> Iterator[Problem]:
@@ -195,4 +190,4 @@ def _is_value(value: Any, element: str) -> bool:
         return is_number and value == int(value) and -(2**63) <= value < 2**63
     if element == "double":
         return is_number
-    return isinstance(value, bool if element == "bool" else str)
+    return isinstance(value, bool if element == "bool" else Text)

@@ -8,6 +8,7 @@ from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple, TypeVar
 
 from sigcat import codes
+from sigcat.function.document.text import Text, optional
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.runnable import Contract
 from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
@@ -128,10 +129,10 @@ def error_topics(part: Part, package: str, statuses: Statuses) -> Iterator[Statu
     for name in dict.fromkeys(needed):
         if name not in {error.name for error in own}:
             yield _end(name, statuses.topic(name), SUBSCRIPTION, f"{package}/msg/{ERROR_STATUS.name}",
-                       provider=statuses.reporters.get(name))  # fmt: skip
+                       provider=optional(statuses.reporters.get(name)))  # fmt: skip
 
 
-def reaction_topics(part: Part, package: str, statuses: Statuses, manager: str | None) -> Iterator[StatusTopic]:
+def reaction_topics(part: Part, package: str, statuses: Statuses, manager: Text | None) -> Iterator[StatusTopic]:
     """The topics on which a node tells its safety reactions, and those on which it is told of them by the platform."""
     message = f"{package}/msg/{SAFETY_REACTION.name}"
     own = reactions_of(part)
@@ -144,7 +145,7 @@ def reaction_topics(part: Part, package: str, statuses: Statuses, manager: str |
 
 
 def _end(
-    interface: str, topic: str, role: str, message: str, *, provider: str | None = None, vss_path: str | None = None
+    interface: str, topic: str, role: str, message: str, *, provider: Text | None = None, vss_path: str | None = None
 ) -> StatusTopic:
     field = "status" if message.endswith(ERROR_STATUS.name) else "state"
     return StatusTopic(
@@ -168,7 +169,7 @@ def diagnostics(part: Part, statuses: Statuses, findings: FindingCollector) -> I
             name=statuses.status(error.name),
             error=error.name,
             message=error.description,
-            level="WARN" if any(word in error.severity.lower() for word in _MILD) else "ERROR",
+            level="WARN" if any(word in error.severity.raw.lower() for word in _MILD) else "ERROR",
             severity=error.severity,
             maturation_time=error.maturation_time,
             occurrence_count_limit=error.occurrence_count_limit,
@@ -181,7 +182,7 @@ def diagnostics(part: Part, statuses: Statuses, findings: FindingCollector) -> I
 
 
 def conditions(
-    part: Part, statuses: Statuses, manager: str | None, table: Mapping[str, Datatype], findings: FindingCollector
+    part: Part, statuses: Statuses, manager: Text | None, table: Mapping[str, Datatype], findings: FindingCollector
 ) -> Iterator[ConditionMonitor]:
     """The safety conditions of a node."""
     for reaction in reactions_of(part):

@@ -94,14 +94,21 @@ def _files_in(paths: Sequence[Path]) -> dict[Path, bool]:
 
 
 def walk(folder: Path) -> Iterator[Path]:
-    """Files that may be linted in a folder and below it, in order; hidden and generated folders are left out."""
-    for here, folders, files in os.walk(folder):
+    """Files that may be linted in a folder and below it, in order; hidden and generated folders are left out.
+
+    Raises OSError for a folder that cannot be read: what is in it would pass unchecked.
+    """
+    for here, folders, files in os.walk(folder, onerror=_refuse):
         folders[:] = sorted(f for f in folders if not f.startswith(".") and f not in _SKIPPED)
         for name in sorted(files):
             if not name.startswith(".") and name.lower().endswith(ENDINGS):
                 path = Path(here, name)
                 if path.is_file():
                     yield path
+
+
+def _refuse(error: OSError) -> None:
+    raise error
 
 
 def _source(path: Path, named: bool, known: Kind | None, above: Path | None, look: _Look) -> Source:

@@ -35,7 +35,7 @@ def is_cpp(source: Path) -> bool:
 def compilations(
     members: Sequence[Member], folder: Path, tools: Toolchain, own: Sequence[str] = ()
 ) -> Iterator[Compilation]:
-    """What there is to compile. What is generated is in the folder, and everything compiled goes there.
+    """Commands that compile. Generated files are in the folder, and compiled ones are written there.
 
     `own` are further flags for the code of functions.
     """

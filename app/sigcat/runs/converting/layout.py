@@ -24,7 +24,7 @@ class Unfit(Exception):
 
 
 class ColumnTables(NamedTuple):
-    """Tables of what is read."""
+    """Tables for reading."""
 
     columns: bytes
     targets: bytes
@@ -84,7 +84,7 @@ def _kind(shape: Shape) -> int:
 
 
 class ShapeTables(NamedTuple):
-    """Tables of what is written."""
+    """Tables for writing."""
 
     exits: bytes
     entries: bytes
@@ -93,7 +93,7 @@ class ShapeTables(NamedTuple):
     symbols: bytes
     texts: bytes
     counts: tuple[int, int, int, int]
-    """Of exits, entries, calls and columns."""
+    """Numbers of exits, entries, calls and columns."""
     longest: int
     """Bytes of the longest text of a value."""
 
@@ -106,7 +106,7 @@ def csv_tables(
     exits: Sequence[Placed], entries: Sequence[Shape], calls: Sequence[str], columns: int
 ) -> ShapeTables:  # fmt: skip
     """Tables for CSV. Raises Unfit."""
-    named = [(quoted(call) if "," in call else call, None) for call in calls]
+    named = [(quoted(call), None) for call in calls]
     return _shape_tables(exits, [(shape, None) for shape in entries], named, columns, _csv_parts)
 
 

@@ -160,7 +160,7 @@ class Scanner:
                                has_last=ctypes.addressof(self._has_last))  # fmt: skip
 
     def scan(self, data: bytes, at: int) -> tuple[int, int]:
-        """Where the last whole row ends, and where the scan stopped."""
+        """Return the end of the last whole row, and the place where the scan stopped."""
         end = self._library.sigcat_scan(
             ctypes.byref(self._writer.state), data, _U64(at), _U64(len(data)), ctypes.byref(self.state)
         )
@@ -168,7 +168,7 @@ class Scanner:
 
     @property
     def last(self) -> dict[int, bytes]:
-        """What was sent last, by the numbers of exits."""
+        """Values that were sent last, by the numbers of exits."""
         last, has_last = bytes(self._last), bytes(self._has_last)
         return {
             number: last[self._places[number] : self._places[number] + size]
@@ -178,7 +178,7 @@ class Scanner:
 
 
 def _address(data: bytes) -> int | None:
-    """Where bytes are; who calls keeps them."""
+    """Address of bytes, which the caller keeps."""
     return ctypes.cast(ctypes.c_char_p(data), ctypes.c_void_p).value
 
 

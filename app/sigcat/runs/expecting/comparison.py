@@ -124,7 +124,7 @@ class _Cell(NamedTuple):
 
 
 class _Time(NamedTuple):
-    """What is expected at a time."""
+    """Values that are expected at a time."""
 
     time: int
     cells: tuple[_Cell, ...]

@@ -28,7 +28,7 @@ class Expected:
 
     @property
     def columns(self) -> list[Compared]:
-        """What was compared."""
+        """Columns that were compared."""
         return list(self._expectation.columns.values())
 
     def take(self, block: Block, library: ctypes.CDLL | None) -> None:

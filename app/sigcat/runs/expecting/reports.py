@@ -1,4 +1,4 @@
-"""What differs from what is expected: findings, a table, a picture of the first differences, and a JUnit report."""
+"""Differences from expected outputs: findings, a table, a picture of the first ones, and a JUnit report."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from xml.etree import ElementTree as ET
@@ -50,7 +50,7 @@ def _short(text: str) -> str:
 
 
 def summary(columns: Sequence[Compared], file: str) -> str:
-    """Whether all is as expected, and a table of what is not."""
+    """Say whether all is as expected, with a table of the differences."""
     wrong = [each for each in columns if each.first]
     if not wrong:
         return f"All {len(columns)} outputs of {file} are as expected."

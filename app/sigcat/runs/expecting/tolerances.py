@@ -1,4 +1,4 @@
-"""How far an output may be from what is expected."""
+"""Accepted differences of outputs from expected ones."""
 
 import math
 from collections.abc import Collection, Mapping, Sequence
@@ -9,7 +9,7 @@ from sigcat.names import did_you_mean
 
 
 class Tolerance(NamedTuple):
-    """A difference that is accepted: the larger one of a number and a share of what is expected."""
+    """A difference that is accepted: the larger one of a number and a share of the expected value."""
 
     absolute: float = 0.0
     relative: float = 0.0

@@ -215,7 +215,7 @@ def cell_of(value: Value, shape: Shape) -> str:
 
 
 def json_text(value: Value, shape: Shape, null: str = "") -> str:
-    """The text of a value within a document of JSON; `null` stands for numbers that JSON does not have."""
+    """The text of a value within a document of JSON; `null` is written for numbers that JSON does not have."""
     if isinstance(shape, Array):
         return f"[{','.join(json_text(element, shape.element, null) for element in value)}]"
     if isinstance(shape, Number):

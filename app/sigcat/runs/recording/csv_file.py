@@ -30,13 +30,15 @@ def _has_doubles(row: Recorded) -> bool:
 
 
 def _line(cells: Iterable[str]) -> str:
-    return ",".join([quoted(cell) if _SPECIAL.intersection(cell) else cell for cell in cells]) + "\n"
-
-
-_SPECIAL = frozenset(',"\r\n')
+    return ",".join(map(quoted, cells)) + "\n"
 
 
 def quoted(cell: str) -> str:
-    """A cell in quotes."""
+    """A cell, in quotes where it needs them."""
+    if _SPECIAL.isdisjoint(cell):
+        return cell
     doubled = cell.replace('"', '""')
     return f'"{doubled}"'
+
+
+_SPECIAL = frozenset(',"\r\n')

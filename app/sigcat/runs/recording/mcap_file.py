@@ -1,4 +1,4 @@
-"""What was received and sent as MCAP, which Foxglove and PlotJuggler open: a topic for each signal, messages in JSON.
+"""Received and sent values as MCAP, which Foxglove and PlotJuggler open: a topic for each signal, messages in JSON.
 
 The records come from the package `mcap`; chunks are made here, of whole blocks of messages.
 """

@@ -237,7 +237,7 @@ def open_mcap(path: Path, known: Known) -> Trace:
 
 
 class Topics:
-    """Messages to values, and what is wrong with them."""
+    """Messages to values, and findings about them."""
 
     def __init__(self, trace: Trace) -> None:
         assert trace.known is not None
@@ -279,7 +279,7 @@ class Topics:
             return
         self._seen.add(name)
         if name in self._known.others:
-            message = f"{name} is left out: the functions do not receive it, or one of them provides it."
+            message = f"{name} is left out: {self._known.unused}."
             self._add(codes.TRACE_COLUMN_UNUSED.finding(message, str(self._path)))
             return
         hint = did_you_mean(name, [*self._known.received, *self._known.others])

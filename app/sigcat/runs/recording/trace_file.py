@@ -4,7 +4,7 @@ its line and column, and a file of any size is read row by row.
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from itertools import count, islice
+from itertools import islice
 from pathlib import Path
 from typing import BinaryIO, NamedTuple
 
@@ -65,7 +65,7 @@ class Trace(NamedTuple):
     ends_rows: bool
     """Whether a row without a line break at its end was cut."""
     known: Known | None = None
-    """What the topics of a file in MCAP may be; None: it is CSV."""
+    """Known topics of a file in MCAP; None: it is CSV."""
 
 
 class _Row(NamedTuple):
@@ -102,7 +102,7 @@ def moments(trace: Trace) -> Iterator[Moment]:
 
 
 class Lines:
-    """Lines of a trace as they are read, and what is wrong with them."""
+    """Lines of a trace as they are read, and findings about them."""
 
     def __init__(self, trace: Trace) -> None:
         self.number = 0
@@ -113,7 +113,7 @@ class Lines:
 
     @property
     def is_over(self) -> bool:
-        """Whether no more lines are to be read."""
+        """Whether no more lines should be read."""
         return self._is_broken or len(self._findings) >= TRACE_FINDINGS
 
     def skip_header(self, data: BinaryIO) -> None:
@@ -197,7 +197,7 @@ def missing_inputs(known: Known, columns: Collection[str], file: str) -> Iterato
 
 
 def column_in(trace: Trace, line: int, name: str) -> int:
-    """Where the cell of a column begins in a line, from 1."""
+    """Position of the cell of a column in a line, from 1."""
     with trace.file.open("rb") as data:
         text = next(islice(data, line - 1, None), b"").decode().rstrip("\r\n")
     return _column(_Row(line, text, ()), trace.columns.index(name))
@@ -239,12 +239,9 @@ def _unfit_value(trace: Trace, row: _Row, index: int, reason: Unfit) -> Finding:
 def _header(file: Path, *, ends_rows: bool) -> _Row | Finding:
     """The first row that is not empty."""
     with file.open("rb") as data:
-        for number in count(1):
-            line = data.readline(TRACE_ROW_BYTES + 1)
-            found = _line(line, number, str(file), ends_rows=ends_rows) if line else _Row(1, "", ())
-            if found is not None:
-                return found
-    raise AssertionError
+        lines = enumerate(iter(lambda: data.readline(TRACE_ROW_BYTES + 1), b""), 1)
+        rows = (_line(line, number, str(file), ends_rows=ends_rows) for number, line in lines)
+        return next((row for row in rows if row is not None), _Row(1, "", ()))
 
 
 def _line(line: bytes, number: int, file: str, *, ends_rows: bool) -> _Row | Finding | None:

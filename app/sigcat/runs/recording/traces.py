@@ -14,5 +14,5 @@ def open_trace(path: Path, known: Known) -> Trace:
 
 
 def moments(trace: Trace) -> Iterator[Moment]:
-    """What a trace has, by time. Raises InputRefused at its end, with everything that was wrong with it."""
+    """Rows of a trace, by time. Raises InputRefused at its end, with everything that was wrong with it."""
     return mcap_moments(trace) if trace.known is not None else trace_file.moments(trace)

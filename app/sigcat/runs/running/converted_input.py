@@ -18,7 +18,7 @@ _PIECE = 1 << 20
 
 
 class _Input:
-    """The file, and the span of what was written."""
+    """The file, and the span of the written rows."""
 
     def __init__(self, file: BinaryIO, by_column: Mapping[str, Sequence[int]], targets: Sequence[Target]) -> None:
         self.file, self._by_column, self._targets = file, by_column, targets
@@ -157,7 +157,7 @@ class _Converting:
                 raise self.file.damaged()
 
     def _take_record(self, data: bytes, at: int) -> int:
-        """What the library leaves: a channel, or a message. Where the next record begins."""
+        """Take a record that the library leaves, a channel or a message, and return the place of the next one."""
         kind, size = data[at], int.from_bytes(data[at + 1 : at + 9], "little")
         end = at + 9 + size
         if kind == CHANNEL:

@@ -63,7 +63,7 @@ class Ring:
         self._taken = 0
 
     def take(self) -> bytes:
-        """What was written since, as far as it is in one place. Raises Damaged."""
+        """Take the bytes written since, as far as they are in one place. Raises Damaged."""
         room = self._counts[0] - self._taken
         if not 0 <= room <= _RING_BYTES:
             raise Damaged

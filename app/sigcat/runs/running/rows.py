@@ -29,7 +29,7 @@ class Received(NamedTuple):
 
 
 class Block(NamedTuple):
-    """Bytes of whole rows and of what was received."""
+    """Bytes of whole rows and of received values."""
 
     data: bytes
 
@@ -83,7 +83,7 @@ class Progress:
         """When the last call began."""
         self.last: dict[int, bytes] = {}
         self.sent: Callable[[], Mapping[int, bytes]] = lambda: self.last
-        """What was sent last, by the numbers of exits."""
+        """Values that were sent last, by the numbers of exits."""
 
 
 class Scan(Protocol):
@@ -155,7 +155,7 @@ def events(pieces: Iterable[bytes], layout: Layout, scan: Scan, progress: Progre
 
 
 def _event(data: bytes, at: int, layout: Layout, progress: Progress, *, is_whole: bool) -> tuple[Event, int] | None:
-    """What is no row, and where it ends; None if it is cut. Raises Garbled."""
+    """Read a record that belongs to no row, and its end; None if it is cut. Raises Garbled."""
     if at + _HEAD.size > len(data):
         return None
     tag, number, time = _HEAD.unpack_from(data, at)

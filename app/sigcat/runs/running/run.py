@@ -50,7 +50,7 @@ class Stopped(Exception):
         """Number of the call that did not return; None if the process ended between calls."""
         self.time = time
         self.how = how
-        """As text: the signal, the status, or what is wrong with the results."""
+        """As text: the signal, the status, or the damage of the results."""
 
 
 def run(command: Command, layout: Layout, scan: Scan, progress: Progress) -> Iterator[Event]:
@@ -72,8 +72,9 @@ def run(command: Command, layout: Layout, scan: Scan, progress: Progress) -> Ite
 
 def _unpacked(why: Exception, command: Command) -> Exception:
     """The reason without the sandbox: its status says by which signal the program ended."""
-    is_signal = command.is_sandboxed and isinstance(why, Ended) and why.status > _SIGNAL
-    return Ended(_SIGNAL - why.status) if is_signal and isinstance(why, Ended) else why
+    if command.is_sandboxed and isinstance(why, Ended) and why.status > _SIGNAL:
+        return Ended(_SIGNAL - why.status)
+    return why
 
 
 _SIGNAL = 128

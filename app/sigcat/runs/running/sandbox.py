@@ -13,7 +13,7 @@ _MISSING = "--sandbox needs bubblewrap: install it (`apt install bubblewrap`), o
 
 
 def sandbox(readable: Sequence[Path], writable: Sequence[Path]) -> tuple[str, ...]:
-    """What a command is started by. Raises UsageError if there is no sandbox here."""
+    """Words that start a command in a sandbox. Raises UsageError if bubblewrap is missing."""
     program = shutil.which("bwrap")
     if program is None:
         raise UsageError(_MISSING)

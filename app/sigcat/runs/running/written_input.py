@@ -14,7 +14,7 @@ from sigcat.runs.recording.trace_file import Moment
 _ENTRY = struct.Struct("=I")
 _TIME = struct.Struct("=IQ")
 NO_ENTRY = 2**32 - 1
-"""What the time of those that follow begins with."""
+"""Number before the time of the entries that follow."""
 _YES = b"\x01"
 
 
@@ -39,7 +39,7 @@ def write_rows(
     file: BinaryIO, rows: Iterable[Moment], targets: Sequence[Target], connections: Connections, numbers: Numbers,
     gone: Mapping[str, int],
 ) -> Span:  # fmt: skip
-    """Write a trace. Raises InputRefused with what is wrong with it.
+    """Write a trace. Raises InputRefused with its findings.
 
     `gone` says of functions, by name, from when on nothing of them is called.
     """

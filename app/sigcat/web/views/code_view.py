@@ -112,7 +112,7 @@ def _said(notes: list[str]) -> tuple[str, ...]:
 def _of_data(item: Signal | DataQueue) -> list[str]:
     return [
         _defined(item),
-        f"starts with {item.init_elements}" if item.init_elements else "",
+        f"starts with {item.init_elements.raw}" if item.init_elements else "",
         _late(item),
         _out_of_range(item.range_error_action, item.range_error),
         f"rejected messages: sets {item.e2e_error}" if item.e2e_error else "",
@@ -166,7 +166,7 @@ def _of_parameter(parameter: ParameterInterface) -> list[str]:
     stored = " ".join(filter(None, (key, f"in {parameter.storage}" if parameter.storage else "")))
     return [
         _defined(parameter),
-        f"starts with {parameter.init_elements}" if parameter.init_elements else "",
+        f"starts with {parameter.init_elements.raw}" if parameter.init_elements else "",
         _out_of_range(parameter.range_error_action, parameter.range_error),
         f"stored under {stored}" if key else f"stored {stored}" if stored else "",
         _members(parameter),

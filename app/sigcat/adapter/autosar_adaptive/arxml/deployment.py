@@ -26,7 +26,7 @@ from sigcat.adapter.autosar_adaptive.arxml.paths import (
 )
 from sigcat.adapter.autosar_adaptive.arxml.releases import Release
 from sigcat.adapter.autosar_adaptive.arxml.someip import EVENT, element_name
-from sigcat.integration.autosar_adaptive.model import Component, IntegrationModel, ServiceInterface
+from sigcat.integration.autosar_adaptive.model import Component, Event, IntegrationModel, ServiceInterface
 from sigcat.integration.autosar_adaptive.processes import Process, processes
 from sigcat.integration.autosar_adaptive.startup import NO_STARTUP, StartupSettings
 from sigcat.integration.autosar_names import short_name
@@ -169,7 +169,7 @@ def _deployment(service: Whole, paths: Paths) -> Tag:
     own = paths.of(DEPLOYMENTS, deployment_name(service.name))
     return tag(
         DEPLOYMENT,
-        listed("EVENT-DEPLOYMENTS", (_event(e.name, e.event_id, interface) for e in service.events)),
+        listed("EVENT-DEPLOYMENTS", (_event(each, interface) for each in service.events)),
         listed("FIELD-DEPLOYMENTS", (_field(f.name, f.notifier_id, f.getter_id, interface) for f in service.fields)),
         listed("METHOD-DEPLOYMENTS", (_method(m.name, m.method_id, interface) for m in service.methods)),
         reference("SERVICE-INTERFACE-REF", interface, "SERVICE-INTERFACE"),
@@ -188,13 +188,14 @@ def _groups(service: Whole) -> list[tuple[str, int]]:
     return [(group.name, group.id) for group in service.event_groups]
 
 
-def _event(name: str, number: int | None, interface: str) -> Tag:
+def _event(event: Event, interface: str) -> Tag:
     return tag(
         EVENT,
-        reference("EVENT-REF", f"{interface}/{name}", "VARIABLE-DATA-PROTOTYPE"),
-        tag("EVENT-ID", text=number),
+        reference("EVENT-REF", f"{interface}/{event.name}", "VARIABLE-DATA-PROTOTYPE"),
+        tag("EVENT-ID", text=event.event_id),
+        *([tag("MAXIMUM-SEGMENT-LENGTH", text=event.segment_length)] if event.segment_length else []),
         tag("TRANSPORT-PROTOCOL", text="UDP"),
-        name=element_name(name),
+        name=element_name(event.name),
     )
 
 

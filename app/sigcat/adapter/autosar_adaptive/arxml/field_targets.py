@@ -84,7 +84,8 @@ TABLES: Tables = {
     model.Event: ("event", {
         "Name": _EVENT + _SHORT_NAME, "DataType": _EVENT + "TYPE-TREF", "DataMappingList": _PORT,
         "Description": _EVENT + _DESCRIPTION, "EventID": _SOMEIP + "EVENT-DEPLOYMENT",
-        "EventGroup": _SOMEIP + "EVENT-GROUP", "Unit": _EVENT + _PRESENTED.format("UNIT"),
+        "EventGroup": _SOMEIP + "EVENT-GROUP", "SegmentLength": _SOMEIP + "EVENT-DEPLOYMENT, MAXIMUM-SEGMENT-LENGTH",
+        "Unit": _EVENT + _PRESENTED.format("UNIT"),
         "Min": _EVENT + _PRESENTED.format("DATA-CONSTR"), "Max": _EVENT + _PRESENTED.format("DATA-CONSTR"),
         "Scaling": _EVENT + _PRESENTED.format("COMPU-METHOD"), "Offset": _EVENT + _PRESENTED.format("COMPU-METHOD"),
         "CycleTime": _EVENT + _ADMIN, "VssPath": _EVENT + _ADMIN,

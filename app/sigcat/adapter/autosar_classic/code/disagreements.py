@@ -1,4 +1,4 @@
-"""Where a component of a document asks for what its function does not have."""
+"""Parts of a component that its function does not have."""
 
 from collections.abc import Iterator
 

@@ -107,7 +107,7 @@ def _terminate(each: Runnable, swc: SwcPlan) -> list[Lines]:
 def _checkpoints(each: Runnable, moment: str, swc: SwcPlan) -> list[Lines]:
     reported: tuple[Reported, ...] = swc.reported.get((each.call or "", moment), ())
     return [
-        lines(f"(void){one.function}(); {block_comment(f'{one.name}: the watchdog manager judges what it misses')}")
+        lines(f"(void){one.function}(); {block_comment(f'{one.name}: the watchdog manager checks what it misses')}")
         for one in reported
     ]
 

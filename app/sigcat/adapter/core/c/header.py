@@ -2,7 +2,7 @@
 
 from sigcat.adapter.core.c import errors, inputs, methods, parameters
 from sigcat.adapter.core.c.context_struct import context_struct, received_status, status_head
-from sigcat.adapter.core.c.lines import Line, Lines, joined, lines, spaced
+from sigcat.adapter.core.c.lines import Line, Lines, code_of, joined, lines, spaced
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.c.types import types
 from sigcat.adapter.core.plan import (
@@ -33,9 +33,9 @@ def header(scope: Scope, title: Lines) -> Lines:
 
 def _without_unused_verdict(parts: list[Lines], name: str) -> list[Lines]:
     """Where nothing can be wrong, nothing is judged."""
-    if sum(name in line.text for part in parts for line in part) > 1:
+    if code_of(joined(parts)).count(name) > 1:
         return parts
-    return [part for part in parts if not any(name in line.text for line in part)]
+    return [part for part in parts if name not in code_of(part)]
 
 
 def _extern_c(*, begins: bool) -> Lines:

@@ -75,29 +75,41 @@ def function(head: str, body: Iterable[Lines], comment: AnyText = "") -> Lines:
     return (*before, Line(head), Line("{"), *indented((*declared, *space, *statements)), Line("}"))
 
 
-_TIME = re.compile(r"(?<![\w.>\x02])t\b")
+_OTHER = r'/\*.*?\*/|//[^\n]*|"(?:[^"\\]|\\.)*"'
+"""Comments and strings, which decide nothing."""
+
+
+def code_of(part: Lines) -> str:
+    """The code of lines, without comments and strings."""
+    return re.sub(_OTHER, " ", "\n".join(line.text for line in part), flags=re.DOTALL)
+
+
+def replaced(pattern: str, by: str, part: Lines) -> Lines:
+    """Lines with a replacement in their code; comments and strings keep their words."""
+    wanted = re.compile(f"(?P<other>{_OTHER})|{pattern}", re.DOTALL)
+    text = wanted.sub(lambda found: found["other"] or found.expand(by), "\n".join(line.text for line in part))
+    return tuple(line._replace(text=row) for line, row in zip(part, text.split("\n"), strict=True)) if part else ()
+
+
+_TIME = r"(?<![\w.>\x02])t\b"
 
 
 def at_now(part: Iterable[Lines], prefix: str) -> Lines:
     """What is done at a time that does not go back. The argument `t` stays as it was given."""
     body = joined(part)
-    changed = tuple(line._replace(text=_without_t(line.text)) for line in body)
+    changed = replaced(_TIME, "now", body)
     now = f"{prefix}_Now(self, t);"
     return (*lines(f"const uint64_t now = {now}" if changed != body else f"(void){now}"), *changed)
-
-
-def _without_t(text: str) -> str:
-    code, mark, comment = text.partition("/* ")
-    return f"{_TIME.sub('now', code)}{mark}{comment}"
 
 
 _ARGUMENT = re.compile(r"\b(\w+)(?:,|\)$)")
 
 
 def _unused(head: str, body: Lines) -> Lines:
-    text = "\n".join(line.text for line in body if "_MARK(" not in line.text)  # empty, if nobody measures
+    rows = [row for row in code_of(body).split("\n") if "_MARK(" not in row]  # empty, if nobody measures
+    used = set(re.findall(r"\w+", "\n".join(rows)))
     names = _ARGUMENT.findall(head.partition("(")[2])
-    return joined(lines(f"(void){name};") for name in names if name != "void" and not re.search(rf"\b{name}\b", text))
+    return joined(lines(f"(void){name};") for name in names if name != "void" and name not in used)
 
 
 _DECLARATION = re.compile(r"(?:const )?\w+ \*?\w+(?:\[\w+\])?(?: = .*)?;$")
@@ -145,7 +157,7 @@ def _wrapped(line: Line) -> Lines:
 
 
 def _outside_of_strings(code: str, sign: str, start: int) -> int:
-    """Where the last sign is that a line has room for. A string has no quotation mark inside."""
+    """Index of the last sign within the width of a line. A string has no quotation mark inside."""
     at = code.rfind(sign, start, WIDEST - len(sign.rstrip()))
     while at >= 0 and code.count('"', 0, at) % 2:
         at = code.rfind(sign, start, at)

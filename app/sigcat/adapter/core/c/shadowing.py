@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterable, Iterator
 
-from sigcat.adapter.core.c.lines import Lines
+from sigcat.adapter.core.c.lines import Lines, code_of, replaced
 from sigcat.adapter.core.c.scope import MARK
 from sigcat.adapter.core.plan import GLOBALS, Call, CorePlan
 
@@ -24,22 +24,15 @@ def shadowed(plan: CorePlan, part: Lines) -> frozenset[str]:
 
 def renamed(part: Lines, names: Iterable[str]) -> Lines:
     """Lines in which these names are the code's where they are marked, and others where they are not."""
-    taken = re.compile(rf"(?<![\w.>{MARK}])({'|'.join(sorted(names))})\b")
-    return tuple(line._replace(text=_renamed(line.text, taken)) for line in part)
-
-
-def _renamed(text: str, taken: re.Pattern[str]) -> str:
-    """Comments keep their words."""
-    code, mark, comment = text.partition("/* ")
-    own = taken.sub(r"\1_", code)
-    return f"{own}{mark}{comment}".replace(MARK, "")
+    found = replaced(rf"(?<![\w.>{MARK}])(?P<name>{'|'.join(sorted(names))})\b", r"\g<name>_", part)
+    return tuple(line._replace(text=line.text.replace(MARK, "")) for line in found)
 
 
 def _locals(part: Lines) -> Iterator[str]:
-    for head in _HEAD.finditer("\n".join(line.text for line in part)):
+    for head in _HEAD.finditer(code_of(part)):
         yield from _ARGUMENT.findall(head[1])
-    for line in part:
-        if local := _LOCAL.fullmatch(line.text):
+    for row in code_of(part).split("\n"):
+        if local := _LOCAL.fullmatch(row.rstrip()):
             yield local[1]
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from sigcat.adapter.core.c.lines import Line, Lines, joined, lines
+from sigcat.adapter.core.c.lines import Line, Lines, code_of, joined, lines
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import Argument, Input, Leaf, Method, Output, Parameter
 from sigcat.function.document.document import Pointer
@@ -22,8 +22,8 @@ def sizes(scope: Scope) -> list[Lines]:
     text = lines(
         block_comment(f"Variables of {scope.plan.function} have the declared kind, sign and size, or the build fails.")
     )
-    macros = _macros(scope, "\n".join(line.text for line in checks))
-    kinds = _kinds(scope, "\n".join(line.text for line in macros))
+    macros = _macros(scope, code_of(checks))
+    kinds = _kinds(scope, code_of(macros))
     return [_assertion(scope), kinds, macros, (*text, *dict.fromkeys(checks))]
 
 

@@ -1,7 +1,7 @@
 """The small functions of C that conversions and errors need. A source has those that it uses."""
 
 from sigcat.adapter.core.c.clocks import added, earlier, judge, later, now
-from sigcat.adapter.core.c.lines import Lines
+from sigcat.adapter.core.c.lines import Lines, code_of
 from sigcat.adapter.core.c.number_functions import (
     beyond_float,
     from_signed,
@@ -24,7 +24,7 @@ def used_functions(text: str, prefix: str, macro: str) -> list[Lines]:
     table = _every_function(prefix, macro)
     wanted: dict[str, None] = {}
     for name in reversed(table):
-        callers = [text, *("\n".join(line.text for line in table[known]) for known in wanted)]
+        callers = [text, *(code_of(table[known]) for known in wanted)]
         if any(f"{prefix}_{name}(" in each for each in callers):
             wanted[name] = None
     return [table[name] for name in table if name in wanted]

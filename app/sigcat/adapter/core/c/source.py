@@ -12,7 +12,7 @@ from sigcat.adapter.core.c import (
     schedule,
     supervision,
 )
-from sigcat.adapter.core.c.lines import Lines, function, joined, lines, spaced
+from sigcat.adapter.core.c.lines import Lines, code_of, function, joined, lines, spaced
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.c.sizes import sizes
 from sigcat.adapter.core.c.small_functions import used_functions
@@ -24,7 +24,7 @@ from sigcat.function.document.text_filters import block_comment, c_string
 def source(scope: Scope, title: Lines, header_name: str) -> Lines:
     """The whole source."""
     body = _without_unused_tables(_functions(scope))
-    text = "\n".join(line.text for line in joined(body))
+    text = code_of(joined(body))
     checks = sizes(scope)
     return spaced([
         title,
@@ -102,7 +102,7 @@ def _extern(each: Extern, scope: Scope) -> Lines:
 
 def _without_unused_tables(parts: list[Lines]) -> list[Lines]:
     """Tables of constants stand before what may use them; where a constant cannot come up, nothing does."""
-    text = "\n".join(line.text for line in joined(parts))
+    text = code_of(joined(parts))
     return [part for part in parts if not part[0].text.startswith("static const ") or text.count(_name(part)) > 1]
 
 

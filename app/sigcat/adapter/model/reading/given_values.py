@@ -1,21 +1,21 @@
 """Start values and defaults that a document gives: physical values in the code's unit, one for each number of a value."""
 
-import json
 from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
 from sigcat.adapter.model.reading.scale import JsonNumber, exact
 from sigcat.adapter.model.reading.shape import Leaf, Shape
+from sigcat.function.document.text import Text, json_of
 
 Given = tuple[Fraction | None, ...]
 """One for each number of a value; None where there is none."""
 
 
-def given_values(number: JsonNumber | None, elements: str | None, shape: Shape) -> Given:
+def given_values(number: JsonNumber | None, elements: Text | None, shape: Shape) -> Given:
     """Of the number for all elements and the elements themselves, what is given; the elements count for more."""
     if elements is not None:
-        whole = json.loads(elements)
+        whole = json_of(elements)
         return tuple(_number(_at(whole, leaf), leaf) for leaf in shape.leaves)
     return tuple(None if shape.has_members else exact(number) for _ in shape.leaves)
 

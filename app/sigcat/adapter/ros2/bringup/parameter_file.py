@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from sigcat.adapter.ros2.plan import NodeParameter, NodePlan, WorkspacePlan
-from sigcat.function.document.text import composed
+from sigcat.function.document.text import Text, composed
 from sigcat.function.document.text_filters import AnyText, comment, comment_rows, yaml_string
 
 _WIDEST = 102
@@ -63,7 +63,7 @@ def _value(value: Any, element: str) -> str:
         return f"[{listed}]"
     if element == "double":
         return _double(float(value))
-    return yaml_string(value) if isinstance(value, str) else json.dumps(value)
+    return yaml_string(value) if isinstance(value, Text) else json.dumps(value)
 
 
 def _double(value: float) -> str:

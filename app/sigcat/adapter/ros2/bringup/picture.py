@@ -5,7 +5,7 @@ from typing import Literal, NamedTuple
 
 from sigcat.adapter.ros2.bringup.graph import publishers_of, subscribers_of
 from sigcat.adapter.ros2.plan import WorkspacePlan
-from sigcat.function.document.text_filters import mermaid_text
+from sigcat.function.document.text_filters import AnyText, mermaid_text
 
 OUTSIDE = "outside of the set"
 
@@ -13,7 +13,7 @@ OUTSIDE = "outside of the set"
 class End(NamedTuple):
     """A node of the set, or who is outside: in front of it, or behind. One who is both is drawn twice, so that lines lead onward."""
 
-    name: str
+    name: AnyText
     place: Literal["set", "before", "behind"] = "set"
 
 
@@ -29,7 +29,7 @@ BEFORE = End(OUTSIDE, "before")
 BEHIND = End(OUTSIDE, "behind")
 
 
-def picture(workspace: WorkspacePlan, providers: Mapping[str, str]) -> str:
+def picture(workspace: WorkspacePlan, providers: Mapping[str, AnyText]) -> str:
     """The picture. `providers` are who is outside, by topic."""
     topics, services = _bundled(_topics(workspace, providers)), _bundled(_services(workspace))
     keys = {End(node.name): node.stem for node in workspace.nodes}
@@ -46,7 +46,7 @@ def picture(workspace: WorkspacePlan, providers: Mapping[str, str]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _topics(workspace: WorkspacePlan, providers: Mapping[str, str]) -> Iterator[Link]:
+def _topics(workspace: WorkspacePlan, providers: Mapping[str, AnyText]) -> Iterator[Link]:
     """Each topic that a node of the set hears; then those that others may hear, and that do not only tell how a node is."""
     known, heard = publishers_of(workspace), subscribers_of(workspace)
     for topic, nodes in heard.items():

@@ -6,7 +6,7 @@ from itertools import chain
 from sigcat.adapter.ros2.bringup.graph import publishers_of, subscribers_of
 from sigcat.adapter.ros2.bringup.picture import OUTSIDE, picture
 from sigcat.adapter.ros2.plan import Given, NodePlan, Publisher, Subscription, Taken, WorkspacePlan
-from sigcat.function.document.text_filters import markdown, markdown_code
+from sigcat.function.document.text_filters import AnyText, markdown, markdown_code
 from sigcat.integration.ros2.model import QualityOfService, Ros2Integration
 from sigcat.integration.ros2.topics import PUBLISHER
 
@@ -30,9 +30,9 @@ def readme(workspace: WorkspacePlan, model: Ros2Integration) -> str:
     return "\n".join(section for section in sections if section)
 
 
-def providers_of(model: Ros2Integration) -> Mapping[str, str]:
+def providers_of(model: Ros2Integration) -> Mapping[str, AnyText]:
     """Who outside of the set publishes a topic, as functions and the deployment name them."""
-    found: dict[str, str] = {}
+    found: dict[str, AnyText] = {}
     for topic in (topic for communication in model.communications for topic in communication.topics):
         for mapping in (mapping for data_map in topic.data_maps for mapping in data_map.mappings or ()):
             if topic.role != PUBLISHER and mapping.external_provider:
@@ -90,7 +90,7 @@ def _calls(node: NodePlan) -> str:
 # -- tables -------------------------------------------------------------------------------------------------------
 
 
-def _topics(workspace: WorkspacePlan, providers: Mapping[str, str]) -> str:
+def _topics(workspace: WorkspacePlan, providers: Mapping[str, AnyText]) -> str:
     published, heard = publishers_of(workspace), subscribers_of(workspace)
     rows: dict[str, tuple[str, ...]] = {}
     for end in _ends(workspace):

@@ -6,7 +6,7 @@ rosidl takes the comment before a field, with the unit in brackets, into what it
 from collections.abc import Iterable
 
 from sigcat.function.document.text import Text
-from sigcat.function.document.text_filters import AnyText, ros_comment_rows, ros_string
+from sigcat.function.document.text_filters import AnyText, ros_comment_rows, ros_number, ros_string
 from sigcat.integration.ros2.model import Message, MessageConstant, MessageField, Service
 
 _WIDEST = 100
@@ -34,9 +34,7 @@ def _constants(constants: Iterable[MessageConstant]) -> str:
 
 
 def _value(constant: MessageConstant) -> str:
-    if constant.datatype != "string":
-        return constant.value
-    return ros_string(constant.value)
+    return (ros_string if constant.datatype == "string" else ros_number)(constant.value)
 
 
 def _field(field: MessageField) -> str:

@@ -10,6 +10,7 @@ from sigcat.adapter.core.c.lines import Line, Lines, indented, joined, lines
 from sigcat.adapter.core.identifiers import unique
 from sigcat.adapter.core.numbers import type_of_c
 from sigcat.adapter.core.plan import WireType
+from sigcat.function.document.text import Text
 from sigcat.function.document.text_filters import AnyText, comment_rows, docstring_text, python_string
 from sigcat.names import camel_case, snake_case
 
@@ -37,7 +38,7 @@ def number(value: object) -> str:
     if isinstance(value, list | tuple):
         return f"[{', '.join(number(each) for each in value)}]"
     return (
-        python_string(value) if isinstance(value, str) else _float(value) if isinstance(value, float) else repr(value)
+        python_string(value) if isinstance(value, Text) else _float(value) if isinstance(value, float) else repr(value)
     )
 
 

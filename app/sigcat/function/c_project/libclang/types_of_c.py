@@ -86,7 +86,7 @@ def _names(kind: Any) -> list[str]:
 def written_type(kind: Any) -> str:
     """The name by which other files declare a variable of this type, of an array that of its elements.
 
-    A name that only a source knows is replaced by what it stands for.
+    A name that only a source knows is replaced by the type that it names.
     """
     while kind.get_canonical().kind == TypeKind.CONSTANTARRAY:
         kind = _inner(kind.get_array_element_type(), kind.get_canonical().get_array_element_type())

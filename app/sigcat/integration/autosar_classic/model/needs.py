@@ -2,7 +2,7 @@
 
 from typing import Literal
 
-from sigcat.function.document.field_types import CallName, ErrorName, Name, ParameterName, ShortName, Words
+from sigcat.function.document.field_types import CallName, ErrorName, Name, ParameterName, ShortName
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.wire import Integer, Number, WireModel
 from sigcat.integration.autosar_classic.model.fields import always, own
@@ -34,7 +34,7 @@ class DiagnosticEvent(WireModel):
     port: ShortName = always("Port", "Service port through which its status is set.")
     debouncing: Literal["MonitorInternal"] = always("Debouncing", "MonitorInternal: the core has matured it.")
     description: Text | None = own("Description", "What the error stands for.")
-    severity: Words | None = own("Severity", "What the error leads to.")
+    severity: Text | None = own("Severity", "What the error leads to.")
     occurrence_limit: Integer | None = own("OccurrenceCountLimit", "How often it has to occur to be confirmed.")
     ignition_limit: Integer | None = own("IgnitionCountLimit", "Ignition cycles after which it is confirmed.")
     asil_level: Name | None = own("AsilLevel", "ASIL of the error.")

@@ -2,8 +2,8 @@
 
 from typing import Literal
 
-from sigcat.function.document.field_types import AnyValue, CallName, FunctionName, InterfaceName, Name, ShortName
-from sigcat.function.document.text import Text
+from sigcat.function.document.field_types import CallName, FunctionName, InterfaceName, Name, ShortName
+from sigcat.function.document.text import AnyValue, Text
 from sigcat.function.function_json.wire import Integer, Number, WireModel
 from sigcat.integration.autosar_classic.model.fields import always, own
 from sigcat.integration.autosar_classic.model.interfaces import Kind

@@ -2,8 +2,8 @@
 
 from typing import Literal
 
-from sigcat.function.document.field_types import AnyValue, FileTitle, ShortName, Words
-from sigcat.function.document.text import Text
+from sigcat.function.document.field_types import ShortName
+from sigcat.function.document.text import AnyValue, Text
 from sigcat.function.function_json.wire import Integer, Number, WireModel
 from sigcat.integration.autosar_classic.model.fields import always, own
 from sigcat.integration.autosar_classic.model.interfaces import Kind
@@ -24,7 +24,7 @@ class OuterPort(WireModel):
     kind: Kind = always("Kind", "Kind of its interface.")
     interface: ShortName = always("Interface", "Name of its interface.")
     init: AnyValue = own("InitValue", "Value before the first one, of the data element that the interface has.")
-    provider: Words | None = own("ExternalProvider", "Who provides it, as the functions or the deployment say.")
+    provider: Text | None = own("ExternalProvider", "Who provides it, as the functions or the deployment say.")
 
 
 class PortReference(WireModel):
@@ -67,7 +67,7 @@ class SystemSignal(WireModel):
     element: ShortName = always("Element", "Data element.")
     signal: ShortName = always("SystemSignal", "Name of the system signal.")
     message: ShortName | None = own("Message", "Message of the CAN database that has it.")
-    database: FileTitle | None = own("Database", "File name of the database.")
+    database: Text | None = own("Database", "File name of the database.")
     length: Integer | None = own("Length", "Length of the signal.", unit="bits")
 
 

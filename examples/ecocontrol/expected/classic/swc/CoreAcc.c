@@ -458,10 +458,10 @@ void CoreAcc_Run_Step(void)
         CoreAcc_Adapter_Begin_Step(&CoreAcc_Adapter_Instance, t);
         Rte_Exit_Core();
         CoreAcc_Swc_Publish();
-        /* Step_Begin: the watchdog manager judges what it misses */
+        /* Step_Begin: the watchdog manager checks what it misses */
         (void)Rte_Call_Supervision_Step_Begin_CheckpointReached();
         CoreAcc_Adapter_Run_Step(&CoreAcc_Adapter_Instance);
-        /* Step_End: the watchdog manager judges what it misses */
+        /* Step_End: the watchdog manager checks what it misses */
         (void)Rte_Call_Supervision_Step_End_CheckpointReached();
         t = CoreAcc_Swc_Now();
         Rte_Enter_Core();

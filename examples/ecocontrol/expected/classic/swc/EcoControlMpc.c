@@ -340,10 +340,10 @@ void EcoControlMpc_Run_Step(void)
         EcoControlMpc_Adapter_Begin_Step(&EcoControlMpc_Swc_Core, t);
         Rte_Exit_Core();
         EcoControlMpc_Swc_Publish();
-        /* Step_Begin: the watchdog manager judges what it misses */
+        /* Step_Begin: the watchdog manager checks what it misses */
         (void)Rte_Call_Supervision_Step_Begin_CheckpointReached();
         EcoControlMpc_Adapter_Run_Step(&EcoControlMpc_Swc_Core);
-        /* Step_End: the watchdog manager judges what it misses */
+        /* Step_End: the watchdog manager checks what it misses */
         (void)Rte_Call_Supervision_Step_End_CheckpointReached();
         t = EcoControlMpc_Swc_Now();
         Rte_Enter_Core();
