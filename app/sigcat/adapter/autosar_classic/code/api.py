@@ -110,7 +110,7 @@ class Apis:
     def _data(self, access: Access, port: Port) -> Iterator[Call]:
         type_, name = self._type(self.data[port.interface, access.element]), f"{port.name}_{access.element}"
         ends = (port.name, access.element)
-        filled = (Parameter(argument(type_, "data", is_out=True), "data"), *_transformer_error(port, access))
+        filled = (Parameter(argument(type_, "data", is_out=True), "data"), *_transformer_error(port))
         given = (Parameter(argument(type_, "data", is_out=False), "data"),)
         if access.kind == "Parameter":
             yield Call(f"Rte_Prm_{name}", _returned(type_), (), "Prm", *ends)
@@ -150,9 +150,9 @@ def _element(port: Port, access: Access) -> Element:
     return next(each for each in port.elements if each.name == access.element)
 
 
-def _transformer_error(port: Port, access: Access) -> Iterator[Parameter]:
-    """The argument that PORT-API-OPTION adds to what reads a port (SWS_Rte, error handling of transformers)."""
-    if _element(port, access).transformer_errors:
+def _transformer_error(port: Port) -> Iterator[Parameter]:
+    """The argument that PORT-API-OPTION adds to the functions that read a port (SWS_Rte, error handling of transformers)."""
+    if port.reports_transformer_errors:
         yield Parameter("Std_TransformerError *transformerError", "transformerError")
 
 

@@ -89,7 +89,7 @@ def _end(
         is_queue=bool(data.queued),
         room=element.queue_length or 1,
         has_update=bool(element.update),
-        has_transformer_errors=bool(element.transformer_errors),
+        has_transformer_errors=port.reports_transformer_errors,
     )
 
 

@@ -7,7 +7,7 @@ from sigcat.adapter.core.c.lines import Lines, block, joined, lines, spaced
 from sigcat.function.document.text_filters import block_comment
 
 _TURNS = 2
-"""Calls of the DEM in one runnable for one error: its verdict, and one change of it meanwhile."""
+"""Calls of the DEM for one error each time that a runnable publishes: the verdict, and one change of it meanwhile."""
 
 
 def functions(swc: SwcPlan) -> list[Lines]:
@@ -174,10 +174,9 @@ def _told(told: Told, swc: SwcPlan) -> Lines:
 
 
 def _tell(told: Told, swc: SwcPlan) -> Lines:
-    """The diagnosis is told outside of the exclusive area, where other runnables may come between.
+    """Report outside of the exclusive area, where other runnables may change the verdict meanwhile.
 
-    Each turn of the loop answers one change of the verdict. After the last turn a verdict that has changed again stays
-    untold: the next runnable tells it.
+    The loop has a bound. A verdict that has changed again after the last turn is noted, and the next runnable reports it.
     """
     name, failed = told.error.named.name, _failed(told, core_object(swc))
     status = "(has_failed != FALSE) ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED"
@@ -194,7 +193,7 @@ def _tell(told: Told, swc: SwcPlan) -> Lines:
             leave(swc),
         ]),
     ]  # fmt: skip
-    comment = f"{told.error.named.comment}: a verdict that changes meanwhile is told too; one that changes again, with what comes next."
+    comment = f"{told.error.named.comment}: a verdict that changes meanwhile is reported too, a further change by the next runnable."
     return function(f"static void {static(swc, f'Tell_{name}')}(void)", body, comment)
 
 

@@ -76,32 +76,20 @@ def _take(end: DataEnd, swc: SwcPlan) -> Lines:
     value = by_address(end.type, "value")
     declared = f"{end.type.name} value;"
     given = _given(end, "value", swc)
-    if end.has_transformer_errors:
-        taken = transformer_errors.drained if end.is_queue else transformer_errors.read
-        return function(head, [lines(declared), taken(end, value, given, swc)], end.comment)
     if end.is_queue:
-        first = f"{declared}\nStd_ReturnType status = Rte_Receive_{end.name}({value});\n"
-        return function(head, [lines(first), _drained(end, value, swc)], end.comment)
+        return function(head, [lines(declared), transformer_errors.drained(end, value, given, swc)], end.comment)
+    if end.has_transformer_errors:
+        return function(head, [lines(declared), transformer_errors.read(end, value, given, swc)], end.comment)
     read = block(f"if (Rte_Read_{end.name}({value}) == RTE_E_OK)", [given])
     updated = [block(f"if (Rte_IsUpdated_{end.name}() != FALSE)", [read])] if end.has_update else [read]
     return function(head, [lines(f"{declared}\n"), *updated], end.comment)
-
-
-def _drained(end: DataEnd, value: str, swc: SwcPlan) -> Lines:
-    """All that waits. A queue of the RTE that was too short says so with the next value, which is good all the same."""
-    lose = lines(f"{swc.core.type_name}_Lose_{end.place}({at_core(swc)}, t);")
-    return block("while ((status == RTE_E_OK) || (status == RTE_E_LOST_DATA))", [
-        block("if (status == RTE_E_LOST_DATA)", [lose]) if end.tells_of_loss else (),
-        _given(end, "value", swc),
-        lines(f"status = Rte_Receive_{end.name}({value});"),
-    ])  # fmt: skip
 
 
 def _take_copy(end: DataEnd, runnable: Runnable, swc: SwcPlan) -> Lines:
     """Implicit access: the copy that the RTE has made for the runnable."""
     api = f"{runnable.name}_{end.name}"
     head = f"static void {_copy_name(end, runnable, swc)}(uint64 t)"
-    received = f"if (Rte_IStatus_{api}() != RTE_E_NEVER_RECEIVED)"
+    received = f"if (Rte_IStatus_{api}() == RTE_E_OK)"
     if end.type.is_number:
         return function(head, [block(received, [_given(end, f"Rte_IRead_{api}()", swc)])], end.comment)
     type_ = end.type.element.name if end.type.element else end.type.name

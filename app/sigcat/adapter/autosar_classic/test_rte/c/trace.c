@@ -15,14 +15,14 @@
 #define SECOND 1000000000U
 #define LATEST 9223372036.0 /* s */
 #define DIGITS "0123456789"
-#define CODE ":e2e" /* what the name of a column ends with that has codes of end-to-end protection */
+#define CODE ":e2e" /* ending of the name of a column with codes of end-to-end protection */
 
-/* A column: who takes its values, and its partner, which has the codes for values, or the values for codes. */
+/* A column: the input that takes its values, and its partner: the column of codes for values, of values for codes. */
 typedef struct {
     const char *input; /* NULL: no component receives it */
     boolean has_codes;
     uint32 partner; /* 0: there is none */
-} column;
+} Column;
 
 static struct {
     const char *name;
@@ -33,7 +33,7 @@ static struct {
     char **cells;
     uint32 places; /* for cells */
     uint32 count; /* of cells */
-    column *columns; /* of each cell */
+    Column *columns; /* of each cell */
     uint32 columns_count;
     uint64 time; /* of the row that comes next */
     void *value; /* with room for every input */
@@ -158,16 +158,16 @@ static void read_next(void)
 
 /* -- columns --------------------------------------------------------------------------------------------------------- */
 
-/* Whether the name of a column is that of an input, with what ends the names of codes or without. */
+/* Whether the name of a column is that of an input with an ending. */
 static boolean is_of(const char *name, const TestRte_Input *input, const char *ending)
 {
     const size_t length = strlen(input->name);
     return (strncmp(name, input->name, length) == 0 && strcmp(&name[length], ending) == 0) ? TRUE : FALSE;
 }
 
-static column column_of(const char *name)
+static Column column_of(const char *name)
 {
-    column found = {NULL, FALSE, 0U};
+    Column found = {NULL, FALSE, 0U};
     for (uint32 k = 0U; k < TestRte_InputCount && found.input == NULL; k++) {
         const TestRte_Input *const input = &TestRte_Inputs[k];
         found.has_codes = (input->deliver_checked != NULL && is_of(name, input, CODE) != FALSE) ? TRUE : FALSE;
@@ -179,7 +179,7 @@ static column column_of(const char *name)
 static void find_partner(uint32 of)
 {
     for (uint32 k = 1U; k < of; k++) {
-        const column *const other = &from.columns[k];
+        const Column *const other = &from.columns[k];
         if (other->input != NULL && other->input == from.columns[of].input && other->has_codes != from.columns[of].has_codes) {
             from.columns[k].partner = of;
             from.columns[of].partner = k;
@@ -229,12 +229,12 @@ static uint8 code_of(uint32 cell)
     return (uint8)code;
 }
 
-/* A port without codes takes what its RTE delivers. */
+/* A component whose port has no codes takes only what the RTE delivers without an error. */
 static void deliver(const TestRte_Input *input, const void *value, uint8 code)
 {
     if (input->deliver_checked != NULL) {
         input->deliver_checked(value, code);
-    } else if (value != NULL && code < TEST_RTE_HARD_ERROR) {
+    } else if (value != NULL && code == 0U) {
         input->deliver(value);
     }
 }
@@ -262,7 +262,7 @@ static boolean is_given(uint32 cell)
     return (cell != 0U && from.cells[cell][0] != '\0') ? TRUE : FALSE;
 }
 
-/* A code without a value in its row: nothing has come, but what reads the port is told. */
+/* A code without a value in its row: no message was received, but the functions that read the port return the code. */
 static void take_code(uint32 cell, boolean is_delivered)
 {
     const uint8 code = code_of(cell);
@@ -276,7 +276,7 @@ static void take_code(uint32 cell, boolean is_delivered)
 static void take_row(boolean is_delivered)
 {
     for (uint32 i = 1U; i < from.count; i++) {
-        const column *const of = &from.columns[i];
+        const Column *const of = &from.columns[i];
         const boolean has_partner = is_given(of->partner);
         if (of->input == NULL || is_given(i) == FALSE) {
             continue;

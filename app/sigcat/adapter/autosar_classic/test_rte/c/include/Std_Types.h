@@ -13,7 +13,7 @@ typedef uint8 Std_ReturnType;
 #define E_NOT_OK ((Std_ReturnType)1U)
 #endif
 
-/* What a transformer found, such as that of end-to-end protection. */
+/* Result of a transformer, such as that of end-to-end protection. */
 typedef uint8 Std_TransformerErrorCode;
 typedef uint8 Std_TransformerClass;
 

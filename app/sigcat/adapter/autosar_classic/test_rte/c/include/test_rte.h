@@ -53,7 +53,7 @@ typedef struct {
     const char *name;
     const TestRte_Shape *shape;
     void (*deliver)(const void *value);
-    /* With a code of end-to-end protection; without a value, if only the code comes. NULL: the port has no codes. */
+    /* With a code of end-to-end protection, and NULL for no message. NULL: the port has no codes. */
     void (*deliver_checked)(const void *value, uint8 code);
 } TestRte_Input;
 
@@ -124,11 +124,11 @@ void NvM_ReadAll(const char *folder); /* NULL: nothing was stored */
 void NvM_WriteAll(const char *folder);
 void TestRte_SetCycle(uint32 cycle);
 
-/* -- end-to-end protection, whose codes the trace has ------------------------------------------------------------- */
+/* -- end-to-end protection, with codes from the trace ------------------------------------------------------------- */
 
 #define TEST_RTE_HARD_ERROR 0x80U /* codes from here on: nothing is delivered */
 
-Std_ReturnType TestRte_Checked(uint8 code, Std_TransformerError *error); /* what a function that reads returns */
+Std_ReturnType TestRte_Checked(uint8 code, Std_TransformerError *error); /* status of a function that reads */
 
 /* -- texts of values ----------------------------------------------------------------------------------------------- */
 
