@@ -193,6 +193,32 @@ def test_a_component_with_the_calls_of_another_function_is_refused(tmp_path):
     assert any("of the functions in `SourceFunctionList`" in finding.message for finding in findings)
 
 
+def _ports(component):
+    return {port["Name"]: port["Elements"][0] for port in component["Ports"]}
+
+
+def _unreported(component):
+    del _ports(component)["Lanes_YawRate"]["TransformerErrors"]
+
+
+def _implicit(component):
+    for runnable in component["Runnables"]:
+        for access in runnable["Accesses"]:
+            if access.get("Port") == "Lanes_YawRate":
+                access["Kind"] = "ImplicitRead"
+
+
+@pytest.mark.parametrize(
+    ("change", "said"), [(_unreported, "must have `TransformerErrors`"), (_implicit, "must be read explicitly")]
+)
+def test_data_with_an_error_for_rejections_that_the_rte_would_not_report_are_refused(change, said):
+    changed = json.loads(document(LANES))
+    change(changed["Components"][1])
+    with pytest.raises(InputRefused) as refused:
+        generate(json.dumps(changed).encode(), "classic.json", DEFAULT_LIMITS)
+    assert any(said in finding.message for finding in refused.value.findings)
+
+
 def test_statuses_of_the_rte_have_the_numbers_of_its_specification():
     text = files(ECOCONTROL)["contract/Rte.h"]
     for name, number in (
