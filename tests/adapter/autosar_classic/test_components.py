@@ -27,7 +27,9 @@ from tests.adapter.core.judges import STRICT, compilers
 from tests.adapter.core.test_strict import CPPCHECK, LOOK, PAGE, deviation
 from tests.judges import judged_by
 
-LANES = tuple(Path(__file__).parent / f"application/lanes/{name}.yaml" for name in ("monitor", "display"))
+APPLICATION = Path(__file__).parent / "application"
+LANES = tuple(APPLICATION / f"lanes/{name}.yaml" for name in ("monitor", "display"))
+PARK = tuple(APPLICATION / f"park/{name}.yaml" for name in ("fusion", "planner", "hmi"))
 SETS = {
     "ecocontrol": ECOCONTROL,
     "wheel speed": (EXAMPLES / "wheel_speed_calculation/function.yaml",),
@@ -46,6 +48,7 @@ SETS = {
     "no outputs": (APPLICATIONS / "small/no_outputs.yaml",),
     "all datatypes": (CASES / "every_datatype_with_all_its_digits/function.yaml",),
     "protected data": LANES,
+    "protected structs, events, methods and modes": PARK,
     "nothing at all": (APPLICATIONS / "small/nothing_at_all.yaml",),
 }
 

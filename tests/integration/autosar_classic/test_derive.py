@@ -200,14 +200,14 @@ def test_what_triggers_a_step_is_taken_when_it_comes_and_the_core_says_what_is_d
     signals = [at("Vehicle.Speed"), at("Vehicle.Mass")]
     (demo,) = derive([function(signals=signals, call=call)]).model.components
     assert starts(demo, "Receive") == {("DataReceived", "Vehicle_Speed")}
-    assert starts(demo, "Step") == {("InternalTrigger", "Receive")}
+    assert starts(demo, "Step") == {("InternalTrigger", "Receive"), ("InternalTrigger", "Step")}
     assert accesses(demo, "Step") | {"Clock": ""} == {"Clock": "", "Vehicle_Speed": "ExplicitRead", "Vehicle_Mass": "ImplicitRead"}  # fmt: skip
 
 
 def test_a_step_that_waits_for_its_debounce_time_is_looked_for_at_each_tick():
     call = {"Runtype": "EventTriggered", "Cycletime": None, "EventList": "Speed", "DebounceDelay": "5"}
     (demo,) = derive([function(signals=[at("Vehicle.Speed")], call=call)]).model.components
-    assert starts(demo, "Step") == {("InternalTrigger", "Receive"), ("Timing", 0.001)}
+    assert starts(demo, "Step") == {("InternalTrigger", "Receive"), ("InternalTrigger", "Step"), ("Timing", 0.001)}
 
 
 def test_a_rejected_message_is_told_by_the_rte():

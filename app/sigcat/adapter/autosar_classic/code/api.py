@@ -72,8 +72,8 @@ class Apis:
         """What stays within the component."""
         component = self.swc.component
         for area in component.exclusive_areas:
-            yield Call(f"Rte_Enter_{area.name}", "void", (), "Enter")
-            yield Call(f"Rte_Exit_{area.name}", "void", (), "Exit")
+            yield Call(f"Rte_Enter_{area.name}", "void", (), "Enter", element=area.name)
+            yield Call(f"Rte_Exit_{area.name}", "void", (), "Exit", element=area.name)
         for memory in component.memories:
             yield Call(
                 f"Rte_Pim_{memory.name}",

@@ -283,7 +283,8 @@ def _mode_sent(mode: ModeEnd | None, swc: SwcPlan) -> Lines:
 
 def _own(call: Call, swc: SwcPlan, rte: TestRte) -> list[Lines]:
     if call.kind in ("Enter", "Exit"):
-        return [lines(f"Os_{call.kind}Area({rte.index(swc)}U);")]
+        area = "Calls" if call.element == swc.calls_area else "Area"
+        return [lines(f"Os_{call.kind}{area}({rte.index(swc)}U);")]
     if call.kind == "Pim":
         return [lines(f"return &{own('Pim', call.element, swc)};")]
     if call.kind == "IrTrigger":

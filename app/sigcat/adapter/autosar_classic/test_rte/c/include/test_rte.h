@@ -106,6 +106,8 @@ void Os_EndComponent(uint32 component); /* nothing of it runs any more */
 boolean Os_HasEnded(uint32 component);
 void Os_EnterArea(uint32 component);
 void Os_ExitArea(uint32 component);
+void Os_EnterCalls(uint32 component); /* the area around calls and methods */
+void Os_ExitCalls(uint32 component);
 
 /* -- services, which record what they are told --------------------------------------------------------------------- */
 
