@@ -380,3 +380,44 @@ def test_hostile_texts_stay_texts_and_hostile_names_resolve(text):
     assert dangling(model) == []
     assert doubled_names(loaded(files)) == []
     assert not [element for element in tags(files) if element.tag.lower().endswith("script")]
+
+
+# -- end-to-end protection --------------------------------------------------------------------------------------------
+
+
+STATES = ("INIT", "INVALID", "VALID")
+
+
+def protected(windows=None):
+    """A function with a protected signal, and the windows of a deployment."""
+    speed = at("Vehicle.Speed", E2eError="Demo_Late_ErrorSts")
+    settings = AutosarClassicSettings.model_validate({"e2e": windows or {}})
+    return integrated((function("Demo", [speed]),), settings)
+
+
+@EACH_RELEASE
+def test_a_protected_port_has_the_option_and_the_windows_of_its_state_machine(release):
+    wide = {name: {"windowSize": 5, "minOkState": 3, "maxErrorState": 1} for name in ("init", "valid", "invalid")}
+    files = generate(protected(wide), release)
+    model = model_of(files)
+    assert (dangling(model), misplaced(model)) == ([], [])
+    component = "/Demo/ComponentTypes/Demo"
+    found = values(model, f"{component}/Vehicle_Speed")
+    sizes = {"WINDOW-SIZE": "5"} if release == "4.4.0" else {f"WINDOW-SIZE-{each}": "5" for each in STATES}
+    expected = {
+        **{f"MAX-ERROR-STATE-{each}": "1" for each in STATES}, **{f"MIN-OK-STATE-{each}": "3" for each in STATES}, **sizes,
+    }  # fmt: skip
+    assert {name: text for name, text in found.items() if "STATE" in name or "WINDOW" in name} == expected
+    options = values(model, f"{component}/Demo_Behavior")
+    assert options["ERROR-HANDLING"] == "TRANSFORMER-ERROR-HANDLING"
+    assert options["PORT-REF"] == f"{component}/Vehicle_Speed"
+
+
+def test_windows_of_several_sizes_are_refused_in_a_release_with_one():
+    model = protected({"valid": {"windowSize": 3}})
+    assert generate(model, "R23-11")
+    with pytest.raises(InputRefused) as refused:
+        generate(model, "4.4.0")
+    (finding,) = refused.value.findings
+    assert (finding.rule, finding.pointer) == ("K011", "/Components/0/Ports/3/Elements/0/E2eWindows")
+    assert "one window for all states" in finding.message

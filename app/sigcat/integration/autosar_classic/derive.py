@@ -23,6 +23,7 @@ from sigcat.integration.autosar_classic.base_software import (
 )
 from sigcat.integration.autosar_classic.composition import composition_of
 from sigcat.integration.autosar_classic.context import Context, named_calls
+from sigcat.integration.autosar_classic.e2e import report_unknown_elements
 from sigcat.integration.autosar_classic.elements import Element, by_part, elements_of
 from sigcat.integration.autosar_classic.events import events_of
 from sigcat.integration.autosar_classic.field_targets import field_targets
@@ -93,6 +94,7 @@ def derive(
     targets = field_targets(context, elements)
     report_asil(elements, integration.composition, context)
     report_unknown_paths(codes.DEPLOYMENT_NAMES_NOTHING_CLASSIC, app, context.findings)
+    report_unknown_elements(elements, context)
     report_narrow_signals(elements, integration, context)
     report_calls(context)
     report_long_names(context)
@@ -227,7 +229,7 @@ def _over_ports(part: Part, context: Context) -> bool:
 
 def _behaviour(part: Part, elements: Sequence[Element], types: TypeTable, context: Context) -> Behaviour:
     calls = named_calls(part)
-    ports = [*data_ports(part, elements, types), *service_ports(part, calls)]
+    ports = [*data_ports(part, elements, types, context.settings.e2e), *service_ports(part, calls)]
     if _over_ports(part, context):
         ports.append(parameter_port(part, "Required", types))
     internal = () if context.settings.parameters == "ports" else tuple(each.name for each in calibration(part))

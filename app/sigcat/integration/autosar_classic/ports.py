@@ -9,39 +9,43 @@ from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.application import Part
 from sigcat.integration.autosar_classic import model
+from sigcat.integration.autosar_classic.e2e import windows_of
+from sigcat.integration.autosar_classic.e2e_settings import E2eSettings
 from sigcat.integration.autosar_classic.elements import Element, Side
 from sigcat.integration.autosar_classic.interfaces import CALL_QUEUE, numbers_of_status, queue_length
 from sigcat.integration.autosar_classic.types import TypeTable
 from sigcat.integration.sent_values import initial
 
 
-def data_ports(part: Part, elements: Iterable[Element], types: TypeTable) -> tuple[model.Port, ...]:
+def data_ports(part: Part, elements: Iterable[Element], types: TypeTable, e2e: E2eSettings) -> tuple[model.Port, ...]:
     """Ports for everything that the component exchanges with others, by name."""
-    made = [port for element in elements for port in _ports(part, element, types)]
+    made = [port for element in elements for port in _ports(part, element, types, e2e)]
     return tuple(sorted(made, key=lambda port: port.name))
 
 
-def _ports(part: Part, element: Element, types: TypeTable) -> Iterator[model.Port]:
+def _ports(part: Part, element: Element, types: TypeTable, e2e: E2eSettings) -> Iterator[model.Port]:
     mine = element.of(part)
     if not mine:
         return
     required = [side for side in mine if not side.provides]
     provided = [side for side in mine if side.provides]
     if required:
-        yield _port(element.name, "Required", element, required, types)
+        yield _port(element.name, "Required", element, required, types, e2e)
     if provided:
-        yield _port(f"{element.name}_Out" if required else element.name, "Provided", element, provided, types)
+        yield _port(f"{element.name}_Out" if required else element.name, "Provided", element, provided, types, e2e)
     elif element.kind == "reaction":
-        yield _port(f"{element.name}_Out", "Provided", element, required, types)
+        yield _port(f"{element.name}_Out", "Provided", element, required, types, e2e)
 
 
-def _port(name: str, direction: str, element: Element, sides: list[Side], types: TypeTable) -> model.Port:
+def _port(
+    name: str, direction: str, element: Element, sides: list[Side], types: TypeTable, e2e: E2eSettings
+) -> model.Port:
     return model.Port(
         name=name,
         direction=direction,  # type: ignore[arg-type]
         kind=kind_of_port(element),
         interface=element.name,
-        elements=(_element(element, direction, sides, types),),
+        elements=(_element(element, direction, sides, types, e2e),),
         description=getattr(sides[0].interface, "description", None) or None,
     )
 
@@ -53,10 +57,11 @@ def kind_of_port(element: Element) -> model.Kind:
     return "ModeSwitch" if element.kind.startswith("mode") else "SenderReceiver"
 
 
-def _element(element: Element, direction: str, sides: list[Side], types: TypeTable) -> model.Element:
+def _element(element: Element, direction: str, sides: list[Side], types: TypeTable, e2e: E2eSettings) -> model.Element:
     is_data = kind_of_port(element) == "SenderReceiver"
     is_received = is_data and direction == "Required"
     plain = is_received and not element.is_queued
+    is_checked = is_received and any(getattr(side.interface, "e2e_error", None) for side in sides)
     return model.Element(
         name=element.leaf,
         init=None if element.is_queued or not is_data else initial_of(sides, types),
@@ -64,9 +69,8 @@ def _element(element: Element, direction: str, sides: list[Side], types: TypeTab
         never_received=True if plain else None,
         update=True if plain else None,
         alive_timeout=0 if plain else None,
-        transformer_errors=True
-        if is_received and any(getattr(s.interface, "e2e_error", None) for s in sides)
-        else None,
+        transformer_errors=True if is_checked else None,
+        windows=windows_of(element, e2e) if is_checked else None,
         uses=tuple(_use(side) for side in sides),
     )
 

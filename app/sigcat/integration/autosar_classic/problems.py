@@ -13,6 +13,7 @@ from sigcat.integration.autosar_classic.symbol_problems import symbol_problems
 from sigcat.integration.autosar_classic.type_problems import type_problems
 from sigcat.integration.autosar_classic.use_problems import use_problems
 from sigcat.integration.autosar_classic.value_problems import value_problems
+from sigcat.integration.autosar_classic.window_problems import window_problems
 from sigcat.integration.checked_document import Problem
 
 
@@ -34,6 +35,7 @@ def problems_of(model: ClassicIntegration) -> Iterator[Problem]:
     for index, parameters in enumerate(model.parameter_components):
         yield from ports_problems(parameters.ports, ("ParameterComponents", index), known)
     yield from use_problems(model)
+    yield from window_problems(model, model.deployment.release)
     yield from need_problems(model)
     yield from symbol_problems(model)
     yield from connection_problems(model)

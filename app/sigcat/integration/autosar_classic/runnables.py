@@ -1,6 +1,6 @@
 """Runnables of a component: one for each call, and those of the adapter; what each accesses."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -363,8 +363,11 @@ def _checkpoint_ports(behaviour: Behaviour, each: NamedCall) -> list[str]:
 
 
 def _triggers(behaviour: Behaviour, own: NamedCall | None) -> list[model.Access]:
-    """The core decides which call is due: one that is not this runnable's is started by a trigger."""
-    others: Sequence[NamedCall] = [each for each in behaviour.steps if each is not own]
+    """The core decides which call is due: a trigger starts each call that this runnable does not run.
+
+    An event-triggered call starts itself again: more values may wait than it takes at once, or were received meanwhile.
+    """
+    started = [each for each in behaviour.steps if each is not own or each.call.run_type == EVENT_TRIGGERED]
     return [
         model.Access(
             name=f"Start_{each.name}",
@@ -372,5 +375,5 @@ def _triggers(behaviour: Behaviour, own: NamedCall | None) -> list[model.Access]
             element=each.name,
             reason=Text("The core may find it due."),
         )
-        for each in others
+        for each in started
     ]

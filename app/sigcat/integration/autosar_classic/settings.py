@@ -9,6 +9,7 @@ from sigcat.function.declaration.form import DeclarationModel, Text
 from sigcat.function.document.field_types import C_IDENTIFIER, SHORT_NAME, Name
 from sigcat.function.document.structure import unfit
 from sigcat.function.function_json.wire import Integer
+from sigcat.integration.autosar_classic.e2e_settings import DEFAULT_E2E, E2eSettings
 from sigcat.integration.autosar_classic.releases import DEFAULT_RELEASE, ReleaseName
 from sigcat.integration.autosar_names import event_name
 from sigcat.reserved_words import is_reserved
@@ -65,6 +66,9 @@ class AutosarClassicSettings(DeclarationModel):
     )
     signals: Annotated[dict[Name, SignalSettings], AfterValidator(_each_once)] = Field(
         {}, description="Signals of buses that carry data elements, by VSS path or by the name of the port."
+    )
+    e2e: E2eSettings = Field(
+        DEFAULT_E2E, description="Windows of the end-to-end state machines that check received data with an `e2eError`."
     )
     tick: Annotated[Integer, Field(ge=1)] = Field(
         1000, description="Period of the counter that starts timing events, in µs."

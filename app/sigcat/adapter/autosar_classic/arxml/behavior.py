@@ -121,7 +121,7 @@ def _prefixes(at: Within) -> Iterable[Tag]:
 def _port_options(at: Within) -> Iterable[Tag]:
     """Ports whose reads tell what end-to-end protection has rejected."""
     for port in at.component.ports:
-        if any(element.transformer_errors for element in port.elements):
+        if port.reports_transformer_errors:
             handling = tag("ERROR-HANDLING", text="TRANSFORMER-ERROR-HANDLING")
             yield tag("PORT-API-OPTION", handling, at.port_reference("PORT-REF", port))
 

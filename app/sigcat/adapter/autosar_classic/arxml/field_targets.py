@@ -16,6 +16,7 @@ _RUNNABLE = _COMPONENTS + "RUNNABLE-ENTITY, "
 _EVENT = _COMPONENTS + "event of the SWC-INTERNAL-BEHAVIOR, "
 _PORT = _COMPONENTS + "port, "
 _SPEC = _COMPONENTS + "COM-SPECS of the port, "
+_WINDOW = _SPEC + "END-TO-END-TRANSFORMATION-COM-SPEC-PROPS, "
 _ELEMENT = _INTERFACES + "VARIABLE-DATA-PROTOTYPE or PARAMETER-DATA-PROTOTYPE, "
 _OPERATION = _INTERFACES + "CLIENT-SERVER-OPERATION, "
 _ARGUMENT = _INTERFACES + "ARGUMENT-DATA-PROTOTYPE, "
@@ -119,6 +120,12 @@ _COMPONENT_TABLES: Tables = {
         "Name": _SPEC + "reference", "InitValue": _SPEC + "INIT-VALUE", "QueueLength": _SPEC + "QUEUE-LENGTH",
         "HandleNeverReceived": _SPEC + "HANDLE-NEVER-RECEIVED", "EnableUpdate": _SPEC + "ENABLE-UPDATE",
         "AliveTimeout": _SPEC + "ALIVE-TIMEOUT", "TransformerErrors": _COMPONENTS + "PORT-API-OPTION, ERROR-HANDLING",
+    }),
+    model.E2eWindows: ("windows", {}),
+    model.E2eWindow: ("window", {
+        "WindowSize": _WINDOW + "WINDOW-SIZE-INIT, -VALID or -INVALID; WINDOW-SIZE in 4.4.0",
+        "MinOkState": _WINDOW + "MIN-OK-STATE-INIT, -VALID or -INVALID",
+        "MaxErrorState": _WINDOW + "MAX-ERROR-STATE-INIT, -VALID or -INVALID",
     }),
     model.Use: ("use", _same(("Interface", "Kind", "Function", "Call", "Timeout"), _PORT + _ADMIN)),
     model.Runnable: ("runnable", {

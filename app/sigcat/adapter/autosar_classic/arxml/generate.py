@@ -2,6 +2,7 @@
 
 from autosar_data import AutosarDataError
 
+from sigcat import codes
 from sigcat.adapter.arxml.paths import Paths
 from sigcat.adapter.arxml.tree import trace, written
 from sigcat.adapter.autosar_classic.arxml import (
@@ -19,7 +20,9 @@ from sigcat.adapter.autosar_classic.arxml.releases import BY_NAME
 from sigcat.adapter.files import GeneratedFile
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.errors import InputRefused
+from sigcat.function.document.document import pointer_text
 from sigcat.integration.autosar_classic.model import ClassicIntegration
+from sigcat.integration.autosar_classic.window_problems import window_problems
 
 PLATFORM_FILE = "platform_types.arxml"
 """Types that every vendor has: the file is for desks, and for nobody who has those."""
@@ -33,8 +36,10 @@ def generate(model: ClassicIntegration, release_name: str | None = None) -> tupl
     Raises InputRefused if the model names what AUTOSAR cannot.
     """
     paths = Paths(model.deployment.package)
-    known = library(model, paths)
-    release = BY_NAME[release_name or model.deployment.release]  # type: ignore[index]
+    name = release_name or model.deployment.release
+    _refuse_windows(model, name)
+    release = BY_NAME[name]  # type: ignore[index]
+    known = library(model, paths, release)
     content = {
         PLATFORM_FILE: types.platform_packages(model),
         "types.arxml": types.packages(model, known),
@@ -63,6 +68,16 @@ def generate(model: ClassicIntegration, release_name: str | None = None) -> tupl
         )
     except AutosarDataError as error:
         raise InputRefused(f"The integration cannot be written as ARXML: {error}") from error
+
+
+def _refuse_windows(model: ClassicIntegration, release: str) -> None:
+    """Raise InputRefused for windows that the release does not have."""
+    found = tuple(
+        codes.NOT_WRITABLE_AS_CLASSIC.finding(each.message, pointer=pointer_text(each.pointer), fix=each.fix)
+        for each in window_problems(model, release)
+    )
+    if found:
+        raise InputRefused(f"The integration cannot be written as ARXML of release {release}.", found)
 
 
 def _document(model: ClassicIntegration) -> list[tuple[str, object]]:

@@ -12,6 +12,7 @@ from sigcat.adapter.autosar_classic.arxml.paths import (
     INTERFACES,
     PLATFORM,
 )
+from sigcat.adapter.autosar_classic.arxml.releases import Release
 from sigcat.integration.autosar_classic.model import (
     ApplicationType,
     ClassicIntegration,
@@ -50,6 +51,7 @@ class Library(NamedTuple):
     exchanged_types: Mapping[str, tuple[str, ...]]
     """Types of everything that an interface has."""
     modes: Mapping[str, ModeSwitchInterface]
+    release: Release
 
     def implementation_path(self, name: str) -> str:
         """Path of an implementation type. Platform types are those of the vendor."""
@@ -81,7 +83,7 @@ class Library(NamedTuple):
         )
 
 
-def library(model: ClassicIntegration, paths: Paths) -> Library:
+def library(model: ClassicIntegration, paths: Paths, release: Release) -> Library:
     """Everything that elements of the document refer to."""
     return Library(
         paths,
@@ -91,6 +93,7 @@ def library(model: ClassicIntegration, paths: Paths) -> Library:
         element_types(model),
         exchanged_types(model),
         {each.name: each for each in model.mode_switch_interfaces},
+        release,
     )
 
 

@@ -5,8 +5,9 @@ from collections.abc import Iterable
 from sigcat.adapter.arxml.tree import Tag, description, listed, reference, tag, trace
 from sigcat.adapter.autosar_classic.arxml.library import INTERFACE, Library
 from sigcat.adapter.autosar_classic.arxml.paths import MODE_PROTOTYPE, OPERATION, PARAMETER, VARIABLE
+from sigcat.adapter.autosar_classic.arxml.releases import Release
 from sigcat.adapter.autosar_classic.arxml.values import init_value
-from sigcat.integration.autosar_classic.model import Element, OuterPort, Port
+from sigcat.integration.autosar_classic.model import E2eWindows, Element, OuterPort, Port
 
 
 def port_tag(direction: str) -> str:
@@ -107,6 +108,7 @@ def _required(each: Port, element: Element, known: Library) -> Tag | None:
     common = (
         reference("DATA-ELEMENT-REF", path, VARIABLE),
         tag("HANDLE-OUT-OF-RANGE", text="NONE"),
+        _windows(element.windows, known.release) if element.windows else None,
         tag("USES-END-TO-END-PROTECTION", text="false"),
     )
     if element.queue_length is not None:
@@ -120,6 +122,23 @@ def _required(each: Port, element: Element, known: Library) -> Tag | None:
         tag("HANDLE-TIMEOUT-TYPE", text="NONE"),
         init,
     )
+
+
+def _windows(windows: E2eWindows, release: Release) -> Tag:
+    """Windows of the state machine of the end-to-end transformer, which go before those of the transformer itself."""
+    states = {"INIT": windows.init, "INVALID": windows.invalid, "VALID": windows.valid}
+    sizes = (
+        [tag(f"WINDOW-SIZE-{state}", text=each.size) for state, each in states.items()]
+        if release.has_windows_by_state
+        else [tag("WINDOW-SIZE", text=windows.valid.size)]
+    )
+    properties = tag(
+        "END-TO-END-TRANSFORMATION-COM-SPEC-PROPS",
+        *(tag(f"MAX-ERROR-STATE-{state}", text=each.max_error) for state, each in states.items()),
+        *(tag(f"MIN-OK-STATE-{state}", text=each.min_ok) for state, each in states.items()),
+        *sizes,
+    )
+    return tag("TRANSFORMATION-COM-SPEC-PROPSS", properties)
 
 
 def _init(each: Port, element: Element, known: Library) -> Tag | None:

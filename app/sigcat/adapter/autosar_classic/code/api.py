@@ -72,8 +72,8 @@ class Apis:
         """What stays within the component."""
         component = self.swc.component
         for area in component.exclusive_areas:
-            yield Call(f"Rte_Enter_{area.name}", "void", (), "Enter")
-            yield Call(f"Rte_Exit_{area.name}", "void", (), "Exit")
+            yield Call(f"Rte_Enter_{area.name}", "void", (), "Enter", element=area.name)
+            yield Call(f"Rte_Exit_{area.name}", "void", (), "Exit", element=area.name)
         for memory in component.memories:
             yield Call(
                 f"Rte_Pim_{memory.name}",
@@ -110,7 +110,7 @@ class Apis:
     def _data(self, access: Access, port: Port) -> Iterator[Call]:
         type_, name = self._type(self.data[port.interface, access.element]), f"{port.name}_{access.element}"
         ends = (port.name, access.element)
-        filled = (Parameter(argument(type_, "data", is_out=True), "data"),)
+        filled = (Parameter(argument(type_, "data", is_out=True), "data"), *_transformer_error(port))
         given = (Parameter(argument(type_, "data", is_out=False), "data"),)
         if access.kind == "Parameter":
             yield Call(f"Rte_Prm_{name}", _returned(type_), (), "Prm", *ends)
@@ -148,6 +148,12 @@ class Apis:
 
 def _element(port: Port, access: Access) -> Element:
     return next(each for each in port.elements if each.name == access.element)
+
+
+def _transformer_error(port: Port) -> Iterator[Parameter]:
+    """The argument that PORT-API-OPTION adds to the functions that read a port (SWS_Rte, error handling of transformers)."""
+    if port.reports_transformer_errors:
+        yield Parameter("Std_TransformerError *transformerError", "transformerError")
 
 
 def _returned(type_: RteType) -> str:

@@ -24,6 +24,7 @@ def disagreements(swc: SwcPlan, index: int) -> Iterator[Finding]:
         if runnable.role == "Step" and runnable.call not in steps:
             yield _finding((*below, "Call"), f"{runnable.name} must run a step of {swc.core.function}.")
         yield from _unknown_data(runnable, swc, at)
+    yield from _unreported_rejections(swc, at)
 
 
 def _unknown_data(runnable: Runnable, swc: SwcPlan, at: Pointer) -> Iterator[Finding]:
@@ -43,6 +44,25 @@ def _unknown_data(runnable: Runnable, swc: SwcPlan, at: Pointer) -> Iterator[Fin
             is_known = access.kind not in _DATA or (port.name, access.element) in known
         if not is_known:
             yield _of_port(access, port, number, swc, at)
+
+
+def _unreported_rejections(swc: SwcPlan, at: Pointer) -> Iterator[Finding]:
+    """Elements whose rejections the core needs, and that the RTE would not report."""
+    needed = {end.key: end for end in swc.received if end.tells_of_rejection}
+    implicit = {
+        (access.port, access.element)
+        for runnable in swc.component.runnables
+        for access in runnable.accesses
+        if access.kind == "ImplicitRead"
+    }
+    for number, port in enumerate(swc.component.ports):
+        for index, element in enumerate(port.elements):
+            key, below = (port.name, element.name), (*at, "Ports", number, "Elements", index)
+            why = f"{swc.core.function} names an `e2eError` for it."
+            if key in needed and not needed[key].has_transformer_errors:
+                yield _finding(below, f"{port.name}.{element.name} must have `TransformerErrors`: {why}")
+            if key in needed and key in implicit:
+                yield _finding(below, f"{port.name}.{element.name} must be read explicitly: {why}")
 
 
 def _of_port(access: Access, port: Port, number: int, swc: SwcPlan, at: Pointer) -> Finding:

@@ -87,7 +87,9 @@ def _end(
         comment=comment,
         columns=_columns(data, use),
         is_queue=bool(data.queued),
+        room=element.queue_length or 1,
         has_update=bool(element.update),
+        has_transformer_errors=port.reports_transformer_errors,
     )
 
 

@@ -46,9 +46,13 @@ class DataEnd(NamedTuple):
     """What it is called in traces: its path, its interface, or both."""
     is_queue: bool = False
     """Of the RTE."""
+    room: int = 1
+    """Values that wait in the queue of the RTE."""
     has_count: bool = False
     """Whether the core sends several values at once: the function that provides it has a queue of its own."""
     has_update: bool = False
+    has_transformer_errors: bool = False
+    """Whether the RTE says what end-to-end protection found: a further argument of the function that reads."""
     tells_of_rejection: bool = False
     tells_of_loss: bool = False
     immediate_in: frozenset[str] = frozenset()

@@ -6,6 +6,9 @@ from sigcat.adapter.autosar_classic.code.values import Copy, by_value
 from sigcat.adapter.core.c.lines import Lines, block, joined, lines, spaced
 from sigcat.function.document.text_filters import block_comment
 
+_TURNS = 2
+"""Calls of the DEM for one error each time that a runnable publishes: the verdict, and one change of it meanwhile."""
+
 
 def functions(swc: SwcPlan) -> list[Lines]:
     """One for what the core may say at any time, one for the outputs of each call, for each request and each verdict."""
@@ -171,23 +174,26 @@ def _told(told: Told, swc: SwcPlan) -> Lines:
 
 
 def _tell(told: Told, swc: SwcPlan) -> Lines:
-    """The diagnosis is told outside of the exclusive area, where other runnables may come between."""
+    """Report outside of the exclusive area, where other runnables may change the verdict meanwhile.
+
+    The loop has a bound. A verdict that has changed again after the last turn is noted, and the next runnable reports it.
+    """
     name, failed = told.error.named.name, _failed(told, core_object(swc))
     status = "(has_failed != FALSE) ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED"
     untold = f"{static(swc, 'Untold')}.{name}"
     body = [
         lines("boolean is_last = FALSE;"),
         lines(""),
-        block("while (is_last == FALSE)", [
+        block(f"for (uint32 turn = 0U; (turn < {_TURNS}U) && (is_last == FALSE); turn++)", [
             enter(swc), lines(f"const boolean has_failed = {failed} ? TRUE : FALSE;"), leave(swc),
             lines(f"const Std_ReturnType status = Rte_Call_{told.port}_{told.operation}({status});"), lines(""),
             enter(swc),
-            lines(f"{untold} = (status != RTE_E_OK) ? TRUE : FALSE;\n"
-                  f"is_last = ({failed} == (has_failed != FALSE)) ? TRUE : FALSE;"),
+            lines(f"is_last = ({failed} == (has_failed != FALSE)) ? TRUE : FALSE;\n"
+                  f"{untold} = ((status != RTE_E_OK) || (is_last == FALSE)) ? TRUE : FALSE;"),
             leave(swc),
         ]),
     ]  # fmt: skip
-    comment = f"{told.error.named.comment}: if another verdict comes meanwhile, that one is told last."
+    comment = f"{told.error.named.comment}: a verdict that changes meanwhile is reported too, a further change by the next runnable."
     return function(f"static void {static(swc, f'Tell_{name}')}(void)", body, comment)
 
 

@@ -1,9 +1,10 @@
 """What comes from the RTE, handed over to the core."""
 
+from sigcat.adapter.autosar_classic.code import transformer_errors
 from sigcat.adapter.autosar_classic.code.names import at_core, core_object, function, static
 from sigcat.adapter.autosar_classic.code.plan import DataEnd, MethodEnd, ModeEnd, SwcPlan
 from sigcat.adapter.autosar_classic.code.values import Copy, by_address, core_declared
-from sigcat.adapter.core.c.lines import Lines, block, choice, joined, lines
+from sigcat.adapter.core.c.lines import Lines, block, joined, lines
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.integration.autosar_classic.model import Runnable
 
@@ -11,8 +12,10 @@ from sigcat.integration.autosar_classic.model import Runnable
 def functions(swc: SwcPlan) -> list[Lines]:
     """A function for each element that is taken, one for the mode, and one that asks what is due."""
     used = {key for each in swc.component.runnables for key in _keys(each, swc)}
+    taken = [end for end in swc.received if (end.key, False) in used]
     return [
-        *(_take(end, swc) for end in swc.received if (end.key, False) in used),
+        *transformer_errors.functions(taken, swc),
+        *(_take(end, swc) for end in taken),
         *(_take_copy(end, each, swc) for each in swc.component.runnables for end in swc.ends(each, "ImplicitRead")),
         *([_take_mode(swc.mode_in, swc)] if swc.mode_in and has_mode(swc) else []),
         *(_take_answer(each, swc) for each in swc.requests),
@@ -72,41 +75,21 @@ def _take(end: DataEnd, swc: SwcPlan) -> Lines:
     head = f"static void {_name(end, swc)}(uint64 t)"
     value = by_address(end.type, "value")
     declared = f"{end.type.name} value;"
+    given = _given(end, "value", swc)
     if end.is_queue:
-        first = f"{declared}\nStd_ReturnType status = Rte_Receive_{end.name}({value});\n"
-        return function(head, [lines(first), _drained(end, value, swc)], end.comment)
-    read = _read(end, value, swc)
+        return function(head, [lines(declared), transformer_errors.drained(end, value, given, swc)], end.comment)
+    if end.has_transformer_errors:
+        return function(head, [lines(declared), transformer_errors.read(end, value, given, swc)], end.comment)
+    read = block(f"if (Rte_Read_{end.name}({value}) == RTE_E_OK)", [given])
     updated = [block(f"if (Rte_IsUpdated_{end.name}() != FALSE)", [read])] if end.has_update else [read]
     return function(head, [lines(f"{declared}\n"), *updated], end.comment)
-
-
-def _drained(end: DataEnd, value: str, swc: SwcPlan) -> Lines:
-    """All that waits. A queue of the RTE that was too short says so with the next value, which is good all the same."""
-    lose = lines(f"{swc.core.type_name}_Lose_{end.place}({at_core(swc)}, t);")
-    return block("while ((status == RTE_E_OK) || (status == RTE_E_LOST_DATA))", [
-        block("if (status == RTE_E_LOST_DATA)", [lose]) if end.tells_of_loss else (),
-        _given(end, "value", swc),
-        lines(f"status = Rte_Receive_{end.name}({value});"),
-    ])  # fmt: skip
-
-
-def _read(end: DataEnd, value: str, swc: SwcPlan) -> Lines:
-    call = f"Rte_Read_{end.name}({value})"
-    if not end.tells_of_rejection:
-        return block(f"if ({call} == RTE_E_OK)", [_given(end, "value", swc)])
-    reject = lines(f"{swc.core.type_name}_Reject_{end.place}({at_core(swc)}, t);")
-    failed = "(status == RTE_E_HARD_TRANSFORMER_ERROR) || (status == RTE_E_SOFT_TRANSFORMER_ERROR)"
-    return joined([
-        lines(f"const Std_ReturnType status = {call};\n"),
-        choice([("status == RTE_E_OK", _given(end, "value", swc)), ("", block(f"if ({failed})", [reject]))]),
-    ])  # fmt: skip
 
 
 def _take_copy(end: DataEnd, runnable: Runnable, swc: SwcPlan) -> Lines:
     """Implicit access: the copy that the RTE has made for the runnable."""
     api = f"{runnable.name}_{end.name}"
     head = f"static void {_copy_name(end, runnable, swc)}(uint64 t)"
-    received = f"if (Rte_IStatus_{api}() != RTE_E_NEVER_RECEIVED)"
+    received = f"if (Rte_IStatus_{api}() == RTE_E_OK)"
     if end.type.is_number:
         return function(head, [block(received, [_given(end, f"Rte_IRead_{api}()", swc)])], end.comment)
     type_ = end.type.element.name if end.type.element else end.type.name

@@ -135,7 +135,7 @@ def _step(each: Runnable, swc: SwcPlan) -> list[Lines]:
             enter(swc), lines(f"{p}_GetOutput_{step.name}({core}, t);"), *sends(step.name, swc), leave(swc),
             _publish(swc), *requests(step.name, swc),
             enter(swc),
-            find if len(swc.core.steps) > 1 else (),
+            find if _triggered(each, swc) else (),
         ]),
         lines(f"{p}_Supervise({core}, t);"),
         _note_starts(each, swc),

@@ -9,6 +9,7 @@ from sigcat.adapter.autosar_classic.test_rte import operations
 from sigcat.adapter.autosar_classic.test_rte.names import (
     data,
     deliver,
+    deliver_checked,
     implicit,
     mode_of,
     own,
@@ -18,7 +19,7 @@ from sigcat.adapter.autosar_classic.test_rte.names import (
 )
 from sigcat.adapter.autosar_classic.test_rte.plan import TestRte, received_at
 from sigcat.adapter.autosar_classic.test_rte.shapes import initializer
-from sigcat.adapter.core.c.lines import Lines, block, joined, lines, spaced
+from sigcat.adapter.core.c.lines import Lines, block, choice, joined, lines, spaced
 from sigcat.adapter.core.c.shadowing import renamed, shadowed
 from sigcat.function.document.text_filters import block_comment, c_string
 from sigcat.integration.autosar_classic.model import Port, Runnable
@@ -64,18 +65,14 @@ def _functions(swc: SwcPlan, rte: TestRte) -> Lines:
 
 def _buffer(end: DataEnd, swc: SwcPlan) -> Lines:
     if not end.is_queue:
+        code = " uint8 code;" if end.has_transformer_errors else ""
         return lines(
-            f"static struct {{ {end.type.name} value; boolean is_there; boolean is_updated; }} {data(end, swc)};"
+            f"static struct {{ {end.type.name} value;{code} boolean is_there; boolean is_updated; }} {data(end, swc)};"
         )
+    codes = f" uint8 codes[{end.room}];" if end.has_transformer_errors else ""
     return lines(
-        f"static struct {{ {end.type.name} values[{queue_length(end, swc)}]; uint32 count; boolean is_lost; }} {data(end, swc)};"
+        f"static struct {{ {end.type.name} values[{end.room}];{codes} uint32 count; boolean is_lost; }} {data(end, swc)};"
     )
-
-
-def queue_length(end: DataEnd, swc: SwcPlan) -> int:
-    """Values that wait in a port."""
-    port = _port(end.port, swc)
-    return next((each.queue_length or 1 for each in port.elements if each.name == end.element), 1)
 
 
 def _port(name: str, swc: SwcPlan) -> Port:
@@ -120,22 +117,57 @@ def _memories(swc: SwcPlan) -> list[Lines]:
 
 
 def _deliver(end: DataEnd, swc: SwcPlan, rte: TestRte) -> Lines:
-    place = data(end, swc)
     raised = rte.events(swc, "DataReceived", port=end.port, element=end.element)
+    activated = joined(lines(f"Os_Activate({number}U);") for number in raised)
+    if not end.has_transformer_errors:
+        return function(f"void {deliver(end, swc)}(const void *value)", [_kept(end, swc), activated])
+    checked = _queued_with_code if end.is_queue else _kept_with_code
+    return spaced([
+        function(f"void {deliver_checked(end, swc)}(const void *value, uint8 code)", checked(end, activated, swc)),
+        function(f"void {deliver(end, swc)}(const void *value)", [lines(f"{deliver_checked(end, swc)}(value, 0U);")]),
+    ])  # fmt: skip
+
+
+def _kept_with_code(end: DataEnd, activated: Lines, swc: SwcPlan) -> list[Lines]:
+    """A code holds until the next one, or the next value. With a hard error the value is not delivered."""
+    place = data(end, swc)
+    put = lines(f"(void)memcpy(&{place}.value, value, sizeof({place}.value));\n{place}.is_there = TRUE;")
+    return [
+        lines(f"{place}.code = code;"),
+        block("if (value != NULL)", [
+            block("if (code < TEST_RTE_HARD_ERROR)", [put]), lines(f"{place}.is_updated = TRUE;"), activated,
+        ]),
+    ]  # fmt: skip
+
+
+def _queued_with_code(end: DataEnd, activated: Lines, swc: SwcPlan) -> list[Lines]:
+    """Each value waits with its code, and so does an error without a value."""
+    place = data(end, swc)
+    copy = lines(f"(void)memcpy(&{place}.values[{place}.count], value, sizeof({place}.values[0]));")
+    clear = lines(f"(void)memset(&{place}.values[{place}.count], 0, sizeof({place}.values[0]));")
+    put = [
+        choice([("value != NULL", copy), ("", clear)]),
+        lines(f"{place}.codes[{place}.count] = code;\n{place}.count++;"),
+    ]
+    return [
+        block("if ((value == NULL) && (code == 0U))", [lines("return;")]),
+        choice([(f"{place}.count < {end.room}U", joined(put)), ("", lines(f"{place}.is_lost = TRUE;"))]),
+        activated,
+    ]  # fmt: skip
+
+
+def _kept(end: DataEnd, swc: SwcPlan) -> Lines:
+    place = data(end, swc)
     if end.is_queue:
-        full = f"{queue_length(end, swc)}U"
-        taken = joined([
-            block(f"if ({place}.count < {full})", [
+        return joined([
+            block(f"if ({place}.count < {end.room}U)", [
                 lines(f"(void)memcpy(&{place}.values[{place}.count], value, sizeof({place}.values[0]));\n{place}.count++;"),
             ])[:-1],
             block("} else", [lines(f"{place}.is_lost = TRUE;")]),
         ])  # fmt: skip
-    else:
-        taken = lines(
-            f"(void)memcpy(&{place}.value, value, sizeof({place}.value));\n{place}.is_there = TRUE;\n{place}.is_updated = TRUE;"
-        )
-    activated = joined(lines(f"Os_Activate({number}U);") for number in raised)
-    return function(f"void {deliver(end, swc)}(const void *value)", [taken, activated])
+    return lines(
+        f"(void)memcpy(&{place}.value, value, sizeof({place}.value));\n{place}.is_there = TRUE;\n{place}.is_updated = TRUE;"
+    )
 
 
 def _switched(port: Port, swc: SwcPlan, rte: TestRte) -> Lines:
@@ -183,18 +215,38 @@ def _taken(call: Call, end: DataEnd, swc: SwcPlan) -> list[Lines]:
     if call.kind == "IsUpdated":
         return [lines(f"return {place}.is_updated;")]
     if call.kind == "Receive":
-        return [
-            lines(f"const Std_ReturnType status = ({place}.is_lost != FALSE) ? RTE_E_LOST_DATA : RTE_E_OK;\n"),
-            block(f"if ({place}.count == 0U)", [lines("return RTE_E_NO_DATA;")]),
-            lines(f"(void)memcpy(data, &{place}.values[0], sizeof({place}.values[0]));\n{place}.count--;\n"
-                  f"(void)memmove(&{place}.values[0], &{place}.values[1], {place}.count * sizeof({place}.values[0]));\n"
-                  f"{place}.is_lost = FALSE;\nreturn status;"),
-        ]  # fmt: skip
+        return _received(end, place)
+    if end.has_transformer_errors:
+        return [lines(f"""
+            const Std_ReturnType status = TestRte_Checked({place}.code, transformerError);
+
+            (void)memcpy(data, &{place}.value, sizeof({place}.value));
+            {place}.is_updated = FALSE;
+            return ((status == RTE_E_OK) && ({place}.is_there == FALSE)) ? RTE_E_NEVER_RECEIVED : status;
+        """)]  # fmt: skip
     return [lines(f"""
         (void)memcpy(data, &{place}.value, sizeof({place}.value));
         {place}.is_updated = FALSE;
         return ({place}.is_there != FALSE) ? RTE_E_OK : RTE_E_NEVER_RECEIVED;
     """)]  # fmt: skip
+
+
+def _received(end: DataEnd, place: str) -> list[Lines]:
+    lost = f"({place}.is_lost != FALSE) ? RTE_E_LOST_DATA : RTE_E_OK"
+    moved = ["values", "codes"] if end.has_transformer_errors else ["values"]
+    found = f"(Std_ReturnType)(TestRte_Checked({place}.codes[0], transformerError) | status)"
+    none = "(void)TestRte_Checked(0U, transformerError);\n" if end.has_transformer_errors else ""
+    return [
+        lines(f"const Std_ReturnType status = {lost};"),
+        lines("Std_ReturnType found;") if end.has_transformer_errors else (),
+        lines(""),
+        block(f"if ({place}.count == 0U)", [lines(f"{none}return RTE_E_NO_DATA;")]),
+        lines(f"found = {found};") if end.has_transformer_errors else (),
+        lines(f"(void)memcpy(data, &{place}.values[0], sizeof({place}.values[0]));\n{place}.count--;"),
+        *(lines(f"(void)memmove(&{place}.{each}[0], &{place}.{each}[1], {place}.count * sizeof({place}.{each}[0]));")
+          for each in moved),
+        lines(f"{place}.is_lost = FALSE;\nreturn {'found' if end.has_transformer_errors else 'status'};"),
+    ]  # fmt: skip
 
 
 def _copied(call: Call, type_: RteType, swc: SwcPlan) -> list[Lines]:
@@ -231,7 +283,8 @@ def _mode_sent(mode: ModeEnd | None, swc: SwcPlan) -> Lines:
 
 def _own(call: Call, swc: SwcPlan, rte: TestRte) -> list[Lines]:
     if call.kind in ("Enter", "Exit"):
-        return [lines(f"Os_{call.kind}Area({rte.index(swc)}U);")]
+        area = "Calls" if call.element == swc.calls_area else "Area"
+        return [lines(f"Os_{call.kind}{area}({rte.index(swc)}U);")]
     if call.kind == "Pim":
         return [lines(f"return &{own('Pim', call.element, swc)};")]
     if call.kind == "IrTrigger":

@@ -15,6 +15,11 @@ def deliver(end: DataEnd, swc: SwcPlan) -> str:
     return f"TestRte_Deliver_{swc.name}_{end.name}"
 
 
+def deliver_checked(end: DataEnd, swc: SwcPlan) -> str:
+    """What puts a value there with a code of its end-to-end protection."""
+    return f"TestRte_DeliverChecked_{swc.name}_{end.name}"
+
+
 def implicit(call: Call, swc: SwcPlan) -> str:
     """The copy for a runnable."""
     return f"copy_{swc.name}_{call.runnable}_{call.port}_{call.element}"

@@ -30,6 +30,6 @@ build/test_rte lock TRACE.csv sent.csv told.csv LENGTH_NS
 ```
 
 The trace is one of `sigcat simulate`. `sent.csv` has times in ns, names and values of what components sent; `told.csv`
-times, modules, names and values of what services were told. Members of structs in the trace stand in the order of their
-declaration.
+times, modules, names and values of what services were told. Members of structs in the trace have the order of their
+declaration. A column `<signal>:e2e` has error codes of end-to-end protection, for signals with an `e2eError`.
 """

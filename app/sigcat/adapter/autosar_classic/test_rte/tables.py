@@ -6,7 +6,7 @@ from typing import NamedTuple
 from sigcat.adapter.autosar_classic.code.plan import RteType, SwcPlan
 from sigcat.adapter.autosar_classic.test_rte import operations
 from sigcat.adapter.autosar_classic.test_rte.component import required_modes
-from sigcat.adapter.autosar_classic.test_rte.names import deliver, own, run, shape_name, switch_to
+from sigcat.adapter.autosar_classic.test_rte.names import deliver, deliver_checked, own, run, shape_name, switch_to
 from sigcat.adapter.autosar_classic.test_rte.plan import Scheduled, TestRte
 from sigcat.adapter.autosar_classic.test_rte.shapes import Shape, Symbols, shape_tables
 from sigcat.adapter.core.c.lines import Line, Lines, block, joined, lines, spaced
@@ -20,6 +20,7 @@ class _Input(NamedTuple):
     columns: tuple[str, ...]
     shape: str
     function: str
+    checked: str = "NULL"
 
 
 def data_header(rte: TestRte) -> Lines:
@@ -29,6 +30,11 @@ def data_header(rte: TestRte) -> Lines:
     for swc in rte.plan.swcs:
         types += operations.answer_types(swc)
         prototypes += [f"void {deliver(end, swc)}(const void *value);" for end in swc.received]
+        prototypes += [
+            f"void {deliver_checked(end, swc)}(const void *value, uint8 code);"
+            for end in swc.received
+            if end.has_transformer_errors
+        ]
         prototypes += [f"void {switch_to(port, swc)}(const void *value);" for port in required_modes(swc)]
         prototypes += [f"void {operations.deliver_answer(end, swc)}(const void *value);" for end in swc.requests]
         prototypes += [f"void {run(each, swc)}(void);" for each in swc.component.runnables if each.role != "Method"]
@@ -80,8 +86,8 @@ def tables(rte: TestRte) -> Lines:
         lines('#include "rte_data.h"\n#include "Rte_Main.h"'),
         *shape_tables([each for swc in rte.plan.swcs for each in _shapes(swc, rte)]),
         _table("TestRte_Input TestRte_Inputs", "TestRte_InputCount", [
-            f"{{{c_string(column)}, &{each.shape}, {each.function}}}" for each in _inputs(rte) for column in each.columns
-        ], "{NULL, NULL, NULL}"),
+            f"{{{c_string(column)}, &{each.shape}, {each.function}, {each.checked}}}" for each in _inputs(rte) for column in each.columns
+        ], "{NULL, NULL, NULL, NULL}"),
         _events(rte),
         _table("char *const TestRte_Components", "TestRte_ComponentCount",
                [c_string(swc.name) for swc in rte.plan.swcs], "NULL"),
@@ -105,7 +111,8 @@ def _inputs(rte: TestRte) -> Iterator[_Input]:
     for swc in rte.plan.swcs:
         for end in swc.received:
             if rte.provider(swc, end.port) is None:
-                yield _Input(end.columns, shape_name(end.name, swc), deliver(end, swc))
+                checked = deliver_checked(end, swc) if end.has_transformer_errors else "NULL"
+                yield _Input(end.columns, shape_name(end.name, swc), deliver(end, swc), checked)
         for port in required_modes(swc):
             if rte.provider(swc, port.name) is None and port.service != _ECU and swc.mode_in:
                 yield _Input(swc.mode_in.columns, shape_name(f"{port.name}_mode", swc), switch_to(port, swc))

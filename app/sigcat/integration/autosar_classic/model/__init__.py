@@ -44,7 +44,7 @@ from sigcat.integration.autosar_classic.model.needs import (
     NvBlock,
     SupervisedEntity,
 )
-from sigcat.integration.autosar_classic.model.ports import Element, Port, Use
+from sigcat.integration.autosar_classic.model.ports import E2eWindow, E2eWindows, Element, Port, Use
 from sigcat.integration.autosar_classic.model.system import (
     Assembly,
     Composition,
@@ -90,6 +90,8 @@ __all__ = [
     "DeadlineSupervision",
     "Delegation",
     "DiagnosticEvent",
+    "E2eWindow",
+    "E2eWindows",
     "Ecu",
     "Element",
     "Event",

@@ -1,6 +1,8 @@
 """Ports of a component."""
 
-from typing import Literal
+from typing import Annotated, Literal
+
+from pydantic import Field
 
 from sigcat.function.document.field_types import CallName, FunctionName, InterfaceName, Name, ShortName
 from sigcat.function.document.text import AnyValue, Text
@@ -21,6 +23,31 @@ class Use(WireModel):
     timeout: Number | None = own("Timeout", "Longest age of a value: the core judges it, not COM.", unit="ms")
 
 
+Messages = Annotated[Integer, Field(ge=0, le=255)]
+"""A number of messages: AUTOSAR counts them in 8 bits."""
+
+
+class E2eWindow(WireModel):
+    """Messages that a state of the end-to-end state machine counts."""
+
+    size: Annotated[Integer, Field(ge=1, le=255)] = always("WindowSize", "Last messages that count.")
+    min_ok: Messages = always("MinOkState", "Fewest of them that passed.")
+    max_error: Messages = always("MaxErrorState", "Most of them with an error.")
+
+
+class E2eWindows(WireModel):
+    """Windows of the states of the end-to-end state machine."""
+
+    init: E2eWindow = always("Init", "Window of INIT.")
+    valid: E2eWindow = always("Valid", "Window of VALID.")
+    invalid: E2eWindow = always("Invalid", "Window of INVALID.")
+
+    @property
+    def sizes(self) -> frozenset[int]:
+        """Sizes of the windows. Up to release 4.4.0 all states have one."""
+        return frozenset(each.size for each in (self.init, self.valid, self.invalid))
+
+
 class Element(WireModel):
     """What a port says of an element of its interface: its communication specification."""
 
@@ -36,6 +63,7 @@ class Element(WireModel):
     transformer_errors: bool | None = own(
         "TransformerErrors", "Whether the RTE tells what end-to-end protection has rejected, so that the core is told."
     )
+    windows: E2eWindows | None = own("E2eWindows", "Windows of the state machine that checks the received data.")
     uses: tuple[Use, ...] | None = own("Uses", "Interfaces of the function behind it.", strict=False)
 
 
@@ -53,3 +81,8 @@ class Port(WireModel):
         "ServiceKind", "Module of the base software that it is connected to, if it is a service port."
     )
     description: Text | None = own("Description", "What goes through it.")
+
+    @property
+    def reports_transformer_errors(self) -> bool:
+        """Whether its functions have the argument for transformer errors: AUTOSAR has one option for all elements of a port."""
+        return any(element.transformer_errors for element in self.elements)

@@ -120,7 +120,7 @@ static void CoreAcc_Swc_Take_EcoControlMpc_NoSolutionError_ErrorSts(uint64 t)
 /* Vehicle.ADAS.EcoControl.IsEnabled */
 static void CoreAcc_Swc_TakeIn_Step_EnaGACC(uint64 t)
 {
-    if (Rte_IStatus_Step_ADAS_EcoControl_IsEnabled_IsEnabled() != RTE_E_NEVER_RECEIVED) {
+    if (Rte_IStatus_Step_ADAS_EcoControl_IsEnabled_IsEnabled() == RTE_E_OK) {
         CoreAcc_Adapter_Receive_EnaGACC(&CoreAcc_Adapter_Instance,
             (Rte_IRead_Step_ADAS_EcoControl_IsEnabled_IsEnabled() != FALSE), t);
     }
@@ -129,7 +129,7 @@ static void CoreAcc_Swc_TakeIn_Step_EnaGACC(uint64 t)
 /* Vehicle.Mass [kg] */
 static void CoreAcc_Swc_TakeIn_Step_VehM(uint64 t)
 {
-    if (Rte_IStatus_Step_Vehicle_Mass_Mass() != RTE_E_NEVER_RECEIVED) {
+    if (Rte_IStatus_Step_Vehicle_Mass_Mass() == RTE_E_OK) {
         CoreAcc_Adapter_Receive_VehM(&CoreAcc_Adapter_Instance, Rte_IRead_Step_Vehicle_Mass_Mass(), t);
     }
 }
@@ -137,7 +137,7 @@ static void CoreAcc_Swc_TakeIn_Step_VehM(uint64 t)
 /* Vehicle.ADAS.Map.DFS.MapDataSpdUnitTyp */
 static void CoreAcc_Swc_TakeIn_Step_SpdLimUnit(uint64 t)
 {
-    if (Rte_IStatus_Step_ADAS_Map_DFS_MapDataSpdUnitTyp_MapDataSpdUnitTyp() != RTE_E_NEVER_RECEIVED) {
+    if (Rte_IStatus_Step_ADAS_Map_DFS_MapDataSpdUnitTyp_MapDataSpdUnitTyp() == RTE_E_OK) {
         CoreAcc_Adapter_Receive_SpdLimUnit(&CoreAcc_Adapter_Instance,
             Rte_IRead_Step_ADAS_Map_DFS_MapDataSpdUnitTyp_MapDataSpdUnitTyp(), t);
     }
@@ -146,7 +146,7 @@ static void CoreAcc_Swc_TakeIn_Step_SpdLimUnit(uint64 t)
 /* Vehicle.Acceleration.Longitudinal [m/s^2] */
 static void CoreAcc_Swc_TakeIn_Step_HstVehALgtFild(uint64 t)
 {
-    if (Rte_IStatus_Step_Acceleration_Longitudinal_Longitudinal() != RTE_E_NEVER_RECEIVED) {
+    if (Rte_IStatus_Step_Acceleration_Longitudinal_Longitudinal() == RTE_E_OK) {
         CoreAcc_Adapter_Receive_HstVehALgtFild(&CoreAcc_Adapter_Instance,
             Rte_IRead_Step_Acceleration_Longitudinal_Longitudinal(), t);
     }
@@ -155,7 +155,7 @@ static void CoreAcc_Swc_TakeIn_Step_HstVehALgtFild(uint64 t)
 /* Vehicle.Speed [km/h] */
 static void CoreAcc_Swc_TakeIn_Step_EgoVehSpd(uint64 t)
 {
-    if (Rte_IStatus_Step_Vehicle_Speed_Speed() != RTE_E_NEVER_RECEIVED) {
+    if (Rte_IStatus_Step_Vehicle_Speed_Speed() == RTE_E_OK) {
         CoreAcc_Adapter_Receive_EgoVehSpd(&CoreAcc_Adapter_Instance, Rte_IRead_Step_Vehicle_Speed_Speed(), t);
     }
 }
@@ -163,7 +163,7 @@ static void CoreAcc_Swc_TakeIn_Step_EgoVehSpd(uint64 t)
 /* Vehicle.ADAS.CruiseControl.SpeedSet [km/h] */
 static void CoreAcc_Swc_TakeIn_Step_SetSpd(uint64 t)
 {
-    if (Rte_IStatus_Step_ADAS_CruiseControl_SpeedSet_SpeedSet() != RTE_E_NEVER_RECEIVED) {
+    if (Rte_IStatus_Step_ADAS_CruiseControl_SpeedSet_SpeedSet() == RTE_E_OK) {
         CoreAcc_Adapter_Receive_SetSpd(&CoreAcc_Adapter_Instance,
             Rte_IRead_Step_ADAS_CruiseControl_SpeedSet_SpeedSet(), t);
     }
@@ -172,7 +172,7 @@ static void CoreAcc_Swc_TakeIn_Step_SetSpd(uint64 t)
 /* Vehicle.ADAS.ObstacleDetection.Front.Center.Distance [m] */
 static void CoreAcc_Swc_TakeIn_Step_ObjDst(uint64 t)
 {
-    if (Rte_IStatus_Step_ADAS_ObstacleDetection_Front_Center_Distance_Distance() != RTE_E_NEVER_RECEIVED) {
+    if (Rte_IStatus_Step_ADAS_ObstacleDetection_Front_Center_Distance_Distance() == RTE_E_OK) {
         CoreAcc_Adapter_Receive_ObjDst(&CoreAcc_Adapter_Instance,
             Rte_IRead_Step_ADAS_ObstacleDetection_Front_Center_Distance_Distance(), t);
     }
@@ -215,12 +215,13 @@ static void CoreAcc_Swc_Send_Step(void)
     }
 }
 
-/* Vehicle.Function.CoreAcc.Error.BrakePressureTimeout: if another verdict comes meanwhile, that one is told last. */
+/* Vehicle.Function.CoreAcc.Error.BrakePressureTimeout: a verdict that changes meanwhile is reported too, a further
+ * change by the next runnable. */
 static void CoreAcc_Swc_Tell_BrakePressureTimeout(void)
 {
     boolean is_last = FALSE;
 
-    while (is_last == FALSE) {
+    for (uint32 turn = 0U; (turn < 2U) && (is_last == FALSE); turn++) {
         Rte_Enter_Core();
         const boolean has_failed = (CoreAcc_Adapter_Instance.out.BrakePressureTimeout == 1U) ? TRUE : FALSE;
         Rte_Exit_Core();
@@ -229,18 +230,19 @@ static void CoreAcc_Swc_Tell_BrakePressureTimeout(void)
             ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
 
         Rte_Enter_Core();
-        CoreAcc_Swc_Untold.BrakePressureTimeout = (status != RTE_E_OK) ? TRUE : FALSE;
         is_last = ((CoreAcc_Adapter_Instance.out.BrakePressureTimeout == 1U) == (has_failed != FALSE)) ? TRUE : FALSE;
+        CoreAcc_Swc_Untold.BrakePressureTimeout = ((status != RTE_E_OK) || (is_last == FALSE)) ? TRUE : FALSE;
         Rte_Exit_Core();
     }
 }
 
-/* Vehicle.Function.CoreAcc.Error.SteeringAngleTimeout: if another verdict comes meanwhile, that one is told last. */
+/* Vehicle.Function.CoreAcc.Error.SteeringAngleTimeout: a verdict that changes meanwhile is reported too, a further
+ * change by the next runnable. */
 static void CoreAcc_Swc_Tell_SteeringAngleTimeout(void)
 {
     boolean is_last = FALSE;
 
-    while (is_last == FALSE) {
+    for (uint32 turn = 0U; (turn < 2U) && (is_last == FALSE); turn++) {
         Rte_Enter_Core();
         const boolean has_failed = (CoreAcc_Adapter_Instance.out.SteeringAngleTimeout == 1U) ? TRUE : FALSE;
         Rte_Exit_Core();
@@ -249,18 +251,19 @@ static void CoreAcc_Swc_Tell_SteeringAngleTimeout(void)
             ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
 
         Rte_Enter_Core();
-        CoreAcc_Swc_Untold.SteeringAngleTimeout = (status != RTE_E_OK) ? TRUE : FALSE;
         is_last = ((CoreAcc_Adapter_Instance.out.SteeringAngleTimeout == 1U) == (has_failed != FALSE)) ? TRUE : FALSE;
+        CoreAcc_Swc_Untold.SteeringAngleTimeout = ((status != RTE_E_OK) || (is_last == FALSE)) ? TRUE : FALSE;
         Rte_Exit_Core();
     }
 }
 
-/* Vehicle.Function.CoreAcc.Error.ProposalTimeout: if another verdict comes meanwhile, that one is told last. */
+/* Vehicle.Function.CoreAcc.Error.ProposalTimeout: a verdict that changes meanwhile is reported too, a further change by
+ * the next runnable. */
 static void CoreAcc_Swc_Tell_ProposalTimeout(void)
 {
     boolean is_last = FALSE;
 
-    while (is_last == FALSE) {
+    for (uint32 turn = 0U; (turn < 2U) && (is_last == FALSE); turn++) {
         Rte_Enter_Core();
         const boolean has_failed = (CoreAcc_Adapter_Instance.out.ProposalTimeout == 1U) ? TRUE : FALSE;
         Rte_Exit_Core();
@@ -269,18 +272,19 @@ static void CoreAcc_Swc_Tell_ProposalTimeout(void)
             ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
 
         Rte_Enter_Core();
-        CoreAcc_Swc_Untold.ProposalTimeout = (status != RTE_E_OK) ? TRUE : FALSE;
         is_last = ((CoreAcc_Adapter_Instance.out.ProposalTimeout == 1U) == (has_failed != FALSE)) ? TRUE : FALSE;
+        CoreAcc_Swc_Untold.ProposalTimeout = ((status != RTE_E_OK) || (is_last == FALSE)) ? TRUE : FALSE;
         Rte_Exit_Core();
     }
 }
 
-/* Vehicle.Function.CoreAcc.Error.AliveError: if another verdict comes meanwhile, that one is told last. */
+/* Vehicle.Function.CoreAcc.Error.AliveError: a verdict that changes meanwhile is reported too, a further change by the
+ * next runnable. */
 static void CoreAcc_Swc_Tell_AliveError(void)
 {
     boolean is_last = FALSE;
 
-    while (is_last == FALSE) {
+    for (uint32 turn = 0U; (turn < 2U) && (is_last == FALSE); turn++) {
         Rte_Enter_Core();
         const boolean has_failed = (CoreAcc_Adapter_Instance.out.AliveError == 1U) ? TRUE : FALSE;
         Rte_Exit_Core();
@@ -289,8 +293,8 @@ static void CoreAcc_Swc_Tell_AliveError(void)
             ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
 
         Rte_Enter_Core();
-        CoreAcc_Swc_Untold.AliveError = (status != RTE_E_OK) ? TRUE : FALSE;
         is_last = ((CoreAcc_Adapter_Instance.out.AliveError == 1U) == (has_failed != FALSE)) ? TRUE : FALSE;
+        CoreAcc_Swc_Untold.AliveError = ((status != RTE_E_OK) || (is_last == FALSE)) ? TRUE : FALSE;
         Rte_Exit_Core();
     }
 }

@@ -79,7 +79,7 @@ static void EcoControlMpc_Swc_Take_AccPropInvalid(uint64 t)
 /* Vehicle.ADAS.EcoControl.IsEnabled */
 static void EcoControlMpc_Swc_TakeIn_Step_EnaMpc(uint64 t)
 {
-    if (Rte_IStatus_Step_ADAS_EcoControl_IsEnabled_IsEnabled() != RTE_E_NEVER_RECEIVED) {
+    if (Rte_IStatus_Step_ADAS_EcoControl_IsEnabled_IsEnabled() == RTE_E_OK) {
         EcoControlMpc_Adapter_Receive_EnaMpc(&EcoControlMpc_Swc_Core,
             (Rte_IRead_Step_ADAS_EcoControl_IsEnabled_IsEnabled() != FALSE), t);
     }
@@ -88,7 +88,7 @@ static void EcoControlMpc_Swc_TakeIn_Step_EnaMpc(uint64 t)
 /* Vehicle.Speed [km/h] */
 static void EcoControlMpc_Swc_TakeIn_Step_EgoSpd(uint64 t)
 {
-    if (Rte_IStatus_Step_Vehicle_Speed_Speed() != RTE_E_NEVER_RECEIVED) {
+    if (Rte_IStatus_Step_Vehicle_Speed_Speed() == RTE_E_OK) {
         EcoControlMpc_Adapter_Receive_EgoSpd(&EcoControlMpc_Swc_Core, Rte_IRead_Step_Vehicle_Speed_Speed(), t);
     }
 }
@@ -96,7 +96,7 @@ static void EcoControlMpc_Swc_TakeIn_Step_EgoSpd(uint64 t)
 /* Vehicle.ADAS.CruiseControl.SpeedSet [km/h] */
 static void EcoControlMpc_Swc_TakeIn_Step_SetSpd(uint64 t)
 {
-    if (Rte_IStatus_Step_ADAS_CruiseControl_SpeedSet_SpeedSet() != RTE_E_NEVER_RECEIVED) {
+    if (Rte_IStatus_Step_ADAS_CruiseControl_SpeedSet_SpeedSet() == RTE_E_OK) {
         EcoControlMpc_Adapter_Receive_SetSpd(&EcoControlMpc_Swc_Core,
             Rte_IRead_Step_ADAS_CruiseControl_SpeedSet_SpeedSet(), t);
     }
@@ -137,12 +137,13 @@ static void EcoControlMpc_Swc_Send_Step(void)
     }
 }
 
-/* Vehicle.Function.EcoControlMpc.Error.HorizonTimeout: if another verdict comes meanwhile, that one is told last. */
+/* Vehicle.Function.EcoControlMpc.Error.HorizonTimeout: a verdict that changes meanwhile is reported too, a further
+ * change by the next runnable. */
 static void EcoControlMpc_Swc_Tell_HorizonTimeout(void)
 {
     boolean is_last = FALSE;
 
-    while (is_last == FALSE) {
+    for (uint32 turn = 0U; (turn < 2U) && (is_last == FALSE); turn++) {
         Rte_Enter_Core();
         const boolean has_failed = (EcoControlMpc_Swc_Core.out.HorizonTimeout == 1U) ? TRUE : FALSE;
         Rte_Exit_Core();
@@ -151,18 +152,19 @@ static void EcoControlMpc_Swc_Tell_HorizonTimeout(void)
             ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
 
         Rte_Enter_Core();
-        EcoControlMpc_Swc_Untold.HorizonTimeout = (status != RTE_E_OK) ? TRUE : FALSE;
         is_last = ((EcoControlMpc_Swc_Core.out.HorizonTimeout == 1U) == (has_failed != FALSE)) ? TRUE : FALSE;
+        EcoControlMpc_Swc_Untold.HorizonTimeout = ((status != RTE_E_OK) || (is_last == FALSE)) ? TRUE : FALSE;
         Rte_Exit_Core();
     }
 }
 
-/* Vehicle.Function.EcoControlMpc.Error.NoSolutionError: if another verdict comes meanwhile, that one is told last. */
+/* Vehicle.Function.EcoControlMpc.Error.NoSolutionError: a verdict that changes meanwhile is reported too, a further
+ * change by the next runnable. */
 static void EcoControlMpc_Swc_Tell_NoSolutionError(void)
 {
     boolean is_last = FALSE;
 
-    while (is_last == FALSE) {
+    for (uint32 turn = 0U; (turn < 2U) && (is_last == FALSE); turn++) {
         Rte_Enter_Core();
         const boolean has_failed = (EcoControlMpc_Swc_Core.out.NoSolutionError == 1U) ? TRUE : FALSE;
         Rte_Exit_Core();
@@ -171,18 +173,19 @@ static void EcoControlMpc_Swc_Tell_NoSolutionError(void)
             ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
 
         Rte_Enter_Core();
-        EcoControlMpc_Swc_Untold.NoSolutionError = (status != RTE_E_OK) ? TRUE : FALSE;
         is_last = ((EcoControlMpc_Swc_Core.out.NoSolutionError == 1U) == (has_failed != FALSE)) ? TRUE : FALSE;
+        EcoControlMpc_Swc_Untold.NoSolutionError = ((status != RTE_E_OK) || (is_last == FALSE)) ? TRUE : FALSE;
         Rte_Exit_Core();
     }
 }
 
-/* Vehicle.Function.EcoControlMpc.Error.DeadlineError: if another verdict comes meanwhile, that one is told last. */
+/* Vehicle.Function.EcoControlMpc.Error.DeadlineError: a verdict that changes meanwhile is reported too, a further
+ * change by the next runnable. */
 static void EcoControlMpc_Swc_Tell_DeadlineError(void)
 {
     boolean is_last = FALSE;
 
-    while (is_last == FALSE) {
+    for (uint32 turn = 0U; (turn < 2U) && (is_last == FALSE); turn++) {
         Rte_Enter_Core();
         const boolean has_failed = (EcoControlMpc_Swc_Core.out.DeadlineError == 1U) ? TRUE : FALSE;
         Rte_Exit_Core();
@@ -191,8 +194,8 @@ static void EcoControlMpc_Swc_Tell_DeadlineError(void)
             ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
 
         Rte_Enter_Core();
-        EcoControlMpc_Swc_Untold.DeadlineError = (status != RTE_E_OK) ? TRUE : FALSE;
         is_last = ((EcoControlMpc_Swc_Core.out.DeadlineError == 1U) == (has_failed != FALSE)) ? TRUE : FALSE;
+        EcoControlMpc_Swc_Untold.DeadlineError = ((status != RTE_E_OK) || (is_last == FALSE)) ? TRUE : FALSE;
         Rte_Exit_Core();
     }
 }

@@ -11,6 +11,7 @@ static boolean *is_activated;
 static uint64 *due; /* of each event */
 static boolean *has_ended; /* of each component */
 static uint32 *depth; /* of the exclusive area of each component */
+static uint32 *calls; /* in the area around calls and methods, of each component */
 static boolean *runs_again; /* each event of a component that waits: what it does meanwhile starts no call */
 static uint32 running = NONE; /* the event that runs */
 static boolean has_waited; /* whether the runnable that ended last took time */
@@ -52,6 +53,7 @@ void Os_Start(void)
     due = zeros(TestRte_EventCount, sizeof(*due));
     has_ended = zeros(TestRte_ComponentCount, sizeof(*has_ended));
     depth = zeros(TestRte_ComponentCount, sizeof(*depth));
+    calls = zeros(TestRte_ComponentCount, sizeof(*calls));
     runs_again = zeros(TestRte_EventCount, sizeof(*runs_again));
     waits = zeros(TestRte_EventCount, sizeof(*waits));
     for (uint32 i = 0U; i < TestRte_EventCount; i++) {
@@ -183,20 +185,41 @@ boolean Os_HasEnded(uint32 component)
     return has_ended[component];
 }
 
-void Os_EnterArea(uint32 component)
+static void enter(uint32 *areas, uint32 component, boolean may_nest)
 {
-    depth[component]++;
-    if (depth[component] != 1U) {
+    areas[component]++;
+    if (areas[component] != 1U && may_nest == FALSE) {
         (void)fprintf(stderr, "%s enters its exclusive area twice.\n", TestRte_Components[component]);
         abort();
     }
 }
 
-void Os_ExitArea(uint32 component)
+static void leave(uint32 *areas, uint32 component)
 {
-    depth[component]--;
-    if (depth[component] != 0U) {
+    if (areas[component] == 0U) {
         (void)fprintf(stderr, "%s leaves an exclusive area that it is not in.\n", TestRte_Components[component]);
         abort();
     }
+    areas[component]--;
+}
+
+void Os_EnterArea(uint32 component)
+{
+    enter(depth, component, FALSE);
+}
+
+void Os_ExitArea(uint32 component)
+{
+    leave(depth, component);
+}
+
+/* A call that takes time has done its work before it waits: a method may be served meanwhile. */
+void Os_EnterCalls(uint32 component)
+{
+    enter(calls, component, is_waiting(component));
+}
+
+void Os_ExitCalls(uint32 component)
+{
+    leave(calls, component);
 }

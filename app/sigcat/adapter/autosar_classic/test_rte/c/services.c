@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "Rte.h"
 #include "test_rte.h"
 
 #define FAILED 1U
@@ -102,6 +103,18 @@ Std_ReturnType TestRte_GetCycle(uint32 *cycle)
 {
     *cycle = ignition_cycle;
     return E_OK;
+}
+
+/* -- end-to-end protection ----------------------------------------------------------------------------------------- */
+
+Std_ReturnType TestRte_Checked(uint8 code, Std_TransformerError *error)
+{
+    error->errorCode = code;
+    error->transformerClass = (code != 0U) ? STD_TRANSFORMER_SAFETY : STD_TRANSFORMER_UNSPECIFIED;
+    if (code >= TEST_RTE_HARD_ERROR) {
+        return RTE_E_HARD_TRANSFORMER_ERROR;
+    }
+    return (code != 0U) ? RTE_E_SOFT_TRANSFORMER_ERROR : RTE_E_OK;
 }
 
 /* -- diagnosis, and what it inhibits ------------------------------------------------------------------------------- */

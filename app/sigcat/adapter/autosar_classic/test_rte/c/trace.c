@@ -15,6 +15,14 @@
 #define SECOND 1000000000U
 #define LATEST 9223372036.0 /* s */
 #define DIGITS "0123456789"
+#define CODE ":e2e" /* ending of the name of a column with codes of end-to-end protection */
+
+/* A column: the input that takes its values, and its partner: the column of codes for values, of values for codes. */
+typedef struct {
+    const char *input; /* NULL: no component receives it */
+    boolean has_codes;
+    uint32 partner; /* 0: there is none */
+} Column;
 
 static struct {
     const char *name;
@@ -25,7 +33,7 @@ static struct {
     char **cells;
     uint32 places; /* for cells */
     uint32 count; /* of cells */
-    const char **columns; /* of each cell the input that takes it, or NULL */
+    Column *columns; /* of each cell */
     uint32 columns_count;
     uint64 time; /* of the row that comes next */
     void *value; /* with room for every input */
@@ -150,14 +158,33 @@ static void read_next(void)
 
 /* -- columns --------------------------------------------------------------------------------------------------------- */
 
-static const char *input_of(const char *name)
+/* Whether the name of a column is that of an input with an ending. */
+static boolean is_of(const char *name, const TestRte_Input *input, const char *ending)
 {
-    for (uint32 k = 0U; k < TestRte_InputCount; k++) {
-        if (strcmp(name, TestRte_Inputs[k].name) == 0) {
-            return TestRte_Inputs[k].name;
+    const size_t length = strlen(input->name);
+    return (strncmp(name, input->name, length) == 0 && strcmp(&name[length], ending) == 0) ? TRUE : FALSE;
+}
+
+static Column column_of(const char *name)
+{
+    Column found = {NULL, FALSE, 0U};
+    for (uint32 k = 0U; k < TestRte_InputCount && found.input == NULL; k++) {
+        const TestRte_Input *const input = &TestRte_Inputs[k];
+        found.has_codes = (input->deliver_checked != NULL && is_of(name, input, CODE) != FALSE) ? TRUE : FALSE;
+        found.input = (found.has_codes != FALSE || is_of(name, input, "") != FALSE) ? input->name : NULL;
+    }
+    return found;
+}
+
+static void find_partner(uint32 of)
+{
+    for (uint32 k = 1U; k < of; k++) {
+        const Column *const other = &from.columns[k];
+        if (other->input != NULL && other->input == from.columns[of].input && other->has_codes != from.columns[of].has_codes) {
+            from.columns[k].partner = of;
+            from.columns[of].partner = k;
         }
     }
-    return NULL;
 }
 
 /* Columns that nobody receives are left out, and named. */
@@ -172,13 +199,15 @@ static void read_header(boolean is_told)
     from.columns_count = from.count;
     from.columns = grown(from.columns, from.count * sizeof(*from.columns));
     for (uint32 i = 1U; i < from.count; i++) {
-        from.columns[i] = input_of(from.cells[i]);
+        from.columns[i] = column_of(from.cells[i]);
         for (uint32 k = 0U; k < i; k++) {
             if (strcmp(from.cells[k], from.cells[i]) == 0) {
                 fail("A column", "must stand in the header once", from.cells[i]);
             }
         }
-        if (from.columns[i] == NULL && strcmp(from.cells[i], "call") != 0 && is_told != FALSE) {
+        if (from.columns[i].input != NULL) {
+            find_partner(i);
+        } else if (strcmp(from.cells[i], "call") != 0 && is_told != FALSE) {
             (void)fprintf(stderr, "test_rte: %s: %s is left out: no component receives it\n", from.name, from.cells[i]);
         }
     }
@@ -186,20 +215,60 @@ static void read_header(boolean is_told)
 
 /* -- values ---------------------------------------------------------------------------------------------------------- */
 
+/* A code of end-to-end protection: 51, or 0x33. */
+static uint8 code_of(uint32 cell)
+{
+    const char *const text = from.cells[cell];
+    const boolean is_hex = (text[0] == '0' && (text[1] == 'x' || text[1] == 'X')) ? TRUE : FALSE;
+    const char *const digits = (is_hex != FALSE) ? &text[2] : text;
+    const size_t length = strspn(digits, (is_hex != FALSE) ? DIGITS "abcdefABCDEF" : DIGITS);
+    const unsigned long code = strtoul(digits, NULL, (is_hex != FALSE) ? 16 : 10);
+    if (length == 0U || length > 3U || digits[length] != '\0' || code > 255U) {
+        fail(from.columns[cell].input, "must have a code from 0 to 255, such as 0x33, in its column" CODE, text);
+    }
+    return (uint8)code;
+}
+
+/* A component whose port has no codes takes only what the RTE delivers without an error. */
+static void deliver(const TestRte_Input *input, const void *value, uint8 code)
+{
+    if (input->deliver_checked != NULL) {
+        input->deliver_checked(value, code);
+    } else if (value != NULL && code == 0U) {
+        input->deliver(value);
+    }
+}
+
 /* A column may be received by several components: each has an input of that name. */
-static void take(uint32 cell, boolean is_delivered)
+static void take(uint32 cell, uint8 code, boolean is_delivered)
 {
     for (uint32 k = 0U; k < TestRte_InputCount; k++) {
         const TestRte_Input *const input = &TestRte_Inputs[k];
-        if (strcmp(input->name, from.columns[cell]) == 0) {
+        if (strcmp(input->name, from.columns[cell].input) == 0) {
             (void)memset(from.value, 0, input->shape->size);
             const char *const wrong = TestRte_Read(from.cells[cell], input->shape, from.value);
             if (wrong != NULL) {
                 fail(input->name, wrong, from.cells[cell]);
             }
             if (is_delivered != FALSE) {
-                input->deliver(from.value);
+                deliver(input, from.value, code);
             }
+        }
+    }
+}
+
+static boolean is_given(uint32 cell)
+{
+    return (cell != 0U && from.cells[cell][0] != '\0') ? TRUE : FALSE;
+}
+
+/* A code without a value in its row: no message was received, but the functions that read the port return the code. */
+static void take_code(uint32 cell, boolean is_delivered)
+{
+    const uint8 code = code_of(cell);
+    for (uint32 k = 0U; k < TestRte_InputCount && is_delivered != FALSE; k++) {
+        if (strcmp(TestRte_Inputs[k].name, from.columns[cell].input) == 0) {
+            deliver(&TestRte_Inputs[k], NULL, code);
         }
     }
 }
@@ -207,8 +276,15 @@ static void take(uint32 cell, boolean is_delivered)
 static void take_row(boolean is_delivered)
 {
     for (uint32 i = 1U; i < from.count; i++) {
-        if (from.columns[i] != NULL && from.cells[i][0] != '\0') {
-            take(i, is_delivered);
+        const Column *const of = &from.columns[i];
+        const boolean has_partner = is_given(of->partner);
+        if (of->input == NULL || is_given(i) == FALSE) {
+            continue;
+        }
+        if (of->has_codes == FALSE) {
+            take(i, (has_partner != FALSE) ? code_of(of->partner) : 0U, is_delivered);
+        } else if (has_partner == FALSE) {
+            take_code(i, is_delivered);
         }
     }
 }

@@ -53,6 +53,8 @@ typedef struct {
     const char *name;
     const TestRte_Shape *shape;
     void (*deliver)(const void *value);
+    /* With a code of end-to-end protection, and NULL for no message. NULL: the port has no codes. */
+    void (*deliver_checked)(const void *value, uint8 code);
 } TestRte_Input;
 
 /* A memory of a component. */
@@ -104,6 +106,8 @@ void Os_EndComponent(uint32 component); /* nothing of it runs any more */
 boolean Os_HasEnded(uint32 component);
 void Os_EnterArea(uint32 component);
 void Os_ExitArea(uint32 component);
+void Os_EnterCalls(uint32 component); /* the area around calls and methods */
+void Os_ExitCalls(uint32 component);
 
 /* -- services, which record what they are told --------------------------------------------------------------------- */
 
@@ -121,6 +125,12 @@ Std_ReturnType NvM_SetRamBlockStatus(const char *block, boolean has_changed);
 void NvM_ReadAll(const char *folder); /* NULL: nothing was stored */
 void NvM_WriteAll(const char *folder);
 void TestRte_SetCycle(uint32 cycle);
+
+/* -- end-to-end protection, with codes from the trace ------------------------------------------------------------- */
+
+#define TEST_RTE_HARD_ERROR 0x80U /* codes from here on: nothing is delivered */
+
+Std_ReturnType TestRte_Checked(uint8 code, Std_TransformerError *error); /* status of a function that reads */
 
 /* -- texts of values ----------------------------------------------------------------------------------------------- */
 
