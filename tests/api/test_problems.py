@@ -179,6 +179,6 @@ def test_what_fails_inside_tells_nothing_of_the_inside(ask: Ask, monkeypatch: py
     def fail(*_: object) -> None:
         raise RuntimeError("secret")
 
-    monkeypatch.setattr("sigcat.api.routes.shortcuts.node_data", fail)
+    monkeypatch.setattr("sigcat.api.answers.serializers.node_data", fail)
     body = problem(ask, f"{SMALL}/nodes/Vehicle.Door.Left", 500)
     assert "secret" not in str(body)
