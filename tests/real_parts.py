@@ -148,8 +148,8 @@ KINDS = (
             "tests/adapter/test_mutated.py::test_what_is_generated_of_a_changed_integration_is_compiled",
         ),
         (
-            "tests/adapter/test_mutated.py::test_what_is_generated_of_a_changed_function_is_compiled[autosar-classic-time_outs-0]",
-            "tests/adapter/test_mutated.py::test_what_is_generated_of_a_changed_integration_is_compiled[autosar-classic-time_outs-0]",
+            "tests/adapter/test_mutated.py::test_what_is_generated_of_a_changed_function_is_compiled[autosar-classic-time_outs-drawn 0]",
+            "tests/adapter/test_mutated.py::test_what_is_generated_of_a_changed_integration_is_compiled[autosar-classic-time_outs-drawn 0]",
         ),
     ),
     Kind(

@@ -93,9 +93,8 @@ def _questions(function: ResolvedFunction, code: CodeInterface) -> Iterator[_Que
     """A line that has the type of each variable, and one that declares again what the adapter defines."""
     datatypes = {each.reference: each for each in function.function.datatypes}
     for index, each in enumerate(code.objects or ()):
-        if code.signature == GLOBALS and each.defined_by == _ADAPTER:
-            text = f"extern {each.type} {each.name};"
-            yield _Question(text, ("Code", "Objects", index, "Type"), is_definition=True)
+        if code.signature == GLOBALS and each.defined_by == _ADAPTER and each.has_valid_length:
+            yield _Question(f"extern {each.declaration};", ("Code", "Objects", index, "Type"), is_definition=True)
     for number, variable in enumerate(variables(function.function)):
         if variable.defined_by == _ADAPTER and code.signature == GLOBALS:
             yield from _definition(variable, datatypes)

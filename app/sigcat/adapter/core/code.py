@@ -20,7 +20,7 @@ ADAPTER = "Adapter"
 def planned_code(context: Context) -> Planning[Code]:
     """How the code is compiled, included and called. Without `Code`, calls are plain functions over globals."""
     declared = context.function.code or CodeInterface(signature=GLOBALS)
-    objects = tuple(CodeObject(each.name, each.type, each.member) for each in declared.objects or ())
+    objects = tuple(CodeObject(each.name, each.type, each.member, each.length) for each in declared.objects or ())
     if declared.signature == CLASS and not declared.class_name:
         message = "The class that has the calls as members must have a name."
         yield Problem(codes.VARIABLE_MISSING, ("Code",), message, "Give `class`.")

@@ -36,6 +36,8 @@ class CodeObject(NamedTuple):
     member: str = ""
     """Member of the first object that points to it."""
     defined_by: str = "adapter"
+    length: int = 0
+    """Elements of an array; 0 if it is not an array."""
 
 
 class Interface(NamedTuple):

@@ -1,6 +1,7 @@
 """Read a folder of C or C++ code to the description of one model."""
 
 import re
+import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
@@ -38,9 +39,7 @@ def read_project(folder: Path, function: str, model: str = "", definitions: Sequ
         if not _DEFINITION.fullmatch(definition):
             raise UsageError(f"A definition of the preprocessor must be NAME or NAME=VALUE, not {definition!r}")
     if not folder.is_dir():
-        raise UsageError(
-            f"{folder} must be a folder with C code" if folder.exists() else f"{folder}: there is no such folder"
-        )
+        raise UsageError(_no_folder(folder))
     files = read_folder(folder)._replace(definitions=tuple(definitions))
     if not any(Path(path).suffix.lower() in HEADERS for path in files.texts):
         message = "The folder must have headers of C or C++ (.h, .hpp)."
@@ -52,6 +51,12 @@ def read_project(folder: Path, function: str, model: str = "", definitions: Sequ
     code = Code(parsed.declarations, {path: Comments(text) for path, text in files.texts.items()})
     group = find_calls(parsed.declarations, model, function, str(folder), code.heading)
     return _project(files, code, group, parsed.machine)._replace(folder=folder)
+
+
+def _no_folder(folder: Path) -> str:
+    if not folder.exists():
+        return f"{folder}: there is no such folder"
+    return f"{folder} must be the folder with the headers of the code, not a file: use --from-c {shlex.quote(str(folder.parent))}"
 
 
 def _project(files: CodeFiles, code: Code, group: Group, machine: str) -> CodeProject:

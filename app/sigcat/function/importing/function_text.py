@@ -122,7 +122,8 @@ def _code(draft: Draft) -> Iterator[str]:
         yield "  objects:"
     for each in project.interface.objects:
         by_adapter = "adapter" if project.signature == "globals" else None  # with pointers the adapter always does
-        keys = {"name": each.name, "type": each.type, "member": each.member or None, "definedBy": by_adapter}
+        keys = {"name": each.name, "type": each.type, "length": each.length or None, "member": each.member or None,
+                "definedBy": by_adapter}  # fmt: skip
         yield f"    - {flow({key: text for key, text in keys.items() if text})}{_from(each.place, draft)}"
 
 

@@ -76,7 +76,10 @@ def _variables(scope: Scope) -> list[Lines]:
     plan = scope.plan
     if plan.code.signature != GLOBALS:
         return []
-    held = [lines(f"{each.type} {scope.variable(each.name)};", ("Code",)) for each in plan.code.objects]
+    held = [
+        lines(f"{declared(WireType(each.type, each.length), scope.variable(each.name))};", ("Code",))
+        for each in plan.code.objects
+    ]
     here = [_extern(each, scope) for each in plan.code.externs if each.is_defined_here]
     there = [_extern(each, scope) for each in plan.code.externs if not each.is_defined_here]
     calls = [] if plan.code.headers else plan.calls
