@@ -108,7 +108,8 @@ def _definition(variable: CodeVariable, datatypes: Mapping[str, Datatype]) -> It
     datatype = datatypes.get(variable.datatype or "")
     element = innermost(variable.datatype or "", datatypes)
     c_type = variable.c_type or (element.c_definition if element and element.kind is None else "")
-    length = f"[{datatype.length}]" if datatype and datatype.kind == "array" and datatype.length else ""
+    count = datatype.length if datatype and datatype.kind == "array" else variable.elements
+    length = f"[{count}]" if count else ""
     if c_type and re.fullmatch(r"[A-Za-z_]\w*", variable.expression, re.ASCII):
         at = (*variable.pointer[:-1], "CType" if variable.c_type else "DefinedBy")
         yield _Question(f"extern {c_type} {variable.expression}{length};", at, variable, is_definition=True)

@@ -241,10 +241,18 @@ def _definers(function: FunctionJson) -> Problems:
             keys = "type, `length`" if "[" in each.expression else "type"
             fix = f"List {root_of(each.expression) or 'it'!r} under `objects` of `code` with its {keys} and `definedBy: adapter`."
             yield _undefinable(each, message, fix)
+        elif each.elements is not None and _is_array(each.datatype, types):
+            message = f"The adapter must define a variable of one dimension; {each.expression!r} holds several arrays."
+            yield _undefinable(each, message, "Define it in the code of the function.")
         elif each.datatype is not None and not each.c_type and not _is_plain(each.datatype, types):
             message = f"The adapter must know the type of {each.expression!r} in C, and has none for a struct or an open array."
             fix = "Give its `cType`."
             yield _undefinable(each, message, fix)
+
+
+def _is_array(reference: str | None, types: Mapping[str, Datatype]) -> bool:
+    datatype = types.get(reference or "")
+    return datatype is not None and datatype.kind == "array"
 
 
 def _undefinable(each: CodeVariable, message: str, fix: str) -> Problem:

@@ -158,7 +158,7 @@ def _spellings(function: FunctionJson) -> Problems:
 
 
 def _spelling(rule: RuleCode, pointer: Pointer, text: str, known: tuple[str, ...], subject: Subject) -> Problems:
-    if text and text not in known:
+    if text not in known and (text or rule is codes.ROLE_MISSPELLED):
         message = f"`{pointer[-1]}` must be {either(known)}, not {text!r}."
         yield Problem(rule, pointer, message, did_you_mean(text, known), subject)
 
