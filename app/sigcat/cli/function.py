@@ -136,12 +136,12 @@ def _add_validate(actions: Actions) -> None:
 
 def build(arguments: argparse.Namespace) -> int:
     """Write the Function JSON; warnings go to standard error. Raises InputRefused if there are errors."""
-    from sigcat.function.code_files import is_on_disk
+    from sigcat.adapter.core.clashes import code_problems
     from sigcat.function.function_file import build_function
     from sigcat.function.function_json.model import to_json
 
     data = arguments.file.read_bytes()
-    function, findings = build_function(data, str(arguments.file), read_tree(arguments), is_there=is_on_disk)
+    function, findings = build_function(data, str(arguments.file), read_tree(arguments), check_code=code_problems)
     for finding in findings:
         print(finding.line_of_text, file=sys.stderr)
     write_text(to_json(function).decode("utf-8"), arguments.output)
@@ -238,11 +238,11 @@ def overlay(arguments: argparse.Namespace) -> int:
 
 def validate(arguments: argparse.Namespace) -> int:
     """Report findings; 1 if a file cannot be used, or files cannot be used together."""
-    from sigcat.function.code_files import is_on_disk
+    from sigcat.adapter.core.clashes import code_problems
     from sigcat.function.sets.check_set import check_functions
 
     files = [(file.read_bytes(), str(file)) for file in arguments.files]
-    findings = check_functions(files, read_tree(arguments), is_whole=len(files) > 1, is_there=is_on_disk)
+    findings = check_functions(files, read_tree(arguments), is_whole=len(files) > 1, check_code=code_problems)
     _print(findings, arguments.format)
     return int(has_errors(findings))
 

@@ -104,7 +104,7 @@ def _functions(scope: Scope) -> list[Lines]:
             f"void {p}_SetInput_{call.name}({s}, uint64_t t);", f"void {p}_Begin_{call.name}({s}, uint64_t t);",
             f"void {p}_Run_{call.name}({s});", f"void {p}_GetOutput_{call.name}({s}, uint64_t t);",
         ]) for call in plan.steps),
-        _prototypes("At NextTime at the latest; while a call with a deadline runs, once in each of its longest durations. Under the lock.", [f"void {p}_Supervise({s}, uint64_t t);"]),
+        _prototypes("At NextTime, and once in each longest duration of a call that runs (section 10). Under the lock.", [f"void {p}_Supervise({s}, uint64_t t);"]),
         _prototypes("A request has come, and no call runs.",
                     [f"{methods.offered_head(each, scope)};" for each in plan.methods if each.is_offered]),
         _prototypes("The answer to a request. Under the lock.", [f"{methods.answer_head(each, scope)};" for each in used]),
