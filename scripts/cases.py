@@ -12,13 +12,13 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
+from sigcat.adapter.core.clashes import code_problems
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.catalogue.hosting.source import Source, load
 from sigcat.catalogue.hosting.sources import shipped_sources
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.cli import main as sigcat
 from sigcat.errors import InputRefused
-from sigcat.adapter.core.clashes import code_problems
 from sigcat.function.declaration.scaffold import SCHEMA_FILE
 from sigcat.function.function_file import check_function, checked_file
 from sigcat.function.function_json.model import to_json

@@ -2,7 +2,7 @@
 
 import re
 import shlex
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from sigcat import codes
@@ -19,7 +19,7 @@ from sigcat.function.c_project.pointers import pointer_interface, takes_pointers
 from sigcat.function.c_project.project import Call, CodeProject, Interface, Signature
 from sigcat.function.c_project.remarks import cycle_time_of
 from sigcat.function.c_project.usable import usable
-from sigcat.function.c_project.values import Code, values_of
+from sigcat.function.c_project.values import Code, Value, values_of
 
 _STEP_SIZE = re.compile(r"\bTiming\s*\.\s*stepSize0?\s*=\s*(?P<time>[0-9.]+(?:[eE][-+]?[0-9]+)?)")
 _DEFINITION = re.compile(r"[A-Za-z_]\w*(?:=[^\0\n]*)?", re.ASCII)
@@ -64,6 +64,7 @@ def _project(files: CodeFiles, code: Code, group: Group, machine: str) -> CodePr
     linked = _linked(group, declarations, files)
     signature, whole = _interface(group, code, frozenset(linked))
     interface, left_out = usable(whole, declarations)
+    others = tuple(_values(code)) if signature == "globals" else ()
     header = group.steps[0].place.file
     needed = {header, *linked, *(path for each in (header, *linked) for path in declarations.all_included(each))}
     missing = [each for each in missing_includes(declarations) if each.file in needed]
@@ -81,7 +82,8 @@ def _project(files: CodeFiles, code: Code, group: Group, machine: str) -> CodePr
         definitions=files.definitions,
         machine=machine,
         title=_title(files.texts.get(header, "")),
-        expressions=frozenset(_expressions(signature, whole, code)),
+        expressions=frozenset(_expressions(whole, others)),
+        others=others,
         left_out=tuple(_left_out(group, code.declarations)),
         findings=in_order([*findings, *_word_size(machine, declarations)]),
     )
@@ -96,14 +98,15 @@ def _interface(group: Group, code: Code, linked: frozenset[str]) -> tuple[Signat
     return "globals", global_interface(group, code, linked)
 
 
-def _expressions(signature: Signature, interface: Interface, code: Code) -> Iterator[str]:
+def _values(code: Code) -> Iterator[Value]:
+    """The values of every variable."""
+    for each in code.declarations.variables:
+        yield from values_of(each.name, each.type, each.place, code)
+
+
+def _expressions(interface: Interface, others: Iterable[Value]) -> Iterator[str]:
     """Everything that can be named, with what it is in."""
-    values = [*interface.inputs, *interface.outputs, *interface.parameters]
-    if signature == "globals":
-        values += [
-            each for one in code.declarations.variables for each in values_of(one.name, one.type, one.place, code)
-        ]
-    for value in values:
+    for value in (*interface.inputs, *interface.outputs, *interface.parameters, *others):
         yield value.expression
         yield from (value.expression[: match.start()] for match in re.finditer(r"[.\[]", value.expression))
 
