@@ -79,6 +79,9 @@ def to_do(draft: Draft) -> Iterator[str]:
     without_unit = sum(bool(signal.catalogue_unit and not signal.unit) for signal in draft.signals)
     if without_unit:
         yield f"check {without_unit} unit{'s' if without_unit > 1 else ''}: where the code tells none, that of the catalogue is assumed."
+    unknown = dict.fromkeys(signal.unknown_unit for signal in draft.signals if signal.unknown_unit)
+    if unknown:
+        yield f"define units that the code names and the catalogue does not have, or convert the values: {', '.join(unknown)}."
     if any(call.returns and call.kind == "init" for call in draft.project.calls):
         yield "check that 0 is what init returns for success."
     if draft.project.left_out:
@@ -277,8 +280,8 @@ def said_of(signal: Signal, folder: str) -> Iterator[str]:
         yield f"Not chosen: {signal.why}"
     if signal.catalogue_unit and not signal.unit:
         yield f"The code tells no unit: {signal.catalogue_unit}, as in the catalogue."
-    if remark.unit and not signal.unit:
-        yield f"No unit of the catalogue: {remark.unit}"
+    if signal.unknown_unit:
+        yield f"TODO: the code says {signal.unknown_unit}, which is not a unit of the catalogue."
 
 
 def parameter_lines(parameters: Iterable[ParameterEntry]) -> Iterator[str]:
