@@ -42,7 +42,11 @@ def _add_new(actions: Actions) -> None:
     )
     starting.add_argument("name", metavar="NAME", help="name of the function, CamelCase")
     add_output(
-        starting, "-o", "--output", metavar="FOLDER", help="folder to write into (default: NAME, or that of --from-c)"
+        starting,
+        "-o",
+        "--output",
+        metavar="FOLDER",
+        help="folder to write into, or FILE.yaml (default: NAME, or that of --from-c)",
     )
     starting.add_argument(
         "--schema", metavar="ADDRESS", help="name this JSON Schema, such as that of a running service, and write none"
@@ -155,19 +159,31 @@ def new(arguments: argparse.Namespace) -> int:
     if not arguments.from_c and (arguments.model or arguments.define or arguments.define_under):
         raise UsageError("--model, --define and --define-under are about C code: name its folder with --from-c")
     schema = arguments.schema or SCHEMA_FILE
-    folder = arguments.output or arguments.from_c or Path(arguments.name)
-    file = folder / "function.yaml"
+    file = _new_file(arguments.output or arguments.from_c or Path(arguments.name))
+    folder = file.parent
     if file.exists():
         raise UsageError(f"{file} is there already")
     text = _imported(arguments, folder, schema) if arguments.from_c else scaffold(arguments.name, schema)
     if not arguments.schema:
         write_text(schema_text(), folder / SCHEMA_FILE)
     write_text(text, file)
+    checked = folder if file.name == "function.yaml" else file
     advice = (
-        f"check it with `sigcat lint {folder}`" if arguments.from_c else f"build it with `sigcat function build {file}`"
+        f"check it with `sigcat lint {checked}`"
+        if arguments.from_c
+        else f"build it with `sigcat function build {file}`"
     )
     print(f"{file}: {advice}", file=sys.stderr)
     return 0
+
+
+def _new_file(output: Path) -> Path:
+    """The file to write: one is named by its ending, anything else is a folder."""
+    if output.suffix in (".yaml", ".yml") and not output.is_dir():
+        return output
+    if output.exists() and not output.is_dir():
+        raise UsageError(f"{output} must be a folder, or a file to write that ends with .yaml")
+    return output / "function.yaml"
 
 
 def _imported(arguments: argparse.Namespace, folder: Path, schema: str) -> str:

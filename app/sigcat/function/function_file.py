@@ -174,7 +174,10 @@ def check_document(document: Document, catalogue: Catalogue | None) -> CheckedFu
         return CheckedFunction(document, None, in_order(findings))
     nodes = catalogue.nodes if catalogue else ()
     known_errors = frozenset(interface_name(path) for path in nodes if category_of(path) == "error")
-    problems = (*check_consistency(resolved.function, known_errors), *check_conventions(resolved.function, catalogue))
+    function = resolved.function
+    problems = (
+        *check_consistency(function, known_errors), *check_inputs(function), *check_conventions(function, catalogue)
+    )  # fmt: skip
     return CheckedFunction(document, resolved, in_order([*findings, *resolved.findings(problems)]))
 
 
