@@ -12,13 +12,13 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
+from sigcat.adapter.core.clashes import code_problems
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.catalogue.hosting.source import Source, load
 from sigcat.catalogue.hosting.sources import shipped_sources
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.cli import main as sigcat
 from sigcat.errors import InputRefused
-from sigcat.function.code_files import is_on_disk
 from sigcat.function.declaration.scaffold import SCHEMA_FILE
 from sigcat.function.function_file import check_function, checked_file
 from sigcat.function.function_json.model import to_json
@@ -103,7 +103,7 @@ def function_json() -> str:
 def findings_of_function() -> str:
     """The findings of a function.yaml and of the files that it names."""
     file = (Path("function.yaml").read_bytes(), "function.yaml")
-    found = check_functions([file], _interfaces(), is_whole=False, is_there=is_on_disk)
+    found = check_functions([file], _interfaces(), is_whole=False, check_code=code_problems)
     return lines(finding.line_of_text for finding in found)
 
 

@@ -57,6 +57,8 @@ _TYPES = frozenset(
     ("FILE", "clock_t", "div_t", "double_t", "float_t", "imaxdiv_t", "ldiv_t", "lldiv_t", "max_align_t", "nullptr_t",
      "ptrdiff_t", "size_t", "ssize_t", "time_t", "wint_t")
 )  # fmt: skip
+_INTEGERS = r"u?int(_fast|_least)?(8|16|32|64)_t|u?int(max|ptr)_t"
+_OF_INTEGERS = re.compile(rf"{_INTEGERS}|U?INT(_?(FAST|LEAST))?(8|16|32|64)_(MAX|MIN|C)|U?INT(MAX|PTR)_(MAX|MIN|C)")
 _FAMILIES = re.compile(
     r"_[A-Z_].*"
     r"|(U?INT(_?(FAST|LEAST))?(8|16|32|64)|U?INT(MAX|PTR)?|[SU]?CHAR|U?SHRT|U?L?LONG|U?LONG_LONG|PTRDIFF|WCHAR|WINT|SIG_ATOMIC|S?SIZE|BOOL)"
@@ -66,7 +68,7 @@ _FAMILIES = re.compile(
     r"|FD_(CLR|ISSET|SET|SETSIZE|ZERO)|L_(ctermid|cuserid|tmpnam)|P_tmpdir"
     r"|(NL|AIO|BC|COLL|EXPR|RE|IOV|LINE|LOGIN|HOST|TTY|MQ|NGROUPS|RTSIG|SEM|DELAYTIMER|PTHREAD|CHARCLASS|NAME)_[A-Z0-9_]*"
     r"(MAX|MIN|DELTA_MAX|ITERATIONS)"
-    r"|u?int(_fast|_least)?(8|16|32|64)_t|u?int(max|ptr)_t"
+    rf"|{_INTEGERS}"
 )
 """Names that C and C++ reserve, and families of macros and types of the standard headers."""
 _ERRORS = frozenset(
@@ -89,6 +91,11 @@ _ERRORS = frozenset(
     )
 )  # fmt: skip
 """Macros of `<errno.h>`."""
+
+
+def is_of_integers(word: str) -> bool:
+    """Whether `<stdint.h>`, which every core includes, defines a word."""
+    return bool(_OF_INTEGERS.fullmatch(word))
 
 
 def is_reserved(word: str) -> bool:

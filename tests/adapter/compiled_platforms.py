@@ -14,7 +14,8 @@ from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.toolchain import EXACT, toolchain
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.walk import data
-from tests.adapter.core.driver import header, silent_code
+from tests.adapter.core.core_side import write_headers
+from tests.adapter.core.driver import silent_code
 from tests.adapter.core.subject import Subject, subject
 
 STRICT = ("-Wall", "-Wextra", "-Werror")
@@ -47,10 +48,7 @@ def _write_code(made: Subject, number: int, folder: Path) -> None:
     """Headers that declare the variables and calls of a function, and a source that has them."""
     code = folder / CODE
     code.mkdir(exist_ok=True)
-    names = made.document.code.headers if made.document.code else ()
-    for name in names or ():
-        (code / name).parent.mkdir(parents=True, exist_ok=True)
-        (code / name).write_text(header(made).replace("F_H", f"F{number}_H"))
+    write_headers(made, code, f"F{number}_H")
     (code / f"f{number}.c").write_text(f'#include "{made.plan.function}_adapter.h"\n{silent_code(made)}')
 
 

@@ -35,6 +35,8 @@ from tests.properties import FUZZ, seeds
 
 HERE = "tests/adapter/test_mutated.py"
 TRIES = FUZZ or 2
+COMPILED = FUZZ // 10 or 2
+"""Documents that are compiled for each platform: a second or two each."""
 GENERATED = [(name, generator) for name, platform in PLATFORMS.items() for generator in platform.generators]
 
 
@@ -128,7 +130,9 @@ def compiled_and_run(document: FunctionJson, seed: int, folder: Path) -> str:
     return disagreement(checked.function, seed, 200, folder, ("-O0", "-w"))
 
 
-@pytest.mark.parametrize("seed", seeds(f"{HERE}::test_what_is_generated_of_a_changed_function_is_compiled", 0, TRIES))
+@pytest.mark.parametrize(
+    "seed", seeds(f"{HERE}::test_what_is_generated_of_a_changed_function_is_compiled", 0, COMPILED)
+)
 @pytest.mark.parametrize("name", mutated_platforms.NAMES)
 @pytest.mark.parametrize("platform", PLATFORMS)
 def test_what_is_generated_of_a_changed_function_is_compiled(platform, name, seed):
@@ -141,7 +145,7 @@ def test_what_is_generated_of_a_changed_function_is_compiled(platform, name, see
 
 
 @pytest.mark.parametrize(
-    "seed", seeds(f"{HERE}::test_what_is_generated_of_a_changed_integration_is_compiled", 0, TRIES)
+    "seed", seeds(f"{HERE}::test_what_is_generated_of_a_changed_integration_is_compiled", 0, COMPILED)
 )
 @pytest.mark.parametrize("name", mutated_platforms.NAMES)
 @pytest.mark.parametrize("platform", PLATFORMS)
@@ -180,10 +184,14 @@ def without_mode_variable(document: Any) -> None:
 
 
 def _signals(document: Any) -> Any:
+    for contract in _contracts(document):
+        yield from contract.get("SignalList") or ()
+
+
+def _contracts(document: Any) -> Any:
     for component in document["ComponentList"]:
         for call in component["functionList"]:
-            for contract in call.get("funcContractList") or ():
-                yield from contract.get("SignalList") or ()
+            yield from call.get("funcContractList") or ()
 
 
 def with_large_symbols(document: Any) -> None:
@@ -224,6 +232,40 @@ def without_header(document: Any) -> None:
         each["Values"] = [{"Symbol": mode, "Value": 70000 + index} for index, mode in enumerate(each["Modes"])]
 
 
+def with_counts(number: float) -> Callable[[Any], None]:
+    """Errors are confirmed after this many ignition cycles."""
+
+    def change(document: Any) -> None:
+        for contract in _contracts(document):
+            for each in contract.get("ErrorList") or ():
+                each["IgnitionCountLimit"] = number
+
+    return change
+
+
+def with_signal(key: str, value: object) -> Callable[[Any], None]:
+    """A field of the first signal has this value."""
+
+    def change(document: Any) -> None:
+        next(_signals(document))[key] = value
+
+    return change
+
+
+def with_header(name: str) -> Callable[[Any], None]:
+    """The header has this name."""
+
+    def change(document: Any) -> None:
+        document["Code"]["Headers"] = [name]
+
+    return change
+
+
+def without_code(document: Any) -> None:
+    """No header declares the variables."""
+    del document["Code"]
+
+
 def with_kind(document: Any) -> None:
     """Datatypes are of a kind that is not known."""
     for each in document["Datatypes"]:
@@ -249,6 +291,63 @@ MISCODED: dict[str, Callable[[Any], None]] = {
     "datatypes of an unknown kind": with_kind,
 }
 """What no compiler takes, and was generated."""
+
+
+UNEQUAL: dict[str, Callable[[Any], None]] = {
+    "more ignition cycles than a core counts": with_counts(1e308),
+    "a number of ignition cycles below 0": with_counts(-1),
+    "an unknown replacement of values out of range": with_signal("RangeErrorAction", "STOP."),
+    "a signal without a role": with_signal("Role", ""),
+    "a signal that is named as the modes are": with_signal("Name", "F_Mode_In"),
+    "a variable that is named as a type": with_signal("Variable", "int16_t"),
+}
+"""What a core and its model take for something else."""
+
+
+@pytest.mark.parametrize("name", UNEQUAL)
+def test_what_core_and_model_understand_differently_is_refused(name):
+    document = json.loads(to_json(FIXED["rejections"]()))
+    UNEQUAL[name](document)
+    assert is_refused(document, mutated_platforms.read)
+
+
+@pytest.mark.parametrize("change", [with_header("²"), with_header("über.h"), without_code])
+def test_headers_of_any_name_and_none_are_compiled(change, tmp_path):
+    document = json.loads(to_json(FIXED["rejections"]()))
+    change(document)
+    cores(mutated_platforms.read(document))
+    assert disagreement(FunctionJson.model_validate(document, by_name=False), 1, 200, tmp_path, ("-O0", "-w")) == ""
+
+
+def with_service_field(document: Any) -> None:
+    """The step of nodes in lock-step has no time."""
+    services = document["InterfacePackageList"][0]["Services"]
+    next(each for each in services if each["Name"] == "Step")["Request"][1]["Name"] = "other"
+
+
+def without_step(document: Any) -> None:
+    """Nodes have no step."""
+    services = document["InterfacePackageList"][0]["Services"]
+    services.remove(next(each for each in services if each["Name"] == "Step"))
+
+
+def with_depth(document: Any) -> None:
+    """A topic keeps more values than the middleware has numbers for."""
+    document["CommunicationList"][0]["ROSTopicList"][0]["QualityOfService"]["Depth"] = 2**64
+
+
+def test_a_list_of_services_that_is_given_twice_is_refused():
+    document = copy.deepcopy(mutated_platforms.integration_of("autosar-adaptive", "rejections"))
+    for each in document["ComponentList"][0]["ServiceInterfaceList"]:
+        each["ServiceList"] *= 2
+    assert not mutated_platforms.compile_integration("autosar-adaptive", document)
+
+
+@pytest.mark.parametrize("change", [with_service_field, without_step, with_depth])
+def test_what_nodes_cannot_be_compiled_with_is_refused(change):
+    document = copy.deepcopy(mutated_platforms.integration_of("ros2", "time_outs"))
+    change(document)
+    assert not mutated_platforms.compile_integration("ros2", document)
 
 
 @pytest.mark.parametrize("name", FOUND)

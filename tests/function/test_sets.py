@@ -182,6 +182,11 @@ def test_the_commands_take_a_new_function_all_the_way(tmp_path, monkeypatch, cap
     assert main(["function", "new", "LaneKeeping"]) == 0
     assert main(["function", "new", "LaneKeeping"]) == 2
     assert "is there already" in capsys.readouterr().err
+    assert main(["function", "new", "Acc", "-o", "c1/acc.yaml"]) == 0
+    assert main(["function", "new", "Acc", "-o", "c2/function.yaml"]) == 0
+    assert all(Path(each).is_file() for each in ("c1/acc.yaml", "c1/function.schema.json", "c2/function.yaml"))
+    assert main(["function", "new", "Acc", "-o", "c1/function.schema.json"]) == 2
+    assert "must be a folder, or a file to write that ends with .yaml" in capsys.readouterr().err
     assert main(["function", "build", "LaneKeeping/function.yaml", "-o", "LaneKeeping.json"]) == 0
     assert main(["function", "validate", "LaneKeeping/function.yaml", "LaneKeeping.json"]) == 0
     assert main(["function", "overlay", "LaneKeeping/function.yaml", "-o", "overlay.vspec"]) == 0

@@ -57,8 +57,34 @@ def test_the_cause_is_told_at_the_line_of_the_header(line, message, tmp_path, ca
     assert main(["simulate", str(project(tmp_path, line)), "--duration", "0.1"]) == 1
     said = capsys.readouterr().err
     found = [each for each in said.splitlines() if "error" in each]
-    assert any(f"fan.h:{4 + line.count(chr(10))}: error T011" in each and message in each for each in found), said
+    assert any(f"fan.h:{4 + line.count(chr(10))}: error F212" in each and message in each for each in found), said
     assert all("fan.h:" in each for each in found), said
+
+
+@pytest.mark.parametrize(
+    "line", ["#define t 7", "#define value", "#define self(x) (x)\n#define now 3", "typedef unsigned char bool;"]
+)
+def test_lint_reports_the_cause_at_the_line_of_the_header(line, tmp_path, capsys):
+    assert main(["lint", str(project(tmp_path, line))]) == 1
+    said = capsys.readouterr().out
+    assert f"fan.h:{4 + line.count(chr(10))}:" in said
+    assert "error F212" in said
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "#define t own_t",
+        "#define t 7\n#undef t",
+        "#define now(x) (x)",
+        "#ifdef OLD\n#define t 7\n#endif",
+        "#ifndef bool\ntypedef unsigned char bool;\n#endif",
+    ],
+)
+def test_lint_does_not_report_what_compiles(line, tmp_path, capsys):
+    file = project(tmp_path, line)
+    assert main(["lint", str(file)]) == 0, capsys.readouterr().out
+    assert main(["simulate", str(file), "--duration", "0.1"]) == 0
 
 
 def test_a_macro_that_the_declaration_means_is_no_cause(tmp_path, capsys):

@@ -42,7 +42,11 @@ def _add_new(actions: Actions) -> None:
     )
     starting.add_argument("name", metavar="NAME", help="name of the function, CamelCase")
     add_output(
-        starting, "-o", "--output", metavar="FOLDER", help="folder to write into (default: NAME, or that of --from-c)"
+        starting,
+        "-o",
+        "--output",
+        metavar="FOLDER",
+        help="folder to write into, or FILE.yaml (default: NAME, or that of --from-c)",
     )
     starting.add_argument(
         "--schema", metavar="ADDRESS", help="name this JSON Schema, such as that of a running service, and write none"
@@ -54,7 +58,12 @@ def _add_new(actions: Actions) -> None:
 
 def _add_code_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("C and C++ code")
-    group.add_argument("--from-c", type=Path, metavar="FOLDER", help="read this folder (needs the package libclang)")
+    group.add_argument(
+        "--from-c",
+        type=Path,
+        metavar="FOLDER",
+        help="read the code in this folder, which has its headers (needs the package libclang)",
+    )
     group.add_argument("--model", metavar="PREFIX", help="what the calls begin with, if the folder has several models")
     group.add_argument(
         "--define-under",
@@ -131,12 +140,12 @@ def _add_validate(actions: Actions) -> None:
 
 def build(arguments: argparse.Namespace) -> int:
     """Write the Function JSON; warnings go to standard error. Raises InputRefused if there are errors."""
-    from sigcat.function.code_files import is_on_disk
+    from sigcat.adapter.core.clashes import code_problems
     from sigcat.function.function_file import build_function
     from sigcat.function.function_json.model import to_json
 
     data = arguments.file.read_bytes()
-    function, findings = build_function(data, str(arguments.file), read_tree(arguments), is_there=is_on_disk)
+    function, findings = build_function(data, str(arguments.file), read_tree(arguments), check_code=code_problems)
     for finding in findings:
         print(finding.line_of_text, file=sys.stderr)
     write_text(to_json(function).decode("utf-8"), arguments.output)
@@ -150,19 +159,31 @@ def new(arguments: argparse.Namespace) -> int:
     if not arguments.from_c and (arguments.model or arguments.define or arguments.define_under):
         raise UsageError("--model, --define and --define-under are about C code: name its folder with --from-c")
     schema = arguments.schema or SCHEMA_FILE
-    folder = arguments.output or arguments.from_c or Path(arguments.name)
-    file = folder / "function.yaml"
+    file = _new_file(arguments.output or arguments.from_c or Path(arguments.name))
+    folder = file.parent
     if file.exists():
         raise UsageError(f"{file} is there already")
     text = _imported(arguments, folder, schema) if arguments.from_c else scaffold(arguments.name, schema)
     if not arguments.schema:
         write_text(schema_text(), folder / SCHEMA_FILE)
     write_text(text, file)
+    checked = folder if file.name == "function.yaml" else file
     advice = (
-        f"check it with `sigcat lint {folder}`" if arguments.from_c else f"build it with `sigcat function build {file}`"
+        f"check it with `sigcat lint {checked}`"
+        if arguments.from_c
+        else f"build it with `sigcat function build {file}`"
     )
     print(f"{file}: {advice}", file=sys.stderr)
     return 0
+
+
+def _new_file(output: Path) -> Path:
+    """The file to write: one is named by its ending, anything else is a folder."""
+    if output.suffix in (".yaml", ".yml") and not output.is_dir():
+        return output
+    if output.exists() and not output.is_dir():
+        raise UsageError(f"{output} must be a folder, or a file to write that ends with .yaml")
+    return output / "function.yaml"
 
 
 def _imported(arguments: argparse.Namespace, folder: Path, schema: str) -> str:
@@ -233,11 +254,11 @@ def overlay(arguments: argparse.Namespace) -> int:
 
 def validate(arguments: argparse.Namespace) -> int:
     """Report findings; 1 if a file cannot be used, or files cannot be used together."""
-    from sigcat.function.code_files import is_on_disk
+    from sigcat.adapter.core.clashes import code_problems
     from sigcat.function.sets.check_set import check_functions
 
     files = [(file.read_bytes(), str(file)) for file in arguments.files]
-    findings = check_functions(files, read_tree(arguments), is_whole=len(files) > 1, is_there=is_on_disk)
+    findings = check_functions(files, read_tree(arguments), is_whole=len(files) > 1, check_code=code_problems)
     _print(findings, arguments.format)
     return int(has_errors(findings))
 

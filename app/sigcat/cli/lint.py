@@ -213,14 +213,14 @@ def _check_functions(
     options: "LintOptions", files: "Sequence[tuple[bytes, str]]", is_whole: bool, *, is_on_disk: bool = True
 ) -> "CheckedFunctions":
     """Check function files against the tree with the overlays of the options; loaded only when there are any."""
+    from sigcat.adapter.core.clashes import code_problems
     from sigcat.catalogue.hosting.source import load
-    from sigcat.function import code_files
     from sigcat.function.sets.check_set import check_functions
     from sigcat.rules.linting.options import CheckedFunctions
 
-    is_there = code_files.is_on_disk if is_on_disk else None
+    check_code = code_problems if is_on_disk else None
     tree = load(_tree(options))
-    return CheckedFunctions(check_functions(files, tree, is_whole=is_whole, is_there=is_there), _names(tree))
+    return CheckedFunctions(check_functions(files, tree, is_whole=is_whole, check_code=check_code), _names(tree))
 
 
 def _names(tree: "Catalogue") -> tuple[str, ...]:

@@ -1,6 +1,6 @@
 """Files of the code that a declaration names and that are not there."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path, PurePosixPath
 
 from sigcat import codes
@@ -9,6 +9,8 @@ from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.code import CodeInterface, is_inside
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 
+CodeCheck = Callable[[ResolvedFunction], Iterable[Finding]]
+"""Finds what is wrong with the files of the code beside a declaration."""
 IsThere = Callable[[str, str], bool]
 """Whether there is a file or folder, by the name of the declaration and the path that stands in it."""
 

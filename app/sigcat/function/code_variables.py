@@ -93,9 +93,8 @@ def _questions(function: ResolvedFunction, code: CodeInterface) -> Iterator[_Que
     """A line that has the type of each variable, and one that declares again what the adapter defines."""
     datatypes = {each.reference: each for each in function.function.datatypes}
     for index, each in enumerate(code.objects or ()):
-        if code.signature == GLOBALS and each.defined_by == _ADAPTER:
-            text = f"extern {each.type} {each.name};"
-            yield _Question(text, ("Code", "Objects", index, "Type"), is_definition=True)
+        if code.signature == GLOBALS and each.defined_by == _ADAPTER and each.has_valid_length:
+            yield _Question(f"extern {each.declaration};", ("Code", "Objects", index, "Type"), is_definition=True)
     for number, variable in enumerate(variables(function.function)):
         if variable.defined_by == _ADAPTER and code.signature == GLOBALS:
             yield from _definition(variable, datatypes)
@@ -109,7 +108,8 @@ def _definition(variable: CodeVariable, datatypes: Mapping[str, Datatype]) -> It
     datatype = datatypes.get(variable.datatype or "")
     element = innermost(variable.datatype or "", datatypes)
     c_type = variable.c_type or (element.c_definition if element and element.kind is None else "")
-    length = f"[{datatype.length}]" if datatype and datatype.kind == "array" and datatype.length else ""
+    count = datatype.length if datatype and datatype.kind == "array" else variable.elements
+    length = f"[{count}]" if count else ""
     if c_type and re.fullmatch(r"[A-Za-z_]\w*", variable.expression, re.ASCII):
         at = (*variable.pointer[:-1], "CType" if variable.c_type else "DefinedBy")
         yield _Question(f"extern {c_type} {variable.expression}{length};", at, variable, is_definition=True)

@@ -17,8 +17,7 @@ from sigcat.function.checks.consequences import without_consequences
 from sigcat.function.checks.consistency import check_consistency
 from sigcat.function.checks.conventions import check_conventions
 from sigcat.function.checks.definitions import unused_definitions, used_by
-from sigcat.function.code_files import IsThere, missing_files
-from sigcat.function.code_variables import unfit_variables
+from sigcat.function.code_files import CodeCheck
 from sigcat.function.declaration.declaration import Declared, read_declaration
 from sigcat.function.document.document import Document, Pointer
 from sigcat.function.document.problem import Problem, Subject
@@ -175,16 +174,19 @@ def check_document(document: Document, catalogue: Catalogue | None) -> CheckedFu
         return CheckedFunction(document, None, in_order(findings))
     nodes = catalogue.nodes if catalogue else ()
     known_errors = frozenset(interface_name(path) for path in nodes if category_of(path) == "error")
-    problems = (*check_consistency(resolved.function, known_errors), *check_conventions(resolved.function, catalogue))
+    function = resolved.function
+    problems = (
+        *check_consistency(function, known_errors), *check_inputs(function), *check_conventions(function, catalogue)
+    )  # fmt: skip
     return CheckedFunction(document, resolved, in_order([*findings, *resolved.findings(problems)]))
 
 
 def check_files(
-    files: Sequence[FunctionFile], catalogue: Catalogue, is_there: IsThere | None = None
+    files: Sequence[FunctionFile], catalogue: Catalogue, check_code: CodeCheck | None = None
 ) -> tuple[tuple[CheckedFunction, ...], Catalogue]:
     """Each file alone, against the catalogue with everything that any of them defines; and that catalogue.
 
-    `is_there` says whether the files of the code exist; without it nobody asks.
+    `check_code` checks the files of the code; without it they are not read.
     """
     over, definitions = extended(catalogue, files)
     checked = [
@@ -193,15 +195,13 @@ def check_files(
     ]
     used = frozenset(text for each in checked if each.function for text in used_by(each.function))
     return tuple(
-        each._replace(findings=in_order([*each.findings, *_unused(each, own, used), *_code(each, is_there)]))
+        each._replace(findings=in_order([*each.findings, *_unused(each, own, used), *_code(each, check_code)]))
         for each, own in zip(checked, definitions, strict=True)
     ), over
 
 
-def _code(checked: CheckedFunction, is_there: IsThere | None) -> Iterator[Finding]:
-    if is_there is not None and checked.resolved is not None:
-        yield from missing_files(checked.resolved, is_there)
-        yield from unfit_variables(checked.resolved)
+def _code(checked: CheckedFunction, check_code: CodeCheck | None) -> Iterable[Finding]:
+    return check_code(checked.resolved) if check_code is not None and checked.resolved is not None else ()
 
 
 def _unused(checked: CheckedFunction, definitions: Definitions, used: frozenset[str]) -> Iterator[Finding]:
@@ -241,10 +241,10 @@ def check_function_json(
 
 @collector_paused()
 def build_function(
-    data: bytes, name: str, catalogue: Catalogue, limits: Limits = DEFAULT_LIMITS, is_there: IsThere | None = None
+    data: bytes, name: str, catalogue: Catalogue, limits: Limits = DEFAULT_LIMITS, check_code: CodeCheck | None = None
 ) -> tuple[FunctionJson, tuple[Finding, ...]]:
     """The Function JSON of a `function.yaml`, and its warnings. Raises InputRefused with every finding."""
-    (checked,), _ = check_files([read_declaration(data, name, limits)], catalogue, is_there)
+    (checked,), _ = check_files([read_declaration(data, name, limits)], catalogue, check_code)
     if checked.sound_function is None:
         count = sum(finding.severity == "error" for finding in checked.findings)
         message = f"{name} cannot be built: {count} error{'s' if count != 1 else ''}."

@@ -76,7 +76,7 @@ TARGETS: Mapping[type[DeclarationModel], Mapping[str, str]] = {
         "definitions": "Macros", "class": "ClassName", "storage": "Storage", "accessors": "Accessors",
     }.items()},
     code.ObjectItem: {key: f"Code: Objects: {target}" for key, target in {
-        "name": "Name", "type": "Type", "member": "Member", "definedBy": "DefinedBy",
+        "name": "Name", "type": "Type", "length": "Length", "member": "Member", "definedBy": "DefinedBy",
     }.items()},
     code.CheckpointItem: {key: f"functionList: Checkpoint: {target}" for key, target in {
         "initial": "BeginsSequence", "final": "EndsSequence", "next": "Next",

@@ -11,7 +11,7 @@ from sigcat.adapter.autosar_adaptive.application.player_source import CPP as CEL
 from sigcat.adapter.files import GeneratedFile, shipped
 from sigcat.adapter.ros2.cpp.names import header_of
 from sigcat.adapter.ros2.plan import InterfaceType
-from sigcat.function.document.text_filters import c_string
+from sigcat.function.document.text_filters import c_header, c_string
 
 _OWN = Path(__file__).with_name("ros2_player")
 _SHARED = ("cell.cpp", "cell.h", "times.h", "trace.cpp", "trace.h")
@@ -118,7 +118,7 @@ def _topics_source(document: Mapping[str, Any]) -> str:
     ]
     types = sorted({topic.message for topic in (*heard.values(), *given.values())})
     return _TOPICS.format(
-        includes="\n".join(f"#include {c_string(header_of(InterfaceType(*each.split('/'))))}" for each in types),
+        includes="\n".join(f"#include {c_header(header_of(InterfaceType(*each.split('/'))))}" for each in types),
         structs="".join(_structs(document)),
         nodes=", ".join(c_string(node["NodeName"]) for node in _nodes(document)),
         functions=", ".join(f"{{{c_string(node['FunctionName'])}, {n}}}" for n, node in enumerate(_nodes(document))),

@@ -21,11 +21,18 @@ def write(subject: Subject, folder: Path) -> Path:
     files = core_files(subject.plan)
     for file in files.files:
         (folder / file.name).write_bytes(file.data)
-    (folder / "f.h").write_text(header(subject))
+    write_headers(subject, folder)
     (folder / HELPERS.name).write_text(HELPERS.read_text())
     source = folder / ("program.cpp" if subject.signature == CLASS else "program.c")
     source.write_text(program(subject, [files.source.name]))
     return source
+
+
+def write_headers(subject: Subject, folder: Path, guard: str = "F_H") -> None:
+    """Write the headers that the document names: each declares the code, and is included once."""
+    for name in subject.headers:
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(header(subject, guard))
 
 
 def compiled(

@@ -15,10 +15,10 @@ OBJECT = "io"
 CLASS_NAME = "F_Code"
 
 
-def header(subject: Subject) -> str:
+def header(subject: Subject, guard: str = "F_H") -> str:
     """What the function declares: its variables and its calls."""
-    return f"""#ifndef F_H
-#define F_H
+    return f"""#ifndef {guard}
+#define {guard}
 #include <stdbool.h>
 #include <stdint.h>
 {chr(10).join(subject.structs)}
@@ -51,7 +51,7 @@ def _result(subject: Subject, symbol: str) -> str:
 
 def silent_code(subject: Subject) -> str:
     """The function itself, in C: its variables, and calls that do nothing."""
-    own = [f"{item.declared};" for item in subject.variables] if subject.signature == GLOBALS else []
+    own = [f"{item.declared};" for item in subject.own_variables] if subject.signature == GLOBALS else []
     calls = [f"{_head(subject, name)}\n{{\n{_nothing(subject, name)}}}" for name in subject.symbols]
     hooks = [f"void {name}({subject.plan.type_name} *hooked)\n{{\n    (void)hooked;\n}}" for name in subject.hooks]
     return "\n".join([*own, *calls, *hooks, ""])
@@ -64,7 +64,7 @@ def _nothing(subject: Subject, name: str) -> str:
 
 def code(subject: Subject) -> str:
     """The function itself: each of its calls prints what it sees, and does what the script said before."""
-    variables = "".join(f"{item.declared};\n" for item in subject.variables) if subject.signature == GLOBALS else ""
+    variables = "".join(f"{item.declared};\n" for item in subject.own_variables) if subject.signature == GLOBALS else ""
     calls = "\n".join(_call(subject, name) for name in subject.symbols)
     hooks = "\n".join(
         f'void {name}({subject.plan.type_name} *hooked)\n{{\n    (void)hooked;\n    work("{name}");\n}}\n'

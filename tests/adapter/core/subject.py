@@ -41,7 +41,12 @@ OWN_TYPES = (
         for name, c in ((COUNT, "uint32_t"), (FLAG, "bool"))
     ),
 )
+_AGREED = {each.reference for each in OWN_TYPES}
 VSS_NAMES = {c: vss for vss, c in C_NAMES.items()}
+DECLARED = {
+    c: Datatype(reference=f"DT_Declared{vss}", category="primitive", c_definition=c) for c, vss in VSS_NAMES.items()
+}
+"""Datatypes of variables that the core declares, by their types in C: it agrees with the code on those of states and modes."""
 
 
 @dataclass(frozen=True)
@@ -106,6 +111,18 @@ class Subject:
         return Scope(self.plan).variable(item.c)
 
     @property
+    def headers(self) -> tuple[str, ...]:
+        """Names of the headers that declare the code."""
+        code = self.document.code
+        return tuple(code.headers or ()) if code else ()
+
+    @property
+    def own_variables(self) -> tuple[Item, ...]:
+        """Variables that the code defines."""
+        others = {each.name for each in self.plan.code.externs if each.is_defined_here}
+        return tuple(each for each in self.variables if each.name not in others)
+
+    @property
     def calls(self) -> tuple[tuple[str, str], ...]:
         """Names of the steps, in the model and in C."""
         return tuple((step.interface, step.name) for step in self.plan.steps)
@@ -145,7 +162,8 @@ class _Reading:
 
     def __init__(self, document: FunctionJson) -> None:
         self.function, self.plan = read(document), derive(resolved(document)).plan
-        self.table = {each.reference: each for each in (*document.datatypes, *OWN_TYPES)}
+        self.table = {each.reference: each for each in (*document.datatypes, *OWN_TYPES, *DECLARED.values())}
+        self.externs = {each.name: each for each in self.plan.code.externs}
         self.document = document
         self.has_enumerations = self.plan.code.signature == CLASS
         """Whether the code has types for enumerations, as C++ does: scoped ones, which no number turns into by itself."""
@@ -215,6 +233,9 @@ def _variables(reading: _Reading) -> tuple[Item, ...]:
 
 
 def _variable(reading: _Reading, variable: str, reference: str, count: int) -> Item:
+    extern = reading.externs.get(variable)
+    if extern and extern.c in DECLARED and reference in _AGREED:
+        reference = DECLARED[extern.c].reference
     own = reading.places(reference)
     places = [f"[{index}]{place}" for index in range(count) for place in own] if count else own
     formats = [leaf.format for leaf in shape_of(reference, reading.table).leaves] * (count or 1)

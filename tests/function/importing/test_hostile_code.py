@@ -190,7 +190,7 @@ def test_a_folder_that_is_none_is_told(tmp_path):
     with pytest.raises(UsageError, match="no such folder"):
         imported(tmp_path / "nothing")
     (tmp_path / "file.h").write_text(SOUND)
-    with pytest.raises(UsageError, match="must be a folder"):
+    with pytest.raises(UsageError, match="not a file: use --from-c"):
         imported(tmp_path / "file.h")
 
 

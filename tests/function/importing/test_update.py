@@ -69,7 +69,7 @@ def test_new_gone_and_changed_variables_are_listed_and_applied(folder, capsys):
         "changed: Vol: cType volatile unsigned char → unsigned short",
         "changed: Vol: datatype uint8 → uint16",
         "changed: Md: allowed [OFF_M, ON_M] → [OFF_M, STANDBY_M, ON_M]",
-        'changed: Md: values {OFF_M: "0", ON_M: "1"} → {OFF_M: 0, STANDBY_M: 1, ON_M: 2}',
+        "changed: Md: values {OFF_M: 0, ON_M: 1} → {OFF_M: 0, STANDBY_M: 1, ON_M: 2}",
         "kept: Duty: max 100; the code has 90",
         "new: Flow (Vehicle.Pump.Flow)",
         "new: Limit (Limit)",
@@ -180,3 +180,58 @@ def test_a_file_with_errors_is_told_and_stays(text, folder, capsys):
 def test_the_folder_has_to_be_named(folder, capsys):
     assert main(["function", "update", str(folder / "function.yaml")]) == 2
     assert "--from-c" in capsys.readouterr().err
+
+
+WATCH = """\
+      - interface: Pump_WatchStep
+        symbol: watch
+        data:
+          - {path: Vehicle.Pump.Seen, role: consumed, variable: seen, datatype: float, asil: QM}
+          - {path: Vehicle.Pump.Raw, role: provided, variable: raw, datatype: 'int16[]', asil: QM}
+"""
+DEFINED = """\
+    Vehicle.Pump.Seen: {datatype: float, asil: QM, description: Seen.}
+    Vehicle.Pump.Raw: {datatype: 'int16[]', arraysize: 4, asil: QM, description: Raw values.}
+"""
+SCHEDULED = """\
+  scheduling:
+    WatchStep: {description: Watches., asil: QM, cycleTime: 10, priority: 1, scheduling: Preemptive}
+"""
+
+
+def test_variables_of_calls_by_hand_have_the_types_and_lengths_of_the_code(folder, capsys):
+    file = folder / "function.yaml"
+    text = file.read_text().replace("  scheduling:\n", SCHEDULED, 1)
+    file.write_text(text.replace("  data:\n", f"  data:\n{DEFINED}", 1) + WATCH)
+    own = "extern double seen;\nextern int raw[6];\nvoid watch(void);\n"
+    write(folder, HEADER + own, SOURCE + "double seen;\nint raw[6];\nvoid watch(void) { raw[0] = seen; }\n")
+    capsys.readouterr()
+    assert update(folder) == 0
+    assert (
+        capsys.readouterr().out.splitlines()
+        == [
+            "changed: seen: datatype float → double",
+            "changed: raw: datatype int16[] → int32[]",
+            "changed: raw: arraysize 4 → 6",
+            "kept: the source Pump.c is not among `sources`",
+        ][: -1 if "sources: [Pump.c]" in file.read_text() else None]
+    )
+    assert "Raw: {datatype: int32[], arraysize: 6," in file.read_text().replace("'", "").replace('"', "")
+    assert main(["lint", str(file)]) == 0
+
+
+def test_an_array_of_structs_has_the_length_of_the_code(tmp_path, capsys):
+    before = "typedef struct { float level; } Tank;\nextern Tank tanks[2];\nextern float Duty;\nvoid Pump_init(void);\nvoid Pump_step(void);\n"
+    write(
+        tmp_path,
+        before,
+        '#include "Pump.h"\nfloat Duty;\nvoid Pump_init(void) {}\nvoid Pump_step(void) { Duty = tanks[0].level; }\n',
+    )
+    assert main(["function", "new", "Pump", "--from-c", str(tmp_path), "--define-under", "Vehicle.Pump"]) == 0
+    (tmp_path / "Pump.h").write_text(before.replace("[2]", "[3]").replace("Tank", "Bus"))
+    capsys.readouterr()
+    assert update(tmp_path, "--define-under", "Vehicle.Pump") == 0
+    said = capsys.readouterr().out.splitlines()
+    assert said[:2] == ["changed: tanks: type Tank → Bus", "changed: tanks: length 2 → 3"]
+    assert all(each.startswith("new: tanks[") for each in said[2:])
+    assert main(["lint", str(tmp_path / "function.yaml")]) == 0

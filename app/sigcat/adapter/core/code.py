@@ -20,7 +20,7 @@ ADAPTER = "Adapter"
 def planned_code(context: Context) -> Planning[Code]:
     """How the code is compiled, included and called. Without `Code`, calls are plain functions over globals."""
     declared = context.function.code or CodeInterface(signature=GLOBALS)
-    objects = tuple(CodeObject(each.name, each.type, each.member) for each in declared.objects or ())
+    objects = tuple(CodeObject(each.name, each.type, each.member, each.length) for each in declared.objects or ())
     if declared.signature == CLASS and not declared.class_name:
         message = "The class that has the calls as members must have a name."
         yield Problem(codes.VARIABLE_MISSING, ("Code",), message, "Give `class`.")
@@ -61,9 +61,13 @@ def _externs(declared: CodeInterface, context: Context) -> Iterator[tuple[str, P
             continue
         plain, length = _plain_type(each.datatype, context) if each.datatype is not None else (None, None)
         c = each.c_type or plain
-        is_plain = name[0] == each.expression and c is not None
+        is_plain = name[0] == each.expression and c is not None and not (length and each.elements)
         is_here = each.defined_by == ADAPTER
-        yield name[0], each.pointer[:-1], Extern(each.expression, c or "", length, is_here) if is_plain else None
+        yield (
+            name[0],
+            each.pointer[:-1],
+            Extern(each.expression, c or "", length or each.elements, is_here) if is_plain else None,
+        )
 
 
 def _is_text(reference: str, context: Context) -> bool:

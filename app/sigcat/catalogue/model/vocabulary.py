@@ -126,10 +126,16 @@ def _entries(
         findings.extend(file.findings)
         for statement in file.statements:
             key = statement.path.lower()
-            if key in entries:
+            if key in entries and not _is_repeated(statement, entries[key]):
                 findings.append(_replaced(statement, entries[key], what))
             entries[key] = statement
     return list(entries.items())
+
+
+def _is_repeated(entry: Statement, earlier: Statement) -> bool:
+    """Whether another file says the same, as a copy of it does."""
+    is_same = (entry.path, entry.values) == (earlier.path, earlier.values)
+    return is_same and entry.origin().file != earlier.origin().file
 
 
 def _replaced(entry: Statement, earlier: Statement, what: str) -> Finding:

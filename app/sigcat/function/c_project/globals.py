@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from sigcat import codes
 from sigcat.findings import Finding
 from sigcat.function.c_project.calls import Group, Use, use_of
-from sigcat.function.c_project.declarations import Declarations, Variable
+from sigcat.function.c_project.declarations import CType, Declarations, Variable
 from sigcat.function.c_project.project import CodeObject, Interface
 from sigcat.function.c_project.roles import Role, is_of_the_generator, role_of
 from sigcat.function.c_project.values import Code, Value, values_of
@@ -29,7 +29,7 @@ def global_interface(group: Group, code: Code, linked: frozenset[str]) -> Interf
     defined = {each.name for each in declarations.variables if each.is_defined and each.place.file in linked}
     for variable in _shared(declarations, linked):
         is_imported = bool(linked) and variable.name not in defined
-        is_object = is_imported and variable.type.kind == "record"
+        is_object = is_imported and _element(variable).kind == "record"
         defined_by, c_type = ("adapter", variable.written) if is_imported and not is_object else ("function", "")
         for role, value in _with_roles(variable, code, use):
             if role in found:
@@ -49,8 +49,15 @@ def global_interface(group: Group, code: Code, linked: frozenset[str]) -> Interf
 
 
 def _object(variable: Variable) -> CodeObject:
-    """An imported struct, which is defined as a whole."""
-    return CodeObject(variable.name, variable.written, variable.place, defined_by="adapter")
+    """An imported struct, or an array of structs, which is defined as a whole."""
+    return CodeObject(
+        variable.name, variable.written, variable.place, defined_by="adapter", length=variable.type.length
+    )
+
+
+def _element(variable: Variable) -> CType:
+    """The type of a variable, or of its elements."""
+    return variable.type.of if variable.type.kind == "array" and variable.type.of else variable.type
 
 
 def _shared(declarations: Declarations, linked: frozenset[str]) -> Iterator[Variable]:

@@ -36,6 +36,8 @@ class CodeObject(NamedTuple):
     member: str = ""
     """Member of the first object that points to it."""
     defined_by: str = "adapter"
+    length: int = 0
+    """Elements of an array; 0 if it is not an array."""
 
 
 class Interface(NamedTuple):
@@ -70,5 +72,7 @@ class CodeProject(NamedTuple):
     folder: Path = Path()
     expressions: frozenset[str] = frozenset()
     """Variables and members that the code has, whatever they are for: of `u.bus.speed` also `u.bus` and `u`."""
+    others: tuple[Value, ...] = ()
+    """Values of global variables, whether or not the calls use them."""
     left_out: tuple[CFunction, ...] = ()
     """Functions that the header of the calls declares, and nothing calls."""

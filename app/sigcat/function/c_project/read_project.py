@@ -1,7 +1,8 @@
 """Read a folder of C or C++ code to the description of one model."""
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+import shlex
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from sigcat import codes
@@ -18,7 +19,7 @@ from sigcat.function.c_project.pointers import pointer_interface, takes_pointers
 from sigcat.function.c_project.project import Call, CodeProject, Interface, Signature
 from sigcat.function.c_project.remarks import cycle_time_of
 from sigcat.function.c_project.usable import usable
-from sigcat.function.c_project.values import Code, values_of
+from sigcat.function.c_project.values import Code, Value, values_of
 
 _STEP_SIZE = re.compile(r"\bTiming\s*\.\s*stepSize0?\s*=\s*(?P<time>[0-9.]+(?:[eE][-+]?[0-9]+)?)")
 _DEFINITION = re.compile(r"[A-Za-z_]\w*(?:=[^\0\n]*)?", re.ASCII)
@@ -38,9 +39,7 @@ def read_project(folder: Path, function: str, model: str = "", definitions: Sequ
         if not _DEFINITION.fullmatch(definition):
             raise UsageError(f"A definition of the preprocessor must be NAME or NAME=VALUE, not {definition!r}")
     if not folder.is_dir():
-        raise UsageError(
-            f"{folder} must be a folder with C code" if folder.exists() else f"{folder}: there is no such folder"
-        )
+        raise UsageError(_no_folder(folder))
     files = read_folder(folder)._replace(definitions=tuple(definitions))
     if not any(Path(path).suffix.lower() in HEADERS for path in files.texts):
         message = "The folder must have headers of C or C++ (.h, .hpp)."
@@ -54,11 +53,18 @@ def read_project(folder: Path, function: str, model: str = "", definitions: Sequ
     return _project(files, code, group, parsed.machine)._replace(folder=folder)
 
 
+def _no_folder(folder: Path) -> str:
+    if not folder.exists():
+        return f"{folder}: there is no such folder"
+    return f"{folder} must be the folder with the headers of the code, not a file: use --from-c {shlex.quote(str(folder.parent))}"
+
+
 def _project(files: CodeFiles, code: Code, group: Group, machine: str) -> CodeProject:
     declarations = code.declarations
     linked = _linked(group, declarations, files)
     signature, whole = _interface(group, code, frozenset(linked))
     interface, left_out = usable(whole, declarations)
+    others = tuple(_values(code)) if signature == "globals" else ()
     header = group.steps[0].place.file
     needed = {header, *linked, *(path for each in (header, *linked) for path in declarations.all_included(each))}
     missing = [each for each in missing_includes(declarations) if each.file in needed]
@@ -76,7 +82,8 @@ def _project(files: CodeFiles, code: Code, group: Group, machine: str) -> CodePr
         definitions=files.definitions,
         machine=machine,
         title=_title(files.texts.get(header, "")),
-        expressions=frozenset(_expressions(signature, whole, code)),
+        expressions=frozenset(_expressions(whole, others)),
+        others=others,
         left_out=tuple(_left_out(group, code.declarations)),
         findings=in_order([*findings, *_word_size(machine, declarations)]),
     )
@@ -91,14 +98,15 @@ def _interface(group: Group, code: Code, linked: frozenset[str]) -> tuple[Signat
     return "globals", global_interface(group, code, linked)
 
 
-def _expressions(signature: Signature, interface: Interface, code: Code) -> Iterator[str]:
+def _values(code: Code) -> Iterator[Value]:
+    """The values of every variable."""
+    for each in code.declarations.variables:
+        yield from values_of(each.name, each.type, each.place, code)
+
+
+def _expressions(interface: Interface, others: Iterable[Value]) -> Iterator[str]:
     """Everything that can be named, with what it is in."""
-    values = [*interface.inputs, *interface.outputs, *interface.parameters]
-    if signature == "globals":
-        values += [
-            each for one in code.declarations.variables for each in values_of(one.name, one.type, one.place, code)
-        ]
-    for value in values:
+    for value in (*interface.inputs, *interface.outputs, *interface.parameters, *others):
         yield value.expression
         yield from (value.expression[: match.start()] for match in re.finditer(r"[.\[]", value.expression))
 

@@ -15,6 +15,12 @@ _ORIGINS = re.compile(
 """What Simulink says of where a value comes from: no range, no unit."""
 _UNIT = re.compile(r"\bunits?\s*[:=]\s*[\[(\"']?(?P<unit>[^\s,;\])\"']+)", re.IGNORECASE)
 _BRACKETS = re.compile(r"[\[(](?P<unit>[^\[\]()\d,;:][^\[\](),;:]{0,14})[\])]")
+_SQUARE = re.compile(
+    r"\[\s*(?P<unit>(?!(?:in|out|inout|in,\s*out|bool|boolean|enum|flag|bits?|bytes?|counts?|raw|none|unitless)\b)"
+    r"(?:1/)?[A-Za-z°%][\w/^%°²*.-]{0,11})\s*\]",
+    re.IGNORECASE,
+)
+"""A unit in square brackets, as `[K]`; `[in]` is the direction of an argument."""
 _FIRST = re.compile(r"^\s*(?P<unit>[^\s,;:]{1,12})\s*[,;:]")
 _LAST = re.compile(r"[,;]\s*(?P<unit>[^\s,;:]{1,12})\s*$")
 _LIKE_A_UNIT = re.compile(r"(?<!\S)(?P<unit>[A-Za-z°%]{0,6}[/^%°²][\w/^%°²]{0,8})(?=[\s,;:.)\]]|$)")
@@ -69,7 +75,7 @@ class Remark(NamedTuple):
     text: str = ""
     """What is left: a description."""
     unit: str = ""
-    """The unit, where the comment says that it is one: `Unit: km/h`."""
+    """The unit, where the comment says that it is one: `Unit: km/h`, `[km/h]`."""
 
 
 def remark_of(comment: str) -> Remark:
@@ -79,7 +85,7 @@ def remark_of(comment: str) -> Remark:
     said = _ORIGINS.sub(" ", _BLOCKS.sub(" ", comment))
     smallest, largest = _range(said)
     factor, offset = _scale(said)
-    named = _UNIT.search(said)
+    named = _UNIT.search(said) or _SQUARE.search(said)
     return Remark(
         port=port["name"] if port else "",
         units=_units(_BINARY.sub(" ", _FIXDT.sub(" ", said))),

@@ -116,10 +116,7 @@ def _asil(function: FunctionJson) -> Problems:
 
 
 def check_inputs(function: FunctionJson) -> Problems:
-    """Inputs without an ASIL, at calls that are implemented to an ASIL.
-
-    In Function JSON from elsewhere everything without an ASIL is a problem.
-    """
+    """Inputs without an ASIL, at calls that are implemented to an ASIL."""
     for pointer, (_, _, runnable), item in data(function):
         if item.role == CONSUMER and item.asil_level is None and is_above(level_of(runnable.asil_level), "QM"):
             message = f"{item.name!r} must state its ASIL: {runnable.name}, which reads it, has {runnable.asil_level}."

@@ -7,7 +7,15 @@ from sigcat.function.document.document import Pointer
 from sigcat.function.document.expression import is_identifier, root_of
 from sigcat.function.document.field_types import C_MEMBER, C_TYPE, CPP_CLASS
 from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.function_json.code import CLASS, GLOBALS, POINTERS, CodeInterface, CodeObject, is_inside
+from sigcat.function.function_json.code import (
+    CLASS,
+    GLOBALS,
+    MOST_ELEMENTS,
+    POINTERS,
+    CodeInterface,
+    CodeObject,
+    is_inside,
+)
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import PROVIDER
@@ -104,6 +112,12 @@ def _object(each: CodeObject, index: int, signature: str, at: Pointer) -> Proble
         yield Problem(codes.OBJECT_UNFIT, (*at, "Type"), message, "Write it as the header does, such as ExtU_Acc_T.")
     if each.member is not None and not C_MEMBER.accepts(each.member):
         yield _no_name(each.member, "The member that points to an object", (*at, "Member"))
+    if each.length is not None and (signature != GLOBALS or each.defined_by != ADAPTER):
+        message = f"Only a global variable that the adapter defines has a `length`, not {each.name!r}."
+        yield Problem(codes.OBJECT_UNFIT, (*at, "Length"), message, "Remove `length`, or add `definedBy: adapter`.")
+    elif not each.has_valid_length:
+        message = f"`length` of {each.name!r} must be 1 to {MOST_ELEMENTS}, not {each.length}."
+        yield Problem(codes.OBJECT_UNFIT, (*at, "Length"), message)
     if each.member is not None and (index == 0 or signature != POINTERS):
         message = "Only with pointers, an object after the first one is pointed to by a member of the first."
         yield Problem(codes.OBJECT_UNFIT, (*at, "Member"), message, "Remove `member`.")
@@ -224,12 +238,21 @@ def _definers(function: FunctionJson) -> Problems:
             continue
         if not is_identifier(each.expression):
             message = f"The adapter must define a variable by its name, not {each.expression!r}."
-            fix = f"List {root_of(each.expression) or 'it'!r} under `objects` of `code` with its type and `definedBy: adapter`."
+            keys = "type, `length`" if "[" in each.expression else "type"
+            fix = f"List {root_of(each.expression) or 'it'!r} under `objects` of `code` with its {keys} and `definedBy: adapter`."
             yield _undefinable(each, message, fix)
+        elif each.elements is not None and _is_array(each.datatype, types):
+            message = f"The adapter must define a variable of one dimension; {each.expression!r} holds several arrays."
+            yield _undefinable(each, message, "Define it in the code of the function.")
         elif each.datatype is not None and not each.c_type and not _is_plain(each.datatype, types):
             message = f"The adapter must know the type of {each.expression!r} in C, and has none for a struct or an open array."
             fix = "Give its `cType`."
             yield _undefinable(each, message, fix)
+
+
+def _is_array(reference: str | None, types: Mapping[str, Datatype]) -> bool:
+    datatype = types.get(reference or "")
+    return datatype is not None and datatype.kind == "array"
 
 
 def _undefinable(each: CodeVariable, message: str, fix: str) -> Problem:

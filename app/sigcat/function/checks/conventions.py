@@ -106,27 +106,29 @@ def _unused_types(function: FunctionJson) -> Problems:
 
 
 def _asil_levels(function: FunctionJson) -> Problems:
+    """Steps without a level, and levels that are misspelled. `check_inputs` finds inputs without one."""
     for pointer, _, runnable in runnables(function):
-        yield from _asil((*pointer, "AsilLevel"), runnable.asil_level, Subject("scheduling", runnable.name))
+        subject = Subject("scheduling", runnable.name)
+        if runnable.asil_level is None and runnable.run_type not in ("Init", "Shutdown"):
+            message, fix = f"{runnable.name} has no ASIL.", "State one; QM where there is no requirement."
+            yield Problem(codes.ASIL_OF_ELEMENT_MISSING, (*pointer, "AsilLevel"), message, fix, subject)
+        yield from _asil((*pointer, "AsilLevel"), runnable.asil_level, subject)
     for pointer, _, item in data(function):
         key = "AsilInfo" if "DataQList" in pointer else "AsilLevel"
         yield from _asil((*pointer, key), item.asil_level, Subject("data", item.name))
     for pointer, _, parameter in parameters(function):
         yield from _asil((*pointer, "Asillevel"), parameter.asil_level, Subject("data", parameter.name))
     for pointer, _, error in errors(function):
-        if error.asil_level is not None:
-            yield from _asil((*pointer, "AsilLevel"), error.asil_level, Subject("error", error.name))
+        yield from _asil((*pointer, "AsilLevel"), error.asil_level, Subject("error", error.name))
     for pointer, _, reaction in safety_reactions(function):
-        if reaction.asil_level is not None:
-            yield from _asil((*pointer, "AsilLevel"), reaction.asil_level, Subject("safety_reaction", reaction.name))
+        yield from _asil((*pointer, "AsilLevel"), reaction.asil_level, Subject("safety_reaction", reaction.name))
 
 
 def _asil(pointer: Pointer, text: str | None, subject: Subject) -> Problems:
-    level = level_of(text)
     if text is None:
-        fix = "State one; QM where there is no requirement."
-        yield Problem(codes.ASIL_OF_ELEMENT_MISSING, pointer, f"{subject.name} has no ASIL.", fix, subject)
-    elif level is None:
+        return
+    level = level_of(text)
+    if level is None:
         message = f"`{pointer[-1]}` must be {either(LEVELS)}, not {text!r}."
         fix = "Write one of these; until then it counts as not stated."
         yield Problem(codes.ASIL_MISSPELLED, pointer, message, fix, subject)
@@ -158,7 +160,7 @@ def _spellings(function: FunctionJson) -> Problems:
 
 
 def _spelling(rule: RuleCode, pointer: Pointer, text: str, known: tuple[str, ...], subject: Subject) -> Problems:
-    if text and text not in known:
+    if text not in known and (text or rule is codes.ROLE_MISSPELLED):
         message = f"`{pointer[-1]}` must be {either(known)}, not {text!r}."
         yield Problem(rule, pointer, message, did_you_mean(text, known), subject)
 

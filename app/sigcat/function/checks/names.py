@@ -10,7 +10,7 @@ from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.variables import CodeVariable, variables
-from sigcat.function.function_json.walk import contracts, data, methods, parameters, runnables
+from sigcat.function.function_json.walk import contracts, data, errors, methods, parameters, runnables, safety_reactions
 from sigcat.names import camel_case, either
 
 Problems = Iterator[Problem]
@@ -33,6 +33,7 @@ def check_names(function: FunctionJson) -> Problems:
 
 def _names_twice(function: FunctionJson) -> Problems:
     """Names that two interfaces of a call have; one interface that is listed twice is another problem."""
+    statuses = _names_of_statuses(function)
     holders: dict[tuple[Pointer, str], str | None] = {}
     for pointer, located, item in (*data(function), *parameters(function)):
         key = (located.pointer, item.name)
@@ -40,7 +41,17 @@ def _names_twice(function: FunctionJson) -> Problems:
             message = f"The name {item.name!r} is used twice in one call."
             subject = Subject("data", item.name)
             yield Problem(codes.NAME_USED_TWICE, (*pointer, "Name"), message, "Rename one.", subject)
+        elif item.name in statuses:
+            message = f"The name {item.name!r} is that of {statuses[item.name]} of the function."
+            yield Problem(codes.NAME_USED_TWICE, (*pointer, "Name"), message, "Rename one.", Subject("data", item.name))
         holders.setdefault(key, item.vss_path)
+
+
+def _names_of_statuses(function: FunctionJson) -> dict[str, str]:
+    """Names that other interfaces have, with the kind of each."""
+    named = {each.name: "a mode interface" for each in function.mode_interfaces or ()}
+    named |= {each.name: "an error" for _, _, each in errors(function)}
+    return named | {each.name: "a safety reaction" for _, _, each in safety_reactions(function)}
 
 
 _ROLES = {CONSUMER: "consumed", PROVIDER: "provided"}

@@ -13,6 +13,7 @@ from sigcat.names import did_you_mean, either
 WORDS: Mapping[str, tuple[str, ...]] = {
     "kind": ("enumeration", "array", "struct"),
     "defined_by": ("Function", "Adapter"),
+    "range_error_action": ("Default", "Init"),
     "timeout_start": ("Init", "First"),
     "timeout_value": ("Last", "Default", "Init"),
     "overflow": ("DropOldest", "DropNewest"),

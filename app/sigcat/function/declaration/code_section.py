@@ -16,6 +16,9 @@ class ObjectItem(DeclarationModel):
 
     name: Text = Field(description="Name of the object, with which the expressions of what is in it begin.")
     type: Text = Field(description="Type in C, such as ExtU_EcoControlMpc_T.")
+    length: Integer | None = Field(
+        None, description="Elements of an array, as in `extern Bus B[4]`; of variables that the adapter defines."
+    )
     member: Text | None = Field(
         None,
         description="Member of the first object that is set to point to it, as Simulink has `model.inputs = &inputs`.",

@@ -15,7 +15,7 @@ from sigcat.function.document.document import Document
 from sigcat.function.document.read_yaml import read_yaml
 from sigcat.function.document.structure import structural_findings
 from sigcat.function.function_json.c_type import C_TYPE, CTypeName
-from sigcat.function.function_json.wire import Integer, Number
+from sigcat.function.function_json.wire import Count, Integer, Number
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.names import last_name
 
@@ -139,8 +139,8 @@ class ErrorItem(DeclarationModel):
     """An error that the call reports. Its fields stand in the catalogue."""
 
     interface: Text = Field(description="Interface name or path of the error.")
-    occurrence_count_limit: Natural = Field(0, description="Occurrences that confirm it; 0 if they do not count.")
-    ignition_count_limit: Natural = Field(0, description="Ignition cycles that confirm it; 0 if they do not count.")
+    occurrence_count_limit: Count = Field(0, description="Occurrences that confirm it; 0 if they do not count.")
+    ignition_count_limit: Count = Field(0, description="Ignition cycles that confirm it; 0 if they do not count.")
     variable: Text | None = Field(
         None, description="Expression of the C code in which the function says whether the error is present: not 0."
     )

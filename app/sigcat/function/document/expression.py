@@ -16,7 +16,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from sigcat.limits import EXPRESSION_CHARACTERS
-from sigcat.reserved_words import C_KEYWORDS
+from sigcat.reserved_words import C_KEYWORDS, is_of_integers
 
 _TOKEN = re.compile(
     r" *(?:(?P<name>[A-Za-z_]\w*)|(?P<number>0[xX][0-9a-fA-F]+[uUlL]{0,3}|\d+[uUlL]{0,3})(?![\w.])"
@@ -68,7 +68,11 @@ def root_of(text: str) -> str | None:
 
 def is_identifier(text: str) -> bool:
     """Whether this can be the name of a variable, function or macro."""
-    return bool(_IDENTIFIER.fullmatch(text)) and text not in C_KEYWORDS and len(text) <= EXPRESSION_CHARACTERS
+    return bool(_IDENTIFIER.fullmatch(text)) and _is_free(text) and len(text) <= EXPRESSION_CHARACTERS
+
+
+def _is_free(name: str) -> bool:
+    return name not in C_KEYWORDS and not is_of_integers(name)
 
 
 def _tokens(text: str) -> list[tuple[str, str]] | None:
@@ -119,7 +123,7 @@ class _Reader:
             raise _Unfit
 
     def _name(self) -> str:
-        if self.kind != "name" or self.text in C_KEYWORDS:
+        if self.kind != "name" or not _is_free(self.text):
             raise _Unfit
         return self._take()
 

@@ -72,6 +72,11 @@ def c_strings(value: AnyText, width: int) -> list[str]:
     return [c_string(row) for row in textwrap.wrap(text, width - 4, drop_whitespace=False, break_on_hyphens=False)]
 
 
+def c_header(value: AnyText) -> str:
+    """The name of a header after `#include`: it has no escapes."""
+    return f'"{_one_line(value).replace(chr(34), "[U+0022]")}"'
+
+
 def c_format(value: AnyText) -> str:
     """A string literal that a function such as `printf` takes as its format, with nothing to fill in."""
     return c_string(value).replace("%", "%%")

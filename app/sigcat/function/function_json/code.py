@@ -11,7 +11,7 @@ from sigcat.function.document.field_types import (
     Signature,
     SourceFile,
 )
-from sigcat.function.function_json.wire import OWN, WireModel, described, own
+from sigcat.function.function_json.wire import OWN, Integer, WireModel, described, own
 
 GLOBALS = "Globals"
 POINTERS = "Pointers"
@@ -23,6 +23,8 @@ DEFAULT_STORAGE = "Parameters"
 DEFINED_BY = (
     "Function or Adapter: whose code defines the variable; Function if absent. An adapter defines imported externs."
 )
+MOST_ELEMENTS = 2**16
+"""Of an array of objects."""
 MEMBERS = "Members of the struct in C, where their names are not those of the catalogue."
 
 
@@ -45,8 +47,19 @@ class CodeObject(WireModel):
         "Name", "Name of the object; with it begin the expressions of what is in it.", source=OWN
     )
     type: CType = described("Type", "Type in C, such as ExtU_EcoControlMpc_T.", source=OWN)
+    length: Integer | None = own("Length", "Elements of an array; absent if the object is not an array.")
     member: CMember | None = own("Member", "Member of the first object that is set to point to this one.")
     defined_by: Definer | None = own("DefinedBy", f"{DEFINED_BY} With pointers always the adapter.")
+
+    @property
+    def declaration(self) -> str:
+        """As C declares it: `Bus channels[4]`."""
+        return f"{self.type} {self.name}" + ("" if self.length is None else f"[{self.length}]")
+
+    @property
+    def has_valid_length(self) -> bool:
+        """Whether it is no array, or one with a number of elements that is allowed."""
+        return self.length is None or 1 <= self.length <= MOST_ELEMENTS
 
 
 class CodeInterface(WireModel):

@@ -14,6 +14,7 @@ from sigcat.function.function_json.duration import exact_time
 from sigcat.function.function_json.wire import (
     OWN,
     TABLE,
+    Count,
     Integer,
     Number,
     TypeReference,
@@ -33,12 +34,12 @@ class ErrorInterface(WireModel):
     dependencies: tuple[Name, ...] = described(
         "Dependancy", "Error interfaces of other functions or the base software that set this error too.", strict=False
     )
-    occurrence_count_limit: Integer = described(
+    occurrence_count_limit: Count = described(
         "OccurenceCountLimit",
         "How often the error has to occur to be confirmed; 0 if that does not count.",
         unit="occurrences",
     )
-    ignition_count_limit: Integer = described(
+    ignition_count_limit: Count = described(
         "IgnitionCountLimit",
         "Ignition cycles after which the error is confirmed; 0 if they do not count.",
         unit="ignition cycles",

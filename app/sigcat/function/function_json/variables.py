@@ -3,11 +3,14 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from pydantic import BaseModel
+
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
 from sigcat.function.function_json.data_interfaces import DataQueue
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.walk import data, errors, methods, parameters, safety_reactions
 
 
@@ -33,6 +36,8 @@ class CodeVariable(NamedTuple):
     defined_by: str | None = None
     c_type: str | None = None
     """Type in C, as declared or as agreed on."""
+    elements: int | None = None
+    """Values of the datatype that it holds; None if it holds one."""
 
 
 def variables(function: FunctionJson) -> Iterator[CodeVariable]:
@@ -49,10 +54,20 @@ def _of_data(function: FunctionJson) -> Iterator[CodeVariable]:
         place = Place(located.component.name, located.pointer, Subject("data", name))
         if item.variable:
             at = (*pointer, "Variable")
-            yield CodeVariable(at, item.variable, place, name, item.datatype, item.defined_by, item.c_type)
+            c_type, count = item.c_type, _count(item)
+            yield CodeVariable(at, item.variable, place, name, item.datatype, item.defined_by, c_type, count)
         if isinstance(item, DataQueue) and item.count_variable:
             at = (*pointer, "CountVariable")
             yield CodeVariable(at, item.count_variable, place, f"{name} count", None, item.defined_by, "uint32_t")
+
+
+def _count(item: BaseModel) -> int | None:
+    """Values of a queue that one call takes or gives, if these are several."""
+    if not isinstance(item, DataQueue):
+        return None
+    if item.role == PROVIDER:
+        return item.queue_length if item.count_variable is not None else None
+    return item.values_per_step if item.values_per_step and item.values_per_step > 1 else None
 
 
 def _of_statuses(function: FunctionJson) -> Iterator[CodeVariable]:

@@ -92,6 +92,8 @@ Number = Annotated[int | float, PlainValidator(_number), WithJsonSchema({"type":
 """A JSON number; whole numbers stay whole numbers, so that they are written as they were given."""
 Integer = Annotated[int, PlainValidator(_integer), WithJsonSchema({"type": "integer"})]
 """A JSON integer; as in JSON Schema, `1.0` is one."""
+Count = Annotated[Integer, Field(ge=0, le=2**16 - 1)]
+"""How often something happens, as far as cores count."""
 WrittenWhole = Annotated[int | float, PlainValidator(_number), WithJsonSchema({"type": "integer"})]
 """A number that is written as an integer, as the published schema has it; any number is read."""
 TypeReference = Annotated[str, Field(pattern=r"^DT_[A-Za-z0-9]+$"), TYPE_REFERENCE]

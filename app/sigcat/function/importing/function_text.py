@@ -79,6 +79,9 @@ def to_do(draft: Draft) -> Iterator[str]:
     without_unit = sum(bool(signal.catalogue_unit and not signal.unit) for signal in draft.signals)
     if without_unit:
         yield f"check {without_unit} unit{'s' if without_unit > 1 else ''}: where the code tells none, that of the catalogue is assumed."
+    unknown = dict.fromkeys(signal.unknown_unit for signal in draft.signals if signal.unknown_unit)
+    if unknown:
+        yield f"define units that the code names and the catalogue does not have, or convert the values: {', '.join(unknown)}."
     if any(call.returns and call.kind == "init" for call in draft.project.calls):
         yield "check that 0 is what init returns for success."
     if draft.project.left_out:
@@ -122,7 +125,8 @@ def _code(draft: Draft) -> Iterator[str]:
         yield "  objects:"
     for each in project.interface.objects:
         by_adapter = "adapter" if project.signature == "globals" else None  # with pointers the adapter always does
-        keys = {"name": each.name, "type": each.type, "member": each.member or None, "definedBy": by_adapter}
+        keys = {"name": each.name, "type": each.type, "length": each.length or None, "member": each.member or None,
+                "definedBy": by_adapter}  # fmt: skip
         yield f"    - {flow({key: text for key, text in keys.items() if text})}{_from(each.place, draft)}"
 
 
@@ -276,8 +280,8 @@ def said_of(signal: Signal, folder: str) -> Iterator[str]:
         yield f"Not chosen: {signal.why}"
     if signal.catalogue_unit and not signal.unit:
         yield f"The code tells no unit: {signal.catalogue_unit}, as in the catalogue."
-    if remark.unit and not signal.unit:
-        yield f"No unit of the catalogue: {remark.unit}"
+    if signal.unknown_unit:
+        yield f"TODO: the code says {signal.unknown_unit}, which is not a unit of the catalogue."
 
 
 def parameter_lines(parameters: Iterable[ParameterEntry]) -> Iterator[str]:

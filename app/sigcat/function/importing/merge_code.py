@@ -26,7 +26,6 @@ from sigcat.function.importing.yaml_edits import (
     Text,
     edited,
     entries_of,
-    inline,
     items_of,
     text_of,
     value_at,
@@ -64,6 +63,8 @@ class _Known(NamedTuple):
     project: CodeProject
     values: Mapping[str, tuple[str, Value]]
     """Role and value, by the expression."""
+    others: Mapping[str, Value]
+    """Further values of the code, of which the calls do not tell the role."""
 
     def is_gone(self, variable: str) -> bool:
         """Whether the code has no such variable any more."""
@@ -87,7 +88,7 @@ def merge_code(
         raise InputRefused(f"{file} cannot be updated: it has errors.", declared.findings)
     declaration = declared.declaration
     project = read_project(folder, declaration.function, model, definitions or _definitions(declaration))
-    known = _Known(project, _values(project))
+    known = _Known(project, _values(project), {each.expression: each for each in project.others if not each.problem})
     text = data.decode("utf-8").removeprefix(_BOM).replace("\r\n", "\n")
     text, gone = _without_gone(text, known)
     text, changed = _with_changes(text, known, catalogue, below(folder, file.parent))
@@ -219,19 +220,34 @@ def _with_changes(text: str, known: _Known, catalogue: Catalogue, folder: str) -
     edits: list[Edit] = []
     report: list[str] = []
     for entry in _entries(root):
-        if entry.variable not in known.values:
+        role, value = known.values.get(entry.variable, ("", known.others.get(entry.variable)))
+        if value is None:
             continue
-        role, value = known.values[entry.variable]
-        if (role == "parameter") != (entry.kind == "parameters"):
+        if role and (role == "parameter") != (entry.kind == "parameters"):
             report.append(f"kept: {entry.variable} is {role} in the code; move it by hand")
             continue
         changes = _changes(entry, role, value, root, catalogue)
         for node, key, before, now in changes:
             edits += whole.set_value(node, key, now, "variable" if node is entry.node else "datatype")
             report.append(f"changed: {entry.variable}: {key} {_word(before)} → {_word(now)}")
-        report += _kept(entry, value)
+        report += _kept(entry, value, root, catalogue)
         edits += _comment(entry, value, whole, folder)
+    for name, node, key, before, now in _objects(root, known.project):
+        edits += whole.set_value(node, key, now, "type")
+        report.append(f"changed: {name}: {key} {_word(before)} → {_word(now)}")
     return edited(text, edits), tuple(dict.fromkeys(report))
+
+
+def _objects(root: Node | None, project: CodeProject) -> Iterator[tuple[str, Node, str, Any, Any]]:
+    """Differences in types and lengths of objects."""
+    known = {each.name: each for each in project.interface.objects}
+    for node in items_of(value_at(root, "code", "objects")):
+        name = text_of(value_at(node, "name")) or ""
+        if name in known:
+            for key, now in (("type", known[name].type), ("length", known[name].length or None)):
+                before = text_of(value_at(node, key))
+                if before != (None if now is None else str(now)):
+                    yield name, node, key, before, now
 
 
 _Change = tuple[Node, str, Any, Any]
@@ -241,9 +257,22 @@ _Change = tuple[Node, str, Any, Any]
 def _changes(entry: _Entry, role: str, value: Value, root: Node | None, catalogue: Catalogue) -> Iterator[_Change]:
     """Differences in types and scales, where the code decides."""
     node = entry.node
+    if role:
+        yield from _role(entry, role, value)
+    is_scaled = value.datatype not in ("float", "double", "boolean")
+    for key, number in (("factor", value.remark.factor), ("offset", value.remark.offset)):
+        given = text_of(value_at(node, key))
+        if is_scaled and number is not None and (given is None or float(given) != number):
+            yield node, key, given, number
+    yield from _datatypes(entry, value, root, catalogue)
+    yield from _numbers(entry, value, root)
+
+
+def _role(entry: _Entry, role: str, value: Value) -> Iterator[_Change]:
+    """Differences in what the calls and the linked files decide."""
+    node = entry.node
     if entry.kind == "data" and text_of(value_at(node, "role")) != role:
         yield node, "role", text_of(value_at(node, "role")), role
-    is_scaled = value.datatype not in ("float", "double", "boolean")
     derived = {
         "definedBy": "adapter" if value.defined_by == "adapter" else None,
         "cType": value.c_type or None,
@@ -252,12 +281,6 @@ def _changes(entry: _Entry, role: str, value: Value, root: Node | None, catalogu
         before = text_of(value_at(node, key))
         if before != now and not (key == "definedBy" and before == "function" and now is None):
             yield node, key, before, now
-    for key, number in (("factor", value.remark.factor), ("offset", value.remark.offset)):
-        given = text_of(value_at(node, key))
-        if is_scaled and number is not None and (given is None or float(given) != number):
-            yield node, key, given, number
-    yield from _datatypes(entry, value, root, catalogue)
-    yield from _numbers(entry, value, root)
 
 
 def _datatypes(entry: _Entry, value: Value, root: Node | None, catalogue: Catalogue) -> Iterator[_Change]:
@@ -310,8 +333,14 @@ def _number(name: str, value: Value) -> int | None:
     )
 
 
-def _kept(entry: _Entry, value: Value) -> Iterator[str]:
-    """Ranges that a person may have chosen."""
+def _kept(entry: _Entry, value: Value, root: Node | None, catalogue: Catalogue) -> Iterator[str]:
+    """Ranges that a person may have chosen, and the lengths of signals that the file does not define."""
+    path = text_of(value_at(entry.node, "path")) or ""
+    node = catalogue.get(path)
+    if node is not None and value_at(root, "define", entry.kind, path) is None:
+        length = node.values.get("arraysize")
+        if length is not None and length != value.length:
+            yield f"kept: {entry.variable}: {path} has {length} elements; the code has {value.length or 'one value'}"
     for key, now in (("min", value.remark.min), ("max", value.remark.max)):
         given = text_of(value_at(entry.node, key))
         if now is not None and given is not None and float(given) != now:
@@ -329,7 +358,11 @@ def _comment(entry: _Entry, value: Value, whole: Text, folder: str) -> Iterator[
 
 
 def _word(value: Any) -> str:
-    return "none" if value is None else inline(value)
+    if isinstance(value, dict):
+        return f"{{{', '.join(f'{key}: {each}' for key, each in value.items())}}}"
+    if isinstance(value, list):
+        return f"[{', '.join(map(str, value))}]"
+    return "none" if value is None else str(value)
 
 
 # -- the report ---------------------------------------------------------------------------------------------------
@@ -355,6 +388,13 @@ def _calls_and_sources(declaration: Declaration, project: CodeProject, draft: Dr
     """Calls and sources that the file does not name: a person adds them."""
     known = {call.symbol or call.interface for each in declaration.components for call in each.runnables}
     yield from (f"kept: the call {call.symbol} is not in the file" for call in project.calls if _is_new(call, known))
+    objects = {each.name for each in (declaration.code.objects if declaration.code else ())}
+    yield from (
+        f"kept: the object {each.name} is not among `objects`; add it with type {each.type}"
+        + (f" and length {each.length}" if each.length else "")
+        for each in project.interface.objects
+        if each.name not in objects
+    )
     listed = {Path(each).as_posix() for each in (declaration.code.sources if declaration.code else ())}
     for source in project.sources:
         path = Path(draft.folder, source).as_posix()

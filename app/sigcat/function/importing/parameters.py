@@ -140,6 +140,8 @@ def _notes(value: Value, definition: Mapping[str, Any]) -> Iterator[str]:
     if any(end is not None for end in told) and (definition.get("min"), definition.get("max")) != told:
         smallest, largest = ("any" if end is None else f"{end:g}" for end in told)
         yield f"Left out: the range of the comment, {smallest} to {largest}, which does not fit the value or the datatype."
+    if value.remark.unit and not definition.get("unit"):
+        yield f"TODO: the code says {value.remark.unit}, which is not a unit of the catalogue."
     if value.constants:
         yield f"Numbers: {', '.join(f'{each.name} = {each.value}' for each in value.constants)}"
 

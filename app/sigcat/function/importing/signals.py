@@ -50,6 +50,11 @@ class Signal(NamedTuple):
         return not is_to_be_chosen(self.path)
 
     @property
+    def unknown_unit(self) -> str:
+        """The unit that the code names and the catalogue does not have; empty if there is none."""
+        return "" if self.unit else self.value.remark.unit
+
+    @property
     def keys(self) -> dict[str, Any]:
         """What the entry has beside its path."""
         value, remark = self.value, self.value.remark
@@ -190,6 +195,8 @@ def _why_not_element(signal: Signal, node: Node, datatype: str) -> str:
     if datatype in _FLOATING and value.datatype not in _FLOATING and value.remark.factor is None:
         return f"the signal is {datatype}; the code has {value.datatype}, and tells no scale."
     own = node.values.get("unit")
+    if signal.unknown_unit:
+        return f"the signal is in {own or 'no unit'}, the code in {signal.unknown_unit}, which is not a unit of the catalogue."
     if signal.unit and not (isinstance(own, str) and between(own, signal.unit)):
         return f"the signal is in {own or 'no unit'}, the code in {signal.unit}."
     return ""

@@ -27,7 +27,9 @@ def code_interface(item: CodeSection, at: Pointer) -> Part[CodeInterface]:
 
 
 def _object(item: ObjectItem) -> CodeObject:
-    return CodeObject(name=item.name, type=item.type, member=item.member, defined_by=word(item.defined_by))
+    return CodeObject(
+        name=item.name, type=item.type, length=item.length, member=item.member, defined_by=word(item.defined_by)
+    )
 
 
 def _text(value: str | int | None) -> str | None:

@@ -2,6 +2,7 @@
 
 from sigcat import codes
 from sigcat.catalogue.model.catalogue import Node
+from sigcat.catalogue.model.vocabulary import Vocabulary
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.conversion import IDENTITY, Linear, between, same_kind
@@ -21,7 +22,7 @@ def code_unit(item: Item, at: Pointer, node: Node, context: Context) -> Resolvin
     known = vocabulary.unit(item.unit)
     if known is None:
         fix = did_you_mean(item.unit, [each.key for each in vocabulary.distinct_units])
-        yield _problem(item, at, f"Unknown unit {item.unit!r}.", fix or (_convertible(own) if own else ""))
+        yield _problem(item, at, f"Unknown unit {item.unit!r}.", fix or (_convertible(own, vocabulary) if own else ""))
         return own, IDENTITY
     if own is None:
         yield _problem(item, at, f"{item.path!r} has no unit in the catalogue.", "Remove `unit`.")
@@ -29,7 +30,7 @@ def code_unit(item: Item, at: Pointer, node: Node, context: Context) -> Resolvin
     conversion = between(own, known.key)
     if conversion is None:
         message = f"`unit` must be one that {own!r} can be converted to, not {known.key!r}."
-        yield _problem(item, at, message, _convertible(own))
+        yield _problem(item, at, message, _convertible(own, vocabulary))
     return known.key, conversion or IDENTITY
 
 
@@ -37,9 +38,9 @@ def _problem(item: Item, at: Pointer, message: str, fix: str) -> Problem:
     return Problem(codes.UNIT_NOT_CONVERTIBLE, (*at, "unit"), message, fix, Subject("data", item.path))
 
 
-def _convertible(own: str) -> str:
-    """A sentence that names the units in which a value of the catalogue's unit can be held."""
-    kinds = same_kind(own)
+def _convertible(own: str, vocabulary: Vocabulary) -> str:
+    """A sentence that names the units in which a value of the catalogue's unit can be held, by their keys."""
+    kinds = [unit.key for unit in map(vocabulary.unit, same_kind(own)) if unit is not None]
     return f"Use {own!r} or one that it converts to: {', '.join(kinds)}." if kinds else f"Use {own!r}."
 
 

@@ -10,7 +10,7 @@ from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.findings import Finding, in_order
 from sigcat.function.checks.circles import circles
 from sigcat.function.checks.order import contradiction, previous_calls
-from sigcat.function.code_files import IsThere
+from sigcat.function.code_files import CodeCheck
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_file import CheckedFunction, check_files, read_function_file
 from sigcat.function.function_json.resolved_function import ResolvedFunction
@@ -31,14 +31,14 @@ def check_functions(
     limits: Limits = DEFAULT_LIMITS,
     *,
     is_whole: bool = True,
-    is_there: IsThere | None = None,
+    check_code: CodeCheck | None = None,
 ) -> tuple[Finding, ...]:
     """Everything that is wrong with function files, alone and together. What one defines, the others may use.
 
-    `is_whole`: there are no further functions, so that what none of these provides is not provided. `is_there` says
-    whether the files of the code exist.
+    `is_whole`: there are no further functions, so that what none of these provides is not provided. `check_code`
+    checks the files of the code.
     """
-    members, over = read_set(files, catalogue, limits, is_there)
+    members, over = read_set(files, catalogue, limits, check_code)
     alone = [finding for member in members for finding in member.findings]
     return in_order([*alone, *check_set(members, over, is_whole=is_whole)])
 
@@ -47,10 +47,10 @@ def read_set(
     files: Sequence[tuple[bytes, str]],
     catalogue: Catalogue,
     limits: Limits = DEFAULT_LIMITS,
-    is_there: IsThere | None = None,
+    check_code: CodeCheck | None = None,
 ) -> tuple[tuple[CheckedFunction, ...], Catalogue]:
     """The functions of files, and the catalogue with everything that they define."""
-    return check_files([read_function_file(data, name, limits) for data, name in files], catalogue, is_there)
+    return check_files([read_function_file(data, name, limits) for data, name in files], catalogue, check_code)
 
 
 def check_set(

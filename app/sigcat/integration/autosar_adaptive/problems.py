@@ -102,8 +102,10 @@ def _in_component(component: Component, at: Pointer, types: set[str]) -> Iterato
             yield Problem(
                 here, f"Service {interface.name!r} must be listed once in each role, not twice.", "Merge the two."
             )
-        for position, services in enumerate(interface.services):
-            yield from _in_services(services, (*here, "ServiceList", position), types)
+        lists = [((*here, "ServiceList", position), services) for position, services in enumerate(interface.services)]
+        yield from _names((place for below, services in lists for place in _elements(services, below)), "element")
+        for below, services in lists:
+            yield from _in_services(services, below, types)
 
 
 def _in_storages(component: Component, at: Pointer) -> Iterator[Problem]:
@@ -126,11 +128,14 @@ def _storage_interfaces(model: IntegrationModel) -> Iterator[tuple[Pointer, str]
             yield ("ComponentList", index), storage_name(component, name)
 
 
+def _elements(services: Services, at: Pointer) -> Iterator[tuple[Pointer, str]]:
+    """Places and names of events, methods and fields."""
+    yield from (((*at, "Events", i), event.name) for i, event in enumerate(services.events))
+    yield from (((*at, "Methods", i), method.name) for i, method in enumerate(services.methods))
+    yield from (((*at, "Fields", i), field.name) for i, field in enumerate(services.fields))
+
+
 def _in_services(services: Services, at: Pointer, types: set[str]) -> Iterator[Problem]:
-    places: list[tuple[Pointer, str]] = [((*at, "Events", i), event.name) for i, event in enumerate(services.events)]
-    places += [((*at, "Methods", i), method.name) for i, method in enumerate(services.methods)]
-    places += [((*at, "Fields", i), field.name) for i, field in enumerate(services.fields)]
-    yield from _names(places, "element")
     groups = {item.event_group for item in services.events} | {item.event_group for item in services.fields}
     for group in sorted(group for group in groups if group):
         yield from _name(at, group, "event group")

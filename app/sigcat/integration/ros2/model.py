@@ -4,7 +4,9 @@ Fields of the authors' schema keep their spelling (`ROSTopicList`, `GlobalVariab
 there: packages with messages and services, nodes with their life cycle, quality of service, conversions.
 """
 
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
+
+from pydantic import Field
 
 from sigcat.function.document.field_types import (
     CallName,
@@ -34,7 +36,7 @@ from sigcat.function.document.field_types import (
 from sigcat.function.document.text import AnyValue, Text
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, written
-from sigcat.integration.ros2.settings import SchedulingPolicy
+from sigcat.integration.ros2.settings import MOST_VALUES, SchedulingPolicy
 from sigcat.integration.source_functions import source_functions
 
 ROS2 = "published ROS 2 integration schema 1.0.0"
@@ -134,7 +136,7 @@ class QualityOfService(WireModel):
     reliability: Reliability = described("Reliability", "reliable or best_effort.", source=OWN)
     durability: Durability = described("Durability", "transient_local or volatile.", source=OWN)
     history: Literal["keep_last"] = described("History", "keep_last.", source=OWN)
-    depth: Integer = described("Depth", "Values that are kept.", source=OWN)
+    depth: Annotated[Integer, Field(ge=0, le=MOST_VALUES)] = described("Depth", "Values that are kept.", source=OWN)
     deadline: Number | None = described(
         "Deadline", "Longest time between two values; absent if there is none.", default=None, unit="ms", source=OWN
     )

@@ -10,15 +10,18 @@ from sigcat.function.document.text import Text
 from sigcat.integration.agreement import argument_counts
 from sigcat.integration.checked_document import Problem
 from sigcat.integration.datatypes import BY_VSS
+from sigcat.integration.ros2.common_types import ERROR_STATUS, SAFETY_REACTION, STEP
 from sigcat.integration.ros2.model import (
     InterfacePackage,
     Message,
+    MessageConstant,
     MessageField,
     NodePackage,
     Package,
     Ros2Integration,
     RosNode,
     RosParameter,
+    Service,
 )
 from sigcat.integration.ros2.names import CONSTANT, FIELD, LONGEST, MESSAGE
 from sigcat.integration.ros2.settings import EMAIL, NAMESPACE
@@ -31,6 +34,7 @@ _PLUGIN = re.compile(r"[a-z][a-z0-9_]*::[A-Z][A-Za-z0-9]*")
 _TOPIC = re.compile(r"/?[a-z][a-z0-9_]*(?:/[a-z][a-z0-9_]*)*")
 _INTERFACE = re.compile(r"[a-z][a-z0-9_]*/(?:msg|srv)/[A-Z][A-Za-z0-9]*")
 _PARAMETER_TYPES = {f"{name}{ending}" for name in ("bool", "integer", "double", "string") for ending in ("", "_array")}
+_AGAIN = "Integrate the functions again."
 _INTEGER = re.compile(r"-?[0-9]{1,20}")
 
 
@@ -61,7 +65,7 @@ def problems_of(model: Ros2Integration) -> Iterator[Problem]:
             own, known = (len(service.request), len(service.response)), counts.get(service.method)
             if known is not None and own not in known:  # a method that no function has is reported elsewhere
                 message = f"{service.name} must have the arguments and results of {service.method}."
-                yield Problem(below, message, "Integrate the functions again.")
+                yield Problem(below, message, _AGAIN)
 
 
 def _is(text: str, form: re.Pattern[str], at: Pointer, what: str) -> Iterator[Problem]:
@@ -105,6 +109,30 @@ def _interfaces(package: InterfacePackage, at: Pointer) -> Iterator[Problem]:
     for index, service in enumerate(package.services):
         for key, fields in (("Request", service.request), ("Response", service.response)):
             yield from _fields(fields, (*services, index, key), known)
+    yield from _common(package, at)
+
+
+def _common(package: InterfacePackage, at: Pointer) -> Iterator[Problem]:
+    """Interfaces that the nodes use by the names of their fields."""
+    if STEP.name not in {each.name for each in package.services}:
+        yield Problem((*at, "Services"), f"{package.name} must have the service {STEP.name}.", _AGAIN)
+    known = {each.name: _signature(each) for each in (ERROR_STATUS, SAFETY_REACTION, STEP)}
+    interfaces = [("Messages", index, each.name, _signature(each)) for index, each in enumerate(package.messages)]
+    interfaces += [("Services", index, each.name, _signature(each)) for index, each in enumerate(package.services)]
+    for key, index, name, found in interfaces:
+        expected = known.get(name, found)
+        if found != expected:
+            message = f"{name} must have the fields that every node uses: {', '.join(map(' '.join, expected))}."
+            yield Problem((*at, key, index), message, _AGAIN)
+
+
+def _signature(interface: Message | Service) -> tuple[tuple[str, str], ...]:
+    """Types and names of all fields and constants."""
+    if isinstance(interface, Service):
+        parts: Iterable[MessageField | MessageConstant] = (*interface.request, *interface.response)
+    else:
+        parts = (*interface.constants, *interface.fields)
+    return tuple((each.datatype, each.name) for each in parts)
 
 
 def _message(message: Message, at: Pointer, known: set[str]) -> Iterator[Problem]:

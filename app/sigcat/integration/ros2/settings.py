@@ -25,6 +25,8 @@ Topics = Literal["cycle", "signal", "branch", "function"]
 
 
 Enumerations = Literal["both", "number", "text"]
+MOST_VALUES = 2**31 - 1
+"""That a topic keeps: the middleware counts in 32 bits."""
 SchedulingPolicy = Literal["other", "fifo", "rr"]
 
 
@@ -35,7 +37,7 @@ class QualitySettings(DeclarationModel):
     durability: Literal["transient_local", "volatile"] | None = Field(
         None, description="Whether a late subscriber gets the last value."
     )
-    depth: Annotated[Natural, Field(ge=1)] | None = Field(None, description="Values that are kept.")
+    depth: Annotated[Natural, Field(ge=1, le=MOST_VALUES)] | None = Field(None, description="Values that are kept.")
     deadline: Natural | None = Field(None, description="Longest time between two values, in ms; 0 for none.")
 
 

@@ -65,13 +65,13 @@ def units_of(root: Path, tree: Layer, overlays: Sequence[Path], options: LintOpt
     if overlays and root == ROOT_FILE and not options.units and units == default_files(root, (), UNIT_NAMES[0]):
         units += (OVERLAYS / UNIT_NAMES[0],)  # the shipped tree has them for functions, too
     units, quantities = (*units, *options.units), (*quantities, *options.quantities)
-    units, quantities = _each_once(units), _each_once(quantities)
+    units, quantities = each_once(units), each_once(quantities)
     if not units and not any("unit" in statement.values for statement in tree.statements):
         return Units(read_vocabulary((), quantities), is_older=False)
     return read_units(root, units, quantities)
 
 
-def _each_once(files: Iterable[Path]) -> tuple[Path, ...]:
+def each_once(files: Iterable[Path]) -> tuple[Path, ...]:
     """The files in order, each by the first of its names: one may be named by two paths."""
     by_place: dict[Path, Path] = {}
     for file in files:

@@ -14,7 +14,7 @@ from sigcat import codes
 from sigcat.catalogue.composing.compose import compose
 from sigcat.catalogue.composing.older_releases import read_units, with_present_spellings
 from sigcat.catalogue.model.catalogue import Catalogue
-from sigcat.catalogue.model.vocabulary import read_vocabulary
+from sigcat.catalogue.model.vocabulary import Vocabulary, default_files, read_vocabulary
 from sigcat.catalogue.reading.layers import Layer, layer_from_text, read_layer
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.data import ROOT_FILE
@@ -28,6 +28,7 @@ from sigcat.rules.engine import Found, found_in, lint_lines
 from sigcat.rules.linting.context import (
     base_of,
     compose_tree,
+    each_once,
     stacks_of,
     type_files,
     type_layers,
@@ -62,9 +63,11 @@ Texts = Literal["vspec", "comments", "nothing"]
 class _Lint:
     """One run, and what it has gathered so far. Not a dataclass: to load that module takes a twentieth of a short run."""
 
-    def __init__(self, options: LintOptions, rules: RuleSet) -> None:
+    def __init__(self, options: LintOptions, rules: RuleSet, named_units: frozenset[str]) -> None:
         self.options = options
         self.rules = rules
+        self.named_units = named_units
+        """Files of units and quantities that the user named."""
         self.found: dict[Finding, Repair | None] = {}
         self.files: dict[str, Texts] = {}
         """The files that were looked at."""
@@ -105,11 +108,12 @@ def _lint_paths(paths: Sequence[Path], options: LintOptions) -> LintResult:
     sources = [
         s for s in discover(paths, options.overlays, options.types, options.base) if not _is_excluded(s.path, options)
     ]
-    options = options._replace(types=type_files(sources, options))
-    lint = _Lint(options, RuleSet(selected(every_rule, options)))
+    named = [source.path for source in sources if source.named and source.kind == "vocabulary"]
+    options = _with_units(options._replace(types=type_files(sources, options)), named)
+    lint = _Lint(options, RuleSet(selected(every_rule, options)), frozenset(map(str, named)))
     if not any(source.kind != "other" for source in sources) and any(path.is_dir() for path in paths):
-        named = ", ".join(map(str, paths))
-        raise UsageError(f"Nothing to check: {named} has no .vspec, units, function or rule file. Name another folder.")
+        given = ", ".join(map(str, paths))
+        raise UsageError(f"Nothing to check: {given} has no .vspec, units, function or rule file. Name another folder.")
     trees = _lint_trees([s.path for s in sources if s.kind == "tree"], lint)
     _lint_overlays([s.path for s in sources if s.kind == "overlay"], trees, lint)
     for source in sources:
@@ -120,6 +124,13 @@ def _lint_paths(paths: Sequence[Path], options: LintOptions) -> LintResult:
     is_complete = any(path.is_dir() for path in paths)
     _lint_functions([s.path for s in sources if s.kind == "function"], lint, is_complete=is_complete)
     return _result(lint, every_rule, paths if is_complete else ())
+
+
+def _with_units(options: LintOptions, named: Sequence[Path]) -> LintOptions:
+    """The options with the units and quantities that were named beside what uses them."""
+    units = [path for path in named if path.name in UNIT_NAMES]
+    quantities = [path for path in named if path.name in QUANTITY_NAMES]
+    return options._replace(units=(*options.units, *units), quantities=(*options.quantities, *quantities))
 
 
 def _is_excluded(path: Path, options: LintOptions) -> bool:
@@ -155,7 +166,8 @@ def _lint_stack(base: Path, stack: Sequence[Path], named: Collection[str], lint:
     judged_layers = [layer for layer in layers if layer.name in named]
     files = {file.name for layer in judged_layers for file in layer.files} | {layer.name for layer in judged_layers}
     folders = {Path(layer.name).parent for layer in judged_layers}
-    beside = {file.name for file in catalogue.vocabulary.files if Path(file.name).parent in folders}
+    vocabulary = [file.name for file in catalogue.vocabulary.files]
+    beside = {name for name in vocabulary if Path(name).parent in folders or name in lint.named_units}
     judged = tuple(catalogue.written_in(files))
     rules = lint.rules if options.overlays else lint.rules.without_stacks
     found = found_in(with_instances(catalogue, judged, expanded), rules, judged, options.attributes, lint.can)
@@ -239,11 +251,17 @@ def _lint_vocabulary(source: Source, lint: _Lint) -> None:
     path, name = source.path, str(source.path)
     if name in lint.files:
         return
-    beside = tuple(path.parent / name for name in QUANTITY_NAMES if (path.parent / name).is_file())
     is_units = path.name in UNIT_NAMES
-    vocabulary = read_units(path, (path,), beside).vocabulary if is_units else read_vocabulary((), (path,))
+    vocabulary = _units_alone(path, lint.options) if is_units else read_vocabulary((), (path,))
     lint.add(((finding, None) for finding in vocabulary.findings), {name})
     lint.look_at([name])
+
+
+def _units_alone(path: Path, options: LintOptions) -> Vocabulary:
+    """Units of a file, with the quantities of the tree, those beside it and those of the options."""
+    tree = default_files(options.base or ROOT_FILE, (), QUANTITY_NAMES[0])
+    beside = (path.parent / name for name in QUANTITY_NAMES if (path.parent / name).is_file())
+    return read_units(path, (path,), each_once((*tree, *beside, *options.quantities))).vocabulary
 
 
 _LINT_FILE: Mapping[str, Callable[[Source, _Lint], None]] = {

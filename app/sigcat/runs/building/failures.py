@@ -6,13 +6,13 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sigcat import codes
+from sigcat.adapter.core.clashes import clashes
 from sigcat.adapter.core.generate import CoreFiles
 from sigcat.adapter.files import GeneratedFile
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, in_order
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.walk import parts
-from sigcat.runs.building.clashes import clashes
 from sigcat.runs.building.commands import Compilation
 from sigcat.runs.building.diagnostics import Diagnostic, diagnostics
 from sigcat.runs.connections import Member
@@ -57,7 +57,7 @@ def _causes(said: Said, members: Sequence[Member]) -> Iterator[Finding]:
         return
     member = members[one.member]
     header = one.source.with_name(member.plan.header_file)
-    yield from clashes(member, f"{header.read_text()}\n{one.source.read_text()}")
+    yield from clashes(member.function, member.plan, member.folder, f"{header.read_text()}\n{one.source.read_text()}")
 
 
 def _doing(said: Said, generated: Mapping[str, _Generated]) -> str:

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sigcat.adapter.toolchain import Toolchain
-from sigcat.function.document.text_filters import c_string
+from sigcat.function.document.text_filters import c_header
 from sigcat.runs.building.commands import Compilation, compilations
 from sigcat.runs.connections import Member
 
@@ -50,7 +50,7 @@ def _size(type_name: str, core: Compilation) -> int:
     """The size of a type, as a program prints it."""
     source = core.source.with_name(f"{core.source.stem}_memory{core.source.suffix}")
     source.write_text(
-        f"#include {c_string(core.source.with_suffix('.h').name)}\n#include <stdio.h>\n"
+        f"#include {c_header(core.source.with_suffix('.h').name)}\n#include <stdio.h>\n"
         f'int main(void)\n{{\n    (void)printf("%lu", (unsigned long)sizeof({type_name}));\n    return 0;\n}}\n'
     )
     program = source.with_suffix(".exe")

@@ -7,7 +7,7 @@ from sigcat.adapter.core.c.lines import Line, Lines, block, joined, lines, space
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import GLOBALS, Call, Method, WireField, WireStruct, WireType
 from sigcat.adapter.files import GeneratedFile
-from sigcat.function.document.text_filters import c_string
+from sigcat.function.document.text_filters import c_header
 from sigcat.runs.connections import Connections, Entry, Exit, Member, Server, answer_struct, request_struct
 from sigcat.runs.driver.numbering import Numbers, bytes_of_largest
 from sigcat.runs.kept import Kept
@@ -73,7 +73,7 @@ def glue_file(connections: Connections, numbers: Numbers, index: int) -> Generat
 
 def _whole(glue: _Glue, member: Member) -> Lines:
     return spaced([
-        lines(f'#include {c_string(member.plan.header_file)}\n#include "sigcat_driver.h"\n\n#include <string.h>'),
+        lines(f'#include {c_header(member.plan.header_file)}\n#include "sigcat_driver.h"\n\n#include <string.h>'),
         _data(glue),
         *_struct_functions([*glue.scope.plan.structs, *glue.handed_over]),
         _restore(glue), _store(glue), _start_up(glue), _start(glue), _receive(glue),

@@ -54,7 +54,7 @@ _SIGNATURES = {POINTERS: "functions that take pointers to the objects of an inst
 
 
 def _facts(code: CodeInterface) -> tuple[tuple[str, tuple[str, ...]], ...]:
-    objects = [f"{each.type} {each.name}{f' ← {each.member}' if each.member else ''}" for each in code.objects or ()]
+    objects = [f"{each.declaration}{f' ← {each.member}' if each.member else ''}" for each in code.objects or ()]
     named = {
         "Calls": (_SIGNATURES.get(code.signature, "functions over global variables"),),
         "Class": (code.class_name,) if code.class_name else (),

@@ -249,7 +249,7 @@ void CoreAcc_Adapter_Begin_Step(CoreAcc_Adapter *self, uint64_t t);
 void CoreAcc_Adapter_Run_Step(CoreAcc_Adapter *self);
 void CoreAcc_Adapter_GetOutput_Step(CoreAcc_Adapter *self, uint64_t t);
 
-/* Now and then, also while a call runs. Under the lock. */
+/* At NextTime, and once in each longest duration of a call that runs (section 10). Under the lock. */
 void CoreAcc_Adapter_Supervise(CoreAcc_Adapter *self, uint64_t t);
 
 /* All of them, or none if one is out of range. Under the lock. */

@@ -229,7 +229,7 @@ void EcoControlMpc_Adapter_Begin_Step(EcoControlMpc_Adapter *self, uint64_t t);
 void EcoControlMpc_Adapter_Run_Step(EcoControlMpc_Adapter *self);
 void EcoControlMpc_Adapter_GetOutput_Step(EcoControlMpc_Adapter *self, uint64_t t);
 
-/* Now and then, also while a call runs. Under the lock. */
+/* At NextTime, and once in each longest duration of a call that runs (section 10). Under the lock. */
 void EcoControlMpc_Adapter_Supervise(EcoControlMpc_Adapter *self, uint64_t t);
 
 /* All of them, or none if one is out of range. Under the lock. */

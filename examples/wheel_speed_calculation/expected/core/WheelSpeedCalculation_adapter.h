@@ -263,7 +263,7 @@ void WheelSpeedCalculation_Adapter_Begin_Step(WheelSpeedCalculation_Adapter *sel
 void WheelSpeedCalculation_Adapter_Run_Step(WheelSpeedCalculation_Adapter *self);
 void WheelSpeedCalculation_Adapter_GetOutput_Step(WheelSpeedCalculation_Adapter *self, uint64_t t);
 
-/* Now and then, also while a call runs. Under the lock. */
+/* At NextTime, and once in each longest duration of a call that runs (section 10). Under the lock. */
 void WheelSpeedCalculation_Adapter_Supervise(WheelSpeedCalculation_Adapter *self, uint64_t t);
 
 /* All of them, or none if one is out of range. Under the lock. */

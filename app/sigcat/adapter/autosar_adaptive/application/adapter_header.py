@@ -21,7 +21,7 @@ from sigcat.adapter.autosar_adaptive.application.plan import (
 )
 from sigcat.adapter.core.c.lines import Line, Lines, block, joined, lines, spaced
 from sigcat.function.document.text import composed
-from sigcat.function.document.text_filters import c_string, comment
+from sigcat.function.document.text_filters import c_header, c_string, comment
 
 
 def adapter_header(component: ComponentPlan, application: ApplicationPlan) -> Lines:
@@ -62,8 +62,8 @@ def _includes(component: ComponentPlan) -> Lines:
     headers += [each.names.skeleton_header for each in component.provided]
     groups = (
         [f"#include {name}" for name in sorted(standard)],
-        sorted([*(f"#include {c_string(f'application/{name}.h')}" for name in application), *(f"#include {c_string(name)}" for name in platform),
-                *(f"#include {c_string(name)}" for name in headers), f"#include {c_string(f'core/{component.core.header_file}')}"]),
+        sorted([*(f"#include {c_header(f'application/{name}.h')}" for name in application), *(f"#include {c_header(name)}" for name in platform),
+                *(f"#include {c_header(name)}" for name in headers), f"#include {c_header(f'core/{component.core.header_file}')}"]),
     )  # fmt: skip
     return lines("\n\n".join("\n".join(group) for group in groups))
 

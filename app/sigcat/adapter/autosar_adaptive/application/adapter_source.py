@@ -26,7 +26,7 @@ from sigcat.adapter.autosar_adaptive.application.plan import (
 from sigcat.adapter.autosar_adaptive.application.stored import storage_functions
 from sigcat.adapter.core.c.lines import Line, Lines, block, indented, joined, lines, spaced
 from sigcat.adapter.core.plan import Port
-from sigcat.function.document.text_filters import c_string
+from sigcat.function.document.text_filters import c_header, c_string
 
 
 def adapter_source(component: ComponentPlan, application: ApplicationPlan) -> Lines:
@@ -47,8 +47,8 @@ def adapter_source(component: ComponentPlan, application: ApplicationPlan) -> Li
 
 
 def _includes(component: ComponentPlan) -> Lines:
-    own = f"#include {c_string(f'{component.stem}_adapter.h')}"
-    structs = [f"#include {c_string(f'{component.stem}_structs.h')}"] if component.structs else []
+    own = f"#include {c_header(f'{component.stem}_adapter.h')}"
+    structs = [f"#include {c_header(f'{component.stem}_structs.h')}"] if component.structs else []
     standard = ["#include <chrono>"] if has_deadline(component) else []
     platform = ['#include "ara/core/instance_specifier.h"'] if component.provided else []
     if has_offered(component):

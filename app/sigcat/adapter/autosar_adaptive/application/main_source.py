@@ -3,12 +3,12 @@
 from sigcat.adapter.autosar_adaptive.application.names import commented
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ExecutablePlan
 from sigcat.adapter.core.c.lines import Lines, block, lines, spaced
-from sigcat.function.document.text_filters import c_string
+from sigcat.function.document.text_filters import c_header
 
 
 def main_source(executable: ExecutablePlan, application: ApplicationPlan) -> Lines:
     """The whole source."""
-    adapters = "\n".join(f"#include {c_string(f'{component.stem}_adapter.h')}" for component in executable.components)
+    adapters = "\n".join(f"#include {c_header(f'{component.stem}_adapter.h')}" for component in executable.components)
     return spaced([
         commented(f"{executable.name}: reports to the execution management, and ends when that asks for it."),
         lines("#include <cstdlib>\n#include <iostream>"),

@@ -10,7 +10,7 @@ from sigcat.adapter.autosar_adaptive.arxml.interfaces import Whole, wholes
 from sigcat.adapter.autosar_adaptive.bench.tables import player_port
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, member_name, service_names, type_names
 from sigcat.adapter.core.c.lines import Line, Lines, block, indented, joined, lines, spaced
-from sigcat.function.document.text_filters import c_string
+from sigcat.function.document.text_filters import c_header, c_string
 from sigcat.integration.autosar_adaptive.model import IntegrationModel, ServiceField, TypeEntry
 
 CPP = Path(__file__).parent / "player_cpp"
@@ -142,7 +142,7 @@ def _includes(offered: Iterable[_Port], used: Iterable[_Port], entries: list[Typ
     headers += ["application/required_service.h", "ara/core/instance_specifier.h", "player/hear.h"]
     headers += ["bench/counters.h"] if any(port.listeners for port in offered) else []
     headers += ["ara/core/promise.h"] if any(port.methods for port in offered) else []
-    rows = "\n".join(f"#include {c_string(name)}" for name in sorted(set(headers)))
+    rows = "\n".join(f"#include {c_header(name)}" for name in sorted(set(headers)))
     return lines(f'#include "player/ports.h"\n\n#include <stdexcept>\n\n{rows}')
 
 

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterable, Sequence
 
-from sigcat.function.document.text_filters import AnyText, c_string, comment_rows
+from sigcat.function.document.text_filters import AnyText, c_header, comment_rows
 
 WIDEST = 120
 
@@ -38,7 +38,7 @@ def _included(includes: Iterable[str]) -> list[str]:
     """The standard library first, then everything else."""
     names = sorted(set(includes))
     groups = ([f"#include {name}" for name in names if name.startswith("<")],
-              [f"#include {c_string(name)}" for name in names if not name.startswith("<")])  # fmt: skip
+              [f"#include {c_header(name)}" for name in names if not name.startswith("<")])  # fmt: skip
     return ["\n".join(group) for group in groups if group]
 
 

@@ -6,7 +6,7 @@ from sigcat.adapter.autosar_classic.code.plan import SwcPlan
 from sigcat.adapter.core.c.lines import Line, Lines, indented, joined, lines, spaced
 from sigcat.adapter.core.plan import GLOBALS
 from sigcat.asil import level_of, rank
-from sigcat.function.document.text_filters import AnyText, block_comment, c_string
+from sigcat.function.document.text_filters import AnyText, block_comment, c_header
 
 
 def core_object(swc: SwcPlan) -> str:
@@ -48,7 +48,7 @@ def section(swc: SwcPlan, name: str, part: Lines) -> Lines:
     """What stands in a memory section."""
     if not part:
         return ()
-    include = f"#include {c_string(f'{swc.name}_MemMap.h')}"
+    include = f"#include {c_header(f'{swc.name}_MemMap.h')}"
     return spaced([
         lines(f"#define {swc.name}_START_SEC_{name}\n{include}"),
         part,

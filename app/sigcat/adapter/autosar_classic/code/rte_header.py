@@ -9,7 +9,7 @@ from sigcat.adapter.autosar_classic.code.names import section
 from sigcat.adapter.autosar_classic.code.plan import SwcPlan
 from sigcat.adapter.autosar_classic.code.types import rte_types
 from sigcat.adapter.core.c.lines import Line, Lines, joined, lines, spaced
-from sigcat.function.document.text_filters import block_comment, c_string
+from sigcat.function.document.text_filters import block_comment, c_header
 from sigcat.integration.autosar_classic.model import (
     ClassicIntegration,
     ImplementationType,
@@ -122,7 +122,7 @@ def component_header(swc: SwcPlan, calls: Iterable[Call], model: ClassicIntegrat
     known = list(calls)
     initial = "\n".join(literals.initial_values(swc, model, rte_types(model)))
     headers = "\n".join(
-        dict.fromkeys(f"#include {c_string(each.header)}" for each in swc.component.memories if each.header)
+        dict.fromkeys(f"#include {c_header(each.header)}" for each in swc.component.memories if each.header)
     )
     return joined([
         _titled(f"What the RTE has for {swc.name}."),
@@ -133,7 +133,7 @@ def component_header(swc: SwcPlan, calls: Iterable[Call], model: ClassicIntegrat
                 #endif
                 #define RTE_APPLICATION_HEADER_FILE
             """),
-            lines(f"#include {c_string(f'Rte_{swc.name}_Type.h')}"),
+            lines(f"#include {c_header(f'Rte_{swc.name}_Type.h')}"),
             lines(headers) if headers else (),
             lines(initial) if initial else (),
             _opened(),

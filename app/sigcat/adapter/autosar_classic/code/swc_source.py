@@ -8,7 +8,7 @@ from sigcat.adapter.core.c.lines import Lines, block, joined, lines, spaced
 from sigcat.adapter.core.c.shadowing import renamed, shadowed
 from sigcat.adapter.core.plan import GLOBALS
 from sigcat.function.document.text import composed
-from sigcat.function.document.text_filters import block_comment, c_string, comment
+from sigcat.function.document.text_filters import block_comment, c_header, comment
 
 
 def swc_source(swc: SwcPlan) -> Lines:
@@ -21,7 +21,7 @@ def swc_source(swc: SwcPlan) -> Lines:
 def _whole(swc: SwcPlan) -> Lines:
     return spaced([
         _title(swc),
-        lines(f"#include {c_string(f'Rte_{swc.name}.h')}\n#include {c_string(swc.core.header_file)}\n\n#include <string.h>"),
+        lines(f"#include {c_header(f'Rte_{swc.name}.h')}\n#include {c_header(swc.core.header_file)}\n\n#include <string.h>"),
         section(swc, section_of(swc, "VAR_CLEARED", "VAR_CLEARED_UNSPECIFIED"), _data(swc)),
         section(swc, section_of(swc, "CODE", "CODE"), spaced([
             _now(swc),

@@ -8,7 +8,7 @@ from sigcat.adapter.core.c.types import types
 from sigcat.adapter.core.plan import (
     GLOBALS,
 )
-from sigcat.function.document.text_filters import block_comment, c_string
+from sigcat.function.document.text_filters import block_comment, c_header, c_string
 
 
 def header(scope: Scope, title: Lines) -> Lines:
@@ -44,7 +44,7 @@ def _extern_c(*, begins: bool) -> Lines:
 
 
 def _includes(scope: Scope) -> Lines:
-    own = [f"#include {c_string(name)}" for name in scope.plan.code.headers]
+    own = [f"#include {c_header(name)}" for name in scope.plan.code.headers]
     return lines("\n".join(["#include <stdbool.h>", "#include <stdint.h>", *([""] if own else []), *own]), ("Code",))
 
 
@@ -104,7 +104,7 @@ def _functions(scope: Scope) -> list[Lines]:
             f"void {p}_SetInput_{call.name}({s}, uint64_t t);", f"void {p}_Begin_{call.name}({s}, uint64_t t);",
             f"void {p}_Run_{call.name}({s});", f"void {p}_GetOutput_{call.name}({s}, uint64_t t);",
         ]) for call in plan.steps),
-        _prototypes("Now and then, also while a call runs. Under the lock.", [f"void {p}_Supervise({s}, uint64_t t);"]),
+        _prototypes("At NextTime, and once in each longest duration of a call that runs (section 10). Under the lock.", [f"void {p}_Supervise({s}, uint64_t t);"]),
         _prototypes("A request has come, and no call runs.",
                     [f"{methods.offered_head(each, scope)};" for each in plan.methods if each.is_offered]),
         _prototypes("The answer to a request. Under the lock.", [f"{methods.answer_head(each, scope)};" for each in used]),

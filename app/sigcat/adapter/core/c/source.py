@@ -18,7 +18,7 @@ from sigcat.adapter.core.c.sizes import sizes
 from sigcat.adapter.core.c.small_functions import used_functions
 from sigcat.adapter.core.c.values import declared
 from sigcat.adapter.core.plan import GLOBALS, Extern, WireType
-from sigcat.function.document.text_filters import block_comment, c_string
+from sigcat.function.document.text_filters import block_comment, c_header, c_string
 
 
 def source(scope: Scope, title: Lines, header_name: str) -> Lines:
@@ -47,7 +47,7 @@ def _includes(text: str, header_name: str, *, is_cpp: bool, has_checks: bool) ->
         ("<new>", is_cpp),
         ("<type_traits>", is_cpp and has_checks),
     )
-    rows = [f"#include {c_string(header_name)}", "", *(f"#include {name}" for name, is_used in known if is_used)]
+    rows = [f"#include {c_header(header_name)}", "", *(f"#include {name}" for name, is_used in known if is_used)]
     return lines("\n".join(rows))
 
 
@@ -76,7 +76,10 @@ def _variables(scope: Scope) -> list[Lines]:
     plan = scope.plan
     if plan.code.signature != GLOBALS:
         return []
-    held = [lines(f"{each.type} {scope.variable(each.name)};", ("Code",)) for each in plan.code.objects]
+    held = [
+        lines(f"{declared(WireType(each.type, each.length), scope.variable(each.name))};", ("Code",))
+        for each in plan.code.objects
+    ]
     here = [_extern(each, scope) for each in plan.code.externs if each.is_defined_here]
     there = [_extern(each, scope) for each in plan.code.externs if not each.is_defined_here]
     calls = [] if plan.code.headers else plan.calls

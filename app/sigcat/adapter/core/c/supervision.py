@@ -112,7 +112,7 @@ def ended(call: Call, scope: Scope) -> Lines:
 
 
 def supervise_function(scope: Scope) -> Lines:
-    """What the platform calls now and then: for a call that hangs or never comes."""
+    """The function that finds calls that hang or never come."""
     supervised = [error for error in scope.plan.errors if error.is_supervised and error.call]
     body = [
         closed(scope),

@@ -18,6 +18,8 @@ class CodeObject(NamedTuple):
     name: str
     type: str
     member: str | None
+    length: int | None = None
+    """Elements of an array; None if it is not an array."""
 
 
 class Extern(NamedTuple):

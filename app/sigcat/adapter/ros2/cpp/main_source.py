@@ -2,7 +2,7 @@
 
 from sigcat.adapter.ros2.cpp.names import copyright_line
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
-from sigcat.function.document.text_filters import c_string
+from sigcat.function.document.text_filters import c_header, c_string
 
 
 def main_source(node: NodePlan, workspace: WorkspacePlan) -> str:
@@ -13,7 +13,7 @@ def main_source(node: NodePlan, workspace: WorkspacePlan) -> str:
 #include <exception>
 #include <memory>
 
-#include {c_string(f"{workspace.name}/{node.stem}.hpp")}
+#include {c_header(f"{workspace.name}/{node.stem}.hpp")}
 #include "rclcpp/rclcpp.hpp"
 
 int main(int argc, char * argv[])

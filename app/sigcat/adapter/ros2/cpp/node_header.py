@@ -4,7 +4,7 @@ from sigcat.adapter.ros2.cpp.layout import WIDEST, comment, indented, spaced, te
 from sigcat.adapter.ros2.cpp.names import copyright_line, guard, header_of, run_name, short, times_name
 from sigcat.adapter.ros2.plan import MethodService, NodePlan, WorkspacePlan
 from sigcat.function.document.text import composed
-from sigcat.function.document.text_filters import c_string
+from sigcat.function.document.text_filters import c_header
 
 
 def node_header(node: NodePlan, workspace: WorkspacePlan) -> str:
@@ -55,7 +55,7 @@ def _includes(node: NodePlan, workspace: WorkspacePlan) -> str:
     headers += ["diagnostic_msgs/msg/diagnostic_array.hpp", "rclcpp/rclcpp.hpp", "rclcpp_lifecycle/lifecycle_node.hpp"]
     return spaced([
         "\n".join(f"#include <{each}>" for each in standard),
-        "\n".join(f"#include {c_string(each)}" for each in sorted(headers)),
+        "\n".join(f"#include {c_header(each)}" for each in sorted(headers)),
     ])  # fmt: skip
 
 

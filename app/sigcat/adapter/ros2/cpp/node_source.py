@@ -13,7 +13,7 @@ from sigcat.adapter.ros2.cpp.sending import publish_function
 from sigcat.adapter.ros2.cpp.stored import storage_functions
 from sigcat.adapter.ros2.cpp.tables import symbol_tables
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
-from sigcat.function.document.text_filters import c_format, c_string
+from sigcat.function.document.text_filters import c_format, c_header, c_string
 
 _CORE = "// The core of the function: what it is made of stays in this file."
 _STATE = "const rclcpp_lifecycle::State & state"
@@ -24,7 +24,7 @@ def node_source(node: NodePlan, workspace: WorkspacePlan) -> str:
     """The whole source."""
     return spaced([
         copyright_line(workspace),
-        f"#include {c_string(f'{workspace.name}/{node.stem}.hpp')}",
+        f"#include {c_header(f'{workspace.name}/{node.stem}.hpp')}",
         _includes(node, workspace),
         text([
             f"namespace {workspace.name}\n{{\n",
@@ -63,7 +63,7 @@ def _includes(node: NodePlan, workspace: WorkspacePlan) -> str:
     headers.append(node.core.header_file)
     return spaced([
         "\n".join(f"#include <{each}>" for each in sorted(standard)),
-        "\n".join(f"#include {c_string(each)}" for each in sorted(set(headers))),
+        "\n".join(f"#include {c_header(each)}" for each in sorted(set(headers))),
     ])  # fmt: skip
 
 

@@ -3,7 +3,7 @@
 from sigcat.adapter.ros2.cpp.layout import WIDEST, comment, function, indented, spaced, text
 from sigcat.adapter.ros2.cpp.names import copyright_line, guard, header_of
 from sigcat.adapter.ros2.plan import NodePlan, StructPair, WorkspacePlan
-from sigcat.function.document.text_filters import c_string
+from sigcat.function.document.text_filters import c_header
 
 
 def structs_header(node: NodePlan, workspace: WorkspacePlan) -> str:
@@ -15,7 +15,7 @@ def structs_header(node: NodePlan, workspace: WorkspacePlan) -> str:
     return spaced([
         text([copyright_line(workspace), "//", comment(f"Structs that {node.name} takes and gives, between messages and the core.")]),
         f"#ifndef {name}\n#define {name}",
-        "\n".join(f"#include {c_string(each)}" for each in headers),
+        "\n".join(f"#include {c_header(each)}" for each in headers),
         f"namespace {workspace.name}\n{{",
         *(part for pair in node.structs for part in (_copy(pair, gives=False), _copy(pair, gives=True))),
         f"}}  {comment(f'namespace {workspace.name}')}",

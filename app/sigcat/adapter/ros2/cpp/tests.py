@@ -3,7 +3,7 @@
 from sigcat.adapter.ros2.cpp.layout import spaced, text
 from sigcat.adapter.ros2.cpp.names import copyright_line, header_of
 from sigcat.adapter.ros2.plan import NodeParameter, NodePlan, WorkspacePlan
-from sigcat.function.document.text_filters import c_string, docstring_text, python_string
+from sigcat.function.document.text_filters import c_header, c_string, docstring_text, python_string
 
 
 def node_test(node: NodePlan, workspace: WorkspacePlan) -> str:
@@ -28,7 +28,7 @@ def _includes(node: NodePlan, workspace: WorkspacePlan) -> str:
     return spaced([
         "#include <gtest/gtest.h>\n#include <unistd.h>",
         "\n".join(f"#include <{each}>" for each in standard),
-        "\n".join(f"#include {c_string(each)}" for each in sorted(headers)),
+        "\n".join(f"#include {c_header(each)}" for each in sorted(headers)),
     ])  # fmt: skip
 
 

@@ -14,7 +14,7 @@ from sigcat.adapter.core.c.values import declared
 from sigcat.adapter.core.plan import CLASS, GLOBALS, CorePlan, Method
 from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.ros2.python.names import WIDEST
-from sigcat.function.document.text_filters import block_comment, c_string, comment
+from sigcat.function.document.text_filters import block_comment, c_header, c_string, comment
 
 _INTERNAL = ("_Verdict;", "_Origin;", "_Reception;", "_Clock;", "_Error;")
 """Ends of the types that only the core itself uses."""
@@ -274,7 +274,7 @@ def _header(scope: Scope) -> Lines:
              */
         """),
         lines(f"#ifndef {guard}\n#define {guard}"),
-        lines(f"#include <stddef.h>\n\n#include {c_string(scope.plan.header_file)}"),
+        lines(f"#include <stddef.h>\n\n#include {c_header(scope.plan.header_file)}"),
         lines('#ifdef __cplusplus\nextern "C" {\n#endif'),
         *_types(scope),
         lines(f"/* An object to work on; NULL: there can be no further one. */\n{_heads(scope, ('New', 'Free'))}"),
@@ -296,7 +296,7 @@ def _source(scope: Scope) -> Lines:
     is_global = plan.code.signature == GLOBALS
     standard = ["#include <new>"] if plan.code.signature == CLASS else [] if is_global else ["#include <stdlib.h>"]
     whole = spaced([
-        lines(f"#include {c_string(f'{plan.function}_bridge.h')}"),
+        lines(f"#include {c_header(f'{plan.function}_bridge.h')}"),
         lines("\n".join([*standard, "#include <string.h>"])),
         lines(f"static bool {b}_IsTaken = false;") if is_global else (),
         *((Line(head), Line("{"), *indented(body), Line("}")) for head, body in _functions(scope)),
