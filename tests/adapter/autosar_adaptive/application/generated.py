@@ -14,6 +14,8 @@ from tests.integration.autosar_adaptive.sets import derive
 ECOCONTROL = EXAMPLES / "ecocontrol/expected/autosar-adaptive.json"
 FULL = Path(__file__).parent / "full"
 """A function that uses everything that a declaration can say."""
+PACED = Path(__file__).parent / "paced"
+"""A function with calls of three priorities, one of which waits for steps of another one."""
 SMALL = Path(__file__).parent / "small"
 """Functions that leave out almost everything, or have names that are easily taken."""
 STORING = Path(__file__).parent / "storing.function.yaml"
@@ -34,7 +36,7 @@ def ecocontrol():
 @cache
 def full_integration():
     """The Integration JSON of the function that uses everything."""
-    return integration(_built(FULL / "function.yaml"))
+    return integration(built(FULL / "function.yaml"))
 
 
 @cache
@@ -44,12 +46,19 @@ def full():
 
 
 @cache
+def paced():
+    """The files of the function with calls of three priorities, with the bench, by name."""
+    return files(integration(built(PACED / "function.yaml")), bench=True)
+
+
+@cache
 def small():
     """The files of all small functions, with the bench, by name."""
-    return files(integration(*map(_built, sorted(SMALL.glob("*.yaml")))), bench=True)
+    return files(integration(*map(built, sorted(SMALL.glob("*.yaml")))), bench=True)
 
 
-def _built(path):
+def built(path):
+    """A function of a file."""
     function, _ = build_function(path.read_bytes(), path.name, interfaces())
     return function
 
@@ -57,7 +66,7 @@ def _built(path):
 @cache
 def storing():
     """The files of a function with parameters in several storages, by name."""
-    return files(integration(_built(STORING)))
+    return files(integration(built(STORING)))
 
 
 def files(document, *, bench=False):

@@ -1,6 +1,7 @@
 """The header of a component's adapter."""
 
 from sigcat.adapter.autosar_adaptive.application.names import (
+    call_mutex,
     checkpoint,
     commented,
     core_holder,
@@ -9,6 +10,7 @@ from sigcat.adapter.autosar_adaptive.application.names import (
     include_guard,
     monitor_name,
     services_of,
+    watched,
     without_indent,
     writes,
 )
@@ -56,6 +58,8 @@ def _includes(component: ComponentPlan) -> Lines:
     application += ["required_service"] if component.required else []
     application += ["storage"] if component.storages else []
     application += ["watch"] if has_deadline(component) else []
+    application += ["call_thread"] if component.is_threaded else []
+    application += ["call_mutex"] if component.is_threaded and has_offered(component) else []
     platform = ["ara/phm/supervised_entity.h"] if component.checkpoints else []
     platform += ["ara/core/future.h"] if services_with_methods(component) else []
     headers = [each.names.proxy_header for each in component.required]
@@ -181,7 +185,9 @@ def _members(component: ComponentPlan) -> Lines:
     pending = [_pending(each, service) for service in component.required for each in service.methods]
     monitors = [lines(f"application::ErrorMonitor {monitor_name(each.error)};") for each in component.monitors]
     answering = (
-        lines("std::mutex call_mutex_;  // no method is answered while a call runs") if has_offered(component) else ()
+        lines(f"{call_mutex(component)} call_mutex_;  // no method is answered while a call runs")
+        if has_offered(component)
+        else ()
     )
     missed = [lines(f"std::uint32_t missed_{step.name}_{{0}};") for step in core.steps if step.cycle is not None]
     return joined([
@@ -197,9 +203,22 @@ def _members(component: ComponentPlan) -> Lines:
         *(lines(f"{each.type} {each.variable};") for each in component.provided),
         *required,
         *pending,
-        lines("std::unique_ptr<application::Watch> watch_;") if has_deadline(component) else (),
+        *(lines(f"std::unique_ptr<application::Watch> {name};") for name in watched(component)),
+        *_threads(component),
         lines("std::thread thread_;"),
     ])  # fmt: skip
+
+
+def _threads(component: ComponentPlan) -> list[Lines]:
+    if not component.is_threaded:
+        return []
+    return [
+        joined([
+            commented(f"Priority {thread.priority}: {', '.join(call.interface for call in thread.calls)}"),
+            lines(f"std::unique_ptr<application::CallThread> calls_{number}_;"),
+        ])
+        for number, thread in enumerate(component.threads)
+    ]  # fmt: skip
 
 
 def has_offered(component: ComponentPlan) -> bool:

@@ -3,15 +3,17 @@
 from collections.abc import Iterable, Mapping
 
 from sigcat.adapter.autosar_adaptive.application.adapter_header import has_deadline, has_offered
-from sigcat.adapter.autosar_adaptive.application.calls import call_functions
+from sigcat.adapter.autosar_adaptive.application.calls import call_functions, thread_name
 from sigcat.adapter.autosar_adaptive.application.methods import method_functions, offered_functions
 from sigcat.adapter.autosar_adaptive.application.names import (
     LOCK,
+    alone,
     braces,
     commented,
     cpp_type,
     in_namespace,
     monitor_name,
+    watched,
     writes,
 )
 from sigcat.adapter.autosar_adaptive.application.plan import (
@@ -50,6 +52,9 @@ def _includes(component: ComponentPlan) -> Lines:
     own = f"#include {c_string(f'{component.stem}_adapter.h')}"
     structs = [f"#include {c_string(f'{component.stem}_structs.h')}"] if component.structs else []
     standard = ["#include <chrono>"] if has_deadline(component) else []
+    standard += ["#include <functional>"] if component.is_threaded else []
+    standard += ["#include <shared_mutex>"] if component.is_threaded and has_offered(component) else []
+    standard += ["#include <vector>"] if component.is_threaded else []
     platform = ['#include "ara/core/instance_specifier.h"'] if component.provided else []
     if has_offered(component):
         platform = ['#include "ara/com/com_error_domain.h"', *platform, '#include "ara/core/promise.h"']
@@ -92,9 +97,10 @@ def _start(component: ComponentPlan) -> Lines:
     stored = "&stored" if component.storages else "nullptr"
     loaded = f"const {core}_Stored stored = Load();\n" if component.storages else ""
     cycle = "stored.ignition_cycle + 1U" if component.storages else "1U"
-    watch = (
-        "watch_ = std::make_unique<application::Watch>([this] { Supervise(); });\n" if has_deadline(component) else ""
+    watch = "".join(
+        f"{name} = std::make_unique<application::Watch>([this] {{ Supervise(); }});\n" for name in watched(component)
     )
+    threads = "".join(_started(number, component) for number in range(len(component.threads)) if component.is_threaded)
     found = "\n".join(f"{each.variable}.Find();" for each in component.required)
     body = lines(
         f"""
@@ -108,11 +114,18 @@ Offer();
     {LOCK}
     {core}_Start(&core_, clock_->Now());
 }}
-{watch}thread_ = std::thread{{[this] {{ Run(); }}}};
+{watch}{threads}thread_ = std::thread{{[this] {{ Run(); }}}};
 return true;
 """.replace("\n\n", "\n")
     )
     return block(f"bool {component.type}::Start()", [body])
+
+
+def _started(number: int, component: ComponentPlan) -> str:
+    thread, most = component.threads[number], component.threads[0].priority
+    calls = ", ".join(f"[this] {{ Run{call.name}(); }}" for call in thread.calls)
+    made = f"std::make_unique<application::CallThread>(\n    logger_, {most - thread.priority}, std::vector<std::function<void()>>{{{calls}}});\n"
+    return f"{thread_name(number)} = {made}"
 
 
 def _stop(component: ComponentPlan) -> Lines:
@@ -120,14 +133,18 @@ def _stop(component: ComponentPlan) -> Lines:
     core = component.core.type_name
     answering = _withdrawn(each for each in component.provided if each.methods)
     others = _withdrawn(each for each in component.provided if not each.methods)
-    call = "const std::lock_guard<std::mutex> call{call_mutex_};" if has_offered(component) else ""
+    call = alone(component) if has_offered(component) else ""
+    threads = "\n".join(
+        f"{thread_name(number)}.reset();" for number in range(len(component.threads)) if component.is_threaded
+    )
     left = "\n".join(f"{each.variable}.Leave();" for each in component.required)
     monitors = "\n".join(f"{monitor_name(each.error)}.StopOffer();" for each in component.monitors)
-    watch = "watch_.reset();" if has_deadline(component) else ""
+    watch = "\n".join(f"{name}.reset();" for name in watched(component))
     stored = "Store();" if writes(component) else ""
     body = f"""
 clock_->Stop();
 thread_.join();
+{threads}
 {watch}
 {left}
 {answering}

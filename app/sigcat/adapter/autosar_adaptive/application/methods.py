@@ -1,7 +1,7 @@
 """Methods that the function uses or offers."""
 
 from sigcat.adapter.autosar_adaptive.application.adapter_header import method_parameters, output_type, parameter_name
-from sigcat.adapter.autosar_adaptive.application.names import LOCK, braces, cpp_type, locked
+from sigcat.adapter.autosar_adaptive.application.names import LOCK, alone, braces, cpp_type, locked
 from sigcat.adapter.autosar_adaptive.application.plan import CalledMethod, ComponentPlan, Provided, Required
 from sigcat.adapter.core.c.lines import Lines, block, choice, joined, lines
 from sigcat.adapter.core.c.scope import Scope
@@ -100,7 +100,7 @@ def _answered(method: CalledMethod, service: Provided, component: ComponentPlan)
         lines(f"{core}_{name}_Results results{{}};") if method.results else (),
         *given,
         lines(f"{core}_Reply reply = {scope.constant('EXCLUDED')};"),
-        braces([lines(f"const std::lock_guard<std::mutex> call{{call_mutex_}};\nreply = {core}_Method_{name}(&core_{arguments});")]),
+        braces([lines(f"{alone(component)}\nreply = {core}_Method_{name}(&core_{arguments});")]),
         choice([
             (f"reply == {scope.constant('OK')}", joined([
                 lines(f"{output} output{{}};") if method.results else (),

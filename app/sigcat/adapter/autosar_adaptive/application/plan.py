@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames
-from sigcat.adapter.core.plan import CorePlan, Error, Method, Parameter, Port, WireStruct, WireType
+from sigcat.adapter.core.plan import Call, CorePlan, Error, Method, Parameter, Port, WireStruct, WireType
 
 
 class Receiver(NamedTuple):
@@ -66,7 +66,7 @@ _OWN_MEMBERS = {
         "call_mutex", "clock", "core", "core_mutex", "logger", "publishing_mutex", "supervision", "thread", "watch",
     )
 }  # fmt: skip
-_OWN_PREFIXES = ("missed_", "monitor_", "pending_", "service_", "storage_")
+_OWN_PREFIXES = ("calls_", "missed_", "monitor_", "pending_", "service_", "storage_")
 
 
 def _member(names: ServiceNames) -> str:
@@ -145,6 +145,23 @@ class Stored(NamedTuple):
     key: str
 
 
+class CallThread(NamedTuple):
+    """Calls that run one after the other."""
+
+    priority: int
+    """The highest of its calls."""
+    calls: tuple[Call, ...]
+    """In the order in which they run if several are due."""
+
+
+class Joined(NamedTuple):
+    """Two calls of different priorities that must not run at the same time."""
+
+    first: str
+    second: str
+    reason: str
+
+
 class StructPair(NamedTuple):
     """A struct of the platform and the one of the core, whose members have the same order."""
 
@@ -175,11 +192,20 @@ class ComponentPlan:
     """Instance specifier of its supervised entity."""
     checkpoints: tuple[str, ...]
     """Calls whose ends are reported to it, in the order of their numbers."""
+    threads: tuple[CallThread, ...]
+    """What runs its calls, the most urgent one first."""
+    joined: tuple[Joined, ...]
+    """Calls that are in one thread in spite of their priorities."""
 
     @property
     def type(self) -> str:
         """The class of its adapter."""
         return f"{self.name}Adapter"
+
+    @property
+    def is_threaded(self) -> bool:
+        """Whether calls may run at the same time: else the thread that finds them due runs them."""
+        return len(self.threads) > 1
 
 
 class ExecutablePlan(NamedTuple):

@@ -47,6 +47,7 @@ public:
 
     void Wake() override {}  // calls run when it is their turn
     void Stop() override { is_stopped_.store(true); }
+    bool IsInTurns() const override { return true; }
 
 private:
     // Whether it says that calls are to run.
