@@ -189,6 +189,22 @@ def test_no_executable_has_the_name_of_a_folder_or_a_target_of_the_application(n
     assert name in finding.message
 
 
+def test_a_request_that_is_not_answered_returns_an_application_error_that_the_arxml_has():
+    answer = body(full()["FullExecutable/full_adapter.cpp"], "AnswerDo")
+    refused = re.findall(r"reply == (\w+)\)|MakeErrorCode\(::full::FunctionMethodErrc::(\w+), 0\)", answer)
+    assert refused == [("FULL_ADAPTER_OK", ""), ("FULL_ADAPTER_EXCLUDED", ""), ("", "kExcluded"), ("", "kBadArgument")]
+    interfaces = ET.fromstring(full()["arxml/interfaces.arxml"])
+    errors = {
+        error.findtext("{*}SHORT-NAME"): (error.findtext("{*}ERROR-CODE"), error.findtext("{*}ERROR-DOMAIN-REF"))
+        for error in interfaces.iterfind(".//{*}AP-APPLICATION-ERROR")
+    }
+    domain = "/Full/ApplicationErrors/FunctionMethod"
+    assert errors == {"kExcluded": ("1", domain), "kBadArgument": ("2", domain)}
+    for operation in interfaces.iterfind(".//{*}CLIENT-SERVER-OPERATION"):
+        possible = [each.text for each in operation.iterfind(".//{*}POSSIBLE-AP-ERROR-REF")]
+        assert possible == ["/Full/ApplicationErrors/kExcluded", "/Full/ApplicationErrors/kBadArgument"]
+
+
 def test_a_parameter_of_the_function_that_the_component_does_not_list_is_told():
     document = json.loads(ECOCONTROL.read_bytes())
     parameter = document["ComponentList"][0]["ParameterList"][0]

@@ -57,7 +57,7 @@ def _includes(component: ComponentPlan) -> Lines:
     standard += ["#include <vector>"] if component.is_threaded else []
     platform = ['#include "ara/core/instance_specifier.h"'] if component.provided else []
     if has_offered(component):
-        platform = ['#include "ara/com/com_error_domain.h"', *platform, '#include "ara/core/promise.h"']
+        platform = [*platform, '#include "ara/core/promise.h"']
     groups = [[own, *structs], standard, platform]
     return lines("\n\n".join("\n".join(group) for group in groups if group))
 

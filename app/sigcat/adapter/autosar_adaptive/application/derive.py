@@ -88,6 +88,7 @@ def _component(
     types: TypeNames,
     names: Mapping[str, ServiceNames],
 ) -> ComponentPlan:
+    assert model.deployment is not None
     context = ComponentContext(component, core.function, core.plan, types, names)
     structs = struct_pairs(core.plan, model, core.function, types)
     required, provided = required_services(context), provided_services(context)
@@ -113,6 +114,7 @@ def _component(
         checkpoints=checkpoints(component),
         threads=threads_of(core.plan, joined),
         joined=joined,
+        error_namespace=tuple(namespace_parts(model.deployment.namespace or "")),
     )
 
 

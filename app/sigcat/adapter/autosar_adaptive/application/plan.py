@@ -194,6 +194,8 @@ class ComponentPlan:
     """Calls whose ends are reported to it, in the order of their numbers."""
     threads: tuple[CallThread, ...]
     """What runs its calls, the most urgent one first."""
+    error_namespace: tuple[str, ...]
+    """Namespace of the errors of methods."""
     joined: tuple[Joined, ...]
     """Calls that are in one thread in spite of their priorities."""
 

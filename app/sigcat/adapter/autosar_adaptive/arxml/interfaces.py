@@ -13,6 +13,7 @@ from sigcat.adapter.arxml.tree import (
     tag,
     trace,
 )
+from sigcat.adapter.autosar_adaptive.arxml.method_errors import possible_errors
 from sigcat.adapter.autosar_adaptive.arxml.paths import INTERFACES, TYPE
 from sigcat.adapter.autosar_adaptive.arxml.types import Library, Presentation, presentation
 from sigcat.integration.autosar_adaptive.model import (
@@ -152,6 +153,7 @@ def _method(method: Method, known: Library) -> Tag:
         description(method.description),
         listed("ARGUMENTS", arguments),
         tag("FIRE-AND-FORGET", text="false"),
+        possible_errors(known.paths),
         name=method.name,
     )
 

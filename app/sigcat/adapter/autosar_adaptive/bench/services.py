@@ -6,6 +6,7 @@ from typing import NamedTuple
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import Whole, wholes
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, member_name, service_names, type_names
 from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel, Method, ServiceField
+from sigcat.integration.autosar_adaptive.namespaces import parts
 
 
 class Service(NamedTuple):
@@ -14,6 +15,8 @@ class Service(NamedTuple):
     whole: Whole
     names: ServiceNames
     types: TypeNames
+    errors: tuple[str, ...]
+    """Namespace of the errors of methods."""
 
     @property
     def tables(self) -> tuple[str, ...]:
@@ -76,7 +79,9 @@ def connected(service: Service) -> list[str]:
 def services(model: IntegrationModel) -> tuple[Service, ...]:
     """The services of a model, by name."""
     types = type_names(model)
-    return tuple(Service(whole, service_names(whole, model), types) for whole in wholes(model))
+    assert model.deployment is not None
+    errors = tuple(parts(model.deployment.namespace or ""))
+    return tuple(Service(whole, service_names(whole, model), types, errors) for whole in wholes(model))
 
 
 def output_name(method: Method) -> str:

@@ -1,5 +1,7 @@
 """Ids, times and ports of a service: what a vendor's platform takes of the manifests at run time."""
 
+from sigcat.adapter.autosar_adaptive.arxml.method_errors import DOMAIN, METHOD_ERRORS
+from sigcat.adapter.autosar_adaptive.bench.method_errors import errors_path
 from sigcat.adapter.autosar_adaptive.bench.services import Service, constant
 from sigcat.adapter.autosar_adaptive.bench.text import header, source, within
 from sigcat.adapter.autosar_adaptive.cpp_names import instance_specifier
@@ -20,9 +22,10 @@ def tables_header(service: Service) -> str:
 
 def tables_source(service: Service, model: IntegrationModel) -> str:
     """The tables themselves."""
-    body = [*_events(service), *_instances(service, model), _service(service, model)]
+    body = [*_events(service), *_instances(service, model), *_errors(service), _service(service, model)]
     about = f"SOME/IP ids, times and ports of {service.whole.name}, as they stand in the ARXML."
-    return source(about, [service.tables_header], within(service.tables, body))
+    includes = [service.tables_header, *([errors_path(service.types)] if service.whole.methods else [])]
+    return source(about, includes, within(service.tables, body))
 
 
 def _events(service: Service) -> list[str]:
@@ -64,6 +67,16 @@ def _instances(service: Service, model: IntegrationModel) -> list[str]:
     return ["\n".join(["// port, instance; of which further process of the executable", head, *rows, "};"])]
 
 
+def _errors(service: Service) -> list[str]:
+    """What its methods may answer instead of their results."""
+    if not service.whole.methods:
+        return []
+    domain = "::".join(("", *service.errors, f"Get{DOMAIN}ErrorDomain"))
+    table = [f"    {{&{domain}(), {each.code}}}," for each in METHOD_ERRORS]
+    head = f"static constexpr bench::ErrorDescription kErrors[{len(table)}] = {{"
+    return ["\n".join(["// domain, code", head, *table, "};"])]
+
+
 def _of(process: Process) -> str:
     return f", {c_string(process.name)}" if process.is_further else ""
 
@@ -89,6 +102,7 @@ def _service(service: Service, model: IntegrationModel) -> str:
         *_times(model.deployment.service_discovery),
         f"    {events},",
         "    kInstances,",
+        *(["    kErrors,"] if service.whole.methods else []),
     ]
     return "\n".join(["const bench::ServiceDescription kService = {", *rows, "};"])
 

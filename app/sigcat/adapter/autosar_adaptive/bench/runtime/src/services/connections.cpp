@@ -8,6 +8,7 @@
 #include "bench/proxy_connection.h"
 #include "bench/skeleton_connection.h"
 #include "services/runtime.h"
+#include "someip/application_error.h"
 
 namespace bench {
 namespace {
@@ -279,9 +280,11 @@ void Reply::Send(const Writer& values) const {
     Runtime::Get().Offered().Reply(*caller_, ReturnCode::kOk, values.Payload());
 }
 
-void Reply::Fail() const {
+void Reply::Fail(const ara::core::ErrorCode& error) const {
     const auto lock = Runtime::Get().Locked();
-    Runtime::Get().Offered().Reply(*caller_, ReturnCode::kNotOk, {});
+    const auto instance = caller_->instance.lock();
+    const bool is_modelled = instance != nullptr && IsModelled(error, instance->service);
+    Runtime::Get().Offered().Reply(*caller_, ReturnCode::kNotOk, is_modelled ? WrittenError(error) : Bytes{});
 }
 
 void Reply::FailMalformed() const {

@@ -26,6 +26,7 @@ struct RemoteService {
     };
     struct Call {
         std::uint16_t method;
+        const ServiceDescription* service;
         Answer answer;
     };
 
