@@ -154,13 +154,15 @@ def _field(service: Service, element: Element, sides: list[Placed], types: TypeT
     leading = element.leading.item
     interface = leading.interface
     assert isinstance(interface, ErrorInterface | SafetyReaction | ModeInterface)
+    protection = service.protections.get(element.name)
     return model.ServiceField(
         name=element.name,
         description=interface.description,
         datatype=types.word(leading.part.function, interface.datatype),
         notifier_id=service.ids[element.name],
-        getter_id=service.ids[f"Get{element.name}"],
+        getter_id=None if protection else service.ids[f"Get{element.name}"],
         event_group=FIELD_GROUP,
+        protection=protection,
         calls=_calls(sides),
         vss_path=interface.vss_path,
         error=interface if isinstance(interface, ErrorInterface) else None,

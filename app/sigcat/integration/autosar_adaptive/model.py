@@ -295,6 +295,9 @@ class ServiceField(WireModel):
     notifier_id: Integer | None = own("NotifierID", "SOME/IP id of the event that notifies of a change.")
     getter_id: Integer | None = own("GetterID", "SOME/IP id of the method that asks for the value.")
     event_group: Name | None = own("EventGroup", "Name of the event group of the notifier.")
+    protection: E2eProtection | None = own(
+        "E2eProtection", "How its notifier is protected end to end, if it is: then it has no getter."
+    )
     calls: tuple[Name, ...] | None = own("Calls", "Calls that report or read it.", strict=False)
     vss_path: VssPath | None = own("VssPath", "Path of the interface in the catalogue.")
     error: ErrorInterface | None = own("Error", "The error interface as it is in Function JSON.")

@@ -153,7 +153,8 @@ def _shape(each: Element, types: Mapping[str, TypeEntry], groups: Mapping[str, i
             meaning = (each.unit, each.scaling, each.offset, each.protection)
             return each.event_id, groups.get(each.event_group or ""), _type(each.datatype, types), meaning
         case ServiceField():
-            return each.notifier_id, each.getter_id, groups.get(each.event_group or ""), _type(each.word, types)
+            ids = (each.notifier_id, each.getter_id, groups.get(each.event_group or ""))
+            return ids, _type(each.word, types), each.protection
         case Method():
             sides = (each.inputs or (), each.outputs or ())
             arguments = [[(one.name, _type(one.datatype, types), one.unit) for one in side] for side in sides]

@@ -9,7 +9,7 @@ from sigcat.function.function_file import build_function
 from sigcat.integration.autosar_adaptive.model import to_json
 from sigcat.limits import DEFAULT_LIMITS
 from tests.function.shipped import interfaces
-from tests.integration.autosar_adaptive.sets import derive
+from tests.integration.autosar_adaptive.sets import deployed, derive
 
 ECOCONTROL = EXAMPLES / "ecocontrol/expected/autosar-adaptive.json"
 FULL = Path(__file__).parent / "full"
@@ -46,9 +46,15 @@ def full():
 
 
 @cache
+def paced_integration():
+    """The Integration JSON of the function with calls of three priorities, whose error is protected end to end."""
+    return derive([built(PACED / "function.yaml")], deployed(autosarAdaptive={"e2e": {"profile": 4}})).model
+
+
+@cache
 def paced():
     """The files of the function with calls of three priorities, with the bench, by name."""
-    return files(integration(built(PACED / "function.yaml")), bench=True)
+    return files(to_json(paced_integration()), bench=True)
 
 
 @cache

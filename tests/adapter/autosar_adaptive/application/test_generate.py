@@ -9,9 +9,11 @@ import pytest
 
 from bench import integration as large_set
 from scripts.run_autosar import CODE
+from sigcat.adapter.autosar_adaptive.application.generate import generate
 from sigcat.adapter.autosar_adaptive.application.report import report
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.errors import InputRefused
+from sigcat.integration.autosar_adaptive.releases import SOURCE_RELEASES
 from sigcat.integration.reading import read_functions
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.integrate import integrate
@@ -242,6 +244,25 @@ def test_create_logger_is_found_beside_the_logger_or_in_a_header_of_its_own(head
         "here.o",
     ]
     subprocess.run(command, cwd=tmp_path, check=True)
+
+
+@pytest.mark.parametrize("release", ["R20-11", "R21-11", "R22-11"])
+def test_the_sources_are_of_no_release_whose_api_they_do_not_use(release):
+    document = json.loads(ECOCONTROL.read_bytes())
+    document["Deployment"]["Release"] = release
+    (finding,) = refused(document)
+    assert (finding.rule, finding.pointer) == ("A020", "/Deployment/Release")
+    assert f"sigcat generate arxml --release {release}" in finding.fix
+    with pytest.raises(InputRefused):
+        generate(ECOCONTROL.read_bytes(), "integration.json", DEFAULT_LIMITS, release)
+
+
+def test_the_sources_are_the_same_for_each_of_their_releases():
+    made = [
+        generate(ECOCONTROL.read_bytes(), "integration.json", DEFAULT_LIMITS, release) for release in SOURCE_RELEASES
+    ]
+    sources = [{file.name: file.data for file in each if not file.name.startswith("arxml/")} for each in made]
+    assert sources[0] == sources[1]
 
 
 def test_a_function_has_one_component():

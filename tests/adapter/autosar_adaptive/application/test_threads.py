@@ -4,7 +4,14 @@ import platform
 import shutil
 import signal
 import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from itertools import islice
 from pathlib import Path
+
+import pytest
+from e2e.p04 import e2e_p04_check
 
 from scripts import run_autosar
 from sigcat import codes
@@ -14,12 +21,12 @@ from sigcat.adapter.source_cores import source_cores
 from sigcat.adapter.source_functions import source_functions
 from sigcat.function.function_file import build_function
 from sigcat.integration.autosar_adaptive.document import read_integration
-from sigcat.integration.autosar_adaptive.model import to_json
+from sigcat.integration.autosar_adaptive.model import ServiceInterface, to_json
 from sigcat.limits import DEFAULT_LIMITS
-from tests.adapter.autosar_adaptive.application.generated import FULL, PACED, full, paced, write
+from tests.adapter.autosar_adaptive.application.generated import FULL, PACED, full, paced, paced_integration, write
 from tests.adapter.autosar_adaptive.application.test_generate import STRICT
 from tests.adapter.autosar_adaptive.bench.building import THREADS
-from tests.adapter.autosar_adaptive.own_network import PATIENCE, Program, network
+from tests.adapter.autosar_adaptive.own_network import PATIENCE, Network, Program, network
 from tests.function.shipped import interfaces
 from tests.integration.autosar_adaptive.sets import derive as integrated
 from tests.needs import CPP_COMPILERS, cmake, cpp_compiler, own_network
@@ -114,22 +121,66 @@ def ended(program: Program) -> int:
     return program.process.wait(PATIENCE)
 
 
-@cmake
-@own_network
-def test_a_slow_call_does_not_block_an_urgent_one_and_threads_are_in_order(tmp_path: Path) -> None:
-    """The slow call ends when the urgent one has run three times; ThreadSanitizer is quiet."""
-    flags = " ".join(THREADS)
-    write(paced(), tmp_path)
-    run_autosar.build(
-        tmp_path, f"-O1 -g {flags}", f"-DCMAKE_C_FLAGS=-O1 -g {flags}", "-DCMAKE_BUILD_TYPE=None", code={"PACED_CODE": PACED}
-    )  # fmt: skip
-    reports = tmp_path / "reports"
+@pytest.fixture(scope="module")
+def executable(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The function, compiled for ThreadSanitizer."""
+    folder = tmp_path_factory.mktemp("paced")
+    flags = f"-O1 -g {' '.join(THREADS)}"
+    write(paced(), folder)
+    run_autosar.build(folder, flags, f"-DCMAKE_C_FLAGS={flags}", "-DCMAKE_BUILD_TYPE=None", code={"PACED_CODE": PACED})
+    return folder / "build/PacedExecutable/PacedExecutable"
+
+
+@contextmanager
+def running(executable: Path, folder: Path) -> Iterator[tuple[Program, Network]]:
+    """The process in a network of its own; it ends well, and ThreadSanitizer is quiet."""
     # Addresses that are the same each time: some kernels give others, which the sanitizer does not know.
     fixed = ["setarch", platform.machine(), "-R"] if shutil.which("setarch") else []
-    with network(tmp_path) as net:
-        executable = tmp_path / "build/PacedExecutable/PacedExecutable"
-        program = net.start([*fixed, executable], TSAN_OPTIONS=f"log_path={reports}", SIGCAT_BENCH_ADDRESS="127.0.0.2")
-        program.tells("slow step 1", "slow step 5")
+    with network(folder) as net:
+        program = net.start(
+            [*fixed, executable], TSAN_OPTIONS=f"log_path={folder}/reports", SIGCAT_BENCH_ADDRESS="127.0.0.2"
+        )
+        yield program, net
         assert ended(program) == 0
-        assert "not alone" not in program.told
-    assert [file.read_text() for file in tmp_path.glob("reports.*")] == []
+    assert [file.read_text() for file in folder.glob("reports.*")] == []
+
+
+@cmake
+@own_network
+def test_a_slow_call_does_not_block_an_urgent_one_and_threads_are_in_order(executable: Path, tmp_path: Path) -> None:
+    """The slow call ends when the urgent one has run three times."""
+    with running(executable, tmp_path) as (program, _):
+        program.tells("slow step 1", "slow step 5")
+    assert "not alone" not in program.told
+
+
+def provided() -> ServiceInterface:
+    """The service of the function."""
+    services: tuple[ServiceInterface, ...] = paced_integration().components[0].services
+    return next(each for each in services if each.role == "Provider")
+
+
+def states(net: Network, address: str) -> Iterator[bytes]:
+    """Messages of the protected error, as another implementation of SOME/IP receives them."""
+    interface = provided()
+    groups = {group.name: group.id for group in interface.event_groups or ()}
+    ids = (str(interface.service_id), str(interface.instance_id), str(groups["Fields"]))
+    listener = net.start([sys.executable, "-m", f"{__package__}.raw_listener", address, *ids])
+    (error,) = interface.services[0].fields
+    while True:
+        event, _, data = listener.next_line().partition(" ")
+        if event == f"{error.notifier_id:#06x}":
+            yield bytes.fromhex(data)
+
+
+@cmake
+@own_network
+def test_a_state_that_is_protected_is_sent_at_once_and_again_with_each_call(executable: Path, tmp_path: Path) -> None:
+    (error,) = provided().services[0].fields
+    assert error.protection is not None
+    with running(executable, tmp_path) as (_, net):
+        for address in ("127.0.0.100", "127.0.0.101"):
+            heard = list(islice(states(net, address), 5))
+            assert all(e2e_p04_check(each[8:], error.protection.data_id, offset=8) for each in heard)
+            counters = [int.from_bytes(each[18:20], "big") for each in heard]
+            assert counters == list(range(counters[0], counters[0] + 5))

@@ -9,6 +9,8 @@ from sigcat.adapter.autosar_adaptive.application.names import (
     in_namespace,
     include_guard,
     monitor_name,
+    repeating,
+    sent_name,
     services_of,
     watched,
     without_indent,
@@ -162,6 +164,7 @@ def _functions(component: ComponentPlan) -> Lines:
     storage = f"{core}_Stored Load();\n" if component.storages else ""
     storage += "void Store();\n" if writes(component) else ""
     calls = "".join(f"void Run{step.name}();\n" for step in component.core.steps)
+    calls += "".join(f"void Repeat{name}();\n" for name in sorted(repeating(component)))
     requests = "".join(
         f"void Request{each.member}();\nvoid Poll{each.member}();\n" for service in component.required for each in service.methods
     )  # fmt: skip
@@ -198,6 +201,8 @@ def _members(component: ComponentPlan) -> Lines:
         answering,
         lines("std::mutex publishing_mutex_;"),
         *missed,
+        *(lines(f"{field.wire} {sent_name(field)}{{0}};")
+          for service in component.provided for field in service.fields if field.repeated_by),
         *monitors,
         lines("ara::phm::SupervisedEntity supervision_;") if component.checkpoints else (),
         *(lines(f"{each.type} {each.variable};") for each in component.provided),

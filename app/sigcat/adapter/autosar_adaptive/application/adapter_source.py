@@ -13,6 +13,7 @@ from sigcat.adapter.autosar_adaptive.application.names import (
     cpp_type,
     in_namespace,
     monitor_name,
+    sent_name,
     watched,
     writes,
 )
@@ -24,10 +25,11 @@ from sigcat.adapter.autosar_adaptive.application.plan import (
     Receiver,
     Required,
     SentEvent,
+    SentField,
 )
 from sigcat.adapter.autosar_adaptive.application.stored import storage_functions
 from sigcat.adapter.core.c.lines import Line, Lines, block, indented, joined, lines, spaced
-from sigcat.adapter.core.plan import Port
+from sigcat.adapter.core.plan import Call, Port
 from sigcat.function.document.text_filters import c_string
 
 
@@ -42,6 +44,7 @@ def adapter_source(component: ComponentPlan, application: ApplicationPlan) -> Li
         _offer(component),
         *call_functions(component),
         _publish(component),
+        *filter(None, (_repeat(call, component) for call in component.core.steps)),
         *method_functions(component),
         *(_connect(service, component) for service in component.required),
         *(part for service in component.provided for part in offered_functions(service, component)),
@@ -168,7 +171,7 @@ def _withdrawn(services: Iterable[Provided]) -> str:
 def _offer(component: ComponentPlan) -> Lines:
     """Fields have a value before they are offered: that of the core, or that of an error which was not tested."""
     initial = [
-        lines(f"application::Update<::{field.type}>(logger_, {service.variable}.{field.member}, {_initial(field.place, field.initial)});")
+        lines(f"application::Update<::{field.type}>(logger_, {service.variable}.{field.member}, {_initial(field.place, field.initial)});{_kept(field)}")
         for service in component.provided for field in service.fields
     ]  # fmt: skip
     offers = [
@@ -182,6 +185,10 @@ def _offer(component: ComponentPlan) -> Lines:
             0, commented("A field has a value from the beginning: an error that was not tested yet is PASSED.")
         )
     return block(f"void {component.type}::Offer()", [*initial, *monitors, lines("Publish();"), *offers])
+
+
+def _kept(field: SentField) -> str:
+    return f"\n{sent_name(field)} = {_initial(field.place, field.initial)};" if field.repeated_by else ""
 
 
 def _initial(place: str, number: int | None) -> str:
@@ -223,8 +230,21 @@ def _sent(service: Provided, core: str, monitors: Mapping[str, Monitor]) -> list
     for field in service.fields:
         update = f"application::Update<::{field.type}>(logger_, {service.variable}.{field.member}, out.{field.place});"
         told = _told(monitors[field.place]) if field.error else ()
-        found.append(block(f"if (publish.{field.place})", [commented(field.comment), lines(update), told]))
+        kept = lines(f"{sent_name(field)} = out.{field.place};") if field.repeated_by else ()
+        found.append(block(f"if (publish.{field.place})", [commented(field.comment), kept, lines(update), told]))
     return found
+
+
+def _repeat(call: Call, component: ComponentPlan) -> Lines:
+    """A state that is protected is sent again, so that a lost message is noticed and does not last."""
+    updates = [
+        lines(f"application::Update<::{field.type}>(logger_, {service.variable}.{field.member}, {sent_name(field)});")
+        for service in component.provided for field in service.fields if field.repeated_by == call.name
+    ]  # fmt: skip
+    if not updates:
+        return ()
+    lock = lines("const std::lock_guard<std::mutex> publishing{publishing_mutex_};")
+    return block(f"void {component.type}::Repeat{call.name}()", [lock, *updates])
 
 
 def _sent_event(event: SentEvent, service: Provided, core: str) -> Lines:

@@ -1,7 +1,15 @@
 """What runs the calls of a component: when they are due, under supervision, with overruns told."""
 
 from sigcat.adapter.autosar_adaptive.application.adapter_header import has_offered
-from sigcat.adapter.autosar_adaptive.application.names import LOCK, braces, checkpoint, commented, locked, watch_name
+from sigcat.adapter.autosar_adaptive.application.names import (
+    LOCK,
+    braces,
+    checkpoint,
+    commented,
+    locked,
+    repeating,
+    watch_name,
+)
 from sigcat.adapter.autosar_adaptive.application.plan import ComponentPlan
 from sigcat.adapter.core.c.lines import Lines, block, indented, joined, lines
 from sigcat.adapter.core.c.scope import Scope
@@ -101,6 +109,7 @@ def _run_call(call: Call, component: ComponentPlan) -> Lines:
             locked(f"{core}_GetOutput_{name}(&core_, clock_->Now());"),
             _reported(call, component),
             lines("Publish();"),
+            lines(f"Repeat{name}();") if name in repeating(component) else (),
             lines("clock_->Wake();  // others may wait for its end") if component.is_threaded else (),
         ]),
     ])  # fmt: skip

@@ -2,7 +2,13 @@
 
 from collections.abc import Iterable
 
-from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, Provided, Required
+from sigcat.adapter.autosar_adaptive.application.plan import (
+    ApplicationPlan,
+    ComponentPlan,
+    Provided,
+    Required,
+    SentField,
+)
 from sigcat.adapter.core.c.lines import Line, Lines, indented, joined, lines, spaced
 from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.plan import GLOBALS, Call, Error
@@ -43,6 +49,16 @@ def core_holder(component: ComponentPlan) -> str:
 def monitor_name(error: Error) -> str:
     """The member that tells the diagnosis of an error."""
     return f"monitor_{error.named.name}_"
+
+
+def sent_name(field: SentField) -> str:
+    """The member that has what was sent last of a field."""
+    return f"sent_{field.place}_"
+
+
+def repeating(component: ComponentPlan) -> set[str]:
+    """Calls that send states again when they end."""
+    return {field.repeated_by for service in component.provided for field in service.fields if field.repeated_by}
 
 
 def watch_name(component: ComponentPlan, call: Call) -> str:

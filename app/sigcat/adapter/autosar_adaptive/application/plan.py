@@ -48,6 +48,10 @@ class SentField(NamedTuple):
     """What it has until the core says something; None: what the core has from the beginning."""
     error: Error | None
     comment: str
+    wire: str
+    """Its type in the core."""
+    repeated_by: str | None
+    """The call that sends it again whenever it ends, of a field that is protected end to end."""
 
 
 class CalledMethod(NamedTuple):
@@ -66,7 +70,7 @@ _OWN_MEMBERS = {
         "call_mutex", "clock", "core", "core_mutex", "logger", "publishing_mutex", "supervision", "thread", "watch",
     )
 }  # fmt: skip
-_OWN_PREFIXES = ("calls_", "missed_", "monitor_", "pending_", "service_", "storage_")
+_OWN_PREFIXES = ("calls_", "missed_", "monitor_", "pending_", "sent_", "service_", "storage_")
 
 
 def _member(names: ServiceNames) -> str:

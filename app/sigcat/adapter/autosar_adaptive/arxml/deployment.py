@@ -25,7 +25,7 @@ from sigcat.adapter.autosar_adaptive.arxml.paths import (
     STARTUP,
 )
 from sigcat.adapter.autosar_adaptive.arxml.releases import Release
-from sigcat.adapter.autosar_adaptive.arxml.someip import EVENT, element_name
+from sigcat.adapter.autosar_adaptive.arxml.someip import EVENT, NOTIFIER, element_name
 from sigcat.integration.autosar_adaptive.model import Component, Event, IntegrationModel, ServiceInterface
 from sigcat.integration.autosar_adaptive.processes import Process, processes
 from sigcat.integration.autosar_adaptive.startup import NO_STARTUP, StartupSettings
@@ -203,8 +203,10 @@ def _field(name: str, notifier: int | None, getter: int | None, interface: str) 
     return tag(
         "SOMEIP-FIELD-DEPLOYMENT",
         reference("FIELD-REF", f"{interface}/{name}", "FIELD"),
-        tag("GET", tag("METHOD-ID", text=getter), tag("TRANSPORT-PROTOCOL", text="UDP"), name="Get"),
-        tag("NOTIFIER", tag("EVENT-ID", text=notifier), tag("TRANSPORT-PROTOCOL", text="UDP"), name="Notifier"),
+        tag("GET", tag("METHOD-ID", text=getter), tag("TRANSPORT-PROTOCOL", text="UDP"), name="Get")
+        if getter
+        else None,
+        tag("NOTIFIER", tag("EVENT-ID", text=notifier), tag("TRANSPORT-PROTOCOL", text="UDP"), name=NOTIFIER),
         name=element_name(name),
     )
 
@@ -226,7 +228,7 @@ def group_name(name: str) -> str:
 
 def _group(name: str, number: int, service: Whole, own: str) -> Tag:
     events = [f"{own}/{element_name(event.name)}" for event in service.events if event.event_group == name]
-    fields = [f"{own}/{element_name(field.name)}/Notifier" for field in service.fields if field.event_group == name]
+    fields = [f"{own}/{element_name(field.name)}/{NOTIFIER}" for field in service.fields if field.event_group == name]
     references = (reference("EVENT-REF", path, EVENT) for path in (*events, *fields))
     return tag(
         "SOMEIP-EVENT-GROUP",

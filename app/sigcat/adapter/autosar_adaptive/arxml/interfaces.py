@@ -128,7 +128,7 @@ def _field(field: ServiceField, known: Library) -> Tag:
         description(field.description),
         trace([("VssPath", field.vss_path), *_status(field)]),
         reference("TYPE-TREF", known.type_path(field.word), TYPE),
-        tag("HAS-GETTER", text="true"),
+        tag("HAS-GETTER", text="false" if field.protection else "true"),
         tag("HAS-NOTIFIER", text="true"),
         tag("HAS-SETTER", text="false"),
         name=field.name,

@@ -70,10 +70,14 @@ def connected(service: Service) -> list[str]:
         f"{member_name(each.name)}{{connection_, {tables}::{constant(each.name)}}}" for each in service.whole.events
     )
     fields = (
-        f"{member_name(each.name)}{{connection_, {tables}::{constant(each.name)}, 0x{each.getter_id or 0:04X}}}"
+        f"{member_name(each.name)}{{connection_, {tables}::{constant(each.name)}{_getter(each)}}}"
         for each in service.whole.fields
     )
     return [*events, *fields]
+
+
+def _getter(field: ServiceField) -> str:
+    return f", 0x{field.getter_id:04X}" if field.getter_id else ""
 
 
 def services(model: IntegrationModel) -> tuple[Service, ...]:

@@ -6,7 +6,7 @@ from sigcat.adapter.autosar_adaptive.bench.services import Service, constant
 from sigcat.adapter.autosar_adaptive.bench.text import header, source, within
 from sigcat.adapter.autosar_adaptive.cpp_names import instance_specifier
 from sigcat.function.document.text_filters import c_string, comment
-from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel
+from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel, ServiceField
 from sigcat.integration.autosar_adaptive.processes import Process, processes
 from sigcat.integration.autosar_adaptive.someip_settings import ServiceDiscoverySettings, TransformationSettings
 from sigcat.integration.autosar_names import short_name
@@ -35,7 +35,7 @@ def _events(service: Service) -> list[str]:
         for event in service.whole.events
     ]
     rows += [
-        f"    {{{c_string(field.name)}, {_hex(field.notifier_id)}, {_hex(groups.get(field.event_group or ''))}, true}},"
+        f"    {{{c_string(field.name)}, {_hex(field.notifier_id)}, {_hex(groups.get(field.event_group or ''))}, true{_protection(field)}}},"
         for field in service.whole.fields
     ]
     if not rows:
@@ -49,7 +49,7 @@ def _events(service: Service) -> list[str]:
     return ["\n".join(table), "\n".join(constants)]
 
 
-def _protection(event: Event) -> str:
+def _protection(event: Event | ServiceField) -> str:
     """Profile, data id and largest step of the counter."""
     found = event.protection
     return f", {{{found.profile}, {_hex(found.data_id)}, {found.max_delta_counter}}}" if found else ""

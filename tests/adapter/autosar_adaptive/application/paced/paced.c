@@ -8,6 +8,7 @@ float paced_speed;
 float paced_slow_speed;
 uint32_t paced_steps;
 uint32_t paced_sum;
+uint8_t paced_odd;
 int32_t paced_asked;
 int32_t paced_answer;
 static uint32_t steps;
@@ -16,6 +17,7 @@ static int runs_alone;
 void paced_step(void)
 {
     paced_steps++;
+    paced_odd = (uint8_t)((paced_steps / 100U) % 2U);
     if (__atomic_load_n(&runs_alone, __ATOMIC_RELAXED) != 0) {
         printf("not alone\n");
         (void)fflush(stdout);

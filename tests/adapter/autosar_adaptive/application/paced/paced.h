@@ -7,6 +7,7 @@ extern float paced_speed;
 extern float paced_slow_speed;
 extern uint32_t paced_steps;
 extern uint32_t paced_sum;
+extern uint8_t paced_odd;
 extern int32_t paced_asked;
 extern int32_t paced_answer;
 

@@ -256,12 +256,16 @@ Result<void> SkeletonConnection::Send(const EventDescription& event, const Write
 
 void SkeletonConnection::AddField(const EventDescription& notifier, std::uint16_t getter) {
     const auto lock = Runtime::Get().Locked();
-    instance_->getters[getter] = notifier.id;
+    instance_->fields[notifier.id] = getter;
+    if (getter != 0) {
+        instance_->getters[getter] = notifier.id;
+    }
 }
 
 bool SkeletonConnection::Keep(const EventDescription& notifier, const Writer& value) {
     const auto lock = Runtime::Get().Locked();
     instance_->values[notifier.id] = value.Payload();
+    instance_->payloads.erase(notifier.id);
     return instance_->is_offered;
 }
 

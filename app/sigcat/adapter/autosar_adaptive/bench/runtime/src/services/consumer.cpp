@@ -57,7 +57,7 @@ void Consumer::Subscribe(const std::shared_ptr<EventQueue>& queue) {
     } else if (remote.acknowledged.count(event.group) > 0) {
         queue->SetState(SubscriptionState::kSubscribed);
         if (const auto latest = remote.latest.find(event.id); latest != remote.latest.end()) {
-            queue->Push({Header{}, latest->second});  // fields are not protected
+            queue->Push({latest->second.header, latest->second.payload});
         }
     }
 }
@@ -176,7 +176,7 @@ void Consumer::TakeEvent(const Message& message, const Endpoint& from) {
     }
     // Also of a field that nobody reads yet: with its group subscribed to, it comes once.
     if (IsField(*remote, message.header.method)) {
-        remote->latest[message.header.method].assign(message.payload.begin(), message.payload.end());
+        remote->latest[message.header.method] = {message.header, {message.payload.begin(), message.payload.end()}};
     }
 }
 
