@@ -235,6 +235,7 @@ def _interface(service: Service, content: model.Services, provides: bool, contex
         event_groups=tuple(model.EventGroup(name=name, id=number) for name, number in groups) or None,
         namespace=stated.namespace if stated else None,
         transformation=stated.transformation if stated else None,
+        transport=context.settings.transport.get(service.name),
         origin=service.group.origin,
     )
 

@@ -48,6 +48,7 @@ from sigcat.integration.autosar_adaptive.someip_settings import (
     TransformationSettings,
 )
 from sigcat.integration.autosar_adaptive.startup import StartupSettings, Wish
+from sigcat.integration.autosar_adaptive.transport import TransportSettings
 from sigcat.integration.autosar_si_units import UnitSettings
 from sigcat.integration.source_functions import source_functions
 
@@ -355,6 +356,9 @@ class ServiceInterface(WireModel):
     namespace: Namespace | None = own("Namespace", "C++ namespace of the service; that of all if absent.")
     transformation: TransformationSettings | None = own(
         "Transformation", "How SOME/IP lays out what the service sends; as for all if absent."
+    )
+    transport: TransportSettings | None = own(
+        "Transport", "How the messages of the service are sent; over UDP if absent."
     )
     origin: Name | None = own("Origin", "Branch of the tree, or component, that provides what is gathered here.")
 

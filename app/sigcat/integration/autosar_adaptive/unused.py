@@ -11,6 +11,7 @@ from sigcat.integration.autosar_adaptive.elements import Service
 from sigcat.integration.autosar_adaptive.grouping import Placed
 from sigcat.integration.autosar_adaptive.identifiers import DATA_ID
 from sigcat.integration.autosar_adaptive.protection import METHODS_ARE_NOT_PROTECTED
+from sigcat.integration.autosar_adaptive.transport import DEFAULT_TRANSPORT
 from sigcat.integration.autosar_si_units import WITHOUT_SI, si_unit
 from sigcat.integration.unknown_paths import report_unknown_paths
 from sigcat.names import did_you_mean
@@ -26,6 +27,8 @@ def report_unused(sides: Sequence[Placed], services: Sequence[Service], context:
     )
     _report_unknown(("autosarAdaptive", "identifiers"), settings.identifiers, set(_identified(services)), context)
     _report_unknown(("autosarAdaptive", "versions"), settings.versions, {each.name for each in services}, context)
+    _report_unknown(("autosarAdaptive", "transport"), settings.transport, {each.name for each in services}, context)
+    _report_unknown_members(services, context)
     _report_unprotectable(services, context)
     paths = {context.path_of(item) for item in signals}
     for index, service in enumerate(settings.services):
@@ -63,6 +66,16 @@ def _identified(services: Sequence[Service]) -> Iterator[str]:
         yield f"{service.name}:instance"
         yield from (f"{service.name}.{name}" for name in (*service.ids, *service.event_groups))
         yield from (f"{service.name}.{name}{DATA_ID}" for name in service.protections)
+
+
+def _report_unknown_members(services: Sequence[Service], context: Context) -> None:
+    """A finding for each event group of the deployment with a member that the service does not send."""
+    for service in services:
+        chosen = context.settings.transport.get(service.name, DEFAULT_TRANSPORT)
+        sent = {element.name for element in service.elements if element.kind is not MethodInterface}
+        groups = chosen.event_groups if isinstance(chosen.event_groups, dict) else {}
+        for group, names in groups.items():
+            _report_unknown(("autosarAdaptive", "transport", service.name, "eventGroups", group), names, sent, context)
 
 
 def _report_unprotectable(services: Sequence[Service], context: Context) -> None:

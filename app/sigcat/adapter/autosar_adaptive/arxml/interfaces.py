@@ -27,6 +27,7 @@ from sigcat.integration.autosar_adaptive.model import (
 )
 from sigcat.integration.autosar_adaptive.namespaces import parts
 from sigcat.integration.autosar_adaptive.someip_settings import TransformationSettings
+from sigcat.integration.autosar_adaptive.transport import DEFAULT_TRANSPORT, TransportSettings
 from sigcat.integration.autosar_adaptive.versions import Version, version_of
 
 Item = TypeVar("Item", Event, Method, ServiceField, EventGroup)
@@ -43,6 +44,7 @@ class Whole(NamedTuple):
     namespace: str
     transformation: TransformationSettings | None
     """Its own, where it does not have that of all."""
+    transport: TransportSettings
     events: tuple[Event, ...]
     methods: tuple[Method, ...]
     fields: tuple[ServiceField, ...]
@@ -76,6 +78,7 @@ def _whole(name: str, found: list[ServiceInterface], namespace: str) -> Whole:
         first.origin or "",
         first.namespace or namespace,
         first.transformation,
+        first.transport or DEFAULT_TRANSPORT,
         _each(event for part in parts for event in part.events),
         _each(method for part in parts for method in part.methods),
         _each(field for part in parts for field in part.fields),

@@ -1,8 +1,9 @@
-/* The slow step ends when the urgent one has run three times more: never, if it has to wait for the slow one. */
+/* The slow step ends when the urgent one has run three times more. If that does not run, it gives up after some seconds. */
 
 #include "paced.h"
 
 #include <stdio.h>
+#include <time.h>
 
 float paced_speed;
 float paced_slow_speed;
@@ -30,7 +31,14 @@ void paced_slow_step(void)
     static int count;
     const uint32_t before = __atomic_load_n(&steps, __ATOMIC_RELAXED);
 
+    const time_t began = time(NULL);
+
     while ((__atomic_load_n(&steps, __ATOMIC_RELAXED) - before) < 3U) {
+        if ((time(NULL) - began) > 5) {
+            printf("blocked\n");
+            (void)fflush(stdout);
+            return;
+        }
     }
     paced_sum += 3U;
     count++;
