@@ -15,7 +15,7 @@ Step = Annotated[Integer, Field(ge=1, le=127)]
 
 
 class EventE2eSettings(DeclarationModel):
-    """What differs for an event or a field, or for all of a service."""
+    """Settings of an event or a field, or of all of a service."""
 
     profile: Literal[4, 5, 6, 7, "none"] | None = Field(
         None, description="Profile that protects them whatever their ASIL, or none; as for all if absent."
@@ -26,7 +26,7 @@ class EventE2eSettings(DeclarationModel):
 
 
 class E2eSettings(DeclarationModel):
-    """Which events and fields are protected end to end, and how."""
+    """Protection of events and fields."""
 
     profile: Profile | None = Field(
         None, description="Profile that protects events and fields with an ASIL; none if absent."
@@ -44,7 +44,7 @@ NO_E2E = E2eSettings.model_validate({})
 
 
 class E2eProtection(WireModel):
-    """How an event, or the notifier of a field, is protected."""
+    """Protection of an event, or of the notifier of a field."""
 
     profile: Profile = described("Profile", "Number of the profile: 4, 5, 6 or 7.", source=OWN)
     data_id: Annotated[Integer, Field(ge=0, le=0xFFFFFFFF)] = described(

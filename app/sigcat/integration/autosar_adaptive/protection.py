@@ -1,4 +1,4 @@
-"""Which events and fields are protected end to end, each with a data id of its own."""
+"""Events and fields that are protected end to end, each with its data id."""
 
 from collections.abc import Iterator, Mapping, Sequence
 

@@ -1,4 +1,4 @@
-"""How the messages of a service are sent: what a deployment says of it, and what the Integration JSON has of each service."""
+"""Transport of the messages of a service, in a deployment and in the Integration JSON."""
 
 from ipaddress import IPv4Address
 from typing import Annotated, Literal
@@ -29,7 +29,7 @@ class MulticastSettings(DeclarationModel):
 
 
 class TransportSettings(DeclarationModel):
-    """How the messages of a service are sent."""
+    """Transport of the messages of a service."""
 
     protocol: Protocol = Field("UDP", description="Protocol of its events, fields and methods.")
     multicast: MulticastSettings | None = Field(None, description="Multicast of its event groups; none if absent.")

@@ -1,4 +1,4 @@
-"""Subscribes to an event group by somebody else's SOME/IP, and says each message: its header and its payload.
+"""Subscribes to an event group with pysomeip, and prints each message: its header and its payload.
 
 Run in the network of a test: python -m tests.adapter.autosar_adaptive.application.raw_listener ADDRESS SERVICE INSTANCE GROUP
 """

@@ -34,7 +34,7 @@ def checks() -> list[str]:
 
 
 def deviations() -> dict[str, str]:
-    """Where a check may find something: check and text of its row."""
+    """Checks that may find something, each with the place that its row names."""
     return {row[0].strip("`"): row[2] for row in rows("Deviations") if row[0].startswith("`")}
 
 

@@ -1,4 +1,4 @@
-"""Calls of different priorities run in threads of their own, unless they would disturb each other."""
+"""Calls of different priorities run in separate threads, unless they would disturb each other."""
 
 import platform
 import shutil
@@ -133,7 +133,7 @@ def executable(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @contextmanager
 def running(executable: Path, folder: Path) -> Iterator[tuple[Program, Network]]:
-    """The process in a network of its own; it ends well, and ThreadSanitizer is quiet."""
+    """The process in a separate network; it ends well, and ThreadSanitizer is quiet."""
     # Addresses that are the same each time: some kernels give others, which the sanitizer does not know.
     fixed = ["setarch", platform.machine(), "-R"] if shutil.which("setarch") else []
     with network(folder) as net:

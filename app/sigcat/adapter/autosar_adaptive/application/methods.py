@@ -63,7 +63,7 @@ def _poll(method: CalledMethod, component: ComponentPlan) -> Lines:
 
 
 def _refused(component: ComponentPlan, scope: Scope) -> list[tuple[str, Lines]]:
-    """Each reply of the core that is no answer is an error of the domain of methods."""
+    """Replies of the core that refuse a request, as errors of the domain of methods."""
     namespace = "::".join(("", *component.error_namespace))
     errors = [
         (scope.constant(each.reply), lines(f"promise.SetError({namespace}::MakeErrorCode({namespace}::{DOMAIN}Errc::{each.name}, 0));"))

@@ -71,7 +71,7 @@ def _thread(component: ComponentPlan, call: Call) -> int:
 
 
 def call_mutex(component: ComponentPlan) -> str:
-    """The type of what keeps methods and calls apart."""
+    """The type of the mutex that separates methods and calls."""
     return "application::CallMutex" if component.is_threaded else "std::mutex"
 
 

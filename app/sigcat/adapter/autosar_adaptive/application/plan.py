@@ -197,7 +197,7 @@ class ComponentPlan:
     checkpoints: tuple[str, ...]
     """Calls whose ends are reported to it, in the order of their numbers."""
     threads: tuple[CallThread, ...]
-    """What runs its calls, the most urgent one first."""
+    """Threads of its calls, the most urgent one first."""
     error_namespace: tuple[str, ...]
     """Namespace of the errors of methods."""
     joined: tuple[Joined, ...]

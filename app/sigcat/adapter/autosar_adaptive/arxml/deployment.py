@@ -273,7 +273,7 @@ def _instance(process: Process, interface: ServiceInterface, paths: Paths) -> Ta
 
 
 def _multicast(interface: ServiceInterface) -> Iterable[Tag]:
-    """Where an event group is sent to by multicast, and from how many subscribers on."""
+    """Multicast address of an event group, and the number of subscribers from which it is used."""
     chosen = interface.transport.multicast if interface.transport else None
     if chosen is not None:
         yield tag("EVENT-MULTICAST-UDP-PORT", text=chosen.port)

@@ -1,4 +1,4 @@
-"""End-to-end protection of events and notifiers of fields: the profiles, and the data ids of what they protect."""
+"""End-to-end protection of events and notifiers of fields: profiles and data ids."""
 
 from collections.abc import Iterable
 
@@ -41,7 +41,7 @@ def _configuration(protection: E2eProtection) -> Tag:
 
 
 def properties(interface: ServiceInterface, deployment: str, paths: Paths) -> Tag | None:
-    """What an instance of a service says of what is protected; `deployment` is the path of those of the service."""
+    """Data ids and profiles of an instance; `deployment` is the path of the deployment of its service."""
     protected = _protected(interface)
     return listed("E-2-E-EVENT-PROTECTION-PROPSS", (_properties(event, deployment, paths) for event in protected))
 

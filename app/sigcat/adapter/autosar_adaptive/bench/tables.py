@@ -68,7 +68,7 @@ def _instances(service: Service, model: IntegrationModel) -> list[str]:
 
 
 def _errors(service: Service) -> list[str]:
-    """What its methods may answer instead of their results."""
+    """Errors that its methods may return."""
     if not service.whole.methods:
         return []
     domain = "::".join(("", *service.errors, f"Get{DOMAIN}ErrorDomain"))
