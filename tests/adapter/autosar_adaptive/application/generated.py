@@ -7,6 +7,7 @@ from sigcat.adapter.autosar_adaptive.application.generate import generate
 from sigcat.data import EXAMPLES
 from sigcat.function.function_file import build_function
 from sigcat.integration.autosar_adaptive.model import to_json
+from sigcat.integration.reading import read_functions
 from sigcat.limits import DEFAULT_LIMITS
 from tests.function.shipped import interfaces
 from tests.integration.autosar_adaptive.sets import deployed, derive
@@ -47,8 +48,12 @@ def full():
 
 @cache
 def paced_integration():
-    """The Integration JSON of the function with calls of three priorities, whose error is protected end to end."""
-    return derive([built(PACED / "function.yaml")], deployed(autosarAdaptive={"e2e": {"profile": 4}})).model
+    """The integration of the function with calls of three priorities, whose error is protected, and of one that follows it."""
+    sources = [(path.read_bytes(), path.name) for path in sorted(PACED.glob("*.yaml"))]
+    functions, _ = read_functions(sources, interfaces())
+    return derive(
+        [each.function for each in functions], deployed(autosarAdaptive={"e2e": {"profile": 4, "maxDeltaCounter": 3}})
+    ).model
 
 
 @cache

@@ -127,19 +127,31 @@ def executable(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("paced")
     flags = f"-O1 -g {' '.join(THREADS)}"
     write(paced(), folder)
-    run_autosar.build(folder, flags, f"-DCMAKE_C_FLAGS={flags}", "-DCMAKE_BUILD_TYPE=None", code={"PACED_CODE": PACED})
+    run_autosar.build(
+        folder,
+        flags,
+        f"-DCMAKE_C_FLAGS={flags}",
+        "-DCMAKE_BUILD_TYPE=None",
+        code={"PACED_CODE": PACED, "FOLLOW_CODE": PACED},
+    )
     return folder / "build/PacedExecutable/PacedExecutable"
+
+
+# Addresses that are the same each time: some kernels give others, which the sanitizer does not know.
+FIXED = ["setarch", platform.machine(), "-R"] if shutil.which("setarch") else []
+
+
+def started(net: Network, executable: Path, folder: Path, address: str) -> Program:
+    """A process of which ThreadSanitizer writes reports."""
+    environment = {"TSAN_OPTIONS": f"log_path={folder}/reports", "SIGCAT_BENCH_ADDRESS": address}
+    return net.start([*FIXED, executable], **environment)
 
 
 @contextmanager
 def running(executable: Path, folder: Path) -> Iterator[tuple[Program, Network]]:
     """The process in a separate network; it ends well, and ThreadSanitizer is quiet."""
-    # Addresses that are the same each time: some kernels give others, which the sanitizer does not know.
-    fixed = ["setarch", platform.machine(), "-R"] if shutil.which("setarch") else []
     with network(folder) as net:
-        program = net.start(
-            [*fixed, executable], TSAN_OPTIONS=f"log_path={folder}/reports", SIGCAT_BENCH_ADDRESS="127.0.0.2"
-        )
+        program = started(net, executable, folder, "127.0.0.2")
         yield program, net
         assert ended(program) == 0
     assert [file.read_text() for file in folder.glob("reports.*")] == []
@@ -156,8 +168,8 @@ def test_a_slow_call_does_not_block_an_urgent_one_and_threads_are_in_order(execu
 
 def provided() -> ServiceInterface:
     """The service of the function."""
-    services: tuple[ServiceInterface, ...] = paced_integration().components[0].services
-    return next(each for each in services if each.role == "Provider")
+    services: list[ServiceInterface] = [each for part in paced_integration().components for each in part.services]
+    return next(each for each in services if each.role == "Provider" and each.name == "PacedService")
 
 
 def states(net: Network, address: str) -> Iterator[bytes]:
@@ -184,3 +196,14 @@ def test_a_state_that_is_protected_is_sent_at_once_and_again_with_each_call(exec
             assert all(e2e_p04_check(each[8:], error.protection.data_id, offset=8) for each in heard)
             counters = [int.from_bytes(each[18:20], "big") for each in heard]
             assert counters == list(range(counters[0], counters[0] + 5))
+
+
+@cmake
+@own_network
+def test_a_state_that_is_protected_reaches_another_function_early_and_late(executable: Path, tmp_path: Path) -> None:
+    follow = executable.parents[1] / "FollowExecutable/FollowExecutable"
+    with running(executable, tmp_path) as (_, net):
+        for _ in range(2):
+            program = started(net, follow, tmp_path, "127.0.0.3")
+            program.tells("dep 1", "dep 0")
+            assert ended(program) == 0
