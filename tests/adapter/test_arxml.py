@@ -352,6 +352,25 @@ HEIGHTS = {"typeRef": "DT_Heights", "category": "userdefined", "cDef": "float[10
 
 
 @EACH_RELEASE
+def test_messages_of_a_service_are_sent_as_the_deployment_says(release):
+    long = {**at("Vehicle.Heights", "Provider"), "Datatype": "DT_Heights", "VssDatatype": "float[1000]"}
+    chosen = {"protocol": "TCP", "multicast": {"threshold": 2, "address": "239.1.2.3", "port": 30500}}
+    derived = derive(
+        [function(signals=[long, at("Vehicle.Speed")], datatypes=[HEIGHTS])],
+        deployed(autosarAdaptive={"transport": {"DemoService": chosen}}),
+    )
+    files = generate(derived.model, release)
+    assert texts(files, "TRANSPORT-PROTOCOL") == ["TCP", "UDP"]
+    assert texts(files, "MULTICAST-THRESHOLD") == ["2"]
+    assert texts(files, "IPV-4-MULTICAST-IP-ADDRESS") == ["239.1.2.3"]
+    assert texts(files, "EVENT-MULTICAST-UDP-PORT") == ["30500"]
+    assert texts(files, "MAXIMUM-SEGMENT-LENGTH") == []
+    assert "A024" not in {each.rule for each in derived.findings}
+    model = loaded(files)
+    assert (dangling(model), misplaced(model)) == ([], [])
+
+
+@EACH_RELEASE
 def test_an_event_that_is_longer_than_a_datagram_is_sent_in_segments(release):
     long = {**at("Vehicle.Heights"), "Datatype": "DT_Heights", "VssDatatype": "float[1000]"}
     derived = derive([function(signals=[long, at("Vehicle.Speed")], datatypes=[HEIGHTS])])

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from sigcat.integration.autosar_adaptive.releases import RELEASES
+from sigcat.integration.autosar_adaptive.releases import RELEASES, SOURCE_RELEASES
 from sigcat.platforms.platform import Generator, Integrated, Options, Platform
 
 if TYPE_CHECKING:
@@ -107,7 +107,7 @@ APPLICATION = Generator(
     media_type="text/plain",
     report=_report_of_application,
     generate=_generate_application,
-    releases=RELEASES,
+    releases=SOURCE_RELEASES,
     has_bench=True,
     view="application",
 )

@@ -125,17 +125,60 @@ def test_data_ids_of_profile_4_have_the_instance_in_their_highest_byte():
     assert [number >> 24 for number in data_ids(made)] == [instance]
 
 
-def test_a_field_is_not_protected_and_the_advice_says_what_is():
-    error = {
-        "Name": "Demo_Bad_ErrorSts", "Description": "Is bad.", "Datatype": "DT_Bool", "Dependancy": [], "OccurenceCountLimit": 1,
-        "IgnitionCountLimit": 0, "MaturationTime": 0, "Severity": "Low", "AsilLevel": "B",
-    }  # fmt: skip
-    one = function(contract={"ErrorList": [error]})
+ERROR = {
+    "Name": "Demo_Bad_ErrorSts", "Description": "Is bad.", "Datatype": "DT_Bool", "Dependancy": [], "OccurenceCountLimit": 1,
+    "IgnitionCountLimit": 0, "MaturationTime": 0, "Severity": "Low", "AsilLevel": "B",
+}  # fmt: skip
+
+
+def field(found):
+    """The one field of the first service."""
+    return found.model.components[0].services[0].services[0].fields[0]
+
+
+def test_a_field_with_an_asil_is_protected_as_events_are_and_has_no_getter():
+    one = function(contract={"ErrorList": [ERROR]})
+    assert rules(derived({}, one)) == ["A019"]
+    found = derived({"profile": 4}, one)
+    assert rules(found) == []
+    assert (field(found).protection.profile, field(found).getter_id) == (4, None)
+    assert field(derived({}, one)).getter_id is not None
+    assert read_integration(to_json(found.model), "integration.json") == found.model
+
+
+def test_the_advice_for_a_field_can_be_followed():
+    one = function(contract={"ErrorList": [ERROR]})
     (service,) = derive([one]).model.components[0].services
-    key = f"{service.name}.Demo_Bad_ErrorSts"
-    by_rule = {finding.rule: finding for finding in derived({"events": {key: {"profile": 4}}}, one).findings}
-    assert "this is a field" in by_rule["A019"].fix
-    assert by_rule["A014"].message.startswith(f"{key} cannot be protected end to end.")
+    (finding,) = derived({}, one).findings
+    assert "`profile` under `e2e`" in finding.fix
+    found = derived({"events": {f"{service.name}.Demo_Bad_ErrorSts": {"profile": 5}}}, one)
+    assert (rules(found), field(found).protection.profile) == ([], 5)
+
+
+def test_data_ids_of_fields_and_events_are_unique_and_kept():
+    found = derived(
+        {"profile": 4}, function(signals=[at("Vehicle.Branch.Speed", AsilLevel="B")], contract={"ErrorList": [ERROR]})
+    )
+    kept = {name: number for name, number in identifiers_of(found.model).items() if name.endswith(":dataId")}
+    assert len(kept) == len(set(kept.values())) == 2
+
+
+METHOD = {
+    "Name": "Ask",
+    "Description": "Asks.",
+    "Role": "Provider",
+    "AsilLevel": "B",
+    "InDataTypeList": [],
+    "OutDataTypeList": [],
+}
+
+
+def test_a_method_cannot_be_protected_and_the_deployment_that_says_so_is_told():
+    one = function(contract={"MethodList": [METHOD]})
+    (service,) = derive([one]).model.components[0].services
+    found = derived({"events": {f"{service.name}.Ask": {"profile": 4}}}, one)
+    (finding,) = [each for each in found.findings if each.rule == "A014"]
+    assert finding.message.startswith(f"{service.name}.Ask cannot be protected end to end.")
 
 
 def test_the_document_read_back_has_it():

@@ -20,6 +20,9 @@ def made(*names, unit="km/h", deployment=None):
     return derive([function(signals=signals)], deployment or deployed()).model
 
 
+OVER_TCP = deployed(autosarAdaptive={"transport": {SERVICE: {"protocol": "TCP"}}})
+
+
 def version(model):
     """The version of its one service."""
     (component,) = model.components
@@ -57,11 +60,12 @@ def test_a_version_of_a_service_that_is_not_there_is_reported():
     ("before", "now", "expected"),
     [
         (made("Speed"), made("Speed"), "2.4"),
+        (made("Speed"), made("Speed", deployment=OVER_TCP), "3.0"),
         (made("Speed"), made("Speed", "Limit"), "2.5"),
         (made("Speed", "Limit"), made("Speed"), "3.0"),
         (made("Speed"), made("Speed", unit="m/s"), "3.0"),
     ],
-    ids=["the same", "an event more", "an event less", "another unit"],
+    ids=["the same", "by TCP", "an event more", "an event less", "another unit"],
 )
 def test_a_version_rises_by_what_changed(before, now, expected):
     found = raised(now, with_version(before, 2, 4), {})

@@ -93,7 +93,7 @@ def _methods(name: str, listed: Iterable[ServiceInterface]) -> dict[str, int]:
     given: dict[str, int | None] = {}
     for services in _parts(name, listed):
         given.update({method.name: method.method_id for method in services.methods})
-        given.update({f"Get{field.name}": field.getter_id for field in services.fields})
+        given.update({f"Get{field.name}": field.getter_id for field in services.fields if not field.protection})
     return _ids(given, METHODS, given, f"{name}.")
 
 
@@ -146,5 +146,5 @@ def _method_with_id(method: Method, ids: dict[str, int]) -> Method:
 
 
 def _field_with_ids(field: ServiceField, events: dict[str, int], methods: dict[str, int]) -> ServiceField:
-    ids = {"notifier_id": events[field.name], "getter_id": methods[f"Get{field.name}"]}
+    ids = {"notifier_id": events[field.name], "getter_id": methods.get(f"Get{field.name}")}
     return field.model_copy(update={**ids, "event_group": field.event_group or "Fields"})

@@ -8,8 +8,9 @@ from sigcat.function.function_json.status_interfaces import ErrorInterface, Mode
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.code import MethodUse
 from sigcat.integration.autosar_adaptive.context import Context
-from sigcat.integration.autosar_adaptive.elements import FIELD_GROUP, Element, Service, cycle_of, group_of
+from sigcat.integration.autosar_adaptive.elements import Element, Service, cycle_of, group_of
 from sigcat.integration.autosar_adaptive.grouping import Placed
+from sigcat.integration.autosar_adaptive.transport import DEFAULT_TRANSPORT
 from sigcat.integration.autosar_adaptive.types import TypeTable
 from sigcat.integration.autosar_names import distinct, short_name
 from sigcat.integration.autosar_parts import Item
@@ -35,7 +36,7 @@ def view(service: Service, part: str, types: TypeTable, context: Context) -> tup
             _method(service, element, sides, types) for element, sides in mine if element.kind is MethodInterface
         ),
         fields=tuple(
-            _field(service, element, sides, types) for element, sides in mine if element.kind is ErrorInterface
+            _field(service, element, sides, types, context) for element, sides in mine if element.kind is ErrorInterface
         ),
     ), provides
 
@@ -55,7 +56,7 @@ def _event(service: Service, element: Element, sides: list[Placed], types: TypeT
         data_mapping=variables or None,
         description=interface.description,
         event_id=service.ids[element.name],
-        event_group=group_of(element),
+        event_group=group_of(element, context.settings.transport.get(service.name, DEFAULT_TRANSPORT)),
         unit=(interface.vss_unit or interface.units) if is_catalogue else interface.units,
         min=low,
         max=high,
@@ -150,17 +151,21 @@ def _arguments(item: Item, listed: tuple[Argument, ...], types: TypeTable) -> tu
     )
 
 
-def _field(service: Service, element: Element, sides: list[Placed], types: TypeTable) -> model.ServiceField:
+def _field(
+    service: Service, element: Element, sides: list[Placed], types: TypeTable, context: Context
+) -> model.ServiceField:
     leading = element.leading.item
     interface = leading.interface
     assert isinstance(interface, ErrorInterface | SafetyReaction | ModeInterface)
+    protection = service.protections.get(element.name)
     return model.ServiceField(
         name=element.name,
         description=interface.description,
         datatype=types.word(leading.part.function, interface.datatype),
         notifier_id=service.ids[element.name],
-        getter_id=service.ids[f"Get{element.name}"],
-        event_group=FIELD_GROUP,
+        getter_id=None if protection else service.ids[f"Get{element.name}"],
+        event_group=group_of(element, context.settings.transport.get(service.name, DEFAULT_TRANSPORT)),
+        protection=protection,
         calls=_calls(sides),
         vss_path=interface.vss_path,
         error=interface if isinstance(interface, ErrorInterface) else None,

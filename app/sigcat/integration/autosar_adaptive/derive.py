@@ -7,10 +7,9 @@ from sigcat import codes
 from sigcat.asil import is_above, level_of
 from sigcat.findings import Finding
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.data_interfaces import Signal
+from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.runnable import Contract
-from sigcat.function.function_json.status_interfaces import ErrorInterface
 from sigcat.integration.application import DEFAULT_VERSION, NO_DATE, Application, Part, application
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.calls import calls, function_modes, parameters
@@ -23,10 +22,11 @@ from sigcat.integration.autosar_adaptive.grouping import MODES, SAFETY, Placed, 
 from sigcat.integration.autosar_adaptive.namespaces import namespace_of
 from sigcat.integration.autosar_adaptive.processes import further_processes, process_problems
 from sigcat.integration.autosar_adaptive.protection import (
-    ONLY_EVENTS_ARE_PROTECTED,
+    METHODS_ARE_NOT_PROTECTED,
     protected,
     report_open_lengths,
     report_unset_errors,
+    states_asil,
 )
 from sigcat.integration.autosar_adaptive.segmentation import segmented
 from sigcat.integration.autosar_adaptive.settings import (
@@ -56,8 +56,10 @@ UNKNOWN_PROVIDER = "SOME/IP"
 """Provider of a service that comes from somewhere in the network, as the authors write it."""
 
 
-_PROTECT_EVENT = "State a `profile` under `e2e` in the deployment file, or protect it in the code."
-_PROTECT_OTHER = f"{ONLY_EVENTS_ARE_PROTECTED} Send its state as a signal too, with its ASIL and a profile, and let receivers use that."
+_PROTECT = "State a `profile` under `e2e` in the deployment file, or protect it in the code."
+_PROTECT_METHOD = (
+    f"{METHODS_ARE_NOT_PROTECTED} Send its arguments and results as signals, with their ASIL and a profile."
+)
 
 
 class Derived(NamedTuple):
@@ -132,15 +134,15 @@ def _report_asil(all_services: Sequence[Service], context: Context) -> None:
     for service in all_services:
         for element in service.elements:
             for side in element.sides if element.name not in service.protections else ():
-                _report_unprotected(side, is_event=element.kind is Signal, context=context)
+                _report_unprotected(side, context)
 
 
-def _report_unprotected(side: Placed, *, is_event: bool, context: Context) -> None:
+def _report_unprotected(side: Placed, context: Context) -> None:
     interface = side.item.interface
     level = level_of(getattr(interface, "asil_level", None))
-    if is_above(level, "QM") and not (isinstance(interface, ErrorInterface) and not side.provides):
+    if is_above(level, "QM") and states_asil(side):
         message = f"{side.identity} must be QM, not ASIL {level}: its service has no end-to-end protection."
-        fix = _PROTECT_EVENT if is_event else _PROTECT_OTHER
+        fix = _PROTECT_METHOD if isinstance(interface, MethodInterface) else _PROTECT
         subject = Subject(side.identity, interface)
         context.findings.report(codes.ASIL_NOT_PROTECTED, message, subject, fix, key="AsilLevel")
 
@@ -233,6 +235,7 @@ def _interface(service: Service, content: model.Services, provides: bool, contex
         event_groups=tuple(model.EventGroup(name=name, id=number) for name, number in groups) or None,
         namespace=stated.namespace if stated else None,
         transformation=stated.transformation if stated else None,
+        transport=context.settings.transport.get(service.name),
         origin=service.group.origin,
     )
 

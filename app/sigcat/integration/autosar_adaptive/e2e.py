@@ -1,4 +1,4 @@
-"""End-to-end protection of events: what a deployment says of it, and what the Integration JSON has of each event."""
+"""End-to-end protection of events and fields: what a deployment says of it, and what the Integration JSON has of each event."""
 
 from typing import Annotated, Literal
 
@@ -15,7 +15,7 @@ Step = Annotated[Integer, Field(ge=1, le=127)]
 
 
 class EventE2eSettings(DeclarationModel):
-    """What differs for an event, or for all events of a service."""
+    """Settings of an event or a field, or of all of a service."""
 
     profile: Literal[4, 5, 6, 7, "none"] | None = Field(
         None, description="Profile that protects them whatever their ASIL, or none; as for all if absent."
@@ -26,14 +26,16 @@ class EventE2eSettings(DeclarationModel):
 
 
 class E2eSettings(DeclarationModel):
-    """Which events are protected end to end, and how."""
+    """Protection of events and fields."""
 
-    profile: Profile | None = Field(None, description="Profile that protects events with an ASIL; none if absent.")
+    profile: Profile | None = Field(
+        None, description="Profile that protects events and fields with an ASIL; none if absent."
+    )
     max_delta_counter: Step = Field(
         1, description="Largest step from one counter to the next that passes: 1 passes no lost message, 3 passes two."
     )
     events: dict[ElementKey, EventE2eSettings] = Field(
-        {}, description="What differs, by `Service` for all of its events, or by `Service.Event`."
+        {}, description="What differs, by `Service` for all of its events and fields, or by `Service.Element`."
     )
 
 
@@ -42,7 +44,7 @@ NO_E2E = E2eSettings.model_validate({})
 
 
 class E2eProtection(WireModel):
-    """How an event is protected."""
+    """Protection of an event, or of the notifier of a field."""
 
     profile: Profile = described("Profile", "Number of the profile: 4, 5, 6 or 7.", source=OWN)
     data_id: Annotated[Integer, Field(ge=0, le=0xFFFFFFFF)] = described(

@@ -23,6 +23,7 @@ from sigcat.integration.autosar_adaptive.identifiers import (
     SERVICES,
 )
 from sigcat.integration.autosar_adaptive.numbering import Names, numbers
+from sigcat.integration.autosar_adaptive.transport import DEFAULT_TRANSPORT, TransportSettings
 from sigcat.integration.autosar_names import distinct, event_name, short_name
 from sigcat.integration.autosar_parts import Item
 from sigcat.integration.finding_collector import Subject
@@ -102,7 +103,8 @@ def _service(sides: Sequence[Placed], name: str, number: int, instance: int, con
         **numbers(Names(sorted(events | fields), EVENTS, f"{name}."), context),
         **numbers(Names(sorted(methods | {f"Get{field}" for field in fields}), METHODS, f"{name}."), context),
     }
-    groups = {group_of(element) for element in elements} - {""}
+    chosen = context.settings.transport.get(name, DEFAULT_TRANSPORT)
+    groups = {group_of(element, chosen) for element in elements} - {""}
     return Service(
         sides[0].group,
         name,
@@ -150,10 +152,19 @@ def _report_renamed(name: str, wanted: Subject, context: Context) -> None:
         context.findings.report(codes.NAME_TAKEN, message, wanted)
 
 
-def group_of(element: Element) -> str:
-    """Event group of an element: fields have one, events one for each cycle; methods have none."""
+def group_of(element: Element, chosen: TransportSettings) -> str:
+    """Event group of an element: the one that names it, or fields have one, events one for each cycle; methods have none."""
     if element.kind is MethodInterface:
         return ""
+    if chosen.event_groups == "one":
+        return EVENT_GROUP
+    if chosen.event_groups != "cycle":
+        named = (group for group, names in chosen.event_groups.items() if element.name in names)
+        return next(named, None) or _group_by_cycle(element)
+    return _group_by_cycle(element)
+
+
+def _group_by_cycle(element: Element) -> str:
     if element.kind is ErrorInterface:
         return FIELD_GROUP
     cycle = cycle_of(element)

@@ -48,6 +48,7 @@ from sigcat.integration.autosar_adaptive.someip_settings import (
     TransformationSettings,
 )
 from sigcat.integration.autosar_adaptive.startup import StartupSettings, Wish
+from sigcat.integration.autosar_adaptive.transport import TransportSettings
 from sigcat.integration.autosar_si_units import UnitSettings
 from sigcat.integration.source_functions import source_functions
 
@@ -295,6 +296,9 @@ class ServiceField(WireModel):
     notifier_id: Integer | None = own("NotifierID", "SOME/IP id of the event that notifies of a change.")
     getter_id: Integer | None = own("GetterID", "SOME/IP id of the method that asks for the value.")
     event_group: Name | None = own("EventGroup", "Name of the event group of the notifier.")
+    protection: E2eProtection | None = own(
+        "E2eProtection", "How its notifier is protected end to end, if it is: then it has no getter."
+    )
     calls: tuple[Name, ...] | None = own("Calls", "Calls that report or read it.", strict=False)
     vss_path: VssPath | None = own("VssPath", "Path of the interface in the catalogue.")
     error: ErrorInterface | None = own("Error", "The error interface as it is in Function JSON.")
@@ -352,6 +356,9 @@ class ServiceInterface(WireModel):
     namespace: Namespace | None = own("Namespace", "C++ namespace of the service; that of all if absent.")
     transformation: TransformationSettings | None = own(
         "Transformation", "How SOME/IP lays out what the service sends; as for all if absent."
+    )
+    transport: TransportSettings | None = own(
+        "Transport", "How the messages of the service are sent; over UDP if absent."
     )
     origin: Name | None = own("Origin", "Branch of the tree, or component, that provides what is gathered here.")
 

@@ -17,7 +17,9 @@ from sigcat.integration.autosar_adaptive.identifiers import (
 from sigcat.integration.autosar_adaptive.model import (
     ArxmlDeployment,
     Component,
+    Event,
     IntegrationModel,
+    ServiceField,
     ServiceInterface,
     Services,
     TypeEntry,
@@ -240,6 +242,12 @@ def _identifiers(model: IntegrationModel) -> Iterator[Problem]:
                     )
 
 
+def _data_id(service: str, item: Event | ServiceField) -> Iterator[tuple[tuple[str, str], str, int, Span]]:
+    found = item.protection
+    if found is not None:
+        yield ("", "data id"), f"{service}.{item.name}", found.data_id, data_ids(found.profile)
+
+
 def numbers_of(interface: ServiceInterface) -> Iterator[tuple[tuple[str, str], str, int, Span]]:
     """Scope and kind, owner, id and its range, of every id of a service."""
     name = interface.name
@@ -252,15 +260,11 @@ def numbers_of(interface: ServiceInterface) -> Iterator[tuple[tuple[str, str], s
     for services in interface.services:
         for event in services.events:
             yield (name, "event"), f"{name}.{event.name}", event.event_id or 0, EVENTS
-            if event.protection is not None:
-                yield (
-                    ("", "data id"),
-                    f"{name}.{event.name}",
-                    event.protection.data_id,
-                    data_ids(event.protection.profile),
-                )
+            yield from _data_id(name, event)
         for field in services.fields:
             yield (name, "event"), f"{name}.{field.name}", field.notifier_id or 0, EVENTS
-            yield (name, "method"), f"{name}.Get{field.name}", field.getter_id or 0, METHODS
+            yield from _data_id(name, field)
+            if field.protection is None:
+                yield (name, "method"), f"{name}.Get{field.name}", field.getter_id or 0, METHODS
         for method in services.methods:
             yield (name, "method"), f"{name}.{method.name}", method.method_id or 0, METHODS

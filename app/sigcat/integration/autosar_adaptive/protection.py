@@ -1,11 +1,12 @@
-"""Which events are protected end to end, each with a data id of its own."""
+"""Events and fields that are protected end to end, each with its data id."""
 
 from collections.abc import Iterator, Mapping, Sequence
 
 from sigcat import codes
 from sigcat.asil import is_above, level_of
-from sigcat.function.function_json.data_interfaces import Signal
+from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.role import CONSUMER
+from sigcat.function.function_json.status_interfaces import ErrorInterface
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.e2e import E2eProtection, EventE2eSettings, Profile
 from sigcat.integration.autosar_adaptive.elements import Element, Service
@@ -15,7 +16,7 @@ from sigcat.integration.autosar_adaptive.model import IntegrationModel, TypeEntr
 from sigcat.integration.autosar_adaptive.numbering import Names, is_given, numbers
 from sigcat.integration.finding_collector import Subject
 
-ONLY_EVENTS_ARE_PROTECTED = "sigcat protects events end to end, and this is a field or a method."
+METHODS_ARE_NOT_PROTECTED = "sigcat protects events and fields end to end, and this is a method."
 TEXT = "string"
 WITH_INSTANCE = 4
 """The profile in whose data ids vsomeip puts the instance."""
@@ -24,7 +25,7 @@ WITHOUT_LENGTH = 5
 
 
 def protected(services: Sequence[Service], context: Context) -> tuple[Service, ...]:
-    """The services, with how each of their events is protected."""
+    """The services, with how each of their events and fields is protected."""
     profiles = dict(_profiles(services, context))
     spans = {key: data_ids(profile) for key, profile in profiles.items()}
     names = Names(sorted(profiles), RULED_DATA_IDS, suffix=DATA_ID, has_dots=True, given=spans)
@@ -100,7 +101,7 @@ def _profiles(services: Sequence[Service], context: Context) -> Iterator[tuple[s
     for service in services:
         for element in service.elements:
             key = _key(service, element)
-            profile = _profile(element, key, context) if element.kind is Signal else None
+            profile = _profile(element, key, context) if element.kind is not MethodInterface else None
             if profile is not None:
                 yield key, profile
 
@@ -109,8 +110,13 @@ def _profile(element: Element, key: str, context: Context) -> Profile | None:
     for stated in _stated(key, context):
         if stated.profile is not None:
             return None if stated.profile == "none" else stated.profile
-    levels = (level_of(getattr(side.item.interface, "asil_level", None)) for side in element.sides)
+    levels = (level_of(getattr(each.item.interface, "asil_level", None)) for each in element.sides if states_asil(each))
     return context.settings.e2e.profile if any(is_above(level, "QM") for level in levels) else None
+
+
+def states_asil(side: Placed) -> bool:
+    """Whether a side says which ASIL is sent: what consumes an error of another function does not."""
+    return side.provides or not isinstance(side.item.interface, ErrorInterface)
 
 
 def _step(key: str, context: Context) -> int:

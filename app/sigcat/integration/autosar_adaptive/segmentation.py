@@ -7,6 +7,7 @@ from sigcat.function.function_json.primitive_types import c_type
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel, ServiceInterface, TypeEntry
 from sigcat.integration.autosar_adaptive.someip_settings import DEFAULT_TRANSFORMATION, TransformationSettings
+from sigcat.integration.autosar_adaptive.transport import DEFAULT_TRANSPORT
 from sigcat.integration.datatypes import BY_ADAPTIVE
 
 LONGEST_PAYLOAD = 1400
@@ -33,7 +34,7 @@ def segmented(model: IntegrationModel, context: Context) -> IntegrationModel:
 
 def _long_events(model: IntegrationModel, types: Mapping[str, TypeEntry]) -> Iterator[tuple[str, int]]:
     for component in model.components:
-        for interface in component.services:
+        for interface in filter(_is_udp, component.services):
             for event in (each for services in interface.services for each in services.events):
                 size = _payload(event, types, _layout(interface, model))
                 if size is not None and size > LONGEST_PAYLOAD:
@@ -47,11 +48,16 @@ def _in_service(
 
     def made(event: Event) -> Event:
         size = _payload(event, types, layout)
-        is_long = size is None or size > LONGEST_PAYLOAD
+        is_long = _is_udp(interface) and (size is None or size > LONGEST_PAYLOAD)
         return event.model_copy(update={"segment_length": SEGMENT if is_long else None})
 
     services = tuple(each.model_copy(update={"events": tuple(map(made, each.events))}) for each in interface.services)
     return interface.model_copy(update={"services": services})
+
+
+def _is_udp(interface: ServiceInterface) -> bool:
+    """Whether messages are datagrams, which have a longest payload."""
+    return (interface.transport or DEFAULT_TRANSPORT).protocol == "UDP"
 
 
 def _layout(interface: ServiceInterface, model: IntegrationModel) -> TransformationSettings:

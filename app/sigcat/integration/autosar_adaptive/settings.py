@@ -27,6 +27,7 @@ from sigcat.integration.autosar_adaptive.someip_settings import (
     TransformationSettings,
 )
 from sigcat.integration.autosar_adaptive.startup import NO_STARTUP, StartupSettings
+from sigcat.integration.autosar_adaptive.transport import TransportSettings
 from sigcat.integration.autosar_si_units import UnitSettings
 
 Identifier = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,127}$"), SHORT_NAME]
@@ -99,7 +100,10 @@ class AutosarAdaptiveSettings(DeclarationModel):
     service_discovery: ServiceDiscoverySettings = Field(
         DEFAULT_SERVICE_DISCOVERY, description="When services are offered, looked for and subscribed to."
     )
-    e2e: E2eSettings = Field(NO_E2E, description="Which events are protected end to end, and how.")
+    e2e: E2eSettings = Field(NO_E2E, description="Which events and fields are protected end to end, and how.")
+    transport: dict[ShortName, TransportSettings] = Field(
+        {}, description="How the messages of services are sent, by the name of the service; over UDP if absent."
+    )
     units: dict[UnitKey, UnitSettings] = Field({}, description="Units that are not those of VSS, in SI units.")
     identifiers: dict[ElementKey, Annotated[Integer, Field(ge=1, le=LARGEST_ID)]] = Field(
         {},

@@ -5,11 +5,13 @@ from collections.abc import Collection, Iterator, Sequence
 from sigcat import codes
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.methods import MethodInterface
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.elements import Service
 from sigcat.integration.autosar_adaptive.grouping import Placed
 from sigcat.integration.autosar_adaptive.identifiers import DATA_ID
-from sigcat.integration.autosar_adaptive.protection import ONLY_EVENTS_ARE_PROTECTED
+from sigcat.integration.autosar_adaptive.protection import METHODS_ARE_NOT_PROTECTED
+from sigcat.integration.autosar_adaptive.transport import DEFAULT_TRANSPORT
 from sigcat.integration.autosar_si_units import WITHOUT_SI, si_unit
 from sigcat.integration.unknown_paths import report_unknown_paths
 from sigcat.names import did_you_mean
@@ -25,6 +27,8 @@ def report_unused(sides: Sequence[Placed], services: Sequence[Service], context:
     )
     _report_unknown(("autosarAdaptive", "identifiers"), settings.identifiers, set(_identified(services)), context)
     _report_unknown(("autosarAdaptive", "versions"), settings.versions, {each.name for each in services}, context)
+    _report_unknown(("autosarAdaptive", "transport"), settings.transport, {each.name for each in services}, context)
+    _report_unknown_members(services, context)
     _report_unprotectable(services, context)
     paths = {context.path_of(item) for item in signals}
     for index, service in enumerate(settings.services):
@@ -64,22 +68,36 @@ def _identified(services: Sequence[Service]) -> Iterator[str]:
         yield from (f"{service.name}.{name}{DATA_ID}" for name in service.protections)
 
 
+def _report_unknown_members(services: Sequence[Service], context: Context) -> None:
+    """A finding for each event group of the deployment with a member that the service does not send."""
+    for service in services:
+        chosen = context.settings.transport.get(service.name, DEFAULT_TRANSPORT)
+        sent = {element.name for element in service.elements if element.kind is not MethodInterface}
+        groups = chosen.event_groups if isinstance(chosen.event_groups, dict) else {}
+        for group, names in groups.items():
+            _report_unknown(("autosarAdaptive", "transport", service.name, "eventGroups", group), names, sent, context)
+
+
 def _report_unprotectable(services: Sequence[Service], context: Context) -> None:
-    """A finding for each key of `e2e` that names no event."""
+    """A finding for each key of `e2e` that names neither an event nor a field."""
     section: Pointer = ("autosarAdaptive", "e2e", "events")
     stated = context.settings.e2e.events
-    others = {f"{each.name}.{element.name}" for each in services for element in each.elements} - set(_events(services))
+    others = {f"{each.name}.{element.name}" for each in services for element in each.elements} - set(
+        _protectable(services)
+    )
     for key in sorted(stated.keys() & others):
-        message = f"{key} cannot be protected end to end. {ONLY_EVENTS_ARE_PROTECTED}"
-        fix = "Remove it. Send the state as a signal too, with its ASIL and a profile."
+        message = f"{key} cannot be protected end to end. {METHODS_ARE_NOT_PROTECTED}"
+        fix = "Remove it. Send the arguments and results as signals, with their ASIL and a profile."
         context.findings.report_deployment(codes.DEPLOYMENT_NAMES_NOTHING, message, (*section, key), fix, key)
-    _report_unknown(section, stated.keys() - others, set(_events(services)), context)
+    _report_unknown(section, stated.keys() - others, set(_protectable(services)), context)
 
 
-def _events(services: Sequence[Service]) -> Iterator[str]:
+def _protectable(services: Sequence[Service]) -> Iterator[str]:
     for service in services:
         yield service.name
-        yield from (f"{service.name}.{element.name}" for element in service.elements if element.kind is Signal)
+        yield from (
+            f"{service.name}.{element.name}" for element in service.elements if element.kind is not MethodInterface
+        )
 
 
 def _branches(paths: Collection[str]) -> set[str]:

@@ -17,6 +17,7 @@ from sigcat.integration.autosar_adaptive.model import (
     ServiceInterface,
     TypeEntry,
 )
+from sigcat.integration.autosar_adaptive.transport import DEFAULT_TRANSPORT
 
 Element = Event | ServiceField | Method
 Shape = tuple[object, ...]
@@ -116,7 +117,7 @@ def _changes(
     before: list[ServiceInterface], previous: IntegrationModel, now: list[ServiceInterface], model: IntegrationModel
 ) -> list[Change]:
     if _head(before[0], previous) != _head(now[0], model):
-        return [Change("breaking", "its id or how SOME/IP lays out its data changed")]
+        return [Change("breaking", "its id, its transport, or how SOME/IP lays out its data changed")]
     old, new = _elements(before, previous), _elements(now, model)
     removed = [Change("breaking", f"{name} was removed") for name in sorted(old.keys() - new.keys())]
     changed = [
@@ -131,7 +132,8 @@ def _changes(
 
 def _head(interface: ServiceInterface, model: IntegrationModel) -> Shape:
     layout = interface.transformation or (model.deployment.transformation if model.deployment else None)
-    return interface.service_id, interface.namespace, layout
+    protocol = (interface.transport or DEFAULT_TRANSPORT).protocol
+    return interface.service_id, interface.namespace, layout, protocol
 
 
 def _elements(interfaces: list[ServiceInterface], model: IntegrationModel) -> dict[str, Shape]:
@@ -153,7 +155,8 @@ def _shape(each: Element, types: Mapping[str, TypeEntry], groups: Mapping[str, i
             meaning = (each.unit, each.scaling, each.offset, each.protection)
             return each.event_id, groups.get(each.event_group or ""), _type(each.datatype, types), meaning
         case ServiceField():
-            return each.notifier_id, each.getter_id, groups.get(each.event_group or ""), _type(each.word, types)
+            ids = (each.notifier_id, each.getter_id, groups.get(each.event_group or ""))
+            return ids, _type(each.word, types), each.protection
         case Method():
             sides = (each.inputs or (), each.outputs or ())
             arguments = [[(one.name, _type(one.datatype, types), one.unit) for one in side] for side in sides]

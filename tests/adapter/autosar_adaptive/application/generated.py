@@ -7,13 +7,16 @@ from sigcat.adapter.autosar_adaptive.application.generate import generate
 from sigcat.data import EXAMPLES
 from sigcat.function.function_file import build_function
 from sigcat.integration.autosar_adaptive.model import to_json
+from sigcat.integration.reading import read_functions
 from sigcat.limits import DEFAULT_LIMITS
 from tests.function.shipped import interfaces
-from tests.integration.autosar_adaptive.sets import derive
+from tests.integration.autosar_adaptive.sets import deployed, derive
 
 ECOCONTROL = EXAMPLES / "ecocontrol/expected/autosar-adaptive.json"
 FULL = Path(__file__).parent / "full"
 """A function that uses everything that a declaration can say."""
+PACED = Path(__file__).parent / "paced"
+"""A function with calls of three priorities, one of which waits for steps of another one."""
 SMALL = Path(__file__).parent / "small"
 """Functions that leave out almost everything, or have names that are easily taken."""
 STORING = Path(__file__).parent / "storing.function.yaml"
@@ -34,7 +37,7 @@ def ecocontrol():
 @cache
 def full_integration():
     """The Integration JSON of the function that uses everything."""
-    return integration(_built(FULL / "function.yaml"))
+    return integration(built(FULL / "function.yaml"))
 
 
 @cache
@@ -44,12 +47,29 @@ def full():
 
 
 @cache
+def paced_integration():
+    """The integration of the function with calls of three priorities, whose error is protected, and of one that follows it."""
+    sources = [(path.read_bytes(), path.name) for path in sorted(PACED.glob("*.yaml"))]
+    functions, _ = read_functions(sources, interfaces())
+    return derive(
+        [each.function for each in functions], deployed(autosarAdaptive={"e2e": {"profile": 4, "maxDeltaCounter": 3}})
+    ).model
+
+
+@cache
+def paced():
+    """The files of the function with calls of three priorities, with the bench, by name."""
+    return files(to_json(paced_integration()), bench=True)
+
+
+@cache
 def small():
     """The files of all small functions, with the bench, by name."""
-    return files(integration(*map(_built, sorted(SMALL.glob("*.yaml")))), bench=True)
+    return files(integration(*map(built, sorted(SMALL.glob("*.yaml")))), bench=True)
 
 
-def _built(path):
+def built(path):
+    """A function of a file."""
     function, _ = build_function(path.read_bytes(), path.name, interfaces())
     return function
 
@@ -57,7 +77,7 @@ def _built(path):
 @cache
 def storing():
     """The files of a function with parameters in several storages, by name."""
-    return files(integration(_built(STORING)))
+    return files(integration(built(STORING)))
 
 
 def files(document, *, bench=False):

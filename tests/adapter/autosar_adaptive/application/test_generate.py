@@ -9,9 +9,11 @@ import pytest
 
 from bench import integration as large_set
 from scripts.run_autosar import CODE
+from sigcat.adapter.autosar_adaptive.application.generate import generate
 from sigcat.adapter.autosar_adaptive.application.report import report
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.errors import InputRefused
+from sigcat.integration.autosar_adaptive.releases import SOURCE_RELEASES
 from sigcat.integration.reading import read_functions
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.integrate import integrate
@@ -189,6 +191,22 @@ def test_no_executable_has_the_name_of_a_folder_or_a_target_of_the_application(n
     assert name in finding.message
 
 
+def test_a_request_that_is_not_answered_returns_an_application_error_that_the_arxml_has():
+    answer = body(full()["FullExecutable/full_adapter.cpp"], "AnswerDo")
+    refused = re.findall(r"reply == (\w+)\)|MakeErrorCode\(::full::FunctionMethodErrc::(\w+), 0\)", answer)
+    assert refused == [("FULL_ADAPTER_OK", ""), ("FULL_ADAPTER_EXCLUDED", ""), ("", "kExcluded"), ("", "kBadArgument")]
+    interfaces = ET.fromstring(full()["arxml/interfaces.arxml"])
+    errors = {
+        error.findtext("{*}SHORT-NAME"): (error.findtext("{*}ERROR-CODE"), error.findtext("{*}ERROR-DOMAIN-REF"))
+        for error in interfaces.iterfind(".//{*}AP-APPLICATION-ERROR")
+    }
+    domain = "/Full/ApplicationErrors/FunctionMethod"
+    assert errors == {"kExcluded": ("1", domain), "kBadArgument": ("2", domain)}
+    for operation in interfaces.iterfind(".//{*}CLIENT-SERVER-OPERATION"):
+        possible = [each.text for each in operation.iterfind(".//{*}POSSIBLE-AP-ERROR-REF")]
+        assert possible == ["/Full/ApplicationErrors/kExcluded", "/Full/ApplicationErrors/kBadArgument"]
+
+
 def test_a_parameter_of_the_function_that_the_component_does_not_list_is_told():
     document = json.loads(ECOCONTROL.read_bytes())
     parameter = document["ComponentList"][0]["ParameterList"][0]
@@ -226,6 +244,25 @@ def test_create_logger_is_found_beside_the_logger_or_in_a_header_of_its_own(head
         "here.o",
     ]
     subprocess.run(command, cwd=tmp_path, check=True)
+
+
+@pytest.mark.parametrize("release", ["R20-11", "R21-11", "R22-11"])
+def test_the_sources_are_of_no_release_whose_api_they_do_not_use(release):
+    document = json.loads(ECOCONTROL.read_bytes())
+    document["Deployment"]["Release"] = release
+    (finding,) = refused(document)
+    assert (finding.rule, finding.pointer) == ("A020", "/Deployment/Release")
+    assert f"sigcat generate arxml --release {release}" in finding.fix
+    with pytest.raises(InputRefused):
+        generate(ECOCONTROL.read_bytes(), "integration.json", DEFAULT_LIMITS, release)
+
+
+def test_the_sources_are_the_same_for_each_of_their_releases():
+    made = [
+        generate(ECOCONTROL.read_bytes(), "integration.json", DEFAULT_LIMITS, release) for release in SOURCE_RELEASES
+    ]
+    sources = [{file.name: file.data for file in each if not file.name.startswith("arxml/")} for each in made]
+    assert sources[0] == sources[1]
 
 
 def test_a_function_has_one_component():

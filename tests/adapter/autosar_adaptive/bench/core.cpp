@@ -18,6 +18,7 @@
 #include "bench/proxy_field.h"
 #include "bench/skeleton_base.h"
 #include "bench/skeleton_field.h"
+#include "someip/application_error.h"
 
 namespace {
 
@@ -222,6 +223,25 @@ void Samples() {
     CHECK(*held == 2.0F);
 }
 
+// AUTOSAR Classic answers with a return code beyond 0x1F (SWS_CM_10358), AUTOSAR adaptive with a payload (SWS_CM_10428).
+void ApplicationErrors() {
+    static const bench::ErrorDescription errors[] = {{&ara::com::GetComErrorDomain(), 1},
+                                                     {&ara::com::GetComErrorDomain(), 2}};
+    bench::ServiceDescription service{};
+    service.errors = errors;
+    const auto error = [&service](bench::MessageType type, std::uint8_t code, bench::ByteView payload) {
+        const auto return_code = static_cast<bench::ReturnCode>(code);
+        return bench::ReadError({{1, 2, 3, 4, 1, 1, static_cast<std::uint8_t>(type), return_code}, payload}, service);
+    };
+    CHECK(error(bench::MessageType::kResponse, 0x21, {}) == ara::core::ErrorCode{ComErrc{2}});
+    CHECK(!error(bench::MessageType::kResponse, 0x22, {}).has_value());
+    const bench::Bytes whole = bench::WrittenError(ComErrc{1});
+    CHECK(error(bench::MessageType::kError, 0x01, bench::ByteView{whole}) == ara::core::ErrorCode{ComErrc{1}});
+    CHECK(!error(bench::MessageType::kError, 0x01, bench::ByteView{whole}.first(whole.size() - 1)).has_value());
+    CHECK(!error(bench::MessageType::kError, 0x04, bench::ByteView{whole}).has_value());
+    CHECK(!error(bench::MessageType::kError, 0x01, bench::ByteView{bench::WrittenError(ComErrc{3})}).has_value());
+}
+
 }  // namespace
 
 int main() {
@@ -230,6 +250,7 @@ int main() {
     Futures();
     Continuations();
     Specifiers();
+    ApplicationErrors();
     CHECK(ara::core::Initialize().HasValue());
     Fields();
     Samples();

@@ -18,8 +18,15 @@ public:
     using ProbeServiceSkeleton::ProbeServiceSkeleton;
 
     ara::core::Future<AddOutput> Add(const std::int32_t& left, const std::int32_t& right) override {
+        using Errc = probe::demo::FunctionMethodErrc;
         ara::core::Promise<AddOutput> promise;
-        promise.set_value(AddOutput{left + right});
+        if (left < 0) {
+            promise.SetError(right < 0 ? Errc::kBadArgument : Errc::kExcluded);
+        } else if (right < 0) {
+            promise.SetError(ara::core::future_errc::no_state);
+        } else {
+            promise.set_value(AddOutput{left + right});
+        }
         return promise.get_future();
     }
 

@@ -39,7 +39,7 @@ def test_namespaces_are_folders_and_headers_have_the_name_of_what_is_in_them(mad
     assert headers == {
         "probeservice_common.h", "probeservice_proxy.h", "probeservice_skeleton.h", "probeservice_tables.h",
         "impl_type_corners_t.h", "impl_type_flags_t.h", "impl_type_image_t.h", "impl_type_mode_t.h",
-        "impl_type_string.h", "impl_type_track_t.h",
+        "impl_type_string.h", "impl_type_track_t.h", "functionmethod_error_domain.h",
     }  # fmt: skip
 
 

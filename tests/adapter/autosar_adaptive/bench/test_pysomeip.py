@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from sigcat.adapter.autosar_adaptive.arxml.method_errors import DOMAIN_ID
 from tests.adapter.autosar_adaptive.bench.probe_service import (
     ADD,
     GET_MODE,
@@ -23,6 +24,11 @@ from tests.needs import c_compiler
 
 pytestmark = [own_network, c_compiler]
 _PEER = "tests.adapter.autosar_adaptive.bench.pysomeip_peer"
+
+
+def application_error(code: int) -> str:
+    """The payload of an answer that is an application error: a union of a struct of domain and code (SWS_CM_10428)."""
+    return struct.pack("!IBHQi", 14, 1, 12, DOMAIN_ID, code).hex()
 
 
 def peer(net: Network, role: str) -> Program:
@@ -56,6 +62,9 @@ def test_it_is_sent_our_events_and_the_value_of_our_field(net: Network, built: M
         (f"{RESET} 1 -", f"response {RESET:#06x} E_OK "),
         (f"{GET_MODE} 1 -", f"response {GET_MODE:#06x} E_OK 01"),
         (f"{ADD} 1 0000", f"error {ADD:#06x} E_MALFORMED_MESSAGE "),
+        (f"{ADD} 1 {struct.pack('!ii', -1, 1).hex()}", f"error {ADD:#06x} E_NOT_OK {application_error(1)}"),
+        (f"{ADD} 1 {struct.pack('!ii', -1, -1).hex()}", f"error {ADD:#06x} E_NOT_OK {application_error(2)}"),
+        (f"{ADD} 1 {struct.pack('!ii', 1, -1).hex()}", f"error {ADD:#06x} E_NOT_OK "),
         (f"{ADD} 2 {struct.pack('!ii', 1, 1).hex()}", f"error {ADD:#06x} E_WRONG_INTERFACE_VERSION "),
         ("119 1 -", "error 0x0077 E_UNKNOWN_METHOD "),
     ],

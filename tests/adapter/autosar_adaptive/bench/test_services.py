@@ -85,6 +85,13 @@ def test_methods_are_answered(net: Network, built: Mapping[str, Path]) -> None:
     sender.tells("reset")
 
 
+def test_application_errors_of_methods_arrive_by_name(net: Network, built: Mapping[str, Path]) -> None:
+    _, receiver = pair(net, built)
+    receiver.do("add -1 1").tells("add failed: The mode excludes the call, or the function is not initialized. 0")
+    receiver.do("add -1 -1").tells("add failed: An argument has a number that its enumeration does not name. 0")
+    receiver.do("add 1 -1").tells("add failed: The other side answered with an error. 1")
+
+
 def test_a_skeleton_that_polls_answers_when_it_is_told_to(net: Network, built: Mapping[str, Path]) -> None:
     sender, receiver = pair(net, built, "poll")
     sender.do("process").tells("refused process")

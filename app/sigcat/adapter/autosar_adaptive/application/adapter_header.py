@@ -1,6 +1,7 @@
 """The header of a component's adapter."""
 
 from sigcat.adapter.autosar_adaptive.application.names import (
+    call_mutex,
     checkpoint,
     commented,
     core_holder,
@@ -8,7 +9,10 @@ from sigcat.adapter.autosar_adaptive.application.names import (
     in_namespace,
     include_guard,
     monitor_name,
+    repeating,
+    sent_name,
     services_of,
+    watched,
     without_indent,
     writes,
 )
@@ -56,6 +60,8 @@ def _includes(component: ComponentPlan) -> Lines:
     application += ["required_service"] if component.required else []
     application += ["storage"] if component.storages else []
     application += ["watch"] if has_deadline(component) else []
+    application += ["call_thread"] if component.is_threaded else []
+    application += ["call_mutex"] if component.is_threaded and has_offered(component) else []
     platform = ["ara/phm/supervised_entity.h"] if component.checkpoints else []
     platform += ["ara/core/future.h"] if services_with_methods(component) else []
     headers = [each.names.proxy_header for each in component.required]
@@ -158,6 +164,7 @@ def _functions(component: ComponentPlan) -> Lines:
     storage = f"{core}_Stored Load();\n" if component.storages else ""
     storage += "void Store();\n" if writes(component) else ""
     calls = "".join(f"void Run{step.name}();\n" for step in component.core.steps)
+    calls += "".join(f"void Repeat{name}();\n" for name in sorted(repeating(component)))
     requests = "".join(
         f"void Request{each.member}();\nvoid Poll{each.member}();\n" for service in component.required for each in service.methods
     )  # fmt: skip
@@ -181,7 +188,9 @@ def _members(component: ComponentPlan) -> Lines:
     pending = [_pending(each, service) for service in component.required for each in service.methods]
     monitors = [lines(f"application::ErrorMonitor {monitor_name(each.error)};") for each in component.monitors]
     answering = (
-        lines("std::mutex call_mutex_;  // no method is answered while a call runs") if has_offered(component) else ()
+        lines(f"{call_mutex(component)} call_mutex_;  // no method is answered while a call runs")
+        if has_offered(component)
+        else ()
     )
     missed = [lines(f"std::uint32_t missed_{step.name}_{{0}};") for step in core.steps if step.cycle is not None]
     return joined([
@@ -192,14 +201,29 @@ def _members(component: ComponentPlan) -> Lines:
         answering,
         lines("std::mutex publishing_mutex_;"),
         *missed,
+        *(lines(f"{field.wire} {sent_name(field)}{{0}};")
+          for service in component.provided for field in service.fields if field.repeated_by),
         *monitors,
         lines("ara::phm::SupervisedEntity supervision_;") if component.checkpoints else (),
         *(lines(f"{each.type} {each.variable};") for each in component.provided),
         *required,
         *pending,
-        lines("std::unique_ptr<application::Watch> watch_;") if has_deadline(component) else (),
+        *(lines(f"std::unique_ptr<application::Watch> {name};") for name in watched(component)),
+        *_threads(component),
         lines("std::thread thread_;"),
     ])  # fmt: skip
+
+
+def _threads(component: ComponentPlan) -> list[Lines]:
+    if not component.is_threaded:
+        return []
+    return [
+        joined([
+            commented(f"Priority {thread.priority}: {', '.join(call.interface for call in thread.calls)}"),
+            lines(f"std::unique_ptr<application::CallThread> calls_{number}_;"),
+        ])
+        for number, thread in enumerate(component.threads)
+    ]  # fmt: skip
 
 
 def has_offered(component: ComponentPlan) -> bool:

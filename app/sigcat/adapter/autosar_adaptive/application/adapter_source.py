@@ -3,15 +3,18 @@
 from collections.abc import Iterable, Mapping
 
 from sigcat.adapter.autosar_adaptive.application.adapter_header import has_deadline, has_offered
-from sigcat.adapter.autosar_adaptive.application.calls import call_functions
+from sigcat.adapter.autosar_adaptive.application.calls import call_functions, thread_name
 from sigcat.adapter.autosar_adaptive.application.methods import method_functions, offered_functions
 from sigcat.adapter.autosar_adaptive.application.names import (
     LOCK,
+    alone,
     braces,
     commented,
     cpp_type,
     in_namespace,
     monitor_name,
+    sent_name,
+    watched,
     writes,
 )
 from sigcat.adapter.autosar_adaptive.application.plan import (
@@ -22,10 +25,11 @@ from sigcat.adapter.autosar_adaptive.application.plan import (
     Receiver,
     Required,
     SentEvent,
+    SentField,
 )
 from sigcat.adapter.autosar_adaptive.application.stored import storage_functions
 from sigcat.adapter.core.c.lines import Line, Lines, block, indented, joined, lines, spaced
-from sigcat.adapter.core.plan import Port
+from sigcat.adapter.core.plan import Call, Port
 from sigcat.function.document.text_filters import c_header, c_string
 
 
@@ -40,6 +44,7 @@ def adapter_source(component: ComponentPlan, application: ApplicationPlan) -> Li
         _offer(component),
         *call_functions(component),
         _publish(component),
+        *filter(None, (_repeat(call, component) for call in component.core.steps)),
         *method_functions(component),
         *(_connect(service, component) for service in component.required),
         *(part for service in component.provided for part in offered_functions(service, component)),
@@ -50,9 +55,12 @@ def _includes(component: ComponentPlan) -> Lines:
     own = f"#include {c_header(f'{component.stem}_adapter.h')}"
     structs = [f"#include {c_header(f'{component.stem}_structs.h')}"] if component.structs else []
     standard = ["#include <chrono>"] if has_deadline(component) else []
+    standard += ["#include <functional>"] if component.is_threaded else []
+    standard += ["#include <shared_mutex>"] if component.is_threaded and has_offered(component) else []
+    standard += ["#include <vector>"] if component.is_threaded else []
     platform = ['#include "ara/core/instance_specifier.h"'] if component.provided else []
     if has_offered(component):
-        platform = ['#include "ara/com/com_error_domain.h"', *platform, '#include "ara/core/promise.h"']
+        platform = [*platform, '#include "ara/core/promise.h"']
     groups = [[own, *structs], standard, platform]
     return lines("\n\n".join("\n".join(group) for group in groups if group))
 
@@ -92,9 +100,10 @@ def _start(component: ComponentPlan) -> Lines:
     stored = "&stored" if component.storages else "nullptr"
     loaded = f"const {core}_Stored stored = Load();\n" if component.storages else ""
     cycle = "stored.ignition_cycle + 1U" if component.storages else "1U"
-    watch = (
-        "watch_ = std::make_unique<application::Watch>([this] { Supervise(); });\n" if has_deadline(component) else ""
+    watch = "".join(
+        f"{name} = std::make_unique<application::Watch>([this] {{ Supervise(); }});\n" for name in watched(component)
     )
+    threads = "".join(_started(number, component) for number in range(len(component.threads)) if component.is_threaded)
     found = "\n".join(f"{each.variable}.Find();" for each in component.required)
     body = lines(
         f"""
@@ -108,11 +117,18 @@ Offer();
     {LOCK}
     {core}_Start(&core_, clock_->Now());
 }}
-{watch}thread_ = std::thread{{[this] {{ Run(); }}}};
+{watch}{threads}thread_ = std::thread{{[this] {{ Run(); }}}};
 return true;
 """.replace("\n\n", "\n")
     )
     return block(f"bool {component.type}::Start()", [body])
+
+
+def _started(number: int, component: ComponentPlan) -> str:
+    thread, most = component.threads[number], component.threads[0].priority
+    calls = ", ".join(f"[this] {{ Run{call.name}(); }}" for call in thread.calls)
+    made = f"std::make_unique<application::CallThread>(\n    logger_, {most - thread.priority}, std::vector<std::function<void()>>{{{calls}}});\n"
+    return f"{thread_name(number)} = {made}"
 
 
 def _stop(component: ComponentPlan) -> Lines:
@@ -120,14 +136,18 @@ def _stop(component: ComponentPlan) -> Lines:
     core = component.core.type_name
     answering = _withdrawn(each for each in component.provided if each.methods)
     others = _withdrawn(each for each in component.provided if not each.methods)
-    call = "const std::lock_guard<std::mutex> call{call_mutex_};" if has_offered(component) else ""
+    call = alone(component) if has_offered(component) else ""
+    threads = "\n".join(
+        f"{thread_name(number)}.reset();" for number in range(len(component.threads)) if component.is_threaded
+    )
     left = "\n".join(f"{each.variable}.Leave();" for each in component.required)
     monitors = "\n".join(f"{monitor_name(each.error)}.StopOffer();" for each in component.monitors)
-    watch = "watch_.reset();" if has_deadline(component) else ""
+    watch = "\n".join(f"{name}.reset();" for name in watched(component))
     stored = "Store();" if writes(component) else ""
     body = f"""
 clock_->Stop();
 thread_.join();
+{threads}
 {watch}
 {left}
 {answering}
@@ -151,7 +171,7 @@ def _withdrawn(services: Iterable[Provided]) -> str:
 def _offer(component: ComponentPlan) -> Lines:
     """Fields have a value before they are offered: that of the core, or that of an error which was not tested."""
     initial = [
-        lines(f"application::Update<::{field.type}>(logger_, {service.variable}.{field.member}, {_initial(field.place, field.initial)});")
+        lines(f"application::Update<::{field.type}>(logger_, {service.variable}.{field.member}, {_initial(field.place, field.initial)});{_kept(field)}")
         for service in component.provided for field in service.fields
     ]  # fmt: skip
     offers = [
@@ -165,6 +185,10 @@ def _offer(component: ComponentPlan) -> Lines:
             0, commented("A field has a value from the beginning: an error that was not tested yet is PASSED.")
         )
     return block(f"void {component.type}::Offer()", [*initial, *monitors, lines("Publish();"), *offers])
+
+
+def _kept(field: SentField) -> str:
+    return f"\n{sent_name(field)} = {_initial(field.place, field.initial)};" if field.repeated_by else ""
 
 
 def _initial(place: str, number: int | None) -> str:
@@ -206,8 +230,21 @@ def _sent(service: Provided, core: str, monitors: Mapping[str, Monitor]) -> list
     for field in service.fields:
         update = f"application::Update<::{field.type}>(logger_, {service.variable}.{field.member}, out.{field.place});"
         told = _told(monitors[field.place]) if field.error else ()
-        found.append(block(f"if (publish.{field.place})", [commented(field.comment), lines(update), told]))
+        kept = lines(f"{sent_name(field)} = out.{field.place};") if field.repeated_by else ()
+        found.append(block(f"if (publish.{field.place})", [commented(field.comment), kept, lines(update), told]))
     return found
+
+
+def _repeat(call: Call, component: ComponentPlan) -> Lines:
+    """A state that is protected is sent again, so that a lost message is noticed and does not last."""
+    updates = [
+        lines(f"application::Update<::{field.type}>(logger_, {service.variable}.{field.member}, {sent_name(field)});")
+        for service in component.provided for field in service.fields if field.repeated_by == call.name
+    ]  # fmt: skip
+    if not updates:
+        return ()
+    lock = lines("const std::lock_guard<std::mutex> publishing{publishing_mutex_};")
+    return block(f"void {component.type}::Repeat{call.name}()", [lock, *updates])
 
 
 def _sent_event(event: SentEvent, service: Provided, core: str) -> Lines:

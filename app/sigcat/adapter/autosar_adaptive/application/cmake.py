@@ -39,7 +39,7 @@ set(PLATFORM_TARGETS "" CACHE STRING "Targets of the vendor, and of what is gene
 
 find_package(Threads REQUIRED)
 {_PLATFORM_OR_BENCH if bench else _PLATFORM}
-add_library(application STATIC application/clock.cpp application/watch.cpp)
+add_library(application STATIC application/call_thread.cpp application/clock.cpp application/watch.cpp)
 target_include_directories(application PUBLIC "${{CMAKE_CURRENT_SOURCE_DIR}}")
 target_link_libraries(application PUBLIC ${{PLATFORM_TARGETS}} Threads::Threads)
 

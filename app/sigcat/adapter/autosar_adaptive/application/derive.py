@@ -13,6 +13,7 @@ from sigcat.adapter.autosar_adaptive.application.plan import (
     Stored,
 )
 from sigcat.adapter.autosar_adaptive.application.structs import struct_pairs
+from sigcat.adapter.autosar_adaptive.application.threads import joined_calls, threads_of
 from sigcat.adapter.autosar_adaptive.arxml.components import (
     SUPERVISION_PORT,
     checkpoints,
@@ -87,11 +88,13 @@ def _component(
     types: TypeNames,
     names: Mapping[str, ServiceNames],
 ) -> ComponentPlan:
+    assert model.deployment is not None
     context = ComponentContext(component, core.function, core.plan, types, names)
     structs = struct_pairs(core.plan, model, core.function, types)
     required, provided = required_services(context), provided_services(context)
     ports = f"{component.executable}/{root_name(component)}"
     storages = {name: Storage(name, f"{ports}/{name}") for name in storage_ports(component)}
+    joined = joined_calls(core.plan, component.calls)
     names_of_errors = {id(error): name for name, error in context.errors.items()}
     return ComponentPlan(
         name=component.name,
@@ -109,6 +112,9 @@ def _component(
         stored=tuple(_stored(component, core.plan, storages)),
         supervision=f"{ports}/{SUPERVISION_PORT}",
         checkpoints=checkpoints(component),
+        threads=threads_of(core.plan, joined),
+        joined=joined,
+        error_namespace=tuple(namespace_parts(model.deployment.namespace or "")),
     )
 
 

@@ -112,7 +112,13 @@ def _receivers(interface: ServiceInterface, context: ComponentContext) -> Iterat
             if taken is not None:
                 type_ = context.types.type(field.word)
                 yield Receiver(
-                    member_name(field.name), taken.function, type_, taken.wire, taken.capacity, taken.comment
+                    member_name(field.name),
+                    taken.function,
+                    type_,
+                    taken.wire,
+                    taken.capacity,
+                    taken.comment,
+                    is_protected=field.protection is not None,
                 )
 
 
@@ -139,10 +145,23 @@ def _sent_fields(interface: ServiceInterface, context: ComponentContext) -> Iter
             name, type_ = _status_name(field), context.types.type(field.word)
             error = context.errors.get(name)
             if error is not None:
-                named = error.named
-                yield SentField(member_name(field.name), named.name, type_, error.passed, error, named.comment)
+                named, again = error.named, _repeated_by(field, error.call, context)
+                yield SentField(
+                    member_name(field.name), named.name, type_, error.passed, error, named.comment, error.wire.c, again
+                )
             elif mode is not None and context.name_of(mode.named) == name:
-                yield SentField(member_name(field.name), mode.named.name, type_, None, None, mode.named.comment)
+                named, again = mode.named, _repeated_by(field, None, context)
+                yield SentField(
+                    member_name(field.name), named.name, type_, None, None, named.comment, mode.wire.c, again
+                )
+
+
+def _repeated_by(field: ServiceField, call: str | None, context: ComponentContext) -> str | None:
+    """The call that evaluates a protected status, or else the first one."""
+    steps = [step.name for step in context.core.steps]
+    if field.protection is None or not steps:
+        return None
+    return call if call in steps else steps[0]
 
 
 def _status_name(field: ServiceField) -> str:

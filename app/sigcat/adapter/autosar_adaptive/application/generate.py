@@ -21,8 +21,10 @@ from sigcat.adapter.placed_findings import placed_in
 from sigcat.adapter.source_cores import files_of, source_cores
 from sigcat.adapter.source_functions import source_functions
 from sigcat.catalogue.reading.yaml_document import collector_paused
+from sigcat.errors import InputRefused
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
+from sigcat.integration.autosar_adaptive.releases import DEFAULT_RELEASE, SOURCE_RELEASES
 from sigcat.limits import Limits
 
 CPP = Path(__file__).parent / "cpp"
@@ -38,6 +40,7 @@ def generate(
     Raises InputRefused if the document cannot be used, or a core cannot be generated.
     """
     model = read_integration(data, name, limits)
+    _check_release(model, release)
     arxml = generate_arxml(model, release)
     rule = codes.NOT_WRITABLE_AS_ARXML
     functions = source_functions(model.functions, data, name, limits, rule, "autosar-adaptive")
@@ -53,6 +56,19 @@ def generate(
         *(file for executable in application.executables for file in _executable(executable, application)),
         *(_bench(model) if bench else ()),
     )
+
+
+def _check_release(model: IntegrationModel, asked: str | None) -> None:
+    """Raises InputRefused for a release whose API the sources do not use."""
+    stated = model.deployment.release if model.deployment else DEFAULT_RELEASE
+    release = asked or stated
+    if release not in SOURCE_RELEASES:
+        message = f"The sources of an application are of {' and '.join(SOURCE_RELEASES)}, not of {release}."
+        fix = (
+            f"State `release: {DEFAULT_RELEASE}`, or generate ARXML alone: `sigcat generate arxml --release {release}`."
+        )
+        finding = codes.NOT_WRITABLE_AS_ARXML.finding(message, pointer="/Deployment/Release", fix=fix)
+        raise InputRefused("The applications cannot be generated.", (finding,))
 
 
 @collector_paused()

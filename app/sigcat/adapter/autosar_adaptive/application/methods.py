@@ -1,8 +1,9 @@
 """Methods that the function uses or offers."""
 
 from sigcat.adapter.autosar_adaptive.application.adapter_header import method_parameters, output_type, parameter_name
-from sigcat.adapter.autosar_adaptive.application.names import LOCK, braces, cpp_type, locked
+from sigcat.adapter.autosar_adaptive.application.names import LOCK, alone, braces, cpp_type, locked
 from sigcat.adapter.autosar_adaptive.application.plan import CalledMethod, ComponentPlan, Provided, Required
+from sigcat.adapter.autosar_adaptive.arxml.method_errors import DOMAIN, METHOD_ERRORS
 from sigcat.adapter.core.c.lines import Lines, block, choice, joined, lines
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.function.document.text_filters import c_string
@@ -49,15 +50,26 @@ def _poll(method: CalledMethod, component: ComponentPlan) -> Lines:
         for (result, _), core_side in zip(method.results, method.method.results, strict=True)
     ]
     results = ", &results" if method.results else ""
+    failed = lines(f"logger_.LogWarn() << {c_string(f'{method.member} has failed: ')} << answer.Error().Message();")
     return block(f"void {component.type}::Poll{method.member}()", [
         lines("const std::lock_guard<std::mutex> publishing{publishing_mutex_};"),
         block(f"if (!{pending}.answer.valid() || !{pending}.answer.is_ready())", [lines("return;")]),
         lines(f"const auto answer = {pending}.answer.GetResult();"),
         lines(f"{core}_{name}_Results results{{}};") if method.results else (),
-        block("if (answer.HasValue())", taken) if method.results else (),
+        choice([("answer.HasValue()", joined(taken)), ("", failed)]) if method.results else block("if (!answer.HasValue())", [failed]),
         lines(LOCK),
         lines(f"{core}_Answer_{name}(&core_, {pending}.number, answer.HasValue(){results}, clock_->Now());"),
     ])  # fmt: skip
+
+
+def _refused(component: ComponentPlan, scope: Scope) -> list[tuple[str, Lines]]:
+    """Replies of the core that refuse a request, as errors of the domain of methods."""
+    namespace = "::".join(("", *component.error_namespace))
+    errors = [
+        (scope.constant(each.reply), lines(f"promise.SetError({namespace}::MakeErrorCode({namespace}::{DOMAIN}Errc::{each.name}, 0));"))
+        for each in METHOD_ERRORS
+    ]  # fmt: skip
+    return [*((f"reply == {reply}", body) for reply, body in errors[:-1]), ("", errors[-1][1])]
 
 
 # -- offered ------------------------------------------------------------------------------------------------------
@@ -100,14 +112,14 @@ def _answered(method: CalledMethod, service: Provided, component: ComponentPlan)
         lines(f"{core}_{name}_Results results{{}};") if method.results else (),
         *given,
         lines(f"{core}_Reply reply = {scope.constant('EXCLUDED')};"),
-        braces([lines(f"const std::lock_guard<std::mutex> call{{call_mutex_}};\nreply = {core}_Method_{name}(&core_{arguments});")]),
+        braces([lines(f"{alone(component)}\nreply = {core}_Method_{name}(&core_{arguments});")]),
         choice([
             (f"reply == {scope.constant('OK')}", joined([
                 lines(f"{output} output{{}};") if method.results else (),
                 *results,
                 lines("promise.set_value(output);") if method.results else lines("promise.set_value();"),
             ])),
-            ("", lines("promise.SetError(ara::com::MakeErrorCode(ara::com::ComErrc::kCommunicationStackError, 0));")),
+            *_refused(component, scope),
         ]),
         lines("return promise.get_future();"),
     ])  # fmt: skip

@@ -2,10 +2,16 @@
 
 from collections.abc import Iterable
 
-from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, Provided, Required
+from sigcat.adapter.autosar_adaptive.application.plan import (
+    ApplicationPlan,
+    ComponentPlan,
+    Provided,
+    Required,
+    SentField,
+)
 from sigcat.adapter.core.c.lines import Line, Lines, indented, joined, lines, spaced
 from sigcat.adapter.core.identifiers import identifier
-from sigcat.adapter.core.plan import GLOBALS, Error
+from sigcat.adapter.core.plan import GLOBALS, Call, Error
 from sigcat.function.document.text_filters import AnyText, comment, comment_rows
 from sigcat.names import screaming_snake_case
 
@@ -43,6 +49,40 @@ def core_holder(component: ComponentPlan) -> str:
 def monitor_name(error: Error) -> str:
     """The member that tells the diagnosis of an error."""
     return f"monitor_{error.named.name}_"
+
+
+def sent_name(field: SentField) -> str:
+    """The member that has what was sent last of a field."""
+    return f"sent_{field.place}_"
+
+
+def repeating(component: ComponentPlan) -> set[str]:
+    """Calls that send states again when they end."""
+    return {field.repeated_by for service in component.provided for field in service.fields if field.repeated_by}
+
+
+def watch_name(component: ComponentPlan, call: Call) -> str:
+    """The member that watches the deadlines of a call: one call at a time."""
+    return f"watch_{_thread(component, call)}_" if component.is_threaded else "watch_"
+
+
+def _thread(component: ComponentPlan, call: Call) -> int:
+    return next(number for number, thread in enumerate(component.threads) if call in thread.calls)
+
+
+def call_mutex(component: ComponentPlan) -> str:
+    """The type of the mutex that separates methods and calls."""
+    return "application::CallMutex" if component.is_threaded else "std::mutex"
+
+
+def alone(component: ComponentPlan) -> str:
+    """The statement before what no call may run beside, until the end of the scope."""
+    return f"const std::lock_guard<{call_mutex(component)}> call{{call_mutex_}};"
+
+
+def watched(component: ComponentPlan) -> dict[str, Call]:
+    """Watches of deadlines, each with one of its calls."""
+    return {watch_name(component, step): step for step in component.core.steps if step.deadline}
 
 
 def braces(parts: Iterable[Lines]) -> Lines:

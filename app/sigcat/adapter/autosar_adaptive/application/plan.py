@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames
-from sigcat.adapter.core.plan import CorePlan, Error, Method, Parameter, Port, WireStruct, WireType
+from sigcat.adapter.core.plan import Call, CorePlan, Error, Method, Parameter, Port, WireStruct, WireType
 
 
 class Receiver(NamedTuple):
@@ -48,6 +48,10 @@ class SentField(NamedTuple):
     """What it has until the core says something; None: what the core has from the beginning."""
     error: Error | None
     comment: str
+    wire: str
+    """Its type in the core."""
+    repeated_by: str | None
+    """The call that sends it again whenever it ends, of a field that is protected end to end."""
 
 
 class CalledMethod(NamedTuple):
@@ -66,7 +70,7 @@ _OWN_MEMBERS = {
         "call_mutex", "clock", "core", "core_mutex", "logger", "publishing_mutex", "supervision", "thread", "watch",
     )
 }  # fmt: skip
-_OWN_PREFIXES = ("missed_", "monitor_", "pending_", "service_", "storage_")
+_OWN_PREFIXES = ("calls_", "missed_", "monitor_", "pending_", "sent_", "service_", "storage_")
 
 
 def _member(names: ServiceNames) -> str:
@@ -145,6 +149,23 @@ class Stored(NamedTuple):
     key: str
 
 
+class CallThread(NamedTuple):
+    """Calls that run one after the other."""
+
+    priority: int
+    """The highest of its calls."""
+    calls: tuple[Call, ...]
+    """In the order in which they run if several are due."""
+
+
+class Joined(NamedTuple):
+    """Two calls of different priorities that must not run at the same time."""
+
+    first: str
+    second: str
+    reason: str
+
+
 class StructPair(NamedTuple):
     """A struct of the platform and the one of the core, whose members have the same order."""
 
@@ -175,11 +196,22 @@ class ComponentPlan:
     """Instance specifier of its supervised entity."""
     checkpoints: tuple[str, ...]
     """Calls whose ends are reported to it, in the order of their numbers."""
+    threads: tuple[CallThread, ...]
+    """Threads of its calls, the most urgent one first."""
+    error_namespace: tuple[str, ...]
+    """Namespace of the errors of methods."""
+    joined: tuple[Joined, ...]
+    """Calls that are in one thread in spite of their priorities."""
 
     @property
     def type(self) -> str:
         """The class of its adapter."""
         return f"{self.name}Adapter"
+
+    @property
+    def is_threaded(self) -> bool:
+        """Whether calls may run at the same time: else the thread that finds them due runs them."""
+        return len(self.threads) > 1
 
 
 class ExecutablePlan(NamedTuple):

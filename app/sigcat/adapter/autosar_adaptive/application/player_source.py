@@ -25,6 +25,8 @@ class _Element(NamedTuple):
     type: str
     initial: str | None = None
     """Of a field: what it has before the trace says anything."""
+    is_repeated: bool = False
+    """Whether it is a state that is sent again and again."""
 
     @property
     def is_field(self) -> bool:
@@ -95,7 +97,7 @@ def _port(whole: Whole, model: IntegrationModel, types: TypeNames) -> _Port:
     elements = (
         *(_Element(each.vss_path or each.name, member_name(each.name), types.type(each.datatype))
           for each in whole.events),
-        *(_Element(each.name, member_name(each.name), types.type(each.word), _initial(each, model, types))
+        *(_Element(each.name, member_name(each.name), types.type(each.word), _initial(each, model, types), each.protection is not None)
           for each in whole.fields),
     )  # fmt: skip
     methods = tuple(
@@ -231,7 +233,8 @@ def _subscribing(port: _Port) -> str:
 
 
 def _received(each: _Element) -> Lines:
-    return lines(f"Hear(logger, service.{each.member}, {c_string(each.name)}, recorder);")
+    repeated = ", true" if each.is_repeated else ""
+    return lines(f"Hear(logger, service.{each.member}, {c_string(each.name)}, recorder{repeated});")
 
 
 def _constructor(offered: Iterable[_Port]) -> Lines:

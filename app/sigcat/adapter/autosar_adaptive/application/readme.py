@@ -36,7 +36,36 @@ cmake -B build {settings} \\
   -DPLATFORM_PACKAGES="..." -DPLATFORM_TARGETS="..."
 cmake --build build
 ```
-"""
+{_threads(application)}"""
+
+
+def _threads(application: ApplicationPlan) -> str:
+    rows = [row for component in application.components for row in _rows_of_threads(component)]
+    if not rows:
+        return ""
+    text = "".join(f"| {' | '.join(row)} |\n" for row in rows)
+    return f"""
+## Threads
+
+Calls of one priority run in one thread. Calls of different priorities can run at the same time, unless the table says otherwise.
+
+| component | calls | thread |
+|---|---|---|
+{text}"""
+
+
+def _rows_of_threads(component: ComponentPlan) -> list[tuple[str, str, str]]:
+    name = markdown(component.name)
+    threads = [
+        (name, ", ".join(markdown(call.interface) for call in thread.calls), f"priority {thread.priority}")
+        for thread in component.threads
+        if component.is_threaded
+    ]
+    joined = [
+        (name, f"{markdown(each.first)} and {markdown(each.second)}", f"the same: {markdown(each.reason)}")
+        for each in component.joined
+    ]
+    return [*threads, *joined]
 
 
 def _calls(component: ComponentPlan) -> str:

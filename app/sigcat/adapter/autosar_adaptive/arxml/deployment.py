@@ -25,8 +25,8 @@ from sigcat.adapter.autosar_adaptive.arxml.paths import (
     STARTUP,
 )
 from sigcat.adapter.autosar_adaptive.arxml.releases import Release
-from sigcat.adapter.autosar_adaptive.arxml.someip import EVENT, element_name
-from sigcat.integration.autosar_adaptive.model import Component, Event, IntegrationModel, ServiceInterface
+from sigcat.adapter.autosar_adaptive.arxml.someip import EVENT, NOTIFIER, element_name
+from sigcat.integration.autosar_adaptive.model import Component, Event, IntegrationModel, ServiceField, ServiceInterface
 from sigcat.integration.autosar_adaptive.processes import Process, processes
 from sigcat.integration.autosar_adaptive.startup import NO_STARTUP, StartupSettings
 from sigcat.integration.autosar_names import short_name
@@ -166,12 +166,12 @@ def deployment_name(service: str) -> str:
 
 def _deployment(service: Whole, paths: Paths) -> Tag:
     interface = paths.of(INTERFACES, service.name)
-    own = paths.of(DEPLOYMENTS, deployment_name(service.name))
+    own, protocol = paths.of(DEPLOYMENTS, deployment_name(service.name)), service.transport.protocol
     return tag(
         DEPLOYMENT,
-        listed("EVENT-DEPLOYMENTS", (_event(each, interface) for each in service.events)),
-        listed("FIELD-DEPLOYMENTS", (_field(f.name, f.notifier_id, f.getter_id, interface) for f in service.fields)),
-        listed("METHOD-DEPLOYMENTS", (_method(m.name, m.method_id, interface) for m in service.methods)),
+        listed("EVENT-DEPLOYMENTS", (_event(each, interface, protocol) for each in service.events)),
+        listed("FIELD-DEPLOYMENTS", (_field(each, interface, protocol) for each in service.fields)),
+        listed("METHOD-DEPLOYMENTS", (_method(m.name, m.method_id, interface, protocol) for m in service.methods)),
         reference("SERVICE-INTERFACE-REF", interface, "SERVICE-INTERFACE"),
         listed("EVENT-GROUPS", (_group(name, number, service, own) for name, number in _groups(service))),
         tag("SERVICE-INTERFACE-ID", text=service.service_id),
@@ -188,33 +188,36 @@ def _groups(service: Whole) -> list[tuple[str, int]]:
     return [(group.name, group.id) for group in service.event_groups]
 
 
-def _event(event: Event, interface: str) -> Tag:
+def _event(event: Event, interface: str, protocol: str) -> Tag:
     return tag(
         EVENT,
         reference("EVENT-REF", f"{interface}/{event.name}", "VARIABLE-DATA-PROTOTYPE"),
         tag("EVENT-ID", text=event.event_id),
         *([tag("MAXIMUM-SEGMENT-LENGTH", text=event.segment_length)] if event.segment_length else []),
-        tag("TRANSPORT-PROTOCOL", text="UDP"),
+        tag("TRANSPORT-PROTOCOL", text=protocol),
         name=element_name(event.name),
     )
 
 
-def _field(name: str, notifier: int | None, getter: int | None, interface: str) -> Tag:
+def _field(field: ServiceField, interface: str, protocol: str) -> Tag:
+    name, notifier, getter = field.name, field.notifier_id, field.getter_id
     return tag(
         "SOMEIP-FIELD-DEPLOYMENT",
         reference("FIELD-REF", f"{interface}/{name}", "FIELD"),
-        tag("GET", tag("METHOD-ID", text=getter), tag("TRANSPORT-PROTOCOL", text="UDP"), name="Get"),
-        tag("NOTIFIER", tag("EVENT-ID", text=notifier), tag("TRANSPORT-PROTOCOL", text="UDP"), name="Notifier"),
+        tag("GET", tag("METHOD-ID", text=getter), tag("TRANSPORT-PROTOCOL", text=protocol), name="Get")
+        if getter
+        else None,
+        tag("NOTIFIER", tag("EVENT-ID", text=notifier), tag("TRANSPORT-PROTOCOL", text=protocol), name=NOTIFIER),
         name=element_name(name),
     )
 
 
-def _method(name: str, number: int | None, interface: str) -> Tag:
+def _method(name: str, number: int | None, interface: str, protocol: str) -> Tag:
     return tag(
         "SOMEIP-METHOD-DEPLOYMENT",
         reference("METHOD-REF", f"{interface}/{name}", "CLIENT-SERVER-OPERATION"),
         tag("METHOD-ID", text=number),
-        tag("TRANSPORT-PROTOCOL", text="UDP"),
+        tag("TRANSPORT-PROTOCOL", text=protocol),
         name=element_name(name),
     )
 
@@ -226,7 +229,7 @@ def group_name(name: str) -> str:
 
 def _group(name: str, number: int, service: Whole, own: str) -> Tag:
     events = [f"{own}/{element_name(event.name)}" for event in service.events if event.event_group == name]
-    fields = [f"{own}/{element_name(field.name)}/Notifier" for field in service.fields if field.event_group == name]
+    fields = [f"{own}/{element_name(field.name)}/{NOTIFIER}" for field in service.fields if field.event_group == name]
     references = (reference("EVENT-REF", path, EVENT) for path in (*events, *fields))
     return tag(
         "SOMEIP-EVENT-GROUP",
@@ -252,6 +255,7 @@ def _instance(process: Process, interface: ServiceInterface, paths: Paths) -> Ta
         tag(
             f"SOMEIP-{word}-EVENT-GROUP",
             reference("EVENT-GROUP-REF", f"{own}/{group_name(group.name)}", "SOMEIP-EVENT-GROUP"),
+            *(_multicast(interface) if is_provider else ()),
             someip.event_group_timing(provides=is_provider, paths=paths),
             name=group_name(group.name),
         )
@@ -266,6 +270,15 @@ def _instance(process: Process, interface: ServiceInterface, paths: Paths) -> Ta
         tag("SERVICE-INSTANCE-ID" if is_provider else "REQUIRED-SERVICE-INSTANCE-ID", text=interface.instance_id),
         name=instance_name(process, interface),
     )
+
+
+def _multicast(interface: ServiceInterface) -> Iterable[Tag]:
+    """Multicast address of an event group, and the number of subscribers from which it is used."""
+    chosen = interface.transport.multicast if interface.transport else None
+    if chosen is not None:
+        yield tag("EVENT-MULTICAST-UDP-PORT", text=chosen.port)
+        yield tag("IPV-4-MULTICAST-IP-ADDRESS", text=chosen.address)
+        yield tag("MULTICAST-THRESHOLD", text=chosen.threshold)
 
 
 def _mapping(process: Process, interface: ServiceInterface, release: Release, paths: Paths) -> Tag:

@@ -1,13 +1,13 @@
-"""End-to-end protection of events: the profiles, and the data ids of what they protect."""
+"""End-to-end protection of events and notifiers of fields: profiles and data ids."""
 
 from collections.abc import Iterable
 
 from sigcat.adapter.arxml.paths import Paths
 from sigcat.adapter.arxml.tree import Package, Tag, listed, reference, tag
 from sigcat.adapter.autosar_adaptive.arxml.paths import E2E
-from sigcat.adapter.autosar_adaptive.arxml.someip import EVENT, element_name
+from sigcat.adapter.autosar_adaptive.arxml.someip import EVENT, NOTIFIER, element_name
 from sigcat.integration.autosar_adaptive.e2e import E2eProtection
-from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel, ServiceInterface
+from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel, ServiceField, ServiceInterface
 from sigcat.integration.autosar_names import short_name
 
 _SET = "Profiles"
@@ -41,21 +41,24 @@ def _configuration(protection: E2eProtection) -> Tag:
 
 
 def properties(interface: ServiceInterface, deployment: str, paths: Paths) -> Tag | None:
-    """What an instance of a service says of its protected events; `deployment` is the path of those of the service."""
+    """Data ids and profiles of an instance; `deployment` is the path of the deployment of its service."""
     protected = _protected(interface)
     return listed("E-2-E-EVENT-PROTECTION-PROPSS", (_properties(event, deployment, paths) for event in protected))
 
 
-def _properties(event: Event, deployment: str, paths: Paths) -> Tag:
+def _properties(event: Event | ServiceField, deployment: str, paths: Paths) -> Tag:
     assert event.protection is not None
+    notifier = f"/{NOTIFIER}" if isinstance(event, ServiceField) else ""
     return tag(
         "END-2-END-EVENT-PROTECTION-PROPS",
         tag("DATA-IDS", tag("DATA-ID", text=event.protection.data_id)),
         reference("E-2-E-PROFILE-CONFIGURATION-REF", paths.of(E2E, _SET, _name(event.protection)), _CONFIGURATION),
-        reference("EVENT-REF", f"{deployment}/{element_name(event.name)}", EVENT),
+        reference("EVENT-REF", f"{deployment}/{element_name(event.name)}{notifier}", EVENT),
         name=short_name(f"{event.name}_E2e"),
     )
 
 
-def _protected(interface: ServiceInterface) -> Iterable[Event]:
-    return [event for part in interface.services for event in part.events if event.protection is not None]
+def _protected(interface: ServiceInterface) -> Iterable[Event | ServiceField]:
+    events = [event for part in interface.services for event in part.events if event.protection is not None]
+    fields = [field for part in interface.services for field in part.fields if field.protection is not None]
+    return [*events, *fields]

@@ -73,7 +73,7 @@ TABLES: Tables = {
         "ServiceID": _SOMEIP + "SERVICE-INTERFACE-DEPLOYMENT", "ServiceInstanceID": _SOMEIP + "SERVICE-INSTANCE",
         **dict.fromkeys(("MajorVersion", "MinorVersion"), f"{_INTERFACE}, {_SOMEIP}SERVICE-INTERFACE-VERSION"),
         "Namespace": _INTERFACE + "NAMESPACES", "Transformation": _SETTING + ": transformation properties",
-        "Origin": _INTERFACE + _ADMIN,
+        "Transport": _SETTING + ": transport protocols, event groups and multicast", "Origin": _INTERFACE + _ADMIN,
     }),
     model.Services: ("service", {}),
     model.Provider: ("provider", {

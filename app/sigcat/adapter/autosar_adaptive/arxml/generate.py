@@ -6,13 +6,14 @@ from autosar_data import AutosarDataError
 
 from sigcat.adapter.arxml.paths import Paths
 from sigcat.adapter.arxml.tree import trace, written
-from sigcat.adapter.autosar_adaptive.arxml import components, deployment, interfaces, types
+from sigcat.adapter.autosar_adaptive.arxml import components, deployment, interfaces, method_errors, types
 from sigcat.adapter.autosar_adaptive.arxml.releases import BY_NAME
 from sigcat.adapter.files import GeneratedFile
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.errors import InputRefused
 from sigcat.integration.autosar_adaptive.document import writable
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
+from sigcat.integration.autosar_adaptive.namespaces import parts
 
 
 @collector_paused()
@@ -31,7 +32,14 @@ def generate(model: IntegrationModel, release_name: str | None = None) -> tuple[
     release = BY_NAME[release_name or whole.deployment.release]
     content = {
         "types.arxml": types.packages(known, _words(whole), whole.deployment.units or {}),
-        "interfaces.arxml": [interfaces.package(services, known)],
+        "interfaces.arxml": [
+            interfaces.package(services, known),
+            *method_errors.packages(
+                (method for service in services for method in service.methods),
+                tuple(parts(whole.deployment.namespace or "")),
+                paths,
+            ),
+        ],
         "components.arxml": components.packages(whole.components, known, release),
         "deployment.arxml": deployment.packages(whole, services, release, paths),
     }

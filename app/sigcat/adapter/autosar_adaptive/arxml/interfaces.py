@@ -13,6 +13,7 @@ from sigcat.adapter.arxml.tree import (
     tag,
     trace,
 )
+from sigcat.adapter.autosar_adaptive.arxml.method_errors import possible_errors
 from sigcat.adapter.autosar_adaptive.arxml.paths import INTERFACES, TYPE
 from sigcat.adapter.autosar_adaptive.arxml.types import Library, Presentation, presentation
 from sigcat.integration.autosar_adaptive.model import (
@@ -26,6 +27,7 @@ from sigcat.integration.autosar_adaptive.model import (
 )
 from sigcat.integration.autosar_adaptive.namespaces import parts
 from sigcat.integration.autosar_adaptive.someip_settings import TransformationSettings
+from sigcat.integration.autosar_adaptive.transport import DEFAULT_TRANSPORT, TransportSettings
 from sigcat.integration.autosar_adaptive.versions import Version, version_of
 
 Item = TypeVar("Item", Event, Method, ServiceField, EventGroup)
@@ -42,6 +44,7 @@ class Whole(NamedTuple):
     namespace: str
     transformation: TransformationSettings | None
     """Its own, where it does not have that of all."""
+    transport: TransportSettings
     events: tuple[Event, ...]
     methods: tuple[Method, ...]
     fields: tuple[ServiceField, ...]
@@ -75,6 +78,7 @@ def _whole(name: str, found: list[ServiceInterface], namespace: str) -> Whole:
         first.origin or "",
         first.namespace or namespace,
         first.transformation,
+        first.transport or DEFAULT_TRANSPORT,
         _each(event for part in parts for event in part.events),
         _each(method for part in parts for method in part.methods),
         _each(field for part in parts for field in part.fields),
@@ -127,7 +131,7 @@ def _field(field: ServiceField, known: Library) -> Tag:
         description(field.description),
         trace([("VssPath", field.vss_path), *_status(field)]),
         reference("TYPE-TREF", known.type_path(field.word), TYPE),
-        tag("HAS-GETTER", text="true"),
+        tag("HAS-GETTER", text="false" if field.protection else "true"),
         tag("HAS-NOTIFIER", text="true"),
         tag("HAS-SETTER", text="false"),
         name=field.name,
@@ -152,6 +156,7 @@ def _method(method: Method, known: Library) -> Tag:
         description(method.description),
         listed("ARGUMENTS", arguments),
         tag("FIRE-AND-FORGET", text="false"),
+        possible_errors(known.paths),
         name=method.name,
     )
 

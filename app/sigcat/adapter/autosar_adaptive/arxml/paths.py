@@ -2,6 +2,7 @@
 
 DATATYPES = "DataTypes"
 INTERFACES = "ServiceInterfaces"
+ERRORS = "ApplicationErrors"
 STORAGES = "PersistencyInterfaces"
 MONITORS = "DiagnosticInterfaces"
 SUPERVISIONS = "HealthManagementInterfaces"

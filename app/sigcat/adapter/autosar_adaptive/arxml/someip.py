@@ -30,6 +30,8 @@ def packages(chosen: ArxmlDeployment, services: Sequence[Whole], release: Releas
 
 
 EVENT = "SOMEIP-EVENT-DEPLOYMENT"
+NOTIFIER = "Notifier"
+"""Name of the deployment of a field's event, in that of the field."""
 
 
 def element_name(name: str) -> str:

@@ -1,5 +1,6 @@
 """What proxy and skeleton of a service share: its datatypes, and what its methods give."""
 
+from sigcat.adapter.autosar_adaptive.bench.method_errors import errors_path
 from sigcat.adapter.autosar_adaptive.bench.services import Service, output_name
 from sigcat.adapter.autosar_adaptive.bench.text import comment, header, within
 from sigcat.function.document.text import sentence
@@ -11,7 +12,8 @@ def common_header(service: Service) -> str:
     """The header of what both share."""
     words = service.words()
     standard = ["<cstdint>"] if any(word in BY_ADAPTIVE for word in words) else []
-    includes = [*standard, *service.types.headers(words)]
+    errors = [errors_path(service.types)] if service.whole.methods else []
+    includes = [*standard, *service.types.headers(words), *errors]
     about = f"Datatypes of {service.whole.name}."
     outputs = [_output(method, service) for method in service.whole.methods if method.outputs]
     body = within(service.outputs, outputs) if outputs else []

@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 from sigcat.adapter.autosar_adaptive.bench import datatypes
 from sigcat.adapter.autosar_adaptive.bench.codecs import NAME, codecs_source
 from sigcat.adapter.autosar_adaptive.bench.common import common_header
+from sigcat.adapter.autosar_adaptive.bench.method_errors import errors_header, errors_path
 from sigcat.adapter.autosar_adaptive.bench.proxies import proxy_header, proxy_source
 from sigcat.adapter.autosar_adaptive.bench.services import Service, services
 from sigcat.adapter.autosar_adaptive.bench.skeletons import skeleton_header, skeleton_source
@@ -30,6 +31,8 @@ def generate(model: IntegrationModel) -> tuple[GeneratedFile, ...]:
     if findings := tuple(unusable_names(listed)):
         raise InputRefused("The services cannot be generated.", findings)
     headers = {**datatypes.headers(whole, names)}
+    if any(service.whole.methods for service in listed):
+        headers[errors_path(names)] = errors_header(names, listed[0].errors)
     sources = {NAME: codecs_source(whole, listed, names)}
     for service in listed:
         headers |= _headers(service)

@@ -41,8 +41,12 @@ def _event(event: Event, service: Service) -> str:
 
 
 def _field(field: ServiceField, service: Service) -> str:
-    base = f"bench::ProxyField<{service.types.type(field.word)}>"
+    base = f"bench::{_field_class(field)}<{service.types.type(field.word)}>"
     return _element(about_field(field), member_name(field.name), base)
+
+
+def _field_class(field: ServiceField) -> str:
+    return "ProxyField" if field.getter_id else "NotifiedProxyField"
 
 
 def _method(method: Method, service: Service) -> str:

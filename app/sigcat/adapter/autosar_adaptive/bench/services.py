@@ -6,6 +6,7 @@ from typing import NamedTuple
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import Whole, wholes
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, member_name, service_names, type_names
 from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel, Method, ServiceField
+from sigcat.integration.autosar_adaptive.namespaces import parts
 
 
 class Service(NamedTuple):
@@ -14,6 +15,8 @@ class Service(NamedTuple):
     whole: Whole
     names: ServiceNames
     types: TypeNames
+    errors: tuple[str, ...]
+    """Namespace of the errors of methods."""
 
     @property
     def tables(self) -> tuple[str, ...]:
@@ -67,16 +70,22 @@ def connected(service: Service) -> list[str]:
         f"{member_name(each.name)}{{connection_, {tables}::{constant(each.name)}}}" for each in service.whole.events
     )
     fields = (
-        f"{member_name(each.name)}{{connection_, {tables}::{constant(each.name)}, 0x{each.getter_id or 0:04X}}}"
+        f"{member_name(each.name)}{{connection_, {tables}::{constant(each.name)}{_getter(each)}}}"
         for each in service.whole.fields
     )
     return [*events, *fields]
 
 
+def _getter(field: ServiceField) -> str:
+    return f", 0x{field.getter_id:04X}" if field.getter_id else ""
+
+
 def services(model: IntegrationModel) -> tuple[Service, ...]:
     """The services of a model, by name."""
     types = type_names(model)
-    return tuple(Service(whole, service_names(whole, model), types) for whole in wholes(model))
+    assert model.deployment is not None
+    errors = tuple(parts(model.deployment.namespace or ""))
+    return tuple(Service(whole, service_names(whole, model), types, errors) for whole in wholes(model))
 
 
 def output_name(method: Method) -> str:

@@ -1,10 +1,12 @@
 """Ids, times and ports of a service: what a vendor's platform takes of the manifests at run time."""
 
+from sigcat.adapter.autosar_adaptive.arxml.method_errors import DOMAIN, METHOD_ERRORS
+from sigcat.adapter.autosar_adaptive.bench.method_errors import errors_path
 from sigcat.adapter.autosar_adaptive.bench.services import Service, constant
 from sigcat.adapter.autosar_adaptive.bench.text import header, source, within
 from sigcat.adapter.autosar_adaptive.cpp_names import instance_specifier
 from sigcat.function.document.text_filters import c_string, comment
-from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel
+from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel, ServiceField
 from sigcat.integration.autosar_adaptive.processes import Process, processes
 from sigcat.integration.autosar_adaptive.someip_settings import ServiceDiscoverySettings, TransformationSettings
 from sigcat.integration.autosar_names import short_name
@@ -20,9 +22,10 @@ def tables_header(service: Service) -> str:
 
 def tables_source(service: Service, model: IntegrationModel) -> str:
     """The tables themselves."""
-    body = [*_events(service), *_instances(service, model), _service(service, model)]
+    body = [*_events(service), *_instances(service, model), *_errors(service), _service(service, model)]
     about = f"SOME/IP ids, times and ports of {service.whole.name}, as they stand in the ARXML."
-    return source(about, [service.tables_header], within(service.tables, body))
+    includes = [service.tables_header, *([errors_path(service.types)] if service.whole.methods else [])]
+    return source(about, includes, within(service.tables, body))
 
 
 def _events(service: Service) -> list[str]:
@@ -32,7 +35,7 @@ def _events(service: Service) -> list[str]:
         for event in service.whole.events
     ]
     rows += [
-        f"    {{{c_string(field.name)}, {_hex(field.notifier_id)}, {_hex(groups.get(field.event_group or ''))}, true}},"
+        f"    {{{c_string(field.name)}, {_hex(field.notifier_id)}, {_hex(groups.get(field.event_group or ''))}, true{_protection(field)}}},"
         for field in service.whole.fields
     ]
     if not rows:
@@ -46,7 +49,7 @@ def _events(service: Service) -> list[str]:
     return ["\n".join(table), "\n".join(constants)]
 
 
-def _protection(event: Event) -> str:
+def _protection(event: Event | ServiceField) -> str:
     """Profile, data id and largest step of the counter."""
     found = event.protection
     return f", {{{found.profile}, {_hex(found.data_id)}, {found.max_delta_counter}}}" if found else ""
@@ -62,6 +65,16 @@ def _instances(service: Service, model: IntegrationModel) -> list[str]:
     rows.append(f"    {{{c_string(player_port(service.whole.name, model))}, {_hex(service.whole.instance_id)}}},")
     head = f"static constexpr bench::InstanceDescription kInstances[{len(rows)}] = {{"
     return ["\n".join(["// port, instance; of which further process of the executable", head, *rows, "};"])]
+
+
+def _errors(service: Service) -> list[str]:
+    """Errors that its methods may return."""
+    if not service.whole.methods:
+        return []
+    domain = "::".join(("", *service.errors, f"Get{DOMAIN}ErrorDomain"))
+    table = [f"    {{&{domain}(), {each.code}}}," for each in METHOD_ERRORS]
+    head = f"static constexpr bench::ErrorDescription kErrors[{len(table)}] = {{"
+    return ["\n".join(["// domain, code", head, *table, "};"])]
 
 
 def _of(process: Process) -> str:
@@ -89,6 +102,7 @@ def _service(service: Service, model: IntegrationModel) -> str:
         *_times(model.deployment.service_discovery),
         f"    {events},",
         "    kInstances,",
+        *(["    kErrors,"] if service.whole.methods else []),
     ]
     return "\n".join(["const bench::ServiceDescription kService = {", *rows, "};"])
 

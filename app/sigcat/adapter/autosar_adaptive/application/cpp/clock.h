@@ -29,6 +29,9 @@ public:
 
     /// Ends all waiting. From any thread.
     virtual void Stop() = 0;
+
+    /// Whether another program says when calls run: then none runs at the same time as another one.
+    virtual bool IsInTurns() const { return false; }
 };
 
 class SteadyClock final : public Clock {

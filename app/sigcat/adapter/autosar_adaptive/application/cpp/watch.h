@@ -18,7 +18,9 @@ public:
     explicit Watch(std::function<void()> supervise);
     ~Watch();
     Watch(const Watch&) = delete;
+    Watch(Watch&&) = delete;
     Watch& operator=(const Watch&) = delete;
+    Watch& operator=(Watch&&) = delete;
 
     /// A call begins.
     void Begin(std::chrono::nanoseconds longest);

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 
 #include "application/communication.h"
 #include "ara/log/logger.h"
@@ -15,15 +16,25 @@ namespace player {
 
 constexpr std::size_t kMostSamples = 64;
 
-/// Subscribes to an event or a field.
+/// What was heard before.
+struct Heard final {
+    bool is_first{true};
+    std::string text;
+};
+
+/// Subscribes to an event or a field. `is_repeated`: a state is sent again and again, and recorded when it changes.
 template <typename Event>
-void Hear(ara::log::Logger& logger, Event& event, const char* name, Recorder& recorder) {
-    const auto set = event.SetReceiveHandler([&event, name, &recorder, is_first = std::make_shared<bool>(true)] {
-        static_cast<void>(event.GetNewSamples([name, &recorder, &is_first](const auto& sample) {
-            if (application::IsAccepted(sample.GetProfileCheckStatus(), false, *is_first)) {
-                *is_first = false;
-                recorder.Take(name, Text(*sample), sample.BenchSentAt());
+void Hear(ara::log::Logger& logger, Event& event, const char* name, Recorder& recorder, bool is_repeated = false) {
+    const auto set = event.SetReceiveHandler([&event, name, &recorder, is_repeated, heard = std::make_shared<Heard>()] {
+        static_cast<void>(event.GetNewSamples([name, &recorder, is_repeated, &heard](const auto& sample) {
+            if (!application::IsAccepted(sample.GetProfileCheckStatus(), false, heard->is_first)) {
+                return;
             }
+            const std::string text = Text(*sample);
+            if (heard->is_first || !is_repeated || text != heard->text) {
+                recorder.Take(name, text, sample.BenchSentAt());
+            }
+            *heard = {false, text};
         }));
     });
     const auto subscribed = event.Subscribe(kMostSamples);

@@ -1,12 +1,14 @@
 // Plays a recorded drive over the network, and records what the components send:
 //
-//     player TRACE RECORDED [SECONDS [PROCESS@COMPONENT@TIME_NS...]]
+//     player [--speed FACTOR] TRACE RECORDED [SECONDS [PROCESS@COMPONENT@TIME_NS...]]
 //     player - RECORDED [live]
 //
 // A gateway writes the rows of `-` to standard input while they are sent: at their times, or as they come, if they are `live`.
 // Then RECORDED also says which columns nobody receives (`unknown NAME`), when everybody listens (`ready`), and at the end how
 // many values were sent (`sent COUNT`), and how many of them while a process was gone (`unheard COUNT`).
 // In real time, or with BENCH_PLAYER in lock-step: that is the port at which it waits for the components.
+// --speed, or BENCH_SPEED, plays it so many times faster in real time; components need the same BENCH_SPEED. At a terminal, the
+// player shows how much was played.
 // The trace is repeated until SECONDS are over; without them it is played once. In lock-step, processes may be killed on the
 // way: when it is time, it asks for that on standard output (`kill PROCESS`), and goes on when it is answered.
 
@@ -27,6 +29,8 @@
 #include "bench/counters.h"
 #include "player/lock_step.h"
 #include "player/ports.h"
+#include "player/progress.h"
+#include "player/speed.h"
 #include "player/trace.h"
 
 namespace {
@@ -129,7 +133,9 @@ std::uint64_t PlayInLockStep(RowsT& rows, std::uint16_t port, Kills kills, playe
     TellUnknown(ports, rows.Columns(), recorder);
     recorder.Say("ready");
     recorder.Begin(time);
+    player::ProgressLine progress{rows.End()};
     while (time <= rows.End()) {
+        progress.Reach(time);
         recorder.SetTime(time);
         kills.Until(time, steps);
         steps.Tell(time);
@@ -144,20 +150,23 @@ std::uint64_t PlayInLockStep(RowsT& rows, std::uint16_t port, Kills kills, playe
     return count;
 }
 
-void PlayInRealTime(const player::Trace& trace, std::uint64_t end, player::Recorder& recorder) {
+void PlayInRealTime(const player::Trace& trace, std::uint64_t end, double speed, player::Recorder& recorder) {
     player::Ports ports{recorder};
     RepeatedRows rows{trace, end};
     SendRow(ports, trace.columns, rows.Row());
     ports.Offer();
     ports.Find();
     const auto start = std::chrono::steady_clock::now();
-    recorder.BeginNow();
+    recorder.BeginNow(speed);
+    player::ProgressLine progress{end};
     for (; rows.Time() <= end; rows.Advance()) {
-        std::this_thread::sleep_until(start + std::chrono::nanoseconds{static_cast<std::int64_t>(rows.Time())});
+        std::this_thread::sleep_until(start + player::OnTheClock(rows.Time(), speed));
         SendRow(ports, trace.columns, rows.Row());
         recorder.TellSent(rows.Time());
+        progress.Reach(rows.Time());
     }
-    std::this_thread::sleep_until(start + std::chrono::nanoseconds{static_cast<std::int64_t>(end)});
+    std::this_thread::sleep_until(start + player::OnTheClock(end, speed));
+    progress.Reach(end);
     ports.Leave();
 }
 
@@ -203,8 +212,9 @@ std::uint64_t PlayStream(player::RowStream& rows, bool is_live, player::Recorder
     return count;
 }
 
-int Play(const std::string& file, const std::string& recorded, double seconds, Kills kills) {
+int Play(const std::string& file, const std::string& recorded, double seconds, const char* speed, Kills kills) {
     try {
+        const double factor = speed != nullptr ? player::Speed(speed) : player::Speed();
         const player::Trace trace = player::ReadTrace(file);
         player::Recorder recorder{recorded, false};
         if (trace.rows.empty()) {
@@ -218,7 +228,7 @@ int Play(const std::string& file, const std::string& recorded, double seconds, K
             PlayInLockStep(rows, static_cast<std::uint16_t>(std::atoi(port)), std::move(kills), recorder);
         } else {
             recorder.TimeIn(recorded + ".times");
-            PlayInRealTime(trace, end, recorder);
+            PlayInRealTime(trace, end, factor, recorder);
         }
         return EXIT_SUCCESS;
     } catch (const std::exception& error) {
@@ -246,8 +256,14 @@ int PlayInput(const std::string& recorded, bool is_live) {
 }  // namespace
 
 int main(int count, char** arguments) {
+    const char* speed = nullptr;
+    if (count > 2 && std::string{arguments[1]} == "--speed") {
+        speed = arguments[2];
+        count -= 2;
+        arguments += 2;
+    }
     if (count < 3) {
-        std::fprintf(stderr, "player TRACE RECORDED [SECONDS [PROCESS@COMPONENT@TIME_NS...]]\n");
+        std::fprintf(stderr, "player [--speed FACTOR] TRACE RECORDED [SECONDS [PROCESS@COMPONENT@TIME_NS...]]\n");
         return EXIT_FAILURE;
     }
     if (!ara::core::Initialize().HasValue()) {
@@ -262,6 +278,6 @@ int main(int count, char** arguments) {
     for (int i = 4; i < count; ++i) {
         kills.push_back(KillOf(arguments[i]));
     }
-    const int status = Play(arguments[1], arguments[2], count > 3 ? std::atof(arguments[3]) : 0.0, Kills{std::move(kills)});
+    const int status = Play(arguments[1], arguments[2], count > 3 ? std::atof(arguments[3]) : 0.0, speed, Kills{std::move(kills)});
     return ara::core::Deinitialize().HasValue() ? status : EXIT_FAILURE;
 }

@@ -1,13 +1,16 @@
 // The clock of a component at the bench: steady, or what the player says.
 
 #include <atomic>
+#include <chrono>
 #include <cstdlib>
+#include <limits>
 #include <sstream>
 #include <string>
 
 #include "application/clock.h"
 #include "bench/counters.h"
 #include "player/message.h"
+#include "player/speed.h"
 
 namespace application {
 
@@ -47,6 +50,7 @@ public:
 
     void Wake() override {}  // calls run when it is their turn
     void Stop() override { is_stopped_.store(true); }
+    bool IsInTurns() const override { return true; }
 
 private:
     // Whether it says that calls are to run.
@@ -92,14 +96,41 @@ private:
     std::string reply_;
 };
 
+// A steady clock that is so many times faster, from its beginning on.
+class FastClock final : public Clock {
+public:
+    explicit FastClock(double speed) : speed_{speed}, begin_{clock_.Now()} {}
+
+    std::uint64_t Now() const override {
+        return begin_ + player::OfTheDrive(std::chrono::nanoseconds{static_cast<std::int64_t>(clock_.Now() - begin_)}, speed_);
+    }
+
+    bool WaitUntil(std::uint64_t time) override {
+        constexpr auto latest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+        if (time <= begin_ || time > latest) {
+            return clock_.WaitUntil(time);
+        }
+        return clock_.WaitUntil(begin_ + static_cast<std::uint64_t>(player::OnTheClock(time - begin_, speed_).count()));
+    }
+
+    void Wake() override { clock_.Wake(); }
+    void Stop() override { clock_.Stop(); }
+
+private:
+    SteadyClock clock_;
+    double speed_;
+    std::uint64_t begin_;
+};
+
 }  // namespace
 
 std::unique_ptr<Clock> MakeClock(const char* component) {
-    const char* const player = std::getenv("BENCH_PLAYER");
-    if (player == nullptr) {
-        return std::make_unique<SteadyClock>();
+    const char* const port = std::getenv("BENCH_PLAYER");
+    if (port == nullptr) {
+        const double speed = player::Speed();
+        return speed == 1.0 ? std::unique_ptr<Clock>{std::make_unique<SteadyClock>()} : std::make_unique<FastClock>(speed);
     }
-    return std::make_unique<LockStepClock>(component, static_cast<std::uint16_t>(std::atoi(player)));
+    return std::make_unique<LockStepClock>(component, static_cast<std::uint16_t>(std::atoi(port)));
 }
 
 }  // namespace application

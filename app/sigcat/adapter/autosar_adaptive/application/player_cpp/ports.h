@@ -25,7 +25,7 @@ public:
     /// `is_read` by another program while it is written: it is told what the player does.
     Recorder(const std::string& file, bool is_read);
     void Begin(std::uint64_t time);  // what came before is left out
-    void BeginNow();                 // and times are those of the clock from then on
+    void BeginNow(double speed = 1.0);  // and times are those of the clock from then on, so many times faster
     void SetTime(std::uint64_t time);
     /// `sent_at` is a time of the steady clock, if the sender tells it: then that is the time of the value.
     void Take(const char* name, const std::string& value, std::optional<std::uint64_t> sent_at);
@@ -42,6 +42,7 @@ private:
     bool is_read_;
     std::uint64_t time_{0};
     std::chrono::steady_clock::time_point start_{};
+    double speed_{1.0};
     bool is_live_{false};
     bool has_begun_{false};
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "player/speed.h"
+
 namespace player {
 
 Recorder::Recorder(const std::string& file, bool is_read) : out_{file}, is_read_{is_read} { out_ << "time,name,value\n"; }
@@ -12,9 +14,10 @@ void Recorder::Begin(std::uint64_t time) {
     has_begun_ = true;
 }
 
-void Recorder::BeginNow() {
+void Recorder::BeginNow(double speed) {
     const std::lock_guard<std::mutex> lock{mutex_};
     start_ = std::chrono::steady_clock::now();
+    speed_ = speed;
     is_live_ = true;
     has_begun_ = true;
 }
@@ -32,7 +35,8 @@ std::uint64_t Recorder::TimeOf(std::optional<std::uint64_t> sent_at) const {
     const std::chrono::nanoseconds start = start_.time_since_epoch();
     const auto now = static_cast<std::uint64_t>(passed.count());
     const auto begin = static_cast<std::uint64_t>(start.count());
-    return sent_at.has_value() ? std::min(now, *sent_at - std::min(*sent_at, begin)) : now;
+    const auto taken = sent_at.has_value() ? std::min(now, *sent_at - std::min(*sent_at, begin)) : now;
+    return OfTheDrive(std::chrono::nanoseconds{static_cast<std::int64_t>(taken)}, speed_);
 }
 
 void Recorder::Take(const char* name, const std::string& value, std::optional<std::uint64_t> sent_at) {

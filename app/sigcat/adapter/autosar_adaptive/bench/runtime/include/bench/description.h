@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "ara/core/error_domain.h"
 #include "ara/core/span.h"
 
 namespace bench {
@@ -56,6 +57,12 @@ struct InstanceDescription {
     std::string_view process{};
 };
 
+// An application error that a method may return.
+struct ErrorDescription {
+    const ara::core::ErrorDomain* domain;
+    ara::core::ErrorDomain::CodeType code;
+};
+
 struct ServiceDescription {
     std::string_view name;
     std::uint16_t id;
@@ -66,6 +73,7 @@ struct ServiceDescription {
     DiscoveryTimes times;
     ara::core::Span<const EventDescription> events;
     ara::core::Span<const InstanceDescription> instances;
+    ara::core::Span<const ErrorDescription> errors{};
 };
 
 }  // namespace bench

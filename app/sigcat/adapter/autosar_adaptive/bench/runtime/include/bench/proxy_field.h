@@ -1,4 +1,4 @@
-// Field of a proxy: an event that has a value from the beginning and can be asked for it (SWS_CM_00008).
+// Fields of a proxy (SWS_CM_00008).
 #ifndef BENCH_PROXY_FIELD_H_
 #define BENCH_PROXY_FIELD_H_
 
@@ -8,14 +8,22 @@
 
 namespace bench {
 
+// An event that has a value from the beginning.
 template <typename T>
-class ProxyField : public ProxyEvent<T> {
+class NotifiedProxyField : public ProxyEvent<T> {
 public:
     using FieldType = T;
 
+    using ProxyEvent<T>::ProxyEvent;
+};
+
+// It can be asked for its value too.
+template <typename T>
+class ProxyField : public NotifiedProxyField<T> {
+public:
     ProxyField(const std::shared_ptr<ProxyConnection>& connection, const EventDescription& notifier,
                std::uint16_t getter)
-        : ProxyEvent<T>{connection, notifier}, getter_{getter} {}
+        : NotifiedProxyField<T>{connection, notifier}, getter_{getter} {}
 
     ara::core::Future<T> Get() const {
         return this->connection_->template Call<T>(getter_, Writer{this->connection_->Service().serialization});

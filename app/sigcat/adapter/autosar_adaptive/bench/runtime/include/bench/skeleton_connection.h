@@ -26,7 +26,7 @@ public:
     explicit Reply(std::shared_ptr<const Caller> caller) noexcept : caller_{std::move(caller)} {}
 
     void Send(const Writer& values) const;
-    void Fail() const;
+    void Fail(const ara::core::ErrorCode& error) const;
     void FailMalformed() const;
 
 private:
@@ -83,7 +83,7 @@ private:
         future.then([reply, settings = &serialization](ara::core::Future<R> done) {
             auto result = done.GetResult();
             if (!result) {
-                reply.Fail();
+                reply.Fail(result.Error());
                 return;
             }
             Writer writer{*settings};

@@ -16,8 +16,9 @@ class SkeletonField {
 public:
     using FieldType = T;
 
+    // Without a getter, 0: it only notifies.
     SkeletonField(const std::shared_ptr<SkeletonConnection>& connection, const EventDescription& notifier,
-                  std::uint16_t getter)
+                  std::uint16_t getter = 0)
         : connection_{connection}, notifier_{&notifier}, getter_{getter} {
         connection_->AddField(notifier, getter);
     }

@@ -8,6 +8,7 @@
 #include "bench/proxy_connection.h"
 #include "bench/skeleton_connection.h"
 #include "services/runtime.h"
+#include "someip/application_error.h"
 
 namespace bench {
 namespace {
@@ -255,12 +256,16 @@ Result<void> SkeletonConnection::Send(const EventDescription& event, const Write
 
 void SkeletonConnection::AddField(const EventDescription& notifier, std::uint16_t getter) {
     const auto lock = Runtime::Get().Locked();
-    instance_->getters[getter] = notifier.id;
+    instance_->fields[notifier.id] = getter;
+    if (getter != 0) {
+        instance_->getters[getter] = notifier.id;
+    }
 }
 
 bool SkeletonConnection::Keep(const EventDescription& notifier, const Writer& value) {
     const auto lock = Runtime::Get().Locked();
     instance_->values[notifier.id] = value.Payload();
+    instance_->payloads.erase(notifier.id);
     return instance_->is_offered;
 }
 
@@ -279,9 +284,11 @@ void Reply::Send(const Writer& values) const {
     Runtime::Get().Offered().Reply(*caller_, ReturnCode::kOk, values.Payload());
 }
 
-void Reply::Fail() const {
+void Reply::Fail(const ara::core::ErrorCode& error) const {
     const auto lock = Runtime::Get().Locked();
-    Runtime::Get().Offered().Reply(*caller_, ReturnCode::kNotOk, {});
+    const auto instance = caller_->instance.lock();
+    const bool is_modelled = instance != nullptr && IsModelled(error, instance->service);
+    Runtime::Get().Offered().Reply(*caller_, ReturnCode::kNotOk, is_modelled ? WrittenError(error) : Bytes{});
 }
 
 void Reply::FailMalformed() const {

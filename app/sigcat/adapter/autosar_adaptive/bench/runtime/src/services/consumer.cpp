@@ -5,6 +5,7 @@
 
 #include "ara/com/com_error_domain.h"
 #include "services/runtime.h"
+#include "someip/application_error.h"
 
 namespace bench {
 namespace {
@@ -56,7 +57,7 @@ void Consumer::Subscribe(const std::shared_ptr<EventQueue>& queue) {
     } else if (remote.acknowledged.count(event.group) > 0) {
         queue->SetState(SubscriptionState::kSubscribed);
         if (const auto latest = remote.latest.find(event.id); latest != remote.latest.end()) {
-            queue->Push({Header{}, latest->second});  // fields are not protected
+            queue->Push({latest->second.header, latest->second.payload});
         }
     }
 }
@@ -94,7 +95,7 @@ bool Consumer::Call(const Handle& handle, std::uint16_t method, ByteView argumen
     if (old != remote.calls.end()) {  // 65,534 requests later, nobody will answer
         runtime_.Unlocked([lost = std::move(old->second.answer)] { lost(Failed(ComErrc::kCommunicationLinkError)); });
     }
-    remote.calls[session_] = {method, std::move(answer)};
+    remote.calls[session_] = {method, &handle.Service(), std::move(answer)};
     const Header header{handle.Service().id,
                         method,
                         static_cast<std::uint16_t>(runtime_.ServiceEndpoint().address),
@@ -175,7 +176,7 @@ void Consumer::TakeEvent(const Message& message, const Endpoint& from) {
     }
     // Also of a field that nobody reads yet: with its group subscribed to, it comes once.
     if (IsField(*remote, message.header.method)) {
-        remote->latest[message.header.method].assign(message.payload.begin(), message.payload.end());
+        remote->latest[message.header.method] = {message.header, {message.payload.begin(), message.payload.end()}};
     }
 }
 
@@ -191,13 +192,16 @@ void Consumer::TakeAnswer(const Message& message, const Endpoint& from) {
         return;
     }
     Answer answer = std::move(found->second.answer);
-    remote->calls.erase(found);
     if (header.Is(MessageType::kError) || header.code != ReturnCode::kOk) {
-        runtime_.Unlocked([answer = std::move(answer), code = header.code] {
-            answer(Failed(ComErrc::kCommunicationStackError, code));
+        const auto error = ReadError(message, *found->second.service);
+        remote->calls.erase(found);
+        runtime_.Unlocked([answer = std::move(answer), code = header.code, error] {
+            answer(error.has_value() ? ara::core::Result<ByteView>{*error}
+                                     : Failed(ComErrc::kCommunicationStackError, code));
         });
         return;
     }
+    remote->calls.erase(found);
     runtime_.Unlocked([answer = std::move(answer), payload = Bytes{message.payload.begin(), message.payload.end()}] {
         answer(ara::core::Result<ByteView>{ByteView{payload}});
     });

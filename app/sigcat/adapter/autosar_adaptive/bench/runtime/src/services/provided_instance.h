@@ -56,6 +56,9 @@ public:
     std::map<std::uint16_t, SessionCounter> sessions{};  // by event
     std::map<std::uint16_t, std::uint32_t> counters{};   // of protected events
     std::map<std::uint16_t, Bytes> values{};             // of fields, by notifier
+    std::map<std::uint16_t, Bytes> payloads{};           // that were sent last, of protected fields
+    std::map<std::uint16_t, Header> headers{};           // of these payloads
+    std::map<std::uint16_t, std::uint16_t> fields{};     // notifiers to getters, or 0
     std::map<std::uint16_t, std::uint16_t> getters{};    // to notifiers
     std::set<std::uint16_t> setters{};
     std::map<std::uint16_t, std::shared_ptr<const SkeletonConnection::Handler>> handlers{};  // by method

@@ -39,7 +39,7 @@ ara::core::Result<void> Provider::Offer(const Instance& instance) {
     if (!runtime_.IsRunning() || std::any_of(offered_.begin(), offered_.end(), same)) {
         return ara::core::Result<void>::FromError(ComErrc::kNetworkBindingFailure);
     }
-    for (const auto& [getter, notifier] : instance->getters) {
+    for (const auto& [notifier, getter] : instance->fields) {
         if (instance->values.count(notifier) == 0 && instance->handlers.count(getter) == 0) {
             return ara::core::Result<void>::FromError(ComErrc::kFieldValueIsNotValid);
         }
@@ -89,6 +89,10 @@ void Provider::Send(ProvidedInstance& instance, const EventDescription& event, B
     Remove(instance.subscribers, [now](const auto& each) { return each.end.has_value() && *each.end <= now; });
     const Header header = instance.EventHeader(event.id);
     const Bytes payload = Protected(event.protection, instance.counters[event.id], header, value);
+    if (event.is_field && event.protection.profile != 0) {
+        instance.payloads[event.id] = payload;
+        instance.headers[event.id] = header;
+    }
     for (const auto& subscriber : instance.subscribers) {
         if (subscriber.group == event.group) {
             runtime_.Send(header, payload, subscriber.endpoint);
@@ -232,9 +236,24 @@ void Provider::SendInitial(ProvidedInstance& instance, const ProvidedInstance::S
     for (const auto& event : instance.service.events) {
         const auto value = instance.values.find(event.id);
         if (event.group == subscriber.group && instance.is_offered && value != instance.values.end()) {
-            runtime_.Send(instance.EventHeader(event.id), value->second, subscriber.endpoint);
+            SendInitial(instance, event, value->second, subscriber.endpoint);
         }
     }
+}
+
+// A protected value is sent as it was before: a counter of its own would be a lost message for all others.
+void Provider::SendInitial(ProvidedInstance& instance, const EventDescription& event, ByteView value,
+                           const Endpoint& to) {
+    if (event.protection.profile == 0) {
+        runtime_.Send(instance.EventHeader(event.id), value, to);
+        return;
+    }
+    if (instance.payloads.count(event.id) == 0) {
+        const Header header = instance.EventHeader(event.id);
+        instance.payloads[event.id] = Protected(event.protection, instance.counters[event.id], header, value);
+        instance.headers[event.id] = header;
+    }
+    runtime_.Send(instance.headers[event.id], instance.payloads[event.id], to);
 }
 
 void Provider::TakeMethod(const Instance& instance, const Message& message, const Endpoint& from) {

@@ -37,6 +37,7 @@ private:
     Entry OfferEntry(const ProvidedInstance& instance, std::uint32_t time_to_live) const;
     void Subscribe(const Instance& instance, const Entry& entry, const Endpoint& from);
     void SendInitial(ProvidedInstance& instance, const ProvidedInstance::Subscriber& subscriber);
+    void SendInitial(ProvidedInstance& instance, const EventDescription& event, ByteView value, const Endpoint& to);
     void TakeMethod(const Instance& instance, const Message& message, const Endpoint& from);
     void Run(const Instance& instance, ProvidedInstance::Request request);
     void ReplyTo(const Header& request, const Endpoint& to, ReturnCode code, ByteView values);

@@ -12,6 +12,7 @@
 #include "net/endpoint.h"
 #include "net/timers.h"
 #include "services/event_queue.h"
+#include "someip/message.h"
 
 namespace bench {
 
@@ -26,14 +27,20 @@ struct RemoteService {
     };
     struct Call {
         std::uint16_t method;
+        const ServiceDescription* service;
         Answer answer;
+    };
+
+    struct Latest {
+        Header header;
+        Bytes payload;
     };
 
     std::optional<Offer> offer{};
     std::vector<std::shared_ptr<EventQueue>> queues{};
     std::set<std::uint16_t> begun{};          // groups that were subscribed to since it was offered
     std::set<std::uint16_t> acknowledged{};   // groups
-    std::map<std::uint16_t, Bytes> latest{};  // of fields, for who subscribes after another one
+    std::map<std::uint16_t, Latest> latest{};  // of fields, for who subscribes after another one
     std::map<std::uint16_t, Call> calls{};    // by session
     std::optional<Timers::Id> renewal{};
 
