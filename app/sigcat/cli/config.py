@@ -2,7 +2,8 @@
 
 import argparse
 
-from sigcat.cli.catalogue_options import add_catalogue_options, chosen_settings
+from sigcat.cli.catalogue_options import add_catalogue_options, hosted_sources, served_project
+from sigcat.cli.project_options import add_project_options
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -19,6 +20,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         help="what the new token may do: read, reload; may be repeated (default: read)",
     )  # fmt: skip
     add_catalogue_options(parser)
+    add_project_options(parser)
     parser.set_defaults(run=config)
 
 
@@ -28,13 +30,13 @@ def config(arguments: argparse.Namespace) -> int:
         return _new_token(arguments.new_token, arguments.scope or ["read"])
     from sigcat.api.read_settings import shown
 
-    configuration, settings = chosen_settings(arguments)
+    project, settings = served_project(arguments)
     print("[service]")
     for name, value, description in shown(settings):
         print(f"# {description}\n{name} = {value}")
-    for source in configuration.sources:
+    for source in hosted_sources(arguments, project):
         print(f"\n# catalogue {source.id}: {source.spec}")
-    for folder in configuration.functions:
+    for folder in project.functions:
         print(f"\n# functions: {folder}")
     return 0
 

@@ -22,15 +22,24 @@ from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.datatypes import DATATYPES, PRIMITIVES
 from sigcat.catalogue.model.definition import TYPES
-from sigcat.catalogue.model.vocabulary import Quantity, Unit, Vocabulary, default_files, read_vocabulary, shared_name
+from sigcat.catalogue.model.vocabulary import (
+    STANDARD_QUANTITIES,
+    STANDARD_UNITS,
+    Quantity,
+    Unit,
+    Vocabulary,
+    files_beside,
+    read_vocabulary,
+    shared_name,
+)
 from sigcat.catalogue.reading.layers import Layer
 from sigcat.catalogue.reading.statement import Origin, SourceFile, Statement
 from sigcat.catalogue.reading.vspec_file import VspecFile, parse_vspec
-from sigcat.data import VSPEC
 from sigcat.digest import digest_of
 from sigcat.file_kind import QUANTITY_NAMES, ROOT_NAME, UNIT_NAMES
 from sigcat.findings import Finding, in_order
 from sigcat.limits import DEFAULT_LIMITS, Limits
+from sigcat.real_path import each_once
 
 _PRESENT_NAMES = {"description": "definition", "label": "unit", "units": "unit", "domain": "quantity"}
 """Fields of a unit by their names before 4.1 (`units` is a slip in 4.1 itself)."""
@@ -83,22 +92,47 @@ class _OlderFile(NamedTuple):
 
 
 def read_units(
-    spec: Path, units: Sequence[Path] = (), quantities: Sequence[Path] = (), limits: Limits = DEFAULT_LIMITS
+    spec: Path,
+    units: Sequence[Path] = (),
+    quantities: Sequence[Path] = (),
+    limits: Limits = DEFAULT_LIMITS,
+    *,
+    overlays: Sequence[Path] = (),
+    has_standard: bool = True,
 ) -> Units:
-    """The vocabulary of a tree of any age: from the files given, or from those beside `spec`.
+    """The vocabulary of a tree of any age: the files beside the tree, then those beside its overlays, then those given.
 
-    An official tree without units is one of 3.0, whose units were in the tools: it gets the shipped ones.
+    A tree without units has those of VSS, unless `has_standard` is false. An official one is of 3.0, if none are given:
+    its units were in the tools.
     """
-    unit_files = default_files(spec, units, UNIT_NAMES[0])
-    quantity_files = default_files(spec, quantities, QUANTITY_NAMES[0])
-    if not unit_files and spec.name == ROOT_NAME and spec.is_file():
-        return Units(_units_of_tools(spec, limits), is_older=True)
+    beside = files_beside([spec], UNIT_NAMES)
+    added = (*files_beside(overlays, UNIT_NAMES), *units)
+    if not beside and not units and spec.name == ROOT_NAME and spec.is_file():
+        tools = _units_of_tools(spec, limits)
+        more = read_vocabulary(each_once(added), (), limits)
+        return Units(_joined(tools, more), is_older=True)
+    if not beside and has_standard:
+        beside = (STANDARD_UNITS,)
+    unit_files = each_once((*beside, *added))
+    quantity_files = each_once(
+        (*files_beside([spec], QUANTITY_NAMES), *files_beside(overlays, QUANTITY_NAMES), *quantities)
+    )
     older = [file for path in unit_files if (file := _older_file(path, limits)) is not None]
     names = {file.source.name for file in older}
-    vocabulary = read_vocabulary([path for path in unit_files if str(path) not in names], quantity_files, limits)
+    present = [path for path in unit_files if str(path) not in names]
+    vocabulary = read_vocabulary(present, quantity_files, limits, has_standard=has_standard)
     for file in older:
         vocabulary = _with_older(vocabulary, file)
     return Units(vocabulary, bool(older))
+
+
+def _joined(first: Vocabulary, second: Vocabulary) -> Vocabulary:
+    return Vocabulary(
+        {**first.units, **second.units},
+        {**first.quantities, **second.quantities},
+        (*first.files, *second.files),
+        (*first.findings, *second.findings),
+    )
 
 
 def _older_file(path: Path, limits: Limits) -> _OlderFile | None:
@@ -169,7 +203,7 @@ def _older_form(entries: Sequence[_Entry]) -> Finding:
 
 def _units_of_tools(spec: Path, limits: Limits) -> Vocabulary:
     """The shipped units, for any datatype, and those that only the tools of 3.0 knew, with a warning."""
-    shipped = read_vocabulary([VSPEC / "units.yaml"], [VSPEC / "quantities.yaml"], limits)
+    shipped = read_vocabulary([STANDARD_UNITS], [STANDARD_QUANTITIES], limits)
     units = {name: _unit_of_tools(unit) for name, unit in shipped.units.items()}
     nowhere = Origin(str(spec), 0, 0)
     for key, definition, quantity in _UNITS_OF_TOOLS:

@@ -19,7 +19,7 @@ from sigcat.catalogue.reading.layers import Layer, layer_from_text, read_layer
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.data import ROOT_FILE
 from sigcat.errors import UsageError
-from sigcat.file_kind import QUANTITY_NAMES, UNIT_NAMES
+from sigcat.file_kind import UNIT_NAMES
 from sigcat.findings import Finding, has_errors, in_order
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.names import bounded_proposals
@@ -239,9 +239,10 @@ def _lint_vocabulary(source: Source, lint: _Lint) -> None:
     path, name = source.path, str(source.path)
     if name in lint.files:
         return
-    beside = tuple(path.parent / name for name in QUANTITY_NAMES if (path.parent / name).is_file())
     is_units = path.name in UNIT_NAMES
-    vocabulary = read_units(path, (path,), beside).vocabulary if is_units else read_vocabulary((), (path,))
+    vocabulary = (
+        read_units(path, quantities=lint.options.quantities).vocabulary if is_units else read_vocabulary((), (path,))
+    )
     lint.add(((finding, None) for finding in vocabulary.findings), {name})
     lint.look_at([name])
 

@@ -57,6 +57,8 @@ class LintOptions(NamedTuple):
     units: tuple[Path, ...] = ()
     quantities: tuple[Path, ...] = ()
     types: tuple[Path, ...] = ()
+    has_standard_units: bool = True
+    """Whether a tree without a file of units has those of VSS."""
     dbc: tuple[Path, ...] = ()
     """The CAN database that mappings are held against."""
     attributes: tuple[str, ...] = ()
