@@ -27,7 +27,17 @@ def add_project_options(parser: argparse._ActionsContainer) -> None:
 def project_of(
     arguments: argparse.Namespace, start: Path = Path(), readers: "Mapping[str, TableReader] | None" = None
 ) -> "Project":
-    """Return the project that the options name, else that of the folder `start`. Raises UsageError; findings are printed."""
+    """Return the project that the options name, else that of the folder `start`; it is read once.
+
+    Raises UsageError; findings are printed.
+    """
+    if not hasattr(arguments, "project"):
+        arguments.project = _read(arguments, start, readers)
+    project: Project = arguments.project
+    return project
+
+
+def _read(arguments: argparse.Namespace, start: Path, readers: "Mapping[str, TableReader] | None") -> "Project":
     from sigcat.project.find_project import find_project
     from sigcat.project.project import Project
 

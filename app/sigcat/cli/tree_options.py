@@ -11,10 +11,8 @@ from sigcat.errors import InputRefused, existing_file
 from sigcat.findings import has_errors
 
 if TYPE_CHECKING:
-    from sigcat.catalogue.hosting.source import Source
     from sigcat.catalogue.model.catalogue import Catalogue
     from sigcat.project.chosen_tree import TreeOptions
-    from sigcat.project.project import Project
 
 
 def add_tree_options(parser: argparse.ArgumentParser) -> None:
@@ -60,9 +58,10 @@ def read_tree(arguments: argparse.Namespace, *, expanded: bool = True, for_expor
     """
     from sigcat.catalogue.exporting.stopping import with_exported_errors_as_warnings
     from sigcat.catalogue.hosting.source import load
+    from sigcat.project.chosen_tree import chosen_tree
 
     project = project_of(arguments)
-    catalogue = load(tree_source(arguments, project), expanded=expanded)
+    catalogue = load(chosen_tree(project, tree_options(arguments)), expanded=expanded)
     refuse_overwriting(arguments, (*project.files, *(file.name for file in catalogue.files)))
     catalogue = with_exported_errors_as_warnings(catalogue) if for_export else catalogue
     if has_errors(catalogue.findings):
@@ -70,13 +69,6 @@ def read_tree(arguments: argparse.Namespace, *, expanded: bool = True, for_expor
     for finding in catalogue.findings:
         print(finding.line_of_text, file=sys.stderr)
     return catalogue
-
-
-def tree_source(arguments: argparse.Namespace, project: "Project") -> "Source":
-    """The tree that the options name, or the one of the project, or the one that sigcat ships."""
-    from sigcat.project.chosen_tree import chosen_tree
-
-    return chosen_tree(project, tree_options(arguments))
 
 
 def tree_options(arguments: argparse.Namespace) -> "TreeOptions":
