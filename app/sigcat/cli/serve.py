@@ -8,11 +8,13 @@ from typing import TYPE_CHECKING
 from sigcat.cli.catalogue_options import add_catalogue_options, hosted_sources, served_project
 from sigcat.cli.project_options import add_project_options
 from sigcat.cli.tree_options import add_tree_options, tree_options
-from sigcat.errors import UsageError
+from sigcat.errors import UsageError, without_signals
+from sigcat.findings import has_errors
 
 if TYPE_CHECKING:
     from fastapi import FastAPI
 
+    from sigcat.catalogue.hosting.library import Library
     from sigcat.catalogue.hosting.source import Source
     from sigcat.project.project import Project
 
@@ -51,10 +53,19 @@ def serve(arguments: argparse.Namespace) -> int:
     project, settings = served_project(arguments)
     sources = _with_local(hosted_sources(arguments, project), arguments, project)
     library = Library(sources)
+    _refuse_without_signals(library, project)
     functions = FunctionLibrary(project.functions, has_shipped=project.has_shipped_functions, catalogues=library)
     with Watch(library, functions) if project.is_watching else nullcontext():
         run(create_site(library, settings, functions), settings)
     return 0
+
+
+def _refuse_without_signals(library: "Library", project: "Project") -> None:
+    """Raise UsageError for a catalogue of the project that has nothing to show; one with errors is hosted, and says so."""
+    for hosted in filter(None, (library.find(source.id) for source in project.catalogues)):
+        catalogue = hosted.catalogue
+        if not catalogue.has_signals and not has_errors(catalogue.findings):
+            raise UsageError(f"catalogue {hosted.source.id!r}: {without_signals(hosted.source.spec)}")
 
 
 def _with_local(
@@ -88,6 +99,7 @@ def application() -> "FastAPI":
     arguments = parser.parse_args([])
     project, settings = served_project(arguments)
     library = Library(hosted_sources(arguments, project))
+    _refuse_without_signals(library, project)
     functions = FunctionLibrary(project.functions, has_shipped=project.has_shipped_functions, catalogues=library)
     service = create_site(library, settings, functions)
     prepare(service, settings)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from sigcat.cli.output_options import refuse_overwriting
 from sigcat.cli.project_options import add_project_options, project_of
-from sigcat.errors import InputRefused, existing_file
+from sigcat.errors import InputRefused, UsageError, existing_file, without_signals
 from sigcat.findings import has_errors
 
 if TYPE_CHECKING:
@@ -61,11 +61,14 @@ def read_tree(arguments: argparse.Namespace, *, expanded: bool = True, for_expor
     from sigcat.project.chosen_tree import chosen_tree
 
     project = project_of(arguments)
-    catalogue = load(chosen_tree(project, tree_options(arguments)), expanded=expanded)
+    source = chosen_tree(project, tree_options(arguments))
+    catalogue = load(source, expanded=expanded)
     refuse_overwriting(arguments, (*project.files, *(file.name for file in catalogue.files)))
     catalogue = with_exported_errors_as_warnings(catalogue) if for_export else catalogue
     if has_errors(catalogue.findings):
         raise InputRefused("the tree has errors; nothing was done", catalogue.findings)
+    if not catalogue.has_signals and source.spec in (each.spec for each in project.catalogues):
+        raise UsageError(without_signals(source.spec))
     for finding in catalogue.findings:
         print(finding.line_of_text, file=sys.stderr)
     return catalogue

@@ -5,6 +5,8 @@ from typing import NamedTuple
 
 from sigcat.catalogue.hosting.source import Source
 from sigcat.catalogue.hosting.sources import shipped_sources, source_of_tree
+from sigcat.errors import NotFound
+from sigcat.names import nearest
 from sigcat.project.project import Project
 from sigcat.real_path import each_once
 
@@ -43,7 +45,11 @@ def named_tree(project: Project, options: TreeOptions) -> Source | None:
     for source in project.catalogues:
         if source.id == options.tree:
             return source
-    source = source_of_tree(options.tree)
+    try:
+        source = source_of_tree(options.tree)
+    except NotFound as error:
+        near = nearest(options.tree, [each.id for each in project.catalogues])
+        raise NotFound(f"{error} Did you mean {near[0]}?", near) if near else error from None
     return with_additions(source._replace(types=()) if options.types else source, project)
 
 

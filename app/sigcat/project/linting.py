@@ -1,5 +1,6 @@
 """The options of a lint in a project: the tree that is chosen, and what `[lint]` adds."""
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from sigcat.catalogue.hosting.source import Source
@@ -29,14 +30,15 @@ def chosen_lint(project: Project, given: TreeOptions) -> ChosenLint:
         (*lint.types, *given.types),
     )
     tree = chosen_tree(project, options)
-    is_named = named is not None or bool(project.catalogues)
-    chosen = lint._replace(
-        base=tree.spec if is_named else None,
-        overlays=tree.overlays if is_named else options.overlays,
-        include_dirs=tree.include_dirs,
-        units=tree.units,
-        quantities=tree.quantities,
-        types=tree.types,
-        has_standard_units=tree.has_standard_units,
-    )
-    return ChosenLint(chosen, tree)
+    if named is not None or project.catalogues:
+        return ChosenLint(lint.over(tree)._replace(catalogues=tuple(_linted(project, options))), tree)
+    return ChosenLint(lint.over(tree)._replace(base=None, overlays=options.overlays), tree)
+
+
+def _linted(project: Project, options: TreeOptions) -> Iterator[Source]:
+    """The catalogues that are linted: all of the project, or the one that the options name."""
+    if options.tree is not None:
+        yield chosen_tree(project, options)
+        return
+    for catalogue in project.catalogues:
+        yield chosen_tree(project, options._replace(tree=catalogue.id))
