@@ -15,7 +15,7 @@ from sigcat.cli import main
 from sigcat.data import ROOT_FILE
 from sigcat.function.hosting import FunctionLibrary
 from sigcat.project.read_project import read_project
-from sigcat.rules.linting.configuration import _FIELDS
+from sigcat.rules.linting.configuration import FIELDS
 from sigcat.rules.linting.selection import rules_for, selected
 from sigcat.rules.record import parse_rules
 from tests.catalogue.hosting.archives import saved, tar_bytes
@@ -46,7 +46,7 @@ def test_the_configuration_of_the_linter_is_one(folder):
 
 def test_every_key_of_the_linter_is_documented():
     table = text_of(CONFIGURATION).split("## Lint")[1].split("## Service")[0]
-    assert set(_FIELDS) <= set(re.findall(r"`([a-z-]+)`", table))
+    assert set(FIELDS) <= set(re.findall(r"`([a-z-]+)`", table))
 
 
 def test_the_catalogues_of_the_configuration_are_some(folder, monkeypatch):

@@ -46,6 +46,11 @@ class Project(NamedTuple):
         """Whether the examples are hosted too. They do not fit the catalogue of a company."""
         return not (self.catalogues and self.functions) if self.shipped is None else self.shipped
 
+    def line(self, table: str, number: int = 0, key: str = "") -> str:
+        """Where a key of a table is written: FILE:LINE."""
+        prefix = "tool.sigcat" if self.file is not None and self.file.name == "pyproject.toml" else ""
+        return f"{self.file}:{self.lines.line('.'.join(filter(None, (prefix, table))), number, key)}"
+
     @property
     def files(self) -> tuple[Path, ...]:
         """The project file and the files that it names: no command writes over them."""

@@ -105,18 +105,11 @@ def read_units(
     A tree without units has those of VSS, unless `has_standard` is false. An official one is of 3.0, if none are given:
     its units were in the tools.
     """
-    beside = files_beside([spec], UNIT_NAMES)
-    added = (*files_beside(overlays, UNIT_NAMES), *units)
-    if not beside and not units and spec.name == ROOT_NAME and spec.is_file():
-        tools = _units_of_tools(spec, limits)
-        more = read_vocabulary(each_once(added), (), limits)
-        return Units(_joined(tools, more), is_older=True)
-    if not beside and has_standard:
-        beside = (STANDARD_UNITS,)
-    unit_files = each_once((*beside, *added))
-    quantity_files = each_once(
-        (*files_beside([spec], QUANTITY_NAMES), *files_beside(overlays, QUANTITY_NAMES), *quantities)
-    )
+    if not units and not files_beside([spec], UNIT_NAMES) and spec.name == ROOT_NAME and spec.is_file():
+        more = read_vocabulary(files_beside(overlays, UNIT_NAMES), (), limits)
+        return Units(_joined(_units_of_tools(spec, limits), more), is_older=True)
+    unit_files = unit_files_of(spec, overlays, units, has_standard=has_standard)
+    quantity_files = each_once((*files_beside([spec, *overlays], QUANTITY_NAMES), *quantities))
     older = [file for path in unit_files if (file := _older_file(path, limits)) is not None]
     names = {file.source.name for file in older}
     present = [path for path in unit_files if str(path) not in names]
@@ -124,6 +117,14 @@ def read_units(
     for file in older:
         vocabulary = _with_older(vocabulary, file)
     return Units(vocabulary, bool(older))
+
+
+def unit_files_of(
+    spec: Path, overlays: Sequence[Path], units: Sequence[Path], *, has_standard: bool = True
+) -> tuple[Path, ...]:
+    """The files of units of a tree: those beside it, or else those of VSS; those beside its overlays; those given."""
+    own = files_beside([spec], UNIT_NAMES) or ((STANDARD_UNITS,) if has_standard else ())
+    return each_once((*own, *files_beside(overlays, UNIT_NAMES), *units))
 
 
 def _joined(first: Vocabulary, second: Vocabulary) -> Vocabulary:

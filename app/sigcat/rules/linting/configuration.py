@@ -28,9 +28,9 @@ def options_of(table: Mapping[str, Any], path: Path) -> LintOptions:
     read: dict[str, Any] = {}
     faults = _Faults([], path)
     for key, value in table.items():
-        known = _FIELDS.get(key.replace("_", "-"))
+        known = FIELDS.get(key.replace("_", "-"))
         if known is None:
-            faults.add(key, f"Unknown setting `{key}`. {did_you_mean(key, _FIELDS)}")
+            faults.add(key, f"Unknown setting `{key}`. {did_you_mean(key, FIELDS)}")
         else:
             field, convert = known
             read[field] = convert(key, value, faults)
@@ -97,7 +97,7 @@ def _rule_options(key: str, value: Any, faults: _Faults) -> dict[str, dict[str, 
     return value
 
 
-_FIELDS: Mapping[str, tuple[str, Callable[[str, Any, _Faults], Any]]] = {
+FIELDS: Mapping[str, tuple[str, Callable[[str, Any, _Faults], Any]]] = {
     "select": ("select", _texts),
     "ignore": ("ignore", _texts),
     "extend-select": ("extend_select", _texts),
