@@ -14,7 +14,7 @@ from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.cli import main
 from sigcat.data import ROOT_FILE
 from sigcat.function.hosting import FunctionLibrary
-from sigcat.project.read_project import read_project
+from sigcat.project.read_project import CATALOGUE_KEYS, TOP_KEYS, read_project
 from sigcat.rules.linting.configuration import FIELDS
 from sigcat.rules.linting.selection import rules_for, selected
 from sigcat.rules.record import parse_rules
@@ -49,12 +49,22 @@ def test_every_key_of_the_linter_is_documented():
     assert set(FIELDS) <= set(re.findall(r"`([a-z-]+)`", table))
 
 
+def test_every_key_of_the_project_is_documented():
+    text = text_of(CONFIGURATION)
+    keys = {*TOP_KEYS, *CATALOGUE_KEYS} - {"catalogue", "service", "lint"}
+    assert [key for key in sorted(keys) if key not in text] == []
+    assert {"[[catalogue]]", "[lint]", "[service]"} <= set(re.findall(r"\[+[a-z]+\]+", text))
+
+
 def test_the_catalogues_of_the_configuration_are_some(folder, monkeypatch):
     monkeypatch.setenv("SIGCAT_DATA", str(folder / "data"))
     assert main(["pull", "v5.0", "--from", str(saved(folder, tar_bytes()))]) == 0
     (folder / "trees" / "common").mkdir(parents=True)
     (folder / "overlays").mkdir()
     (folder / "functions").mkdir()
+    (folder / "can").mkdir()
+    for name in ("our-rules.yaml", "units.yaml", "quantities.yaml", "can/vehicle.dbc", "deployment.yaml"):
+        (folder / name).write_text("")
     for name in ("Own.vspec", "units.yaml", "quantities.yaml", "types.vspec"):
         (folder / "trees" / name).write_text("")
     (folder / "overlays" / "body.vspec").write_text("")

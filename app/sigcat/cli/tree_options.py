@@ -62,12 +62,13 @@ def read_tree(arguments: argparse.Namespace, *, expanded: bool = True, for_expor
 
     project = project_of(arguments)
     source = chosen_tree(project, tree_options(arguments))
-    catalogue = load(source, expanded=expanded)
+    is_of_project = source.id in (each.id for each in project.catalogues)
+    catalogue = load(source if is_of_project else source._replace(id=source.spec.stem), expanded=expanded)
     refuse_overwriting(arguments, (*project.files, *(file.name for file in catalogue.files)))
     catalogue = with_exported_errors_as_warnings(catalogue) if for_export else catalogue
     if has_errors(catalogue.findings):
         raise InputRefused("the tree has errors; nothing was done", catalogue.findings)
-    if not catalogue.has_signals and source.spec in (each.spec for each in project.catalogues):
+    if is_of_project and not catalogue.has_signals:
         raise UsageError(without_signals(source.spec))
     for finding in catalogue.findings:
         print(finding.line_of_text, file=sys.stderr)
