@@ -68,7 +68,7 @@ def test_the_catalogues_of_the_configuration_are_some(folder, monkeypatch):
     for name in ("Own.vspec", "units.yaml", "quantities.yaml", "types.vspec"):
         (folder / "trees" / name).write_text("")
     (folder / "overlays" / "body.vspec").write_text("")
-    Path("sigcat.toml").write_text(block(CONFIGURATION, "toml", "watch = true"))
+    Path("sigcat.toml").write_text(block(CONFIGURATION, "toml", "functions = "))
     configuration = read_project(Path("sigcat.toml"))
     assert [source.id for source in configuration.catalogues] == ["body", "own"]
     assert configuration.is_watching

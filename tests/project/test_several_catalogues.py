@@ -10,13 +10,18 @@ PROJECT = """\
 [[catalogue]]
 id = "car"
 release = "shipped"
-overlays = ["overlays/car.vspec", "overlays/both.vspec"]
+overlays = ["overlays/car.vspec"]
 
 [[catalogue]]
 id = "trailer"
 spec = "trailer/Trailer.vspec"
-overlays = ["overlays/trailer.vspec", "overlays/both.vspec"]
+overlays = ["overlays/trailer.vspec"]
 units = ["trailer/load_units.yaml"]
+
+[[catalogue]]
+id = "van"
+release = "shipped"
+overlays = ["overlays/car.vspec", "overlays/van.vspec"]
 """
 TREE = "Trailer:\n  type: branch\n  description: A trailer.\n"
 SIGNAL = "{path}:\n  type: sensor\n  datatype: float\n  unit: {unit}\n  description: A value of {path}.\n"
@@ -26,8 +31,8 @@ FILES = {
     "trailer/load_units.yaml": "pallets:\n  definition: Pallets of 800 by 1200 mm.\n  unit: pallet\n  quantity: relation\n"
     "  allowed-datatypes: ['numeric']\n",
     "overlays/car.vspec": SIGNAL.format(path="Vehicle.Mirror", unit="degrees"),
+    "overlays/van.vspec": "Vehicle.Mirror:\n  max: 90\n",
     "overlays/trailer.vspec": SIGNAL.format(path="Trailer.Pallets", unit="pallets"),
-    "overlays/both.vspec": "# nothing yet\n",
 }
 
 

@@ -116,7 +116,8 @@ def read_units(
     vocabulary = read_vocabulary(present, quantity_files, limits, has_standard=has_standard)
     for file in older:
         vocabulary = _with_older(vocabulary, file)
-    return Units(vocabulary, bool(older))
+    given = frozenset(map(str, (*units, *quantities)))
+    return Units(vocabulary._replace(given=given), bool(older))
 
 
 def unit_files_of(

@@ -53,6 +53,8 @@ class Vocabulary(NamedTuple):
     quantities: Mapping[str, Quantity]
     files: tuple[SourceFile, ...]
     findings: tuple[Finding, ...]
+    given: frozenset[str] = frozenset()
+    """Names of the files that were given, and not found beside the tree: vss-tools would read these alone."""
 
     def unit(self, name: str) -> Unit | None:
         """The unit with this key or name, in any case."""
