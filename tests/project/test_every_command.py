@@ -91,6 +91,35 @@ def test_options_come_before_the_project_and_no_project_before_it_is_found(compa
     assert main(["show", GAS, "--isolated", "-l", "overlays/acme.vspec", "-u", "units.yaml"]) == 0
 
 
+@pytest.mark.parametrize("platform", ["autosar-adaptive", "autosar-classic", "ros2"])
+def test_the_deployment_is_that_of_the_project(company, capsys, platform):
+    Path("deployment.yaml").write_text("unheard: 1\n")
+    assert main(["integrate", platform]) == 1
+    assert "deployment.yaml:1:1: error" in capsys.readouterr().err
+
+
+def test_one_of_several_functions_has_to_be_named(company, capsys):
+    text = Path("functions/cabin_air/function.yaml").read_text()
+    other = company / "functions" / "other" / "function.yaml"
+    other.parent.mkdir()
+    other.write_text(text.replace("CabinAir", "Other"))
+    assert main(["function", "build"]) == 2
+    told = "name one of the functions of the project: functions/cabin_air/function.yaml, functions/other/function.yaml"
+    assert told in capsys.readouterr().err
+    assert main(["function", "build", str(other)]) == 0
+
+
+def test_function_json_of_a_declared_function_is_not_a_second_one(company, capsys):
+    assert main(["function", "build", "-o", "functions/cabin_air/CabinAir.json"]) == 0
+    assert main(["function", "validate"]) == 0
+    assert main(["function", "build"]) == 0
+
+
+def test_a_command_without_functions_says_where_to_name_them(company, capsys):
+    assert main(["function", "validate", "--isolated"]) == 2
+    assert "name a function.yaml: there is no `functions` in a project file" in capsys.readouterr().err
+
+
 def test_the_project_is_not_written_over(company, capsys):
     for file in ("sigcat.toml", "units.yaml", "functions/cabin_air/function.yaml", "overlays/acme.vspec"):
         before = Path(file).read_text()

@@ -40,7 +40,7 @@ def hosted_sources(arguments: argparse.Namespace, project: "Project") -> "tuple[
     from sigcat.catalogue.hosting.sources import pulled_sources, shipped_sources, source_from_option, sources_in_order
     from sigcat.project.chosen_tree import with_additions
 
-    named = tuple(source_from_option(text) for text in arguments.catalogue)
+    named = tuple(with_additions(source_from_option(text), project) for text in arguments.catalogue)
     declared = tuple(s for s in project.catalogues if s.id not in {source.id for source in named})
     shipped = (*shipped_sources(), *pulled_sources()) if project.has_shipped_catalogues else ()
     if not project.catalogues:
