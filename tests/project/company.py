@@ -39,7 +39,7 @@ ACME001:
   name: owner-missing
   title: Each of our signals has an owner.
   severity: error
-  why: Questions need somebody who answers.
+  why: Questions need an answer.
   check: required
   nodes: {types: [signals], path: Vehicle.Cabin.Acme*}
   options: {attributes: [owner]}

@@ -1,4 +1,4 @@
-"""The table `[lint]`: where it is found, and what is wrong with it."""
+"""The table `[lint]`: where it is found, and its faults by line."""
 
 from pathlib import Path
 

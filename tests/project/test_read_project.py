@@ -1,4 +1,4 @@
-"""`sigcat.toml`, and the catalogues of the command line: what they say, and what is wrong with them, by line."""
+"""`sigcat.toml` and the catalogues of the command line: values, and faults by line."""
 
 import argparse
 from collections.abc import Mapping

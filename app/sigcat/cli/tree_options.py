@@ -76,7 +76,7 @@ def read_tree(arguments: argparse.Namespace, *, expanded: bool = True, for_expor
 
 
 def tree_options(arguments: argparse.Namespace) -> "TreeOptions":
-    """What the options name. Raises UsageError where a file does not exist."""
+    """The tree and the files that the options name. Raises UsageError where a file does not exist."""
     from sigcat.project.chosen_tree import TreeOptions
 
     for path in (*arguments.overlays, *arguments.units, *arguments.quantities, *arguments.types):

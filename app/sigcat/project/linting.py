@@ -10,7 +10,7 @@ from sigcat.rules.linting.options import LintOptions
 
 
 class ChosenLint(NamedTuple):
-    """What a lint checks against."""
+    """Options of a lint, and the tree that functions are checked against."""
 
     options: LintOptions
     tree: Source

@@ -13,7 +13,7 @@ FILE_NAME = "sigcat.toml"
 
 
 class Project(NamedTuple):
-    """What the file says; without a file, nothing but defaults. Paths are relative to the current folder, or absolute."""
+    """The values of the file; without a file, the defaults. Paths are relative to the current folder, or absolute."""
 
     file: Path | None = None
     catalogues: tuple[Source, ...] = ()
@@ -47,7 +47,7 @@ class Project(NamedTuple):
         return not (self.catalogues and self.functions) if self.shipped is None else self.shipped
 
     def line(self, table: str, number: int = 0, key: str = "") -> str:
-        """Where a key of a table is written: FILE:LINE."""
+        """The place of a key of a table: FILE:LINE."""
         prefix = "tool.sigcat" if self.file is not None and self.file.name == "pyproject.toml" else ""
         return f"{self.file}:{self.lines.line('.'.join(filter(None, (prefix, table))), number, key)}"
 

@@ -133,7 +133,7 @@ class _Reading:
                 self.report(codes.SETTING_UNFIT, message, table, number, key)
 
     def table(self, name: str, data: Mapping[str, Any], reader: TableReader) -> Any:
-        """What a reader makes of its table; its findings get lines."""
+        """The value that a reader makes of its table; its findings get lines."""
         values = data.get(name, {})
         if not isinstance(values, dict):
             return None  # it has its finding
