@@ -50,8 +50,8 @@ TOP_KEYS: Mapping[str, type] = {
 _OF_FOLDERS = frozenset(("include-dirs", "functions"))
 """Lists that name folders; all others name files."""
 
-_ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}")
-_POSITION = re.compile(r"\s*\(at line (\d+), column (\d+)\)|\s*\(at end of document\)")
+_ID = r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}"
+_POSITION = r"\s*\(at line (\d+), column (\d+)\)|\s*\(at end of document\)"
 """How tomllib ends its messages. Its errors have attributes from Python 3.14 on; before, its words no longer change."""
 _KINDS = {str: "text", bool: "true or false", list: "a list"}
 
@@ -183,9 +183,9 @@ def _message_and_position(error: tomllib.TOMLDecodeError, text: str) -> tuple[st
     if sys.version_info >= (3, 14):
         return error.msg, error.lineno, error.colno
     message = str(error)
-    position = _POSITION.search(message)
+    position = re.search(_POSITION, message)
     line, column = (int(position[1]), int(position[2])) if position and position[1] else (text.count("\n") + 1, 0)
-    return _POSITION.sub("", message), line, column
+    return re.sub(_POSITION, "", message), line, column
 
 
 def _catalogues(listed: Any, reading: _Reading) -> Iterator[Source]:
@@ -217,7 +217,7 @@ def _check_id(values: Mapping[str, Any], number: int, known: set[str], reading: 
     catalogue_id = values.get("id")
     if catalogue_id is None:
         reading.report(codes.CATALOGUE_INCOMPLETE, "The catalogue has no `id`.", "catalogue", number)
-    elif isinstance(catalogue_id, str) and not _ID.fullmatch(catalogue_id):
+    elif isinstance(catalogue_id, str) and not re.fullmatch(_ID, catalogue_id):
         message = f"`id` must be letters, digits, '.', '_' and '-', not {catalogue_id[:80]!r}."
         reading.report(codes.SETTING_UNFIT, message, "catalogue", number, "id")
     elif catalogue_id in known:

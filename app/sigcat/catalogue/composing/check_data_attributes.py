@@ -18,7 +18,6 @@ from sigcat.catalogue.model.datatypes import (
     values_in_words,
 )
 from sigcat.catalogue.model.definition import Definition, Problem, Scope
-from sigcat.catalogue.model.near_units import advice
 from sigcat.findings import RuleCode, shown
 from sigcat.names import did_you_mean, screaming_snake_case
 
@@ -39,6 +38,8 @@ def unit_problems(values: Mapping[str, Any], scope: Scope) -> Iterator[Problem]:
     """The unit is not known. Needs no datatype. Where no unit is known, there is one finding for the tree."""
     name = values.get("unit")
     if name is not None and scope.vocabulary.units and scope.vocabulary.unit(name) is None:
+        from sigcat.catalogue.model.near_units import advice  # its tables take time at start-up
+
         yield Problem(codes.UNIT_UNKNOWN, "unit", f"Unknown unit {name!r}.", advice(name, scope.vocabulary))
 
 

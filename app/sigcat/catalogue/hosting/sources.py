@@ -4,8 +4,6 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from sigcat.catalogue.hosting.source import Source
-from sigcat.catalogue.reading.joined_paths import split_paths
-from sigcat.catalogue.reading.root_file import root_file, types_beside
 from sigcat.data import OVERLAYS, ROOT_FILE
 from sigcat.errors import UsageError, existing_file
 from sigcat.file_kind import TREE_ENDINGS, ending_of
@@ -46,6 +44,8 @@ def pulled_sources() -> tuple[Source, ...]:
 
 def source_from_option(text: str) -> Source:
     """The source that `ID=TREE[,OVERLAY,…]` names. TREE is a .vspec file, a folder, or a pulled release."""
+    from sigcat.catalogue.reading.joined_paths import split_paths
+
     catalogue_id, equals, rest = text.partition("=")
     tree, *overlays = split_paths(rest, ",")
     if not (catalogue_id and equals and tree):
@@ -68,6 +68,8 @@ def source_of_tree(tree: str) -> Source:
             raise UsageError(f"{tree}: this is an exported tree, which only `sigcat diff` reads; name a .vspec file")
         return Source(path.stem, path.stem, path)
     if path.is_dir():
+        from sigcat.catalogue.reading.root_file import root_file, types_beside
+
         root = root_file(path)
         return Source(path.name, path.name, root, types=types_beside(root))
     if ending_of(path.name) in TREE_ENDINGS or len(path.parts) > 1:

@@ -10,8 +10,9 @@ from typing import Any, NamedTuple
 
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import DATATYPES
+from sigcat.catalogue.reading.compiled_tree import compiled_file, compiled_files, keep
 from sigcat.catalogue.reading.statement import Origin, SourceFile, Statement
-from sigcat.catalogue.reading.vspec_file import parse_vspec
+from sigcat.catalogue.reading.vspec_file import VspecFile, parse_vspec
 from sigcat.data import VSPEC
 from sigcat.digest import digest_of
 from sigcat.file_kind import QUANTITY_NAMES, UNIT_NAMES
@@ -93,7 +94,7 @@ def read_vocabulary(
         key: _quantity(entry, findings)
         for key, entry in _entries(quantity_files, "Quantity", limits, sources, findings)
     }
-    known = {**(standard_quantities() if has_standard and unit_files else {}), **quantities}
+    known = _Quantities(quantities, has_standard=has_standard)
     units: dict[str, Unit] = {}
     names: dict[str, Unit] = {}
     for key, entry in _entries(unit_files, "Unit", limits, sources, findings):
@@ -106,10 +107,31 @@ def read_vocabulary(
             names[unit.name] = unit
             units[unit.name] = unit
         units[key] = unit
-    if units and not known:
+    if units and not (quantities or has_standard):
         findings.append(_quantities_missing(unit_files[0]))
-    measured = {unit.quantity.lower() for unit in units.values()} & known.keys()
-    return Vocabulary(units, {**{key: known[key] for key in measured}, **quantities}, tuple(sources), tuple(findings))
+    return Vocabulary(units, {**known.measured, **quantities}, tuple(sources), tuple(findings))
+
+
+class _Quantities:
+    """The quantities that units may measure: those that were read, and those of VSS, which are read when one is needed."""
+
+    def __init__(self, read: Mapping[str, Quantity], *, has_standard: bool) -> None:
+        self.read = read
+        self._has_standard = has_standard
+        self.measured: dict[str, Quantity] = {}
+        """Those of VSS that a unit measures, and no file defines."""
+
+    @property
+    def all(self) -> Mapping[str, Quantity]:
+        return {**(standard_quantities() if self._has_standard else {}), **self.read}
+
+    def is_known(self, key: str) -> bool:
+        """Whether a unit may measure it; anything where none are defined, which is one finding."""
+        if key in self.read or not self.all:
+            return True
+        if key in self.all:
+            self.measured[key] = self.all[key]
+        return key in self.measured
 
 
 @lru_cache(maxsize=1)
@@ -145,7 +167,7 @@ def _entries(
             findings.append(codes.FILE_UNREADABLE.finding(f"{str(path)!r} cannot be read: {reason}.", str(path)))
             continue
         source = SourceFile(str(path), "", digest_of(data))
-        file = parse_vspec(data, source, limits)
+        file = _parsed(path, data, source, limits)
         sources.append(source)
         findings.extend(file.findings)
         for statement in file.statements:
@@ -154,6 +176,16 @@ def _entries(
                 findings.append(_replaced(statement, entries[key], what))
             entries[key] = statement
     return list(entries.items())
+
+
+def _parsed(path: Path, data: bytes, source: SourceFile, limits: Limits) -> VspecFile:
+    """Parse a file; those of VSS are kept parsed."""
+    if path not in (STANDARD_UNITS, STANDARD_QUANTITIES) or limits != DEFAULT_LIMITS:
+        return parse_vspec(data, source, limits)
+    kept = compiled_files(path.stem)
+    file = compiled_file(source, kept) or parse_vspec(data, source, limits)
+    keep([file], kept, path.stem)
+    return file
 
 
 def _means_the_same(entry: Statement, earlier: Statement) -> bool:
@@ -187,7 +219,7 @@ def _quantity(entry: Statement, findings: list[Finding]) -> Quantity:
     return Quantity(entry.path, str(values.get("definition") or ""), str(values.get("remark") or ""), entry.origin())
 
 
-def _unit(entry: Statement, quantities: Mapping[str, Quantity], findings: list[Finding]) -> Unit | None:
+def _unit(entry: Statement, quantities: _Quantities, findings: list[Finding]) -> Unit | None:
     values = entry.values
     if not isinstance(values.get("definition"), str) or not ("unit" in values or "label" in values):
         message = f"Unit {entry.path!r} must have a `definition` and a `unit`."
@@ -195,8 +227,8 @@ def _unit(entry: Statement, quantities: Mapping[str, Quantity], findings: list[F
         return None
     findings.extend(_unknown_fields(entry, "Unit", _UNIT_FIELDS))
     quantity = _quantity_of(values)
-    if quantities and quantity.lower() not in quantities:
-        hint = did_you_mean(quantity, quantities) or "Define it in a quantities.yaml, or pass one with -q."
+    if not quantities.is_known(quantity.lower()):
+        hint = did_you_mean(quantity, quantities.all) or "Define it in a quantities.yaml, or pass one with -q."
         message = f"Unit {entry.path!r} has the unknown quantity {shown(quantity)}."
         findings.append(_about(entry, codes.QUANTITY_UNKNOWN, message, "quantity", hint))
         return None
