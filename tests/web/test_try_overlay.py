@@ -20,7 +20,7 @@ SPEED = "Vehicle.Speed: {type: sensor, datatype: float, unit: km/h, max: 300, de
 def site(tmp_path_factory: pytest.TempPathFactory) -> Ask:
     folder = tmp_path_factory.mktemp("functions")
     (folder / "hum.function.yaml").write_text(noise("Hum", "Vehicle.Cabin.Hum"))
-    acme = Source("acme", "Acme", ROOT_FILE, (OVERLAYS / "ecocontrol.vspec",))
+    acme = Source("acme", "Acme", ROOT_FILE, (OVERLAYS / "ecocontrol.vspec",), (OVERLAYS / "units.yaml",))
     return asker(create_site(Library([*shipped_sources(), acme, *SOURCES]), functions=FunctionLibrary([folder])))
 
 
@@ -91,8 +91,8 @@ def test_any_text_has_a_page(site: Ask, text: str) -> None:
     [
         ("interfaces", "-s interfaces"),
         ("vss~folded", "-s vss"),
-        ("acme", "-s vss -l overlays/ecocontrol.vspec -u vspec/units.yaml -u overlays/units.yaml"),
-        ("acme~without.ecocontrol", "-s vss -u vspec/units.yaml -u overlays/units.yaml"),
+        ("acme", "-s vss -l overlays/ecocontrol.vspec -u overlays/units.yaml"),
+        ("acme~without.ecocontrol", "-s vss -u overlays/units.yaml"),
     ],
 )
 def test_the_commands_do_the_same(
