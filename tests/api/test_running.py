@@ -121,7 +121,8 @@ def test_a_port_that_is_taken_is_said_and_ends_with_2() -> None:
 
 def test_as_an_application_of_another_server_it_logs_and_watches_too(tmp_path: Path) -> None:
     tree, settings = tmp_path / "tree.vspec", tmp_path / "sigcat.toml"
-    tree.write_text("Vehicle: {type: branch, description: A vehicle.}\n")
+    signal = "Vehicle.Mass: {type: attribute, datatype: float, description: Its mass.}\n"
+    tree.write_text("Vehicle: {type: branch, description: A vehicle.}\n" + signal)
     settings.write_text('watch = true\n[[catalogue]]\nid = "own"\ntitle = "Own"\nspec = "tree.vspec"\n')
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = free.getsockname()[1]
@@ -130,9 +131,9 @@ def test_as_an_application_of_another_server_it_logs_and_watches_too(tmp_path: P
     environment = {**os.environ, "SIGCAT_CONFIG": str(settings)}
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, env=environment) as process:
         try:
-            wait_until(lambda: nodes_at(port) == 1, "the catalogue is served")
+            wait_until(lambda: nodes_at(port) == 2, "the catalogue is served")
             tree.write_text(tree.read_text() + OVERLAY.decode())
-            wait_until(lambda: nodes_at(port) == 2, "the changed catalogue is served")
+            wait_until(lambda: nodes_at(port) == 3, "the changed catalogue is served")
             assert "\nsigcat_connections 1.0" in plain_http.get(f"http://127.0.0.1:{port}/metrics").text
         finally:
             process.terminate()

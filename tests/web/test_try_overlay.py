@@ -6,7 +6,6 @@ from pathlib import Path
 import pytest
 
 from sigcat.catalogue.hosting.library import Library, Source, shipped_sources
-from sigcat.catalogue.hosting.sources import SHIPPED_UNITS
 from sigcat.cli import main
 from sigcat.data import OVERLAYS, ROOT_FILE
 from sigcat.function.hosting import FunctionLibrary
@@ -21,7 +20,7 @@ SPEED = "Vehicle.Speed: {type: sensor, datatype: float, unit: km/h, max: 300, de
 def site(tmp_path_factory: pytest.TempPathFactory) -> Ask:
     folder = tmp_path_factory.mktemp("functions")
     (folder / "hum.function.yaml").write_text(noise("Hum", "Vehicle.Cabin.Hum"))
-    acme = Source("acme", "Acme", ROOT_FILE, (OVERLAYS / "ecocontrol.vspec",), SHIPPED_UNITS)
+    acme = Source("acme", "Acme", ROOT_FILE, (OVERLAYS / "ecocontrol.vspec",), (OVERLAYS / "units.yaml",))
     return asker(create_site(Library([*shipped_sources(), acme, *SOURCES]), functions=FunctionLibrary([folder])))
 
 
@@ -92,8 +91,8 @@ def test_any_text_has_a_page(site: Ask, text: str) -> None:
     [
         ("interfaces", "-s interfaces"),
         ("vss~folded", "-s vss"),
-        ("acme", "-s vss -l overlays/ecocontrol.vspec -u vspec/units.yaml -u overlays/units.yaml"),
-        ("acme~without.ecocontrol", "-s vss -u vspec/units.yaml -u overlays/units.yaml"),
+        ("acme", "-s vss -l overlays/ecocontrol.vspec -u overlays/units.yaml"),
+        ("acme~without.ecocontrol", "-s vss -u overlays/units.yaml"),
     ],
 )
 def test_the_commands_do_the_same(

@@ -38,8 +38,9 @@ def unit_problems(values: Mapping[str, Any], scope: Scope) -> Iterator[Problem]:
     """The unit is not known. Needs no datatype. Where no unit is known, there is one finding for the tree."""
     name = values.get("unit")
     if name is not None and scope.vocabulary.units and scope.vocabulary.unit(name) is None:
-        known = dict.fromkeys(unit.key for unit in scope.vocabulary.distinct_units)
-        yield Problem(codes.UNIT_UNKNOWN, "unit", f"{name!r} is not a unit.", did_you_mean(name, known))
+        from sigcat.catalogue.model.near_units import advice  # its tables take time at start-up
+
+        yield Problem(codes.UNIT_UNKNOWN, "unit", f"Unknown unit {name!r}.", advice(name, scope.vocabulary))
 
 
 def quote_it(value: Any) -> str:

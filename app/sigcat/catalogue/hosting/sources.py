@@ -4,33 +4,30 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from sigcat.catalogue.hosting.source import Source
-from sigcat.catalogue.reading.joined_paths import split_paths
-from sigcat.catalogue.reading.root_file import root_file, types_beside
-from sigcat.data import OVERLAYS, ROOT_FILE, VSPEC
+from sigcat.data import OVERLAYS, ROOT_FILE
 from sigcat.errors import UsageError, existing_file
 from sigcat.file_kind import TREE_ENDINGS, ending_of
 
 SHIPPED = "shipped"
 """Name that stands for the tree that sigcat ships, where a release is needed."""
-SHIPPED_UNITS = (VSPEC / "units.yaml", OVERLAYS / "units.yaml")
 
 
 def shipped_sources() -> tuple[Source, ...]:
     """The trees that sigcat ships: the standard tree alone, and with the interface overlays."""
-    units = tuple(path for path in SHIPPED_UNITS if path.is_file())
     overlays = tuple(
         OVERLAYS / f"{name}.vspec" for name in ("ecocontrol", "error", "safety_reaction", "mode", "scheduling")
     )
     return (
-        Source("interfaces", "VSS 6.0 with function interfaces", ROOT_FILE, overlays, units),
+        Source("interfaces", "VSS 6.0 with function interfaces", ROOT_FILE, overlays),
         Source("vss", "VSS 6.0", ROOT_FILE),
     )
 
 
 def release_source(name: str) -> Source:
-    """The source of a pulled release, or of the shipped tree. Raises NotFound, which says how to pull it."""
-    if name == SHIPPED:
-        return Source("vss", "VSS 6.0", ROOT_FILE)
+    """The source of a pulled release, or of a shipped tree. Raises NotFound, which says how to pull it."""
+    for source in shipped_sources():
+        if name == source.id or (name == SHIPPED and not source.overlays):
+            return source
     from sigcat.catalogue.hosting.releases import find_release
 
     release = find_release(name)
@@ -47,6 +44,8 @@ def pulled_sources() -> tuple[Source, ...]:
 
 def source_from_option(text: str) -> Source:
     """The source that `ID=TREE[,OVERLAY,…]` names. TREE is a .vspec file, a folder, or a pulled release."""
+    from sigcat.catalogue.reading.joined_paths import split_paths
+
     catalogue_id, equals, rest = text.partition("=")
     tree, *overlays = split_paths(rest, ",")
     if not (catalogue_id and equals and tree):
@@ -69,12 +68,13 @@ def source_of_tree(tree: str) -> Source:
             raise UsageError(f"{tree}: this is an exported tree, which only `sigcat diff` reads; name a .vspec file")
         return Source(path.stem, path.stem, path)
     if path.is_dir():
+        from sigcat.catalogue.reading.root_file import root_file, types_beside
+
         root = root_file(path)
         return Source(path.name, path.name, root, types=types_beside(root))
     if ending_of(path.name) in TREE_ENDINGS or len(path.parts) > 1:
         raise UsageError(f"{tree}: there is no such file")
-    shipped = {source.id: source for source in shipped_sources()}
-    return shipped.get(tree) or release_source(tree)
+    return release_source(tree)
 
 
 def sources_in_order(chosen: Iterable[Source], shipped: Iterable[Source]) -> tuple[Source, ...]:

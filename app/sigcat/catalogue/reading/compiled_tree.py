@@ -1,4 +1,4 @@
-"""The shipped tree, parsed once and kept the way Python keeps compiled modules.
+"""The shipped tree and its units, parsed once and kept the way Python keeps compiled modules.
 
 To parse its files takes longer than to lint an overlay over them. Their bytes are read all the same, and what is kept is
 found by the digest of these bytes: a file that changed in any way is parsed. Files with findings are not kept.
@@ -20,7 +20,8 @@ CODE = tuple(Path(str(module.__file__)) for module in (statement, vspec_file, ya
 """What decides what is read in a file."""
 FOLDER = Path(__file__).parent
 """The folder of what is kept."""
-_NAME = "tree"
+TREE = "tree"
+"""The name under which the tree is kept."""
 
 Kept = Mapping[str, Any]
 """Statements and includes of files, by the digest of the file."""
@@ -31,9 +32,9 @@ def is_shipped(root: Path) -> bool:
     return root.name == ROOT_FILE.name and real_path(root) == real_path(ROOT_FILE)
 
 
-def compiled_files() -> Kept:
-    """What is kept of the files of the shipped tree; nothing if it was not read before."""
-    return read_values(FOLDER, _NAME, stamp_of(CODE)) or {}
+def compiled_files(name: str = TREE) -> Kept:
+    """What is kept of shipped files under a name; nothing if they were not read before."""
+    return read_values(FOLDER, name, stamp_of(CODE)) or {}
 
 
 def compiled_file(source: SourceFile, kept: Kept) -> VspecFile | None:
@@ -50,11 +51,11 @@ def compiled_file(source: SourceFile, kept: Kept) -> VspecFile | None:
     )
 
 
-def keep(files: Iterable[VspecFile], kept: Kept) -> None:
-    """Keep the files of the shipped tree, unless all of them are."""
+def keep(files: Iterable[VspecFile], kept: Kept, name: str = TREE) -> None:
+    """Keep shipped files under a name, unless all of them are."""
     sound = [file for file in files if not file.findings]
     if any(file.source.digest not in kept for file in sound):
         values = {
             each.source.digest: ([s.packed() for s in each.statements], [*map(tuple, each.includes)]) for each in sound
         }
-        write_values(FOLDER, _NAME, stamp_of(CODE), values)
+        write_values(FOLDER, name, stamp_of(CODE), values)

@@ -1,6 +1,5 @@
 """Find the tree in a folder: the vspec file that a reader would start with."""
 
-import hashlib
 import os
 from collections.abc import Iterator
 from pathlib import Path, PurePosixPath
@@ -8,6 +7,7 @@ from typing import NamedTuple
 
 from sigcat.catalogue.reading.statement import SourceFile
 from sigcat.catalogue.reading.vspec_file import VspecFile, parse_vspec
+from sigcat.digest import digest_of
 from sigcat.errors import UsageError
 from sigcat.file_kind import ROOT_NAME, TYPES_NAME, holds_only_structs, holds_signal
 from sigcat.limits import DEFAULT_LIMITS, Limits
@@ -84,7 +84,7 @@ def _read(file: Path, limits: Limits) -> _Content:
     if file.stat().st_size > limits.file_bytes:
         return _Content((), is_of_types=False, has_root=True)
     data = file.read_bytes()
-    text = parse_vspec(data, SourceFile(str(file), "", hashlib.sha256(data).hexdigest()), limits)
+    text = parse_vspec(data, SourceFile(str(file), "", digest_of(data)), limits)
     return _Content(
         tuple(_without_steps(include.target) for include in text.includes),
         is_of_types=holds_only_structs(data) or (not holds_signal(data) and _includes_structs(file, text)),
