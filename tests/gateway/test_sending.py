@@ -26,6 +26,8 @@ BO_ 2147484160 Page: 3 Gateway
 BO_ 258 Other: 1 Gateway
  SG_ Light : 0|1@1+ (1,0) [0|1] "" Gateway
  SG_ Alive : 1|4@1+ (1,0) [0|15] "" Gateway
+BO_ 259 Again: 2 Gateway
+ SG_ Light : 8|1@1+ (1,0) [0|1] "" Gateway
 BA_DEF_ SG_ "GenSigStartValue" INT 0 100000;
 BA_DEF_DEF_ "GenSigStartValue" 0;
 BA_ "GenSigStartValue" SG_ 258 Alive 9;
@@ -134,8 +136,28 @@ def test_a_representation_is_read_from_right_to_left(send):
 
 
 def test_signals_that_nothing_sets_have_what_the_database_says_that_they_begin_with(send):
-    frames, _ = send({LIGHT: "type: actuator, datatype: boolean, vss2dbc: {signal: Light}"}, (LIGHT,), ["0,true"])
+    frames, _ = send(
+        {LIGHT: "type: actuator, datatype: boolean, vss2dbc: {signal: Light, message: Other}"}, (LIGHT,), ["0,true"]
+    )
     assert [dict(values) for _, values in frames] == [{"Light": 1, "Alive": 9}]
+
+
+@pytest.mark.parametrize(
+    ("message", "sent"), [("", [{"Light": 1, "Alive": 9}, {"Light": 1}]), (", message: Again", [{"Light": 1}])]
+)
+def test_a_signal_of_two_messages_is_sent_in_both_unless_the_mapping_names_one(send, message, sent):
+    mapping = f"type: actuator, datatype: boolean, vss2dbc: {{signal: Light{message}}}"
+    frames, told = send({LIGHT: mapping}, (LIGHT,), ["0,true"])
+    assert [dict(values) for _, values in frames] == sent
+    assert ("2 messages have a signal Light: `Other` and `Again`. It is sent in all of them." in told) == (not message)
+
+
+@pytest.mark.parametrize(("cells", "sent"), [(["0,36", "1,655.35"], [36]), (["0,655.35"], [])])
+def test_a_marker_of_a_representation_is_not_sent_as_a_number(send, cells, sent):
+    speed = "network_serialization: {signal: Speed, transform: {representation: [{value: 65535, text: SNA}]}}"
+    frames, told = send({SPEED: f"type: sensor, datatype: float, {speed}"}, (SPEED,), cells)
+    assert [values["Speed"] for _, values in frames] == sent
+    assert "1 values not sent to CAN, outside of the limits" in told
 
 
 def test_a_part_of_a_multiplexed_message_is_sent_with_its_number(send):
@@ -167,7 +189,7 @@ def test_what_the_network_cannot_hold_is_not_sent_and_is_told(send, cell, why):
 def test_a_formula_of_the_profile_is_not_turned_round(send):
     mappings = {
         SPEED: "type: sensor, datatype: float, network_serialization: {signal: Speed, transform: {math: x * 2}}",
-        LIGHT: "type: actuator, datatype: boolean, vss2dbc: {signal: Light}",
+        LIGHT: "type: actuator, datatype: boolean, vss2dbc: {signal: Light, message: Other}",
     }
     frames, told = send(mappings, (SPEED, LIGHT), ["0,3,true"])
     assert len(frames) == 1

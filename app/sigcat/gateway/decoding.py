@@ -1,20 +1,18 @@
 """Frames are decoded with cantools, and their values brought to the mapped signals."""
 
-import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import repeat
 from typing import Any, NamedTuple
 
 from sigcat.catalogue.network.can_database import CanDatabase
-from sigcat.catalogue.network.values import NetworkValue, Unfit, Value, value_of
+from sigcat.catalogue.network.markers import with_markers
+from sigcat.catalogue.network.signal_limits import limited, names, physical
+from sigcat.catalogue.network.values import OUTSIDE, NetworkValue, Unfit, Value, value_of
 from sigcat.gateway.counts import Counts
 from sigcat.gateway.frames import Frame
 from sigcat.gateway.mapped import Mapped
 from sigcat.gateway.multiplexed import defined_parts
 
-OUTSIDE = "outside of the limits that the database states"
-_ROUNDING = 1e-14
-"""How far a product and a sum of doubles are from the decimal that they mean, in parts of it."""
 _KNOWN_VALUES = 4096
 """Numbers of a signal whose values are kept."""
 
@@ -33,6 +31,10 @@ class _Target:
         self.number = number
         self.mapped = mapped
         self._signal = signal
+        self._names = names(signal)
+        self._mapping = with_markers(
+            mapped.mapping, mapped.datatype, self._names, lambda raw: limited(signal, physical(signal, raw)) is not None
+        )
         self._known: dict[float, Value | Unfit] = {}
 
     def value(self, raw: float) -> Value | Unfit:
@@ -45,39 +47,16 @@ class _Target:
         return found
 
     def _value(self, raw: float) -> Value | Unfit:
-        conversion, signal = self._signal.conversion, self._signal
-        physical = conversion.raw_to_scaled(
-            raw, decode_choices=False
-        )  # whole where factor and offset are: of 64 bits, too
-        name = (conversion.choices or {}).get(raw)
+        found = physical(self._signal, raw)
+        number = limited(self._signal, found)
+        name = self._names.get(raw)  # type: ignore[call-overload]  # a float has a name too
+        if number is None and name is None:
+            return Unfit(OUTSIDE)
+        given = NetworkValue(raw, found if number is None else number, name, number is not None)
         try:
-            if name is None:
-                step = 0.0 if conversion.is_float else abs(float(conversion.scale))
-                physical = within(physical, signal.minimum, signal.maximum, step)
-            given = NetworkValue(raw, physical, None if name is None else str(name))
-            return value_of(given, self.mapped.mapping, self.mapped.datatype, self.mapped.allowed)
+            return value_of(given, self._mapping, self.mapped.datatype, self.mapped.allowed)
         except Unfit as reason:
             return reason.with_traceback(None)  # what it was raised in is not kept
-
-
-def within(number: float, least: float | None, greatest: float | None, step: float) -> float:
-    """A number that limits hold. Raises Unfit.
-
-    Limits are written in decimals, and numbers come in steps: what is beyond one by less than half a step is the step that
-    was meant, and what only the rounding of a double brought beyond it is the limit. NaN is within: what it means is for who
-    receives it.
-    """
-    if least is not None and number < least:
-        limit = least
-    elif greatest is not None and number > greatest:
-        limit = greatest
-    else:
-        return number
-    if isinstance(number, float) and math.isclose(number, limit, rel_tol=_ROUNDING):
-        return limit
-    if abs(number - limit) < step / 2:
-        return number
-    raise Unfit(OUTSIDE)
 
 
 class _Plan(NamedTuple):

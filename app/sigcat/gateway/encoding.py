@@ -10,8 +10,9 @@ from sigcat.catalogue.model.definition import SIGNALS
 from sigcat.catalogue.model.interfaces import interface_name
 from sigcat.catalogue.network.can_database import LARGEST, CanDatabase
 from sigcat.catalogue.network.mapping import KUKSA_TARGET, PROFILE, SignalMapping, mappings_of
-from sigcat.catalogue.network.values import NO_FORMULA_VALUE, NOT_HELD, UNLISTED, Unfit, Value
-from sigcat.gateway.decoding import within
+from sigcat.catalogue.network.markers import with_markers
+from sigcat.catalogue.network.signal_limits import limited, names, physical
+from sigcat.catalogue.network.values import NO_FORMULA_VALUE, NOT_HELD, OUTSIDE, UNLISTED, WORD, Unfit, Value
 from sigcat.gateway.frames import Frame
 from sigcat.runs.recording import cells
 from sigcat.runs.recording.shapes import Number
@@ -56,10 +57,12 @@ class Place(NamedTuple):
     outgoing: Outgoing
     message: Any
     signal: Any
+    mapping: SignalMapping
+    """That of the signal, with the markers of this signal of the network."""
 
     def raw(self, text: str) -> float:
         """The number that is transmitted for a cell of a trace. Raises Unfit."""
-        given = _network_value(_value(text, self.outgoing.datatype), self.outgoing.mapping)
+        given = _network_value(_value(text, self.outgoing.datatype), self.mapping)
         conversion = self.signal.conversion
         if isinstance(given, _Raw):
             return self._held(given.number)
@@ -68,13 +71,13 @@ class Place(NamedTuple):
             if not numbers:
                 raise Unfit(NO_SUCH_NAME)
             return self._held(numbers[0])
-        if conversion.is_float:
-            return self._held(float(conversion.numeric_scaled_to_raw(float(given))))
-        if not math.isfinite(given):
+        if not conversion.is_float and not math.isfinite(given):
             raise Unfit(NOT_HELD)
-        step = abs(float(conversion.scale))
-        number = round(conversion.numeric_scaled_to_raw(within(given, self.signal.minimum, self.signal.maximum, step)))
-        return self._held(number)
+        number = limited(self.signal, given)
+        if number is None:
+            raise Unfit(OUTSIDE)
+        raw = conversion.numeric_scaled_to_raw(float(number) if conversion.is_float else number)
+        return self._held(float(raw) if conversion.is_float else round(raw))
 
     def _held(self, number: float) -> float:
         """A number that the bits of the signal hold. Raises Unfit."""
@@ -108,6 +111,8 @@ def _value(text: str, datatype: str) -> Value:
 
 def _network_value(value: Value, mapping: SignalMapping) -> float | str | _Raw:
     """A number in the unit of the network's signal, or as it is transmitted, or a name of one. Raises Unfit."""
+    if not isinstance(value, str) and value in mapping.markers:
+        raise Unfit(WORD)
     if mapping.choices:
         return _of_profile(value, mapping) if mapping.is_profile else _of_list(value, mapping)
     if mapping.formula is not None:
@@ -138,17 +143,25 @@ def _of_profile(value: Value, mapping: SignalMapping) -> str | _Raw:
 # -- a message ----------------------------------------------------------------------------------------------------
 
 
-def places(database: CanDatabase, outgoing: Sequence[Outgoing]) -> Mapping[str, Place]:
-    """Where signals go, by the names of their columns. Of several messages with a signal of the name, the first counts."""
-    found: dict[str, Place] = {}
+def places(database: CanDatabase, outgoing: Sequence[Outgoing]) -> Mapping[str, tuple[Place, ...]]:
+    """Where signals go, by the names of their columns: into each message that has the signal, unless the mapping names one."""
+    messages = {(message.frame_id, message.is_extended_frame): message for message in reversed(database.messages)}
+    found: dict[str, list[Place]] = {}
     for each in outgoing:
-        for message in database.messages:
-            if each.mapping.message not in (None, message.name):
-                continue
-            for signal in message.signals:
-                if signal.name == each.mapping.signal:
-                    found.setdefault(each.name, Place(each, message, signal))
-    return found
+        for message in reversed(messages.values()):
+            if each.mapping.message in (None, message.name):
+                for signal in message.signals:
+                    if signal.name == each.mapping.signal:
+                        found.setdefault(each.name, []).append(_place(each, message, signal))
+    return {name: tuple(each) for name, each in found.items()}
+
+
+def _place(outgoing: Outgoing, message: Any, signal: Any) -> Place:
+    mapping = with_markers(
+        outgoing.mapping, outgoing.datatype, names(signal),
+        lambda raw: limited(signal, physical(signal, raw)) is not None,
+    )  # fmt: skip
+    return Place(outgoing, message, signal, mapping)
 
 
 class MessageState:

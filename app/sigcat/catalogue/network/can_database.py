@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from sigcat import codes
+from sigcat.catalogue.network.signal_limits import limited, names, physical, step
 from sigcat.errors import UsageError
 from sigcat.findings import Finding
 from sigcat.limits import DEFAULT_LIMITS
@@ -29,6 +30,8 @@ class CanSignal(NamedTuple):
     raw_maximum: float
     names: Mapping[int, str]
     """Names of raw numbers."""
+    excluded: frozenset[int]
+    """Raw numbers that have names and are outside of the stated limits."""
     unit: str
     step: float
     """From one number to the next, in its unit; 0 for floats."""
@@ -189,13 +192,12 @@ def _unreadable(error: Exception) -> _Unreadable:
 
 def _signals(message: Any) -> Iterator[CanSignal]:
     for signal in message.signals:
-        conversion = signal.conversion
-        least, greatest = sorted(conversion.raw_to_scaled(raw, decode_choices=False) for raw in _raw_range(signal))
-        names = {int(number): str(name) for number, name in (conversion.choices or {}).items()}
+        least, greatest = sorted(physical(signal, raw) for raw in _raw_range(signal))
+        known = names(signal)
+        excluded = frozenset(raw for raw in known if limited(signal, physical(signal, raw)) is None)
         yield CanSignal(
-            signal.name, message.name, signal.minimum, signal.maximum, least, greatest, names,
-            signal.unit or "", 0.0 if conversion.is_float else abs(float(conversion.scale)), signal.length,
-            str(signal.byte_order),
+            signal.name, message.name, signal.minimum, signal.maximum, least, greatest, known, excluded,
+            signal.unit or "", step(signal), signal.length, str(signal.byte_order),
         )  # fmt: skip
 
 
