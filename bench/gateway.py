@@ -8,7 +8,7 @@ from bench.rows import Bench, Row
 from sigcat.catalogue.hosting.source import load
 from sigcat.catalogue.hosting.sources import shipped_sources
 from sigcat.data import EXAMPLES
-from sigcat.gateway.frames import read_log
+from sigcat.gateway.logs.read import read_log
 from sigcat.gateway.prepare import prepare
 from sigcat.gateway.trace import lines_of, rows_of
 from sigcat.gateway.translation import Translation
@@ -28,7 +28,7 @@ def frames(bench: Bench) -> Row:
         translation = Translation(prepared.database, prepared.mapped)
         start = process_time()
         moments = translation.moments(read_log(_CAN / "drive.log.gz", []), "drive")
-        count = sum(1 for _ in lines_of(rows_of(moments, prepared.mapped), [each.name for each in prepared.mapped]))
+        count = sum(1 for _ in lines_of(rows_of(moments), [each.name for each in prepared.mapped]))
         assert count > translation.counts.frames // 2
         return translation.counts.frames / (process_time() - start)
 

@@ -167,7 +167,9 @@ def _databases(arguments: argparse.Namespace) -> "list[Path | tuple[str, Path]]"
 
 
 def _is_trace(arguments: argparse.Namespace) -> bool:
-    return arguments.log is not None and arguments.log.suffix.lower() == ".csv"
+    from sigcat.gateway.logs.read import is_log
+
+    return arguments.log is not None and arguments.log.suffix.lower() == ".csv" and not is_log(arguments.log)
 
 
 # -- to CAN -------------------------------------------------------------------------------------------------------
@@ -299,8 +301,8 @@ def _drain(lines: "Iterable[str]", output: Path | None) -> None:
 
 def _frames(arguments: argparse.Namespace, found: "list[Finding]") -> "tuple[Iterator[Frame | Passed], str]":
     """The frames, and what findings call where they come from. Raises UsageError."""
-    from sigcat.gateway.frames import read_log
     from sigcat.gateway.live import read_bus
+    from sigcat.gateway.logs.read import read_log
 
     if (arguments.log is None) == (arguments.live is None):
         raise UsageError("name a log, or a bus with --live INTERFACE:CHANNEL")
@@ -325,7 +327,7 @@ def _rows(
     from sigcat.gateway.trace import added_trace, merged, rows_of
 
     columns = tuple(each.name for each in translation.mapped)
-    rows = rows_of(moments, translation.mapped)
+    rows = rows_of(moments)
     if arguments.add is None:
         return rows, columns
     added = added_trace(existing_file(arguments.add), translation.mapped, prepared.datatypes)

@@ -18,8 +18,6 @@ class Counts:
         self.unmapped = 0
         """Frames of which nothing is mapped."""
         self.decoded = 0
-        self.undecodable: Counter[str] = Counter()
-        """Frames that are none of their message, by its name."""
         self.short: Counter[str] = Counter()
         """Frames with less data than their message has, by its name: of these, what is there was taken."""
         self.undefined: Counter[tuple[str, str]] = Counter()
@@ -85,7 +83,6 @@ class Counts:
             (self.unmapped, "of messages that nothing maps"),
             (self.unknown.total(), f"with {self._identifiers()}"),
             (sum(self.others.values()), "of other channels"),
-            (sum(self.undecodable.values()), "that are none of their message"),
             (self.passed["error"], "error"),
             (self.passed["remote"], "remote"),
         ]

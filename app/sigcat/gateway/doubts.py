@@ -65,9 +65,6 @@ def _merged(counts: Counts, name: str) -> Iterator[Finding]:
 
 
 def _of_frames(counts: Counts, name: str) -> Iterator[Finding]:
-    for message_name, count in counts.undecodable.items():
-        message = f"{_frames(count)} cannot be decoded as {message_name}."
-        yield codes.FRAME_UNFIT.finding(message, name, fix="Look whether the database is of this bus.")
     for (message_name, undefined), count in counts.undefined.items():
         message = f"{_frames(count)} of {message_name}: {undefined}. What does not hang on it was taken."
         yield codes.FRAME_UNFIT.finding(message, name)

@@ -1,14 +1,15 @@
 """Frames become moments: what the mapped signals are at a time. Intervals and unchanged values are heeded here."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, TypeGuard
 
 from sigcat import codes
 from sigcat.catalogue.network.can_database import CanDatabase
+from sigcat.catalogue.network.mapping import SignalMapping
 from sigcat.catalogue.network.values import Value
 from sigcat.findings import Finding
 from sigcat.gateway.counts import Counts
-from sigcat.gateway.decoding import Decoded, Decoder
+from sigcat.gateway.decoding import Decoded, Decoder, Failed, decoded
 from sigcat.gateway.frames import Frame, Passed
 from sigcat.gateway.mapped import Mapped
 
@@ -25,11 +26,14 @@ class Moment(NamedTuple):
 
 
 class _Sent:
-    """What was sent last of a signal, and when."""
+    """The last value of a signal that was sent, and when its interval began."""
 
-    __slots__ = ("time", "value")
+    __slots__ = ("interval", "is_kuksa", "on_change", "time", "value")
 
-    def __init__(self) -> None:
+    def __init__(self, mapping: SignalMapping) -> None:
+        self.interval = mapping.interval
+        self.on_change = mapping.on_change
+        self.is_kuksa = not mapping.is_profile
         self.time: int | None = None
         self.value: Value | None = None
 
@@ -46,9 +50,11 @@ class Translation:
         self.channel = channel
         self.is_from_zero = is_from_zero
         self._decoder = Decoder(database, mapped, self.counts)
-        self._sent = [_Sent() for _ in mapped]
+        self._sent = [_Sent(each.mapping) for each in mapped]
         self._defaults = tuple(
-            Decoded(number, each.default) for number, each in enumerate(mapped) if each.default is not None
+            decoded(number, each.default, each.datatype)
+            for number, each in enumerate(mapped)
+            if each.default is not None
         )
 
     def moments(self, frames: Iterable[Frame | Passed], name: str) -> Iterator[Moment]:
@@ -96,20 +102,23 @@ class Translation:
             counts.last = given
         return counts.last - counts.first if self.is_from_zero else counts.last
 
-    def _is_due(self, each: Decoded, time: int) -> bool:
+    def _is_due(self, each: Decoded | Failed, time: int) -> TypeGuard[Decoded]:
         """Whether a value is sent. One that is not is counted.
 
-        The KUKSA CAN provider begins the interval anew with a value that it then does not send since it is unchanged; by
-        VSS's profile it begins with what is sent.
+        The interval of the KUKSA CAN provider begins with each attempt: also with a value that is not sent since it is
+        unchanged, and with a number that its mapping makes no value of. That of VSS's profile begins with what is sent.
         """
-        mapping, sent = self.mapped[each.number].mapping, self._sent[each.number]
-        is_time = sent.time is None or time - sent.time >= mapping.interval
-        is_changed = not mapping.on_change or not _is_same(each.value, sent.value)
-        if is_time and (is_changed or not mapping.is_profile):
-            sent.time = time
-        if is_time and is_changed:
-            sent.value = each.value
+        sent = self._sent[each.number]
+        is_time = sent.time is None or time - sent.time >= sent.interval
+        if isinstance(each, Failed):
+            if is_time and sent.is_kuksa and each.is_attempt:
+                sent.time = time
+            return False
+        if is_time and (not sent.on_change or not _is_same(each.value, sent.value)):
+            sent.time, sent.value = time, each.value
             return True
+        if is_time and sent.is_kuksa:
+            sent.time = time
         self.counts.held_back += 1
         return False
 
