@@ -15,7 +15,7 @@ from sigcat.gateway.translation import Moment
 from sigcat.limits import TRACE_ROW_BYTES
 from sigcat.names import did_you_mean
 from sigcat.runs.recording.cells import Unfit, value_of
-from sigcat.runs.recording.csv_file import quoted
+from sigcat.runs.recording.csv_file import SPECIAL, quoted
 from sigcat.runs.recording.shapes import Number
 from sigcat.runs.recording.times import nanoseconds, seconds
 
@@ -51,10 +51,11 @@ def lines_of(rows: Iterable[Row], columns: Sequence[str]) -> Iterator[str]:
     """The lines of the file."""
     yield f"time,{','.join(map(_quoted, columns))}\n"
     empty = [""] * len(columns)
+    is_plain = SPECIAL.isdisjoint
     for time, cells in rows:
         texts = empty.copy()
         for index, text in cells.items():
-            texts[index] = _quoted(text)
+            texts[index] = text if is_plain(text) else _quoted(text)
         yield f"{seconds(time)},{','.join(texts)}\n"
 
 

@@ -59,7 +59,7 @@ class Translation:
 
     def moments(self, frames: Iterable[Frame | Passed], name: str) -> Iterator[Moment]:
         """The moments of a log; `name` is what findings call it. It ends where the time goes back."""
-        counts = self.counts
+        counts, values, is_due = self.counts, self._decoder.values, self._is_due
         for frame in frames:
             counts.frames += 1
             if isinstance(frame, Passed):
@@ -72,7 +72,7 @@ class Translation:
             if time is None:
                 self.findings.append(_goes_back(frame.time, counts, name))
                 return
-            found = tuple([each for each in self._decoder.values(frame) if self._is_due(each, time)])
+            found = tuple([each for each in values(frame) if is_due(each, time)])
             if self._defaults and found:
                 found = self._with_defaults(found)
             counts.sent += len(found)

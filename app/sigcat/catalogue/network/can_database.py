@@ -141,7 +141,9 @@ def _doubts(message: Any, path: Path) -> Iterator[Finding]:
     except Exception as error:  # noqa: BLE001 — of cantools, with the names of both
         message.refresh(strict=False)
         rule = codes.CAN_DATABASE_UNREADABLE.graded("warning")  # other messages are right
-        yield rule.finding(str(error)[:200], str(path), fix="Correct where they start: at least one of them has wrong values.")
+        yield rule.finding(
+            str(error)[:200], str(path), fix="Correct where they start: at least one of them has wrong values."
+        )
 
 
 class _Unreadable(Exception):

@@ -3,7 +3,6 @@
 import math
 import struct
 from collections.abc import Mapping
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from sigcat.catalogue.model.datatypes import FLOATING, INTEGER_RANGES
@@ -143,7 +142,6 @@ def _whole(value: float, least: int, greatest: int) -> int:
     return whole
 
 
-@lru_cache(maxsize=4096)
 def _floating(value: float, datatype: str) -> float:
     if datatype not in FLOATING:
         raise Unfit(NOT_HELD)

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from decimal import Decimal, InvalidOperation
 
 from sigcat.gateway.frames import Frame, Passed, frame_of
-from sigcat.gateway.logs.lines import Lines, TextLines
+from sigcat.gateway.logs.lines import Lines, TextLines, text_of
 from sigcat.gateway.logs.problems import CutLine
 
 _BASE = re.compile(rb"base\s+(hex|dec)(?:\s+timestamps\s+(relative|absolute))?", re.IGNORECASE)
@@ -40,15 +40,15 @@ class AscLines(TextLines):
         """The lines from where it is. The reader iterates twice: for the header, which it ends at a line that it drops."""
         if self._is_past_header:
             yield _END_OF_HEADER
-        while line := self._waiting or self.lines.line():
+        while line := self._waiting or next(iter(self.lines), b""):
             if not self._is_past_header and _TIMED.match(line):
                 self._waiting, self._is_past_header = line, True
                 yield _END_OF_HEADER
             self._waiting = b""
+            text_of(line)
             if self._is_past_header:
                 self._refuse_cut(line)
-            yield self._read_as(line).decode("latin-1")
-        self.lines.is_at_end = True
+            yield text_of(self._read_as(line))
 
     def _refuse_cut(self, line: bytes) -> None:
         """Raises CutLine for a line that was cut within its data: the reader would take what there is for a value."""

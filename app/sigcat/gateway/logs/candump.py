@@ -8,7 +8,7 @@ from functools import cache
 from io import StringIO
 
 from sigcat.gateway.frames import Frame, Passed, frame_of
-from sigcat.gateway.logs.lines import Lines
+from sigcat.gateway.logs.lines import Lines, text_of
 from sigcat.gateway.logs.problems import CutLine
 
 _CLASSIC = re.compile(
@@ -60,5 +60,5 @@ def _unusual(line: bytes) -> Iterator[Frame | Passed]:
     if frame and len(frame[1]) // 2 not in _FD_LENGTHS:
         raise CutLine(f"{len(frame[1]) // 2} bytes are no length of a frame of CAN FD")
     error = _ERROR.match(line)
-    text = (error[1] + _BUS_ERROR if error else line).decode("latin-1")
+    text = text_of(error[1] + _BUS_ERROR if error else line)
     yield from map(frame_of, CanutilsLogReader(StringIO(text)))

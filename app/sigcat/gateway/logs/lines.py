@@ -21,23 +21,24 @@ class Lines:
         self._file = file
 
     def __iter__(self) -> Iterator[bytes]:
-        while line := self.line():
-            yield line
+        file = self._file
+        while line := file.readline(LOG_LINE_BYTES):
+            self.number += 1
+            if line.endswith(b"\n"):
+                yield line
+            elif self._is_last(line):
+                self.is_whole = False
+                yield line
         self.is_at_end = True
 
-    def line(self) -> bytes:
-        """The next line that is not too long; nothing at the end. Raises CutLine for one with bytes that are not text."""
-        while line := self._file.readline(LOG_LINE_BYTES):
-            self.number += 1
-            if len(line) < LOG_LINE_BYTES or line.endswith(b"\n"):
-                self.is_whole = line.endswith(b"\n")
-                if b"\0" in line:
-                    raise CutLine("it has bytes that are no text")
-                return line
-            self.too_long = [*self.too_long, self.number][:10]
-            while (rest := self._file.readline(LOG_LINE_BYTES)) and not rest.endswith(b"\n"):
-                pass
-        return b""
+    def _is_last(self, line: bytes) -> bool:
+        """Whether a line without a line break is the last one; else it is too long, and its rest is skipped."""
+        if len(line) < LOG_LINE_BYTES:
+            return True
+        self.too_long = [*self.too_long, self.number][:10]
+        while (rest := self._file.readline(LOG_LINE_BYTES)) and not rest.endswith(b"\n"):
+            pass
+        return False
 
 
 class TextLines:
@@ -47,8 +48,7 @@ class TextLines:
         self.lines = lines
 
     def __iter__(self) -> Iterator[str]:
-        for line in self.lines:
-            yield line.decode("latin-1")
+        return map(text_of, self.lines)
 
     def read(self, _count: int = -1) -> str:
         """There for readers that look whether this is a file."""
@@ -56,3 +56,10 @@ class TextLines:
 
     def close(self) -> None:
         """The file is closed where it was opened."""
+
+
+def text_of(line: bytes) -> str:
+    """A line as text. Raises CutLine for one with bytes that are not text."""
+    if b"\0" in line:
+        raise CutLine("it has bytes that are no text")
+    return line.decode("latin-1")

@@ -3,7 +3,7 @@
 import gzip
 import zlib
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from io import BufferedReader
+from io import BufferedReader, RawIOBase
 from pathlib import Path
 from typing import IO, cast
 
@@ -22,6 +22,7 @@ from sigcat.gateway.logs.problems import (
     no_log,
 )
 
+_CHUNK = 32 * 1024
 _GZIP = b"\x1f\x8b"
 """How a file begins that is packed."""
 
@@ -134,7 +135,9 @@ def _frames(path: Path, form: str, findings: list[Finding]) -> Iterator[Frame | 
 
 
 def _opened(path: Path) -> IO[bytes]:
-    return cast("IO[bytes]", gzip.open(path, "rb")) if path.suffix.lower() == ".gz" else path.open("rb")
+    if path.suffix.lower() != ".gz":
+        return path.open("rb")
+    return BufferedReader(cast("RawIOBase", gzip.open(path, "rb")), _CHUNK)  # reads lines faster than gzip does
 
 
 def _is_packed(path: Path) -> bool:

@@ -10,7 +10,7 @@ from can.io import CSVReader, SqliteReader, TRCReader
 
 from sigcat.errors import UsageError
 from sigcat.gateway.frames import Frame, Passed, frame_of
-from sigcat.gateway.logs.lines import Lines, TextLines
+from sigcat.gateway.logs.lines import Lines, TextLines, text_of
 from sigcat.gateway.logs.problems import CutLine, DamagedLog, NoLog
 
 _CSV_HEADER = b"timestamp,"
@@ -26,7 +26,7 @@ class CsvLog:
     def __iter__(self) -> Iterator[Frame | Passed]:
         for line in self._lines:
             if line.strip() and not line.startswith(_CSV_HEADER):
-                yield from map(frame_of, CSVReader(StringIO(f"\n{line.decode('latin-1')}")))
+                yield from map(frame_of, CSVReader(StringIO(f"\n{text_of(line)}")))
 
 
 class _Trc(TRCReader):
