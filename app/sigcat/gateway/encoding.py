@@ -116,10 +116,10 @@ def _network_value(value: Value, mapping: SignalMapping) -> float | str | _Raw:
     if mapping.choices:
         return _of_profile(value, mapping) if mapping.is_profile else _of_list(value, mapping)
     if mapping.formula is not None:
-        found = None if isinstance(value, str) else mapping.formula.value(float(value))
+        found = None if isinstance(value, str) else mapping.formula.value(value)
         if found is None:
             raise Unfit(NO_FORMULA_VALUE)
-        return found
+        return int(found) if isinstance(found, bool) else found
     return int(value) if isinstance(value, bool) else value
 
 

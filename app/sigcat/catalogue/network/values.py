@@ -95,9 +95,8 @@ def _converted(given: NetworkValue, mapping: SignalMapping, datatype: str) -> An
 def _computed(given: NetworkValue, formula: "Formula") -> Any:
     if given.name is not None:
         raise Unfit(NAMED)
-    number = float(given.physical)
-    found = formula.value(number)
-    if found is None or _is_no_result(number, found):
+    found = formula.value(given.physical)
+    if found is None or _is_no_result(given.physical, found):
         raise Unfit(NO_FORMULA_VALUE)
     return found
 

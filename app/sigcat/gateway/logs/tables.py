@@ -7,6 +7,7 @@ from typing import Any
 
 from can import Message
 from can.io import CSVReader, SqliteReader, TRCReader
+from can.util import dlc2len
 
 from sigcat.errors import UsageError
 from sigcat.gateway.frames import Frame, Passed, frame_of
@@ -35,7 +36,12 @@ class _Trc(TRCReader):
     def _parse_line(self, line: str) -> Message | None:
         cells = tuple(line.split(maxsplit=self._num_columns))
         message = self._parse_cols(cells) if cells else None
-        if message is not None and message.data and any(len(each) != 2 for each in line.split()[-message.dlc :]):
+        if message is None or message.is_remote_frame or not message.dlc:
+            return message
+        count = dlc2len(message.dlc)
+        if len(message.data) < count:
+            raise CutLine(f"it has {len(message.data)} of {count} bytes")
+        if any(len(each) != 2 for each in line.split()[-count:]):
             raise CutLine("its data has half a byte")
         return message
 

@@ -287,9 +287,7 @@ def _sent_misfit(
     if mapping.choices or datatype == "string" or not all(map(is_number, limits)):
         return ""
     found = [
-        number if mapping.formula is None else mapping.formula.value(float(number))
-        for number in limits
-        if number is not None
+        number if mapping.formula is None else mapping.formula.value(number) for number in limits if number is not None
     ]
     numbers = [number for number in found if number is not None]
     least, greatest = min(each.least for each in signals), max(each.greatest for each in signals)
@@ -362,7 +360,8 @@ def _numbers(mapping: SignalMapping, signal: "CanSignal") -> Iterator[float]:
         return
     for number in range(_SAMPLES + 1):
         share = number / _SAMPLES
-        found = mapping.formula.value(signal.least * (1 - share) + signal.greatest * share)
+        given = signal.least * (1 - share) + signal.greatest * share
+        found = mapping.formula.value(given if not signal.step or signal.step % 1 else round(given))
         if found is not None and found == found and abs(found) < _MOST_UNSTATED:  # noqa: PLR0124 — not NaN
             yield found
 
