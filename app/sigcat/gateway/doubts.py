@@ -42,10 +42,18 @@ def _nothing(translation: Translation, name: str) -> Finding:
         return codes.LOG_OF_ANOTHER_BUS.finding(message, name, fix="Name one of these.")
     if counts.decoded:
         message = "No mapped signal has a value that it can take: no trace is written."
-        return codes.LOG_OF_ANOTHER_BUS.finding(message, name, fix=fix)
+        return codes.LOG_OF_ANOTHER_BUS.finding(message, name, fix=_unfit_fix(counts))
     why = f"the database has none of its identifiers, such as {_most_frequent(counts.unknown)}."
     message = f"No frame of the log has a mapped signal: {why if counts.unknown else 'its messages are others.'}"
     return codes.LOG_OF_ANOTHER_BUS.finding(message, name, fix=fix)
+
+
+def _unfit_fix(counts: Counts) -> str:
+    """The advice where frames were decoded and no value is left."""
+    if not counts.unfit:
+        return "The frames have none of the parts or bytes that the mapped signals are in."
+    (path, why), count = counts.unfit.most_common(1)[0]
+    return f"Most often, values of {path} are {why} ({count:,}). Check limits and factors of the database, and the mappings."
 
 
 def _most_frequent(unknown: "Counter[str]") -> str:

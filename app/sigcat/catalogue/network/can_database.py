@@ -81,7 +81,7 @@ def read_can_database(paths: Sequence[Path]) -> CanDatabase:
                 other, file = known.setdefault((message.frame_id, message.is_extended_frame), (message, path))
                 if other is message:
                     messages.append(message)
-                    findings.extend(_doubts(message, path))
+                    findings += [*_wrong_factors(message, path), *_doubts(message, path)]
                 elif not _is_same(message, other):
                     findings.append(_contradicts(message, path, other, file))
         except _Unreadable as error:
@@ -132,6 +132,28 @@ def _contradicts(message: Any, path: Path, other: Any, file: Path) -> Finding:
     text = f"{message.name} has the identifier {message.frame_id:X}, which {other.name} has in {where}."
     fix = "Frames are of one of them: name the databases of one bus at a time, with --channel if the log has several."
     return codes.CAN_DATABASE_UNREADABLE.finding(text, str(path), fix=fix)
+
+
+def _wrong_factors(message: Any, path: Path) -> Iterator[Finding]:
+    """Signals with a factor of 0, of which every number is the same."""
+    for signal in message.signals:
+        if signal.conversion.scale == 0:
+            text = f"The factor of {message.name}.{signal.name} must not be 0."
+            yield codes.CAN_DATABASE_UNREADABLE.finding(
+                text, str(path), _line(path, message.name, signal.name), fix="Write the factor of one step, such as 1."
+            )
+
+
+def _line(path: Path, message: str, signal: str) -> int:
+    """The line of a signal in a DBC; 0 in other forms."""
+    own = False
+    for number, line in enumerate(path.read_text(encoding="cp1252", errors="replace").splitlines(), 1):
+        words = line.replace(":", " ").split()
+        if words[:1] == ["BO_"]:
+            own = words[2:3] == [message]
+        elif own and words[:2] == ["SG_", signal]:
+            return number
+    return 0
 
 
 def _doubts(message: Any, path: Path) -> Iterator[Finding]:
