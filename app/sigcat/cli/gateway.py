@@ -211,7 +211,11 @@ def _returning(
     if not arguments.send:
         return sender, None
     bus = stack.enter_context(open_bus(arguments.send))
-    return sender, stack.enter_context(Returning(sender, bus, is_lock_step=arguments.lock_step))
+    return sender, stack.enter_context(Returning(sender, bus, _report, is_lock_step=arguments.lock_step))
+
+
+def _report(message: str) -> None:
+    print(f"sigcat: {message}", file=sys.stderr, flush=True)
 
 
 # -- functions that run -------------------------------------------------------------------------------------------
@@ -250,7 +254,7 @@ def _to_functions(
         found += handed.findings(player, name)
         if returning is not None:
             returning.close()
-            found += sender.findings(name)
+            found += [*sender.findings(name), *returning.findings(name)]
             print(f"{name}: {sender.line()}", file=sys.stderr)
         print(f"{name}: {handed.line(player)}, {heard.count:,} received", file=sys.stderr)
         if arguments.recorded is not None:
