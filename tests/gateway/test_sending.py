@@ -48,12 +48,14 @@ def send(tmp_path, capsys):
     (tmp_path / "bus.dbc").write_text(DBC)
     judge: Any = cantools.database.load_string(DBC, "dbc")
 
-    def sending(mappings, columns, rows, status=0):
+    def sending(mappings, columns, rows, *options, status=0):
         overlay, trace, log = tmp_path / "can.vspec", tmp_path / "trace.csv", tmp_path / "out.log"
         overlay.write_text("".join(f"{path}: {{{text}}}\n" for path, text in mappings.items()))
         trace.write_text("\n".join([",".join(("time", *columns)), *rows]) + "\n")
         given = [str(trace), "--dbc", str(tmp_path / "bus.dbc"), "-s", "vss", "-l", str(overlay), "--send", str(log)]
-        assert main(["gateway", *given]) == status
+        assert main(["gateway", *given, *options]) == status
+        if status:
+            return [], capsys.readouterr().err.replace(f"{tmp_path}/", "")
         with can.LogReader(log) as read:
             frames = [
                 (
@@ -140,6 +142,33 @@ def test_signals_that_nothing_sets_have_what_the_database_says_that_they_begin_w
         {LIGHT: "type: actuator, datatype: boolean, vss2dbc: {signal: Light, message: Other}"}, (LIGHT,), ["0,true"]
     )
     assert [dict(values) for _, values in frames] == [{"Light": 1, "Alive": 9}]
+
+
+def test_signals_that_nothing_sets_have_what_a_file_says(send, tmp_path):
+    (tmp_path / "defaults.json").write_text('{"Speed": 12.5, "Gear": "DRIVE", "Others": 1}')
+    tilt = "type: actuator, datatype: int8, vss2dbc: {signal: Tilt}"
+    frames, told = send({TILT: tilt}, (TILT,), ["0,2"], "--defaults", str(tmp_path / "defaults.json"))
+    assert dict(frames[0][1]) == {"Tilt": 2.0, "Speed": 12.5, "Gear": 1, "Level": 0, "Exact": 0.0}
+    assert "defaults.json:1:1: warning B009 The CAN database has no signal 'Others'." in told
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("{", "defaults.json:1:2: error B009 The file must be JSON."),
+        ("[]", "defaults.json:1:1: error B009 The file must be a JSON object."),
+        ('{\n"Speed": 301}', "defaults.json:2:1: error B009 The default 301 of Speed is outside of the limits"),
+        ('{"Gear": "R"}', "error B009 The default 'R' of Gear is a text that the database has no number for."),
+        ('{"Gear": [1]}', "error B009 Gear must have a number or a name"),
+        ('{"Level": 99}', "error B009 The default 99 of Level is not held by the datatype."),
+    ],
+)
+def test_defaults_that_cannot_be_sent_are_refused(send, tmp_path, text, said):
+    (tmp_path / "defaults.json").write_text(text)
+    tilt = "type: actuator, datatype: int8, vss2dbc: {signal: Tilt}"
+    _, told = send({TILT: tilt}, (TILT,), ["0,2"], "--defaults", str(tmp_path / "defaults.json"), status=1)
+    assert said in told
+    assert not (tmp_path / "out.log").exists()
 
 
 @pytest.mark.parametrize(

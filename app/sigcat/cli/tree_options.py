@@ -22,7 +22,7 @@ def add_tree_options(parser: argparse.ArgumentParser) -> None:
         "--vspec",
         type=Path,
         metavar="TREE",
-        help="root .vspec file, a folder with one, a pulled release such as v5.0, or vss: the shipped tree alone "
+        help="root .vspec file, a tree in JSON, a folder with one, a pulled release such as v5.0, or vss: the shipped tree alone "
         "(default: the shipped tree with its overlays)",
     )
     add_many(group, "-l", "--overlays", "overlay, applied in the order given")
@@ -78,7 +78,7 @@ def tree_source(arguments: argparse.Namespace) -> "Source":
         id=source.spec.stem,
         overlays=(*source.overlays, *arguments.overlays),
         units=(*source.units, *arguments.units),
-        quantities=tuple(arguments.quantities),
+        quantities=(*source.quantities, *arguments.quantities),
         types=tuple(arguments.types) or source.types,
         include_dirs=tuple(arguments.include_dirs),
     )

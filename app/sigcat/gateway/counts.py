@@ -12,7 +12,7 @@ class Counts:
     def __init__(self) -> None:
         self.frames = 0
         self.passed: Counter[str] = Counter()
-        """Error frames and remote frames."""
+        """Error frames, remote frames, and parts of longer messages."""
         self.unknown: Counter[str] = Counter()
         """Frames of identifiers that the database does not have, by them."""
         self.unmapped = 0
@@ -85,6 +85,7 @@ class Counts:
             (sum(self.others.values()), "of other channels"),
             (self.passed["error"], "error"),
             (self.passed["remote"], "remote"),
+            (self.passed["transport"], "of the transport protocol"),
         ]
         return "".join(f", {count:,} {what}" for count, what in parts if count)
 

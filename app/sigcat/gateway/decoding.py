@@ -14,6 +14,7 @@ from sigcat.catalogue.network.signal_limits import limited, names, physical
 from sigcat.catalogue.network.values import OUTSIDE, NetworkValue, Unfit, Value, value_of
 from sigcat.gateway.counts import Counts
 from sigcat.gateway.frames import Frame
+from sigcat.gateway.j1939 import by_pgn, pgn
 from sigcat.gateway.layout import Bits, bits, numbers, width
 from sigcat.gateway.mapped import Mapped
 from sigcat.runs.recording.cells import cell_of
@@ -100,6 +101,7 @@ class _Plan:
         self.is_mapped = bool(targets)
         self.part = self._part(message.signals, targets, None)
         self.channels: set[str] = set()
+        self.is_j1939 = message.protocol == "j1939"
 
     def _part(self, signals: Sequence[Any], targets: Mapping[str, Sequence[_Target]], multiplexer: str | None) -> _Part:
         """The part that a multiplexer selects, of signals of which only its own have it."""
@@ -135,7 +137,9 @@ class _Plan:
 class Decoder:
     """Takes the mapped values out of frames, and counts what it does not take."""
 
-    def __init__(self, database: CanDatabase, mapped: Iterable[Mapped], counts: Counts) -> None:
+    def __init__(
+        self, database: CanDatabase, mapped: Iterable[Mapped], counts: Counts, *, is_j1939: bool = False
+    ) -> None:
         self.counts = counts
         by_signal: dict[str, list[tuple[int, Mapped]]] = {}
         for number, each in enumerate(mapped):
@@ -145,12 +149,33 @@ class Decoder:
             for message, channel in zip(database.messages, database.channels or repeat(""), strict=False)
         }
 
+        self._groups = {
+            channel: by_pgn(
+                (identifier, plan)
+                for (of, identifier, is_extended), plan in self._plans.items()
+                if is_extended and of == channel and (is_j1939 or plan.is_j1939)
+            )
+            for channel, _, _ in self._plans
+        }
+        self.is_j1939 = any(self._groups.values())
+        """Whether there are messages that are found by their PGN."""
+
+    def _plan(self, channel: str, identifier: int, *, is_extended: bool) -> _Plan | None:
+        """The message of an identifier; of J1939, that of its PGN."""
+        for name in ("", channel):
+            plan = self._plans.get((name, identifier, is_extended))
+            if plan is None and is_extended and self.is_j1939:
+                plan = self._groups.get(name, {}).get(pgn(identifier))
+            if plan is not None:
+                return plan
+        return None
+
     def values(self, frame: Frame) -> Sequence[Decoded | Failed]:
         """The values of a frame, and those that are none."""
         _, identifier, is_extended, data, channel = frame
         plan = self._plans.get(("", identifier, is_extended))
         if plan is None:
-            plan = self._plans.get((channel, identifier, is_extended))
+            plan = self._plan(channel, identifier, is_extended=is_extended)
         counts = self.counts
         if plan is None:
             counts.count_unknown(f"{identifier:X}{'x' if is_extended else ''}")

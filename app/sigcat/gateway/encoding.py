@@ -63,33 +63,36 @@ class Place(NamedTuple):
     def raw(self, text: str) -> float:
         """The number that is transmitted for a cell of a trace. Raises Unfit."""
         given = _network_value(_value(text, self.outgoing.datatype), self.mapping)
-        conversion = self.signal.conversion
-        if isinstance(given, _Raw):
-            return self._held(given.number)
-        if isinstance(given, str):
-            numbers = [number for number, name in (conversion.choices or {}).items() if str(name) == given]
-            if not numbers:
-                raise Unfit(NO_SUCH_NAME)
-            return self._held(numbers[0])
-        if not conversion.is_float and not math.isfinite(given):
-            raise Unfit(NOT_HELD)
-        number = limited(self.signal, given)
-        if number is None:
-            raise Unfit(OUTSIDE)
-        raw = conversion.numeric_scaled_to_raw(float(number) if conversion.is_float else number)
-        return self._held(float(raw) if conversion.is_float else round(raw))
+        return held(self.signal, given.number) if isinstance(given, _Raw) else raw_of(self.signal, given)
 
-    def _held(self, number: float) -> float:
-        """A number that the bits of the signal hold. Raises Unfit."""
-        signal = self.signal
-        if signal.conversion.is_float:
-            if math.isfinite(number) and abs(number) > LARGEST[signal.length]:
-                raise Unfit(NOT_HELD)
-            return number
-        least = -(2 ** (signal.length - 1)) if signal.is_signed else 0
-        if not least <= number < least + 2**signal.length:
+
+def raw_of(signal: Any, given: float | str) -> float:
+    """The number that is transmitted for a number in the unit of a signal, or for a name of one. Raises Unfit."""
+    conversion = signal.conversion
+    if isinstance(given, str):
+        numbers = [number for number, name in names(signal).items() if name == given]
+        if not numbers:
+            raise Unfit(NO_SUCH_NAME)
+        return held(signal, numbers[0])
+    if not conversion.is_float and not math.isfinite(given):
+        raise Unfit(NOT_HELD)
+    number = limited(signal, given)
+    if number is None:
+        raise Unfit(OUTSIDE)
+    raw = conversion.numeric_scaled_to_raw(float(number) if conversion.is_float else number)
+    return held(signal, float(raw) if conversion.is_float else round(raw))
+
+
+def held(signal: Any, number: float) -> float:
+    """A transmitted number that the bits of a signal hold. Raises Unfit."""
+    if signal.conversion.is_float:
+        if math.isfinite(number) and abs(number) > LARGEST[signal.length]:
             raise Unfit(NOT_HELD)
         return number
+    least = -(2 ** (signal.length - 1)) if signal.is_signed else 0
+    if not least <= number < least + 2**signal.length:
+        raise Unfit(NOT_HELD)
+    return number
 
 
 class _Raw(NamedTuple):
@@ -165,15 +168,19 @@ def _place(outgoing: Outgoing, message: Any, signal: Any) -> Place:
 
 
 class MessageState:
-    """What a message has in all its signals: what was set last, else what the database says that they begin with, else 0."""
+    """What a message has in all its signals: what was set last, else a default, else the start value of the database, else 0."""
 
-    def __init__(self, message: Any) -> None:
+    def __init__(self, message: Any, defaults: Mapping[str, float | str]) -> None:
         self._message = message
         self._numbers: dict[str, float] = {signal.name: signal.raw_initial or 0 for signal in message.signals}
         for signal in message.signals:
             if signal.is_multiplexer and signal.raw_initial is None:
                 owned = [each.multiplexer_ids for each in message.signals if each.multiplexer_signal == signal.name]
                 self._numbers[signal.name] = min((ids[0] for ids in owned if ids), default=0)
+
+        for signal in message.signals:
+            if signal.name in defaults:
+                self._numbers[signal.name] = raw_of(signal, defaults[signal.name])
 
     def set(self, signal: Any, number: float) -> None:
         """Give a signal a number, as it is transmitted; its part of a multiplexed message is the one that is sent next."""

@@ -1,8 +1,9 @@
 """Values become frames when their mappings say: intervals and unchanged values are heeded here."""
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
+from types import MappingProxyType
 
 from sigcat import codes
 from sigcat.catalogue.network.can_database import CanDatabase
@@ -34,7 +35,13 @@ class Sender:
     that wait, the last one is sent.
     """
 
-    def __init__(self, database: CanDatabase, outgoing: Sequence[Outgoing]) -> None:
+    def __init__(
+        self,
+        database: CanDatabase,
+        outgoing: Sequence[Outgoing],
+        defaults: Mapping[str, float | str] = MappingProxyType({}),
+    ) -> None:
+        self._defaults = defaults
         self.values = self.frames = self.sent = self.held_back = 0
         self.unfit: Counter[tuple[str, str]] = Counter()
         """Values that are none of their signal of the network, by path and why."""
@@ -67,7 +74,7 @@ class Sender:
                 part = id(slot.place.message), str(slot.place.signal.multiplexer_ids)
                 parts.setdefault(part, []).append(slot)
         for (message, _), slots in parts.items():
-            state = self._messages.setdefault(message, MessageState(slots[0].place.message))
+            state = self._messages.setdefault(message, MessageState(slots[0].place.message, self._defaults))
             for slot in slots:
                 assert slot.number is not None
                 state.set(slot.place.signal, slot.number)

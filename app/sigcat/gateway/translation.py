@@ -11,6 +11,7 @@ from sigcat.findings import Finding
 from sigcat.gateway.counts import Counts
 from sigcat.gateway.decoding import Decoded, Decoder, Failed, decoded
 from sigcat.gateway.frames import Frame, Passed
+from sigcat.gateway.j1939 import assembled
 from sigcat.gateway.mapped import Mapped
 
 _MOST_LATE = 10**9
@@ -42,14 +43,20 @@ class Translation:
     """A run of the gateway: what is asked of it, and what it has counted."""
 
     def __init__(
-        self, database: CanDatabase, mapped: Sequence[Mapped], channel: str | None = None, *, is_from_zero: bool = False
+        self,
+        database: CanDatabase,
+        mapped: Sequence[Mapped],
+        channel: str | None = None,
+        *,
+        is_from_zero: bool = False,
+        is_j1939: bool = False,
     ) -> None:
         self.counts = Counts()
         self.mapped = mapped
         self.findings: list[Finding] = []
         self.channel = channel
         self.is_from_zero = is_from_zero
-        self._decoder = Decoder(database, mapped, self.counts)
+        self._decoder = Decoder(database, mapped, self.counts, is_j1939=is_j1939)
         self._sent = [_Sent(each.mapping) for each in mapped]
         self._defaults = tuple(
             decoded(number, each.default, each.datatype)
@@ -60,7 +67,7 @@ class Translation:
     def moments(self, frames: Iterable[Frame | Passed], name: str) -> Iterator[Moment]:
         """The moments of a log; `name` is what findings call it. It ends where the time goes back."""
         counts, values, is_due = self.counts, self._decoder.values, self._is_due
-        for frame in frames:
+        for frame in assembled(frames) if self._decoder.is_j1939 else frames:
             counts.frames += 1
             if isinstance(frame, Passed):
                 counts.passed[frame.kind] += 1
