@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from sigcat.catalogue.network.can_database import CanDatabase
 from sigcat.catalogue.network.markers import with_markers
-from sigcat.catalogue.network.signal_limits import limited, names, physical
+from sigcat.catalogue.network.signal_limits import limited, names, physical, step, within
 from sigcat.catalogue.network.values import OUTSIDE, NetworkValue, Unfit, Value, value_of
 from sigcat.gateway.counts import Counts
 from sigcat.gateway.frames import Frame
@@ -42,9 +42,9 @@ class Failed(NamedTuple):
     """Whether its mapping was asked; the KUKSA CAN provider drops a number outside of the limits before."""
 
 
-def decoded(number: int, value: Value, datatype: str) -> Decoded:
+def decoded(number: int, value: Value, shape: Number) -> Decoded:
     """A value with its text."""
-    return Decoded(number, value, str(value) if datatype == "string" else cell_of(value, Number(datatype)))
+    return Decoded(number, value, str(value) if shape.datatype == "string" else cell_of(value, shape))
 
 
 class _Target:
@@ -58,6 +58,8 @@ class _Target:
         self._mapped = mapped
         self._signal = signal
         self._raw = numbers(signal)
+        self._limits = signal.minimum, signal.maximum, step(signal)
+        self._shape = Number(mapped.datatype)
         self._names = names(signal)
         self._mapping = with_markers(
             mapped.mapping, mapped.datatype, self._names, lambda raw: limited(signal, physical(signal, raw)) is not None
@@ -72,7 +74,7 @@ class _Target:
 
     def _value(self, raw: float) -> Decoded | Failed:
         found = physical(self._signal, raw)
-        number = limited(self._signal, found)
+        number = within(found, *self._limits)
         name = self._names.get(raw)  # type: ignore[call-overload]  # a float has a name too
         if number is None and name is None:
             return Failed(self._number, OUTSIDE, is_attempt=False)
@@ -81,13 +83,14 @@ class _Target:
             value = value_of(given, self._mapping, self._mapped.datatype, self._mapped.allowed)
         except Unfit as reason:
             return Failed(self._number, str(reason), is_attempt=True)
-        return decoded(self._number, value, self._mapped.datatype)
+        return decoded(self._number, value, self._shape)
 
 
 class _Part(NamedTuple):
     """A message, or a part of it that a multiplexer selects."""
 
-    targets: Sequence[tuple[Bits, _Target]]
+    targets: Sequence[tuple[bool, int, int, int, str, Mapping[int, Decoded | Failed], _Target]]
+    """Signals: their bits, the path of the mapped signal, its known values, and what gives others."""
     multiplexers: Sequence[tuple[str, Bits, Mapping[int, "_Part"]]]
 
 
@@ -100,7 +103,7 @@ class _Plan:
         self.width = width(message)
         self.is_mapped = bool(targets)
         self.part = self._part(message.signals, targets, None)
-        self.channels: set[str] = set()
+        self.has_big = any(each.byte_order == "big_endian" for each in message.signals)
         self.is_j1939 = message.protocol == "j1939"
 
     def _part(self, signals: Sequence[Any], targets: Mapping[str, Sequence[_Target]], multiplexer: str | None) -> _Part:
@@ -108,7 +111,10 @@ class _Plan:
         own = [each for each in signals if each.multiplexer_signal == multiplexer]
         multiplexers = {each.multiplexer_signal for each in signals}
         return _Part(
-            [(bits(each, self.width), target) for each in own for target in targets.get(each.name, ())],
+            [
+                (*bits(each, self.width), target.path, target.known, target)
+                for each in own for target in targets.get(each.name, ())
+            ],
             [
                 (each.name, bits(each, self.width), self._selected(each.name, signals, targets))
                 for each in own if each.name in multiplexers
@@ -149,6 +155,8 @@ class Decoder:
             for message, channel in zip(database.messages, database.channels or repeat(""), strict=False)
         }
 
+        self._known: dict[tuple[int, bool, str], _Plan] = {}
+        """Messages of identifiers and channels that were received."""
         self._groups = {
             channel: by_pgn(
                 (identifier, plan)
@@ -173,10 +181,14 @@ class Decoder:
     def values(self, frame: Frame) -> Sequence[Decoded | Failed]:
         """The values of a frame, and those that are none."""
         _, identifier, is_extended, data, channel = frame
-        plan = self._plans.get(("", identifier, is_extended))
+        counts = self.counts
+        plan = self._known.get((identifier, is_extended, channel))
         if plan is None:
             plan = self._plan(channel, identifier, is_extended=is_extended)
-        counts = self.counts
+            if plan is not None:
+                self._known[identifier, is_extended, channel] = plan
+                if plan.is_mapped:
+                    counts.add_channel(plan.name, channel)
         if plan is None:
             counts.count_unknown(f"{identifier:X}{'x' if is_extended else ''}")
             return ()
@@ -184,30 +196,27 @@ class Decoder:
             counts.unmapped += 1
             return ()
         counts.decoded += 1
-        if channel not in plan.channels:
-            plan.channels.add(channel)
-            counts.add_channel(plan.name, channel)
         size = len(data)
-        if size < plan.length:
-            counts.short[plan.name] += 1
-        if size < plan.width:
-            data = data.ljust(plan.width, b"\0")
-        elif size > plan.width:
-            data = data[: plan.width]
-        words = int.from_bytes(data, "little"), int.from_bytes(data, "big")
+        from_bytes = int.from_bytes
+        if size != plan.width:
+            if size < plan.length:
+                counts.short[plan.name] += 1
+            data = data[: plan.width].ljust(plan.width, b"\0")
+        words = from_bytes(data, "little"), from_bytes(data, "big") if plan.has_big else 0
         return self._of_part(plan, plan.part, words, size)
 
     def _of_part(self, plan: _Plan, part: _Part, words: tuple[int, int], size: int) -> list[Decoded | Failed]:
         found: list[Decoded | Failed] = []
         counts = self.counts
-        for (is_big, shift, mask, least), target in part.targets:
+        came = counts.came
+        for is_big, shift, mask, least, path, known, target in part.targets:
             if size < least:
                 continue  # beyond the end of a short frame
             number = words[is_big] >> shift & mask
-            value = target.known.get(number) or target.value(number)
-            counts.came[target.path] += 1
+            value = known.get(number) or target.value(number)
+            came[path] += 1
             if value.__class__ is Failed:
-                counts.unfit[target.path, value[1]] += 1
+                counts.unfit[path, value[1]] += 1
             found.append(value)
         for name, (is_big, shift, mask, least), parts in part.multiplexers:
             if size >= least:

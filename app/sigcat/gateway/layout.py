@@ -19,8 +19,8 @@ class Bits(NamedTuple):
 
 
 def width(message: Any) -> int:
-    """Bytes that the signals of a message take, those that end beyond it too."""
-    return max((_size(signal) for signal in message.signals), default=0)
+    """Bytes of a message, with those of signals that end beyond it."""
+    return max([int(message.length), *(_size(signal) for signal in message.signals)])
 
 
 def bits(signal: Any, width: int) -> Bits:

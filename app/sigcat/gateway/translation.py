@@ -13,6 +13,7 @@ from sigcat.gateway.decoding import Decoded, Decoder, Failed, decoded
 from sigcat.gateway.frames import Frame, Passed
 from sigcat.gateway.j1939 import assembled
 from sigcat.gateway.mapped import Mapped
+from sigcat.runs.recording.shapes import Number
 
 _MOST_LATE = 10**9
 """Frames of several channels may come in another order; a time that is a second before the last one is of another drive."""
@@ -23,7 +24,7 @@ class Moment(NamedTuple):
 
     time: int
     """In ns."""
-    values: tuple[Decoded, ...]
+    values: Sequence[Decoded]
 
 
 class _Sent:
@@ -59,7 +60,7 @@ class Translation:
         self._decoder = Decoder(database, mapped, self.counts, is_j1939=is_j1939)
         self._sent = [_Sent(each.mapping) for each in mapped]
         self._defaults = tuple(
-            decoded(number, each.default, each.datatype)
+            decoded(number, each.default, Number(each.datatype))
             for number, each in enumerate(mapped)
             if each.default is not None
         )
@@ -79,14 +80,14 @@ class Translation:
             if time is None:
                 self.findings.append(_goes_back(frame.time, counts, name))
                 return
-            found = tuple([each for each in values(frame) if is_due(each, time)])
-            if self._defaults and found:
-                found = self._with_defaults(found)
-            counts.sent += len(found)
+            found = [each for each in values(frame) if is_due(each, time)]
             if found:
+                if self._defaults:
+                    found = self._with_defaults(found)
+                counts.sent += len(found)
                 yield Moment(time, found)
 
-    def _with_defaults(self, found: tuple[Decoded, ...]) -> tuple[Decoded, ...]:
+    def _with_defaults(self, found: Sequence[Decoded]) -> list[Decoded]:
         """What came first, and the defaults of all other signals: what they are before they come."""
         came = {each.number for each in found}
         given = tuple(each for each in self._defaults if each.number not in came)
@@ -94,7 +95,7 @@ class Translation:
             self._sent[each.number].value = each.value
         self.counts.defaults += len(given)
         self._defaults = ()
-        return (*found, *given)
+        return [*found, *given]
 
     def _time(self, given: int) -> int | None:
         """The time of a frame: not before the last one. None if it is far before it."""

@@ -4,7 +4,6 @@ the gateway for it; python-can reads every other line."""
 import re
 from binascii import unhexlify
 from collections.abc import Iterator
-from functools import cache
 from io import StringIO
 
 from sigcat.gateway.frames import Frame, Passed, frame_of
@@ -32,6 +31,7 @@ class Candump:
         self._lines = lines
 
     def __iter__(self) -> Iterator[Frame | Passed]:
+        channels: dict[bytes, str] = {}
         for line in self._lines:
             match = _CLASSIC.fullmatch(line)
             if match is None:
@@ -39,12 +39,11 @@ class Candump:
                 continue
             seconds, fraction, channel, identifier, data = match.groups()
             yield Frame(
-                int(seconds) * 1_000_000_000 + int(fraction) * 1000, int(identifier, 16), len(identifier) == _EXTENDED,
-                unhexlify(data), _channel(channel),
+                int(seconds + fraction) * 1000, int(identifier, 16), len(identifier) == _EXTENDED, unhexlify(data),
+                channels.get(channel) or channels.setdefault(channel, _channel(channel)),
             )  # fmt: skip
 
 
-@cache
 def _channel(name: bytes) -> str:
     """The name of a channel, as python-can has it: a number without leading zeros."""
     text = name.decode("latin-1")
