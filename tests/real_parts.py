@@ -232,6 +232,14 @@ KINDS = (
         ("tests/documentation/test_commands.py::test_pages_show_commands",),
     ),
     Kind(
+        "27,000 random formulas",
+        (
+            "tests/catalogue/network/test_formula_judge.py::test_random_formulas_have_the_values_of_the_judge",
+            "tests/catalogue/network/test_formula_judge.py::test_very_many_random_formulas_have_the_values_of_the_judge",
+        ),
+        ("tests/catalogue/network/test_formula_judge.py::test_random_formulas_have_the_values_of_the_judge",),
+    ),
+    Kind(
         "linters of others that take long",
         (
             "tests/adapter/autosar_classic/test_components.py::test_cppcheck_finds_documented_deviations",

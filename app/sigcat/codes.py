@@ -157,6 +157,8 @@ LOG_OF_ANOTHER_BUS = RuleCode("B004", "error")
 FRAME_UNFIT = RuleCode("B005", "warning")
 NOTHING_MAPPED = RuleCode("B006", "error")
 FUNCTIONS_UNREACHED = RuleCode("B007", "error")
+BUS_UNREACHED = RuleCode("B008", "error")
+DEFAULTS_INVALID = RuleCode("B009", "error")
 
 # integration
 DATE_MISSING = RuleCode("A001", "info")

@@ -19,7 +19,7 @@ def run(tmp_path, capsys):
         out = tmp_path / "trace.csv"
         given = ("gateway", log, "--dbc", tmp_path / "bus.dbc", "-s", "vss", "-l", tmp_path / "can.vspec", "-o", out)
         assert main([*map(str, given), *map(str, options)]) == status
-        assert out.exists() or status == 1, "a log that yields nothing is an error"
+        assert out.exists() or status in {1, 2}, "a log that yields nothing is an error"
         rows = list(csv.DictReader(out.read_text().splitlines())) if out.exists() else []
         more = [name for name in (rows[0] if rows else ()) if name not in {"time", *PATHS}]
         return [

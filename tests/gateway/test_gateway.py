@@ -102,6 +102,20 @@ def test_an_unchanged_value_begins_the_interval_anew_for_kuksa_alone(tmp_path, l
     assert [time for time, _ in sent(tmp_path, log, capsys, profile, speeds)] == [0, 0.3]
 
 
+def test_the_interval_begins_with_a_transformation_that_fails_for_kuksa_alone(tmp_path, log, capsys):
+    speeds = (1, 2, 2, 2)
+    failing = "{{signal: Speed, interval_ms: 200, {}transform: {{math: x / (x - 1)}}}}"
+    kuksa, profile = failing.format(""), failing.format("on_change: false, ")
+    assert [time for time, _ in sent(tmp_path, log, capsys, f"dbc2vss: {kuksa}", speeds)] == [0.2]
+    assert [time for time, _ in sent(tmp_path, log, capsys, f"network_serialization: {profile}", speeds)] == [0.1, 0.3]
+
+
+def test_the_interval_does_not_begin_with_a_value_outside_of_the_limits(tmp_path, log, capsys):
+    """The KUKSA CAN provider drops such a value before it looks at the time."""
+    found = sent(tmp_path, log, capsys, "dbc2vss: {signal: Speed, interval_ms: 200}", (300, 2, 2, 2))
+    assert [time for time, _ in found] == [0.1, 0.3]
+
+
 def test_no_number_is_no_change_of_no_number(tmp_path, log, capsys):
     (tmp_path / "bus.dbc").write_text(DBC)
     overlay = tmp_path / "one.vspec"

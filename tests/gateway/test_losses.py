@@ -95,6 +95,12 @@ def test_whole_numbers_of_64_bits_are_exact(run, log, identifier, signal, dataty
     assert found == [], "the datatype holds all that the signal can be"
 
 
+def test_whole_numbers_of_64_bits_stay_exact_in_a_formula(run, log):
+    more = ", transform: {math: x - 1}"
+    values, _, _ = run(log(257, struct.pack("<Q", 2**63 + 1)), mapped("Unsigned", more), "uint64")
+    assert values == [str(2**63)]
+
+
 @pytest.mark.parametrize("raw", [0x7FF, 0x800])
 def test_a_value_at_the_limit_is_the_limit(run, log, raw):
     values, _, _ = run(log(256, struct.pack("<Q", raw)), mapped("Fine"))
@@ -161,6 +167,44 @@ def test_a_line_of_asc_that_was_cut_is_no_frame(run, tmp_path, cut, has):
     values, _, found = run(path, mapped("Page"), "uint8")
     assert values == ["5"]
     assert f"warning B002 The line is no frame: it has {has} of 4 bytes." in found
+
+
+@pytest.mark.parametrize(
+    ("line", "why"),
+    [
+        ("0.6 1  103             Rx   d 4 05 2 00 07\n", "'2' is not a whole byte"),
+        ("0.6 1  103             Rx   d 4 05 2 00 07 Length = 4 BitCount = 5\n", "'2' is not a whole byte"),
+        (
+            "0.6 CANFD   1 Rx        103                                  1 0 4  4 05 2 00 07 0 0\n",
+            "'2' is not a whole byte",
+        ),
+        ("0.6 1  103             Rx   d 4", "it has 0 of 4 bytes"),
+        ("0.6 1  103             Rx", "it has no line break, and no frame up to its end"),
+        ("0.6", "it has no line break, and no frame up to its end"),
+    ],
+)
+def test_half_a_byte_and_a_cut_last_line_of_asc_are_no_frame(run, tmp_path, line, why):
+    path = tmp_path / "drive.asc"
+    start = "base hex  timestamps absolute\n0.5 1  103             Rx   d 4 05 01 00 07\n"
+    path.write_text(f"{start}{line}")
+    values, _, found = run(path, mapped("Page"), "uint8")
+    assert values == ["5"]
+    assert f"warning B002 The line is no frame: {why}." in found
+
+
+def test_bytes_of_asc_may_be_decimal(run, tmp_path):
+    path = tmp_path / "drive.asc"
+    path.write_text("base dec  timestamps absolute\n0.5 1  259             Rx   d 4 5 1 0 200\n")
+    assert run(path, mapped("Common"), "uint8")[0] == ["200"]
+
+
+def test_a_last_line_of_candump_without_a_line_break_is_read_and_reported(run, tmp_path):
+    path = tmp_path / "drive.log"
+    path.write_text("(0.0) can0 103#00010007\n(0.1) can0 103#0101")
+    values, _, found = run(path, mapped("Page"), "uint8")
+    assert values == ["0", "1"]
+    cut = "The last line has no line break: the log may have been cut there. Its frame was read."
+    assert f"warning B002 {cut}" in found
 
 
 @pytest.mark.parametrize(

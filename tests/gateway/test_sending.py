@@ -26,6 +26,8 @@ BO_ 2147484160 Page: 3 Gateway
 BO_ 258 Other: 1 Gateway
  SG_ Light : 0|1@1+ (1,0) [0|1] "" Gateway
  SG_ Alive : 1|4@1+ (1,0) [0|15] "" Gateway
+BO_ 259 Again: 2 Gateway
+ SG_ Light : 8|1@1+ (1,0) [0|1] "" Gateway
 BA_DEF_ SG_ "GenSigStartValue" INT 0 100000;
 BA_DEF_DEF_ "GenSigStartValue" 0;
 BA_ "GenSigStartValue" SG_ 258 Alive 9;
@@ -46,12 +48,14 @@ def send(tmp_path, capsys):
     (tmp_path / "bus.dbc").write_text(DBC)
     judge: Any = cantools.database.load_string(DBC, "dbc")
 
-    def sending(mappings, columns, rows, status=0):
+    def sending(mappings, columns, rows, *options, status=0):
         overlay, trace, log = tmp_path / "can.vspec", tmp_path / "trace.csv", tmp_path / "out.log"
         overlay.write_text("".join(f"{path}: {{{text}}}\n" for path, text in mappings.items()))
         trace.write_text("\n".join([",".join(("time", *columns)), *rows]) + "\n")
         given = [str(trace), "--dbc", str(tmp_path / "bus.dbc"), "-s", "vss", "-l", str(overlay), "--send", str(log)]
-        assert main(["gateway", *given]) == status
+        assert main(["gateway", *given, *options]) == status
+        if status:
+            return [], capsys.readouterr().err.replace(f"{tmp_path}/", "")
         with can.LogReader(log) as read:
             frames = [
                 (
@@ -134,8 +138,55 @@ def test_a_representation_is_read_from_right_to_left(send):
 
 
 def test_signals_that_nothing_sets_have_what_the_database_says_that_they_begin_with(send):
-    frames, _ = send({LIGHT: "type: actuator, datatype: boolean, vss2dbc: {signal: Light}"}, (LIGHT,), ["0,true"])
+    frames, _ = send(
+        {LIGHT: "type: actuator, datatype: boolean, vss2dbc: {signal: Light, message: Other}"}, (LIGHT,), ["0,true"]
+    )
     assert [dict(values) for _, values in frames] == [{"Light": 1, "Alive": 9}]
+
+
+def test_signals_that_nothing_sets_have_what_a_file_says(send, tmp_path):
+    (tmp_path / "defaults.json").write_text('{"Speed": 12.5, "Gear": "DRIVE", "Others": 1}')
+    tilt = "type: actuator, datatype: int8, vss2dbc: {signal: Tilt}"
+    frames, told = send({TILT: tilt}, (TILT,), ["0,2"], "--defaults", str(tmp_path / "defaults.json"))
+    assert dict(frames[0][1]) == {"Tilt": 2.0, "Speed": 12.5, "Gear": 1, "Level": 0, "Exact": 0.0}
+    assert "defaults.json:1:1: warning B009 The CAN database has no signal 'Others'." in told
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("{", "defaults.json:1:2: error B009 The file must be JSON."),
+        ("[]", "defaults.json:1:1: error B009 The file must be a JSON object."),
+        ('{\n"Speed": 301}', "defaults.json:2:1: error B009 The default 301 of Speed is outside of the limits"),
+        ('{"Gear": "R"}', "error B009 The default 'R' of Gear is a text that the database has no number for."),
+        ('{"Gear": [1]}', "error B009 Gear must have a number or a name"),
+        ('{"Level": 99}', "error B009 The default 99 of Level is not held by the datatype."),
+    ],
+)
+def test_defaults_that_cannot_be_sent_are_refused(send, tmp_path, text, said):
+    (tmp_path / "defaults.json").write_text(text)
+    tilt = "type: actuator, datatype: int8, vss2dbc: {signal: Tilt}"
+    _, told = send({TILT: tilt}, (TILT,), ["0,2"], "--defaults", str(tmp_path / "defaults.json"), status=1)
+    assert said in told
+    assert not (tmp_path / "out.log").exists()
+
+
+@pytest.mark.parametrize(
+    ("message", "sent"), [("", [{"Light": 1, "Alive": 9}, {"Light": 1}]), (", message: Again", [{"Light": 1}])]
+)
+def test_a_signal_of_two_messages_is_sent_in_both_unless_the_mapping_names_one(send, message, sent):
+    mapping = f"type: actuator, datatype: boolean, vss2dbc: {{signal: Light{message}}}"
+    frames, told = send({LIGHT: mapping}, (LIGHT,), ["0,true"])
+    assert [dict(values) for _, values in frames] == sent
+    assert ("2 messages have a signal Light: `Other` and `Again`. It is sent in all of them." in told) == (not message)
+
+
+@pytest.mark.parametrize(("cells", "sent"), [(["0,36", "1,655.35"], [36]), (["0,655.35"], [])])
+def test_a_marker_of_a_representation_is_not_sent_as_a_number(send, cells, sent):
+    speed = "network_serialization: {signal: Speed, transform: {representation: [{value: 65535, text: SNA}]}}"
+    frames, told = send({SPEED: f"type: sensor, datatype: float, {speed}"}, (SPEED,), cells)
+    assert [values["Speed"] for _, values in frames] == sent
+    assert "1 values not sent to CAN, outside of the limits" in told
 
 
 def test_a_part_of_a_multiplexed_message_is_sent_with_its_number(send):
@@ -167,7 +218,7 @@ def test_what_the_network_cannot_hold_is_not_sent_and_is_told(send, cell, why):
 def test_a_formula_of_the_profile_is_not_turned_round(send):
     mappings = {
         SPEED: "type: sensor, datatype: float, network_serialization: {signal: Speed, transform: {math: x * 2}}",
-        LIGHT: "type: actuator, datatype: boolean, vss2dbc: {signal: Light}",
+        LIGHT: "type: actuator, datatype: boolean, vss2dbc: {signal: Light, message: Other}",
     }
     frames, told = send(mappings, (SPEED, LIGHT), ["0,3,true"])
     assert len(frames) == 1

@@ -164,10 +164,30 @@ def test_a_mapping_that_is_none_is_told_at_its_line(run, mapping):
     assert "can.vspec:2:12: error M00" in told
 
 
+def test_a_factor_of_0_is_an_error_at_its_line(run):
+    told = run("(1.0) can0 100#64000000\n", mappings=ONE, dbc=DBC.replace("(1,0)", "(0,0)"), status=1)[1]
+    assert (
+        "bus.dbc:5: error B001 The factor of Motion.Mass must not be 0. Write the factor of one step, such as 1."
+        in told
+    )
+
+
+def test_where_no_value_is_left_the_reason_is_told_and_not_another_bus(run):
+    told = run("(1.0) can0 100#64000000\n", mappings=ONE, dbc=DBC.replace("(0.01,0)", "(1000,0)"), status=1)[1]
+    reason = "Most often, values of Vehicle.Speed are outside of the limits that the database states (1)."
+    assert f"no trace is written. {reason} Check limits and factors of the database, and the mappings." in told
+
+
+def test_a_mapping_under_both_of_its_names_is_an_error(run):
+    both = "Vehicle.Speed: {type: sensor, datatype: float, dbc: {signal: Speed}, dbc2vss: {signal: Speed}}\n"
+    told = run("(1.0) can0 100#64000000\n", mappings=both, status=1)[1]
+    assert "error M010 `dbc` and `dbc2vss` cannot be used together. Remove `dbc`." in told
+
+
 def test_signals_that_share_bits_are_told(run):
     overlapping = DBC.replace("Mass : 16|16", "Mass : 8|16")
-    told = run("(1.0) can0 100#64000000\n", mappings=ONE, dbc=overlapping, status=1)[1]
-    assert "bus.dbc: warning B001 The signals Mass and Speed are overlapping in message Motion. Mend it" in told
+    told = run("(1.0) can0 100#64000000\n", mappings=ONE, dbc=overlapping)[1]
+    assert "bus.dbc: warning B001 The signals Mass and Speed are overlapping in message Motion. Correct" in told
 
 
 def test_a_form_without_a_report_is_a_mistake(run):

@@ -177,7 +177,8 @@ def _carried(
     arguments: argparse.Namespace, compared: "ComparedSet", trace: Path, tree: "Catalogue", folder: Path
 ) -> "Carried | None":
     """What the gateway makes of a log of CAN; what does not come by CAN is that of the trace of the set."""
-    from sigcat.comparison.can_drive import carry, is_log
+    from sigcat.comparison.can_drive import carry
+    from sigcat.gateway.logs.read import is_log
 
     if not is_log(trace):
         if arguments.dbc:

@@ -15,7 +15,7 @@ from sigcat.cli.tree_options import add_dbc, add_tree_options, read_tree
 from sigcat.errors import InputRefused, UsageError, existing_file
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Iterable, Iterator, Mapping
 
     from sigcat.findings import Finding
     from sigcat.gateway.frames import Frame, Passed
@@ -52,6 +52,10 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     add_dbc(parser, "CAN database (DBC), or CHANNEL=FILE for that of one channel of several")
     parser.add_argument("--channel", metavar="NAME", help="frames of this channel alone, as the log names it")
     parser.add_argument(
+        "--j1939", action="store_true",
+        help="find messages with extended identifiers by their PGN (SAE J1939), also where the database does not say so",
+    )  # fmt: skip
+    parser.add_argument(
         "--add", type=Path, metavar="TRACE", help="add the columns of this trace that nothing maps, row by row"
     )
     parser.add_argument("--from-zero", action="store_true", help="count times from the first frame on")
@@ -60,6 +64,12 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "--send", metavar="INTERFACE:CHANNEL",
         help="send to this bus, or into a log that is named, what the catalogue maps to CAN of a trace, or of what functions send",
     )  # fmt: skip
+    parser.add_argument(
+        "--defaults",
+        type=Path,
+        metavar="FILE",
+        help="JSON with what signals of CAN have in frames before a value comes, for --send",
+    )
     _add_functions(parser)
     add_output(parser, "--report", metavar="FILE", help="write what is found here, too")
     parser.add_argument("--format", choices=FORMATS, help="form of the report (default: json)")
@@ -124,6 +134,7 @@ def _gateway(arguments: argparse.Namespace, found: "list[Finding]") -> int:
         prepared.mapped,
         arguments.channel,
         is_from_zero=arguments.from_zero or bool(arguments.live) or bool(arguments.to),
+        is_j1939=arguments.j1939,
     )
     told = len(found)
     moments = translation.moments(frames, name)
@@ -153,6 +164,8 @@ def _check(arguments: argparse.Namespace) -> None:
             raise UsageError(f"--{given[0].replace('_', '-')} is for --to: name the Integration JSON of the functions")
         if arguments.send and not _is_trace(arguments):
             raise UsageError("--send is for a trace (.csv), or for what functions send: name these with --to")
+    if arguments.defaults is not None and not arguments.send:
+        raise UsageError("--defaults is for --send: name a bus or a log")
     if arguments.lock_step and arguments.live:
         raise UsageError("--lock-step is for a log: a bus does not wait")
 
@@ -168,7 +181,9 @@ def _databases(arguments: argparse.Namespace) -> "list[Path | tuple[str, Path]]"
 
 
 def _is_trace(arguments: argparse.Namespace) -> bool:
-    return arguments.log is not None and arguments.log.suffix.lower() == ".csv"
+    from sigcat.gateway.logs.read import is_log
+
+    return arguments.log is not None and arguments.log.suffix.lower() == ".csv" and not is_log(arguments.log)
 
 
 # -- to CAN -------------------------------------------------------------------------------------------------------
@@ -188,7 +203,7 @@ def _send_trace(arguments: argparse.Namespace, found: "list[Finding]") -> int:
     prepared = prepare(read_tree(arguments), _databases(arguments), is_sending=True)
     _tell(prepared.findings)
     rows, columns = trace_rows(existing_file(arguments.log))
-    sender = Sender(prepared.database, prepared.outgoing)
+    sender = Sender(prepared.database, prepared.outgoing, _defaults(arguments, prepared, found))
     with open_bus(arguments.send) as bus:
         bus.send_at_times(frames_of(rows, columns, sender))
     told = [*sender.findings(str(arguments.log))]
@@ -198,19 +213,37 @@ def _send_trace(arguments: argparse.Namespace, found: "list[Finding]") -> int:
     return int(has_errors(found))
 
 
+def _defaults(
+    arguments: argparse.Namespace, prepared: "Prepared", found: "list[Finding]"
+) -> "Mapping[str, float | str]":
+    """Default values of signals of CAN, if a file is named."""
+    from sigcat.gateway.defaults import read_defaults
+
+    if arguments.defaults is None:
+        return {}
+    values, findings = read_defaults(existing_file(arguments.defaults), prepared.database)
+    _tell(findings)
+    found += findings
+    return values
+
+
 def _returning(
-    arguments: argparse.Namespace, prepared: "Prepared", stack: ExitStack
+    arguments: argparse.Namespace, prepared: "Prepared", stack: ExitStack, found: "list[Finding]"
 ) -> "tuple[Sender, Returning | None]":
     """What sends to CAN what functions send, if that is asked for."""
     from sigcat.gateway.bus import open_bus
     from sigcat.gateway.returning import Returning
     from sigcat.gateway.sending import Sender
 
-    sender = Sender(prepared.database, prepared.outgoing)
+    sender = Sender(prepared.database, prepared.outgoing, _defaults(arguments, prepared, found))
     if not arguments.send:
         return sender, None
     bus = stack.enter_context(open_bus(arguments.send))
-    return sender, stack.enter_context(Returning(sender, bus, is_lock_step=arguments.lock_step))
+    return sender, stack.enter_context(Returning(sender, bus, _report, is_lock_step=arguments.lock_step))
+
+
+def _report(message: str) -> None:
+    print(f"sigcat: {message}", file=sys.stderr, flush=True)
 
 
 # -- functions that run -------------------------------------------------------------------------------------------
@@ -235,7 +268,7 @@ def _to_functions(
         program = _program(arguments, stack)
         rows, columns = _rows(arguments, prepared, translation, moments, found)
         handed, heard = Handed(columns, program.platform), Heard()
-        sender, returning = _returning(arguments, prepared, stack)
+        sender, returning = _returning(arguments, prepared, stack, found)
         takers = [heard.take] if returning is None else [heard.take, returning.take]
         player = stack.enter_context(Player(program, _mode(arguments), takers))
         counted = handed.counted(rows)
@@ -249,7 +282,7 @@ def _to_functions(
         found += handed.findings(player, name)
         if returning is not None:
             returning.close()
-            found += sender.findings(name)
+            found += [*sender.findings(name), *returning.findings(name)]
             print(f"{name}: {sender.line()}", file=sys.stderr)
         print(f"{name}: {handed.line(player)}, {heard.count:,} received", file=sys.stderr)
         if arguments.recorded is not None:
@@ -300,8 +333,8 @@ def _drain(lines: "Iterable[str]", output: Path | None) -> None:
 
 def _frames(arguments: argparse.Namespace, found: "list[Finding]") -> "tuple[Iterator[Frame | Passed], str]":
     """The frames, and what findings call where they come from. Raises UsageError."""
-    from sigcat.gateway.frames import read_log
     from sigcat.gateway.live import read_bus
+    from sigcat.gateway.logs.read import read_log
 
     if (arguments.log is None) == (arguments.live is None):
         raise UsageError("name a log, or a bus with --live INTERFACE:CHANNEL")
@@ -326,7 +359,7 @@ def _rows(
     from sigcat.gateway.trace import added_trace, merged, rows_of
 
     columns = tuple(each.name for each in translation.mapped)
-    rows = rows_of(moments, translation.mapped)
+    rows = rows_of(moments)
     if arguments.add is None:
         return rows, columns
     added = added_trace(existing_file(arguments.add), translation.mapped, prepared.datatypes)

@@ -10,7 +10,8 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding
 from sigcat.gateway.doubts import doubts
-from sigcat.gateway.frames import FORMS, Frame, Passed, read_log
+from sigcat.gateway.frames import Frame, Passed
+from sigcat.gateway.logs.read import read_log
 from sigcat.gateway.prepare import Prepared, prepare
 from sigcat.gateway.trace import Row, added_trace, joined, lines_of, merged, rows_of
 from sigcat.gateway.translation import Translation
@@ -30,11 +31,6 @@ class Carried(NamedTuple):
     """What became of frames and values, in lines."""
 
 
-def is_log(path: Path) -> bool:
-    """Whether a drive is a log of CAN, by its name."""
-    return path.name.lower().removesuffix(".gz").endswith(FORMS)
-
-
 def carry(log: Path, databases: Sequence[Path], catalogue: Catalogue, added: Path | None, folder: Path) -> Carried:
     """Write the trace of a log, with the columns of another one that nothing maps. Raises UsageError or InputRefused."""
     if not databases:
@@ -44,7 +40,7 @@ def carry(log: Path, databases: Sequence[Path], catalogue: Catalogue, added: Pat
     times = array("q")
     translation = Translation(prepared.database, prepared.mapped, is_from_zero=True)
     trace = folder / f"{log.name}.csv"
-    rows = rows_of(translation.moments(_timed(read_log(log, found), times), str(log)), prepared.mapped)
+    rows = rows_of(translation.moments(_timed(read_log(log, found), times), str(log)))
     _write(rows, prepared, added, trace)
     told = (*prepared.findings, *found, *translation.findings, *doubts(translation, str(log)))
     if not translation.counts.sent:

@@ -12,14 +12,12 @@ class Counts:
     def __init__(self) -> None:
         self.frames = 0
         self.passed: Counter[str] = Counter()
-        """Error frames and remote frames."""
+        """Error frames, remote frames, and parts of longer messages."""
         self.unknown: Counter[str] = Counter()
         """Frames of identifiers that the database does not have, by them."""
         self.unmapped = 0
         """Frames of which nothing is mapped."""
         self.decoded = 0
-        self.undecodable: Counter[str] = Counter()
-        """Frames that are none of their message, by its name."""
         self.short: Counter[str] = Counter()
         """Frames with less data than their message has, by its name: of these, what is there was taken."""
         self.undefined: Counter[tuple[str, str]] = Counter()
@@ -85,9 +83,9 @@ class Counts:
             (self.unmapped, "of messages that nothing maps"),
             (self.unknown.total(), f"with {self._identifiers()}"),
             (sum(self.others.values()), "of other channels"),
-            (sum(self.undecodable.values()), "that are none of their message"),
             (self.passed["error"], "error"),
             (self.passed["remote"], "remote"),
+            (self.passed["transport"], "of the transport protocol"),
         ]
         return "".join(f", {count:,} {what}" for count, what in parts if count)
 

@@ -42,10 +42,18 @@ def _nothing(translation: Translation, name: str) -> Finding:
         return codes.LOG_OF_ANOTHER_BUS.finding(message, name, fix="Name one of these.")
     if counts.decoded:
         message = "No mapped signal has a value that it can take: no trace is written."
-        return codes.LOG_OF_ANOTHER_BUS.finding(message, name, fix=fix)
+        return codes.LOG_OF_ANOTHER_BUS.finding(message, name, fix=_unfit_fix(counts))
     why = f"the database has none of its identifiers, such as {_most_frequent(counts.unknown)}."
     message = f"No frame of the log has a mapped signal: {why if counts.unknown else 'its messages are others.'}"
     return codes.LOG_OF_ANOTHER_BUS.finding(message, name, fix=fix)
+
+
+def _unfit_fix(counts: Counts) -> str:
+    """The advice where frames were decoded and no value is left."""
+    if not counts.unfit:
+        return "The frames have none of the parts or bytes that the mapped signals are in."
+    (path, why), count = counts.unfit.most_common(1)[0]
+    return f"Most often, values of {path} are {why} ({count:,}). Check limits and factors of the database, and the mappings."
 
 
 def _most_frequent(unknown: "Counter[str]") -> str:
@@ -65,9 +73,6 @@ def _merged(counts: Counts, name: str) -> Iterator[Finding]:
 
 
 def _of_frames(counts: Counts, name: str) -> Iterator[Finding]:
-    for message_name, count in counts.undecodable.items():
-        message = f"{_frames(count)} cannot be decoded as {message_name}."
-        yield codes.FRAME_UNFIT.finding(message, name, fix="Look whether the database is of this bus.")
     for (message_name, undefined), count in counts.undefined.items():
         message = f"{_frames(count)} of {message_name}: {undefined}. What does not hang on it was taken."
         yield codes.FRAME_UNFIT.finding(message, name)

@@ -10,8 +10,9 @@ from sigcat.catalogue.model.definition import SIGNALS
 from sigcat.catalogue.model.interfaces import interface_name
 from sigcat.catalogue.network.can_database import LARGEST, CanDatabase
 from sigcat.catalogue.network.mapping import KUKSA_TARGET, PROFILE, SignalMapping, mappings_of
-from sigcat.catalogue.network.values import NO_FORMULA_VALUE, NOT_HELD, UNLISTED, Unfit, Value
-from sigcat.gateway.decoding import within
+from sigcat.catalogue.network.markers import with_markers
+from sigcat.catalogue.network.signal_limits import limited, names, physical
+from sigcat.catalogue.network.values import NO_FORMULA_VALUE, NOT_HELD, OUTSIDE, UNLISTED, WORD, Unfit, Value
 from sigcat.gateway.frames import Frame
 from sigcat.runs.recording import cells
 from sigcat.runs.recording.shapes import Number
@@ -56,37 +57,42 @@ class Place(NamedTuple):
     outgoing: Outgoing
     message: Any
     signal: Any
+    mapping: SignalMapping
+    """That of the signal, with the markers of this signal of the network."""
 
     def raw(self, text: str) -> float:
         """The number that is transmitted for a cell of a trace. Raises Unfit."""
-        given = _network_value(_value(text, self.outgoing.datatype), self.outgoing.mapping)
-        conversion = self.signal.conversion
-        if isinstance(given, _Raw):
-            return self._held(given.number)
-        if isinstance(given, str):
-            numbers = [number for number, name in (conversion.choices or {}).items() if str(name) == given]
-            if not numbers:
-                raise Unfit(NO_SUCH_NAME)
-            return self._held(numbers[0])
-        if conversion.is_float:
-            return self._held(float(conversion.numeric_scaled_to_raw(float(given))))
-        if not math.isfinite(given):
-            raise Unfit(NOT_HELD)
-        step = abs(float(conversion.scale))
-        number = round(conversion.numeric_scaled_to_raw(within(given, self.signal.minimum, self.signal.maximum, step)))
-        return self._held(number)
+        given = _network_value(_value(text, self.outgoing.datatype), self.mapping)
+        return held(self.signal, given.number) if isinstance(given, _Raw) else raw_of(self.signal, given)
 
-    def _held(self, number: float) -> float:
-        """A number that the bits of the signal hold. Raises Unfit."""
-        signal = self.signal
-        if signal.conversion.is_float:
-            if math.isfinite(number) and abs(number) > LARGEST[signal.length]:
-                raise Unfit(NOT_HELD)
-            return number
-        least = -(2 ** (signal.length - 1)) if signal.is_signed else 0
-        if not least <= number < least + 2**signal.length:
+
+def raw_of(signal: Any, given: float | str) -> float:
+    """The number that is transmitted for a number in the unit of a signal, or for a name of one. Raises Unfit."""
+    conversion = signal.conversion
+    if isinstance(given, str):
+        numbers = [number for number, name in names(signal).items() if name == given]
+        if not numbers:
+            raise Unfit(NO_SUCH_NAME)
+        return held(signal, numbers[0])
+    if not conversion.is_float and not math.isfinite(given):
+        raise Unfit(NOT_HELD)
+    number = limited(signal, given)
+    if number is None:
+        raise Unfit(OUTSIDE)
+    raw = conversion.numeric_scaled_to_raw(float(number) if conversion.is_float else number)
+    return held(signal, float(raw) if conversion.is_float else round(raw))
+
+
+def held(signal: Any, number: float) -> float:
+    """A transmitted number that the bits of a signal hold. Raises Unfit."""
+    if signal.conversion.is_float:
+        if math.isfinite(number) and abs(number) > LARGEST[signal.length]:
             raise Unfit(NOT_HELD)
         return number
+    least = -(2 ** (signal.length - 1)) if signal.is_signed else 0
+    if not least <= number < least + 2**signal.length:
+        raise Unfit(NOT_HELD)
+    return number
 
 
 class _Raw(NamedTuple):
@@ -108,13 +114,15 @@ def _value(text: str, datatype: str) -> Value:
 
 def _network_value(value: Value, mapping: SignalMapping) -> float | str | _Raw:
     """A number in the unit of the network's signal, or as it is transmitted, or a name of one. Raises Unfit."""
+    if not isinstance(value, str) and value in mapping.markers:
+        raise Unfit(WORD)
     if mapping.choices:
         return _of_profile(value, mapping) if mapping.is_profile else _of_list(value, mapping)
     if mapping.formula is not None:
-        found = None if isinstance(value, str) else mapping.formula.value(float(value))
+        found = None if isinstance(value, str) else mapping.formula.value(value)
         if found is None:
             raise Unfit(NO_FORMULA_VALUE)
-        return found
+        return int(found) if isinstance(found, bool) else found
     return int(value) if isinstance(value, bool) else value
 
 
@@ -138,29 +146,41 @@ def _of_profile(value: Value, mapping: SignalMapping) -> str | _Raw:
 # -- a message ----------------------------------------------------------------------------------------------------
 
 
-def places(database: CanDatabase, outgoing: Sequence[Outgoing]) -> Mapping[str, Place]:
-    """Where signals go, by the names of their columns. Of several messages with a signal of the name, the first counts."""
-    found: dict[str, Place] = {}
+def places(database: CanDatabase, outgoing: Sequence[Outgoing]) -> Mapping[str, tuple[Place, ...]]:
+    """Where signals go, by the names of their columns: into each message that has the signal, unless the mapping names one."""
+    messages = {(message.frame_id, message.is_extended_frame): message for message in reversed(database.messages)}
+    found: dict[str, list[Place]] = {}
     for each in outgoing:
-        for message in database.messages:
-            if each.mapping.message not in (None, message.name):
-                continue
-            for signal in message.signals:
-                if signal.name == each.mapping.signal:
-                    found.setdefault(each.name, Place(each, message, signal))
-    return found
+        for message in reversed(messages.values()):
+            if each.mapping.message in (None, message.name):
+                for signal in message.signals:
+                    if signal.name == each.mapping.signal:
+                        found.setdefault(each.name, []).append(_place(each, message, signal))
+    return {name: tuple(each) for name, each in found.items()}
+
+
+def _place(outgoing: Outgoing, message: Any, signal: Any) -> Place:
+    mapping = with_markers(
+        outgoing.mapping, outgoing.datatype, names(signal),
+        lambda raw: limited(signal, physical(signal, raw)) is not None,
+    )  # fmt: skip
+    return Place(outgoing, message, signal, mapping)
 
 
 class MessageState:
-    """What a message has in all its signals: what was set last, else what the database says that they begin with, else 0."""
+    """What a message has in all its signals: what was set last, else a default, else the start value of the database, else 0."""
 
-    def __init__(self, message: Any) -> None:
+    def __init__(self, message: Any, defaults: Mapping[str, float | str]) -> None:
         self._message = message
         self._numbers: dict[str, float] = {signal.name: signal.raw_initial or 0 for signal in message.signals}
         for signal in message.signals:
             if signal.is_multiplexer and signal.raw_initial is None:
                 owned = [each.multiplexer_ids for each in message.signals if each.multiplexer_signal == signal.name]
                 self._numbers[signal.name] = min((ids[0] for ids in owned if ids), default=0)
+
+        for signal in message.signals:
+            if signal.name in defaults:
+                self._numbers[signal.name] = raw_of(signal, defaults[signal.name])
 
     def set(self, signal: Any, number: float) -> None:
         """Give a signal a number, as it is transmitted; its part of a multiplexed message is the one that is sent next."""

@@ -2,7 +2,8 @@
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from itertools import chain
+from types import MappingProxyType
 
 from sigcat import codes
 from sigcat.catalogue.network.can_database import CanDatabase
@@ -13,11 +14,12 @@ from sigcat.gateway.frames import Frame
 
 
 class _Slot:
-    """What is known of a signal."""
+    """The state of a place that values of a signal go to."""
 
-    __slots__ = ("number", "sent", "time", "waits")
+    __slots__ = ("number", "place", "sent", "time", "waits")
 
-    def __init__(self) -> None:
+    def __init__(self, place: Place) -> None:
+        self.place = place
         self.number: float | None = None
         self.sent: float | None = None
         self.time: int | None = None
@@ -33,52 +35,59 @@ class Sender:
     that wait, the last one is sent.
     """
 
-    def __init__(self, database: CanDatabase, outgoing: Sequence[Outgoing]) -> None:
-        self.places: Mapping[str, Place] = places(database, outgoing)
+    def __init__(
+        self,
+        database: CanDatabase,
+        outgoing: Sequence[Outgoing],
+        defaults: Mapping[str, float | str] = MappingProxyType({}),
+    ) -> None:
+        self._defaults = defaults
         self.values = self.frames = self.sent = self.held_back = 0
         self.unfit: Counter[tuple[str, str]] = Counter()
         """Values that are none of their signal of the network, by path and why."""
         self.unmapped: Counter[str] = Counter()
         """Values of columns that nothing maps, by these."""
-        self._slots = {name: _Slot() for name in self.places}
-        self._messages: dict[str, MessageState] = {}
+        self._slots = {name: [_Slot(place) for place in found] for name, found in places(database, outgoing).items()}
+        self._messages: dict[int, MessageState] = {}
 
     def take(self, name: str, text: str) -> None:
         """A value has come, as the cell of a trace."""
-        place = self.places.get(name)
-        if place is None:
+        slots = self._slots.get(name)
+        if slots is None:
             self.unmapped[name] += 1
             return
-        self.values += 1
-        slot = self._slots[name]
-        try:
-            number = place.raw(text)
-        except Unfit as reason:
-            self.unfit[place.outgoing.path, str(reason)] += 1
-            return
-        self.held_back += slot.waits
-        slot.number, slot.waits = number, True
+        for slot in slots:
+            self.values += 1
+            try:
+                number = slot.place.raw(text)
+            except Unfit as reason:
+                self.unfit[slot.place.outgoing.path, str(reason)] += 1
+                continue
+            self.held_back += slot.waits
+            slot.number, slot.waits = number, True
 
     def due(self, time: int) -> Iterator[Frame]:
         """The frames that are due at a time, in ns: one of each message, for multiplexed ones one of each part."""
-        parts: dict[tuple[str, Any], list[str]] = {}
-        for name, slot in self._slots.items():
-            if slot.waits and self._is_due(name, slot, time):
-                place = self.places[name]
-                parts.setdefault((place.message.name, str(place.signal.multiplexer_ids)), []).append(name)
-        for (message, _), names in parts.items():
-            for name in names:
-                slot, place = self._slots[name], self.places[name]
+        parts: dict[tuple[int, str], list[_Slot]] = {}
+        for slot in self._all_slots():
+            if slot.waits and self._is_due(slot, time):
+                part = id(slot.place.message), str(slot.place.signal.multiplexer_ids)
+                parts.setdefault(part, []).append(slot)
+        for (message, _), slots in parts.items():
+            state = self._messages.setdefault(message, MessageState(slots[0].place.message, self._defaults))
+            for slot in slots:
                 assert slot.number is not None
-                state = self._messages.setdefault(message, MessageState(place.message))
-                state.set(place.signal, slot.number)
+                state.set(slot.place.signal, slot.number)
                 slot.time, slot.sent, slot.waits = time, slot.number, False
                 self.sent += 1
             self.frames += 1
-            yield self._messages[message].frame(time)
+            yield state.frame(time)
 
-    def _is_due(self, name: str, slot: _Slot, time: int) -> bool:
-        mapping = self.places[name].outgoing.mapping
+    def _all_slots(self) -> Iterator[_Slot]:
+        return chain.from_iterable(self._slots.values())
+
+    def _is_due(self, slot: _Slot, time: int) -> bool:
+        mapping = slot.place.mapping
         if mapping.on_change and slot.number == slot.sent:
             slot.waits = False
             self.held_back += 1
@@ -87,10 +96,7 @@ class Sender:
 
     def next_time(self) -> int | None:
         """When a value that waits is due; None if none does."""
-        times = [
-            (slot.time or 0) + self.places[name].outgoing.mapping.interval
-            for name, slot in self._slots.items() if slot.waits
-        ]  # fmt: skip
+        times = ((slot.time or 0) + slot.place.mapping.interval for slot in self._all_slots() if slot.waits)
         return min(times, default=None)
 
     def line(self) -> str:

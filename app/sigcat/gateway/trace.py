@@ -8,15 +8,14 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import PRIMITIVES
-from sigcat.catalogue.network.values import Value
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, shown
 from sigcat.gateway.mapped import Mapped
 from sigcat.gateway.translation import Moment
 from sigcat.limits import TRACE_ROW_BYTES
 from sigcat.names import did_you_mean
-from sigcat.runs.recording.cells import Unfit, cell_of, value_of
-from sigcat.runs.recording.csv_file import quoted
+from sigcat.runs.recording.cells import Unfit, value_of
+from sigcat.runs.recording.csv_file import SPECIAL, quoted
 from sigcat.runs.recording.shapes import Number
 from sigcat.runs.recording.times import nanoseconds, seconds
 
@@ -28,15 +27,10 @@ class Row(NamedTuple):
     cells: Mapping[int, str]
 
 
-def rows_of(moments: Iterable[Moment], mapped: Sequence[Mapped]) -> Iterator[Row]:
+def rows_of(moments: Iterable[Moment]) -> Iterator[Row]:
     """The rows of moments; each mapped signal is a column."""
-    shapes = [None if each.datatype == "string" else Number(each.datatype) for each in mapped]
     for time, values in moments:
-        yield Row(time, {index: _text(value, shapes[index]) for index, value in values})
-
-
-def _text(value: Value, shape: Number | None) -> str:
-    return str(value) if shape is None else cell_of(value, shape)
+        yield Row(time, {number: text for number, _, text in values})
 
 
 def joined(rows: Iterable[Row]) -> Iterator[Row]:
@@ -57,10 +51,11 @@ def lines_of(rows: Iterable[Row], columns: Sequence[str]) -> Iterator[str]:
     """The lines of the file."""
     yield f"time,{','.join(map(_quoted, columns))}\n"
     empty = [""] * len(columns)
+    is_plain = SPECIAL.isdisjoint
     for time, cells in rows:
         texts = empty.copy()
         for index, text in cells.items():
-            texts[index] = _quoted(text)
+            texts[index] = text if is_plain(text) else _quoted(text)
         yield f"{seconds(time)},{','.join(texts)}\n"
 
 

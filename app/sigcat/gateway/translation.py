@@ -1,16 +1,19 @@
 """Frames become moments: what the mapped signals are at a time. Intervals and unchanged values are heeded here."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, TypeGuard
 
 from sigcat import codes
 from sigcat.catalogue.network.can_database import CanDatabase
+from sigcat.catalogue.network.mapping import SignalMapping
 from sigcat.catalogue.network.values import Value
 from sigcat.findings import Finding
 from sigcat.gateway.counts import Counts
-from sigcat.gateway.decoding import Decoded, Decoder
+from sigcat.gateway.decoding import Decoded, Decoder, Failed, decoded
 from sigcat.gateway.frames import Frame, Passed
+from sigcat.gateway.j1939 import assembled
 from sigcat.gateway.mapped import Mapped
+from sigcat.runs.recording.shapes import Number
 
 _MOST_LATE = 10**9
 """Frames of several channels may come in another order; a time that is a second before the last one is of another drive."""
@@ -21,15 +24,18 @@ class Moment(NamedTuple):
 
     time: int
     """In ns."""
-    values: tuple[Decoded, ...]
+    values: Sequence[Decoded]
 
 
 class _Sent:
-    """What was sent last of a signal, and when."""
+    """The last value of a signal that was sent, and when its interval began."""
 
-    __slots__ = ("time", "value")
+    __slots__ = ("interval", "is_kuksa", "on_change", "time", "value")
 
-    def __init__(self) -> None:
+    def __init__(self, mapping: SignalMapping) -> None:
+        self.interval = mapping.interval
+        self.on_change = mapping.on_change
+        self.is_kuksa = not mapping.is_profile
         self.time: int | None = None
         self.value: Value | None = None
 
@@ -38,23 +44,31 @@ class Translation:
     """A run of the gateway: what is asked of it, and what it has counted."""
 
     def __init__(
-        self, database: CanDatabase, mapped: Sequence[Mapped], channel: str | None = None, *, is_from_zero: bool = False
+        self,
+        database: CanDatabase,
+        mapped: Sequence[Mapped],
+        channel: str | None = None,
+        *,
+        is_from_zero: bool = False,
+        is_j1939: bool = False,
     ) -> None:
         self.counts = Counts()
         self.mapped = mapped
         self.findings: list[Finding] = []
         self.channel = channel
         self.is_from_zero = is_from_zero
-        self._decoder = Decoder(database, mapped, self.counts)
-        self._sent = [_Sent() for _ in mapped]
+        self._decoder = Decoder(database, mapped, self.counts, is_j1939=is_j1939)
+        self._sent = [_Sent(each.mapping) for each in mapped]
         self._defaults = tuple(
-            Decoded(number, each.default) for number, each in enumerate(mapped) if each.default is not None
+            decoded(number, each.default, Number(each.datatype))
+            for number, each in enumerate(mapped)
+            if each.default is not None
         )
 
     def moments(self, frames: Iterable[Frame | Passed], name: str) -> Iterator[Moment]:
         """The moments of a log; `name` is what findings call it. It ends where the time goes back."""
-        counts = self.counts
-        for frame in frames:
+        counts, values, is_due = self.counts, self._decoder.values, self._is_due
+        for frame in assembled(frames) if self._decoder.is_j1939 else frames:
             counts.frames += 1
             if isinstance(frame, Passed):
                 counts.passed[frame.kind] += 1
@@ -66,14 +80,14 @@ class Translation:
             if time is None:
                 self.findings.append(_goes_back(frame.time, counts, name))
                 return
-            found = tuple([each for each in self._decoder.values(frame) if self._is_due(each, time)])
-            if self._defaults and found:
-                found = self._with_defaults(found)
-            counts.sent += len(found)
+            found = [each for each in values(frame) if is_due(each, time)]
             if found:
+                if self._defaults:
+                    found = self._with_defaults(found)
+                counts.sent += len(found)
                 yield Moment(time, found)
 
-    def _with_defaults(self, found: tuple[Decoded, ...]) -> tuple[Decoded, ...]:
+    def _with_defaults(self, found: Sequence[Decoded]) -> list[Decoded]:
         """What came first, and the defaults of all other signals: what they are before they come."""
         came = {each.number for each in found}
         given = tuple(each for each in self._defaults if each.number not in came)
@@ -81,7 +95,7 @@ class Translation:
             self._sent[each.number].value = each.value
         self.counts.defaults += len(given)
         self._defaults = ()
-        return (*found, *given)
+        return [*found, *given]
 
     def _time(self, given: int) -> int | None:
         """The time of a frame: not before the last one. None if it is far before it."""
@@ -96,20 +110,23 @@ class Translation:
             counts.last = given
         return counts.last - counts.first if self.is_from_zero else counts.last
 
-    def _is_due(self, each: Decoded, time: int) -> bool:
+    def _is_due(self, each: Decoded | Failed, time: int) -> TypeGuard[Decoded]:
         """Whether a value is sent. One that is not is counted.
 
-        The KUKSA CAN provider begins the interval anew with a value that it then does not send since it is unchanged; by
-        VSS's profile it begins with what is sent.
+        The interval of the KUKSA CAN provider begins with each attempt: also with a value that is not sent since it is
+        unchanged, and with a number that its mapping makes no value of. That of VSS's profile begins with what is sent.
         """
-        mapping, sent = self.mapped[each.number].mapping, self._sent[each.number]
-        is_time = sent.time is None or time - sent.time >= mapping.interval
-        is_changed = not mapping.on_change or not _is_same(each.value, sent.value)
-        if is_time and (is_changed or not mapping.is_profile):
-            sent.time = time
-        if is_time and is_changed:
-            sent.value = each.value
+        sent = self._sent[each.number]
+        is_time = sent.time is None or time - sent.time >= sent.interval
+        if isinstance(each, Failed):
+            if is_time and sent.is_kuksa and each.is_attempt:
+                sent.time = time
+            return False
+        if is_time and (not sent.on_change or not _is_same(each.value, sent.value)):
+            sent.time, sent.value = time, each.value
             return True
+        if is_time and sent.is_kuksa:
+            sent.time = time
         self.counts.held_back += 1
         return False
 

@@ -34,10 +34,15 @@ def test_an_error_of_an_overlay_stays_one(release, tmp_path, capsys):
     assert "error V003" in capsys.readouterr().err
 
 
-def test_an_exported_tree_is_told_to_be_one(tmp_path, capsys):
-    (tmp_path / "tree.json").write_text('{"Vehicle": {"type": "branch", "children": {}}}')
-    assert main(["show", "-s", str(tmp_path / "tree.json"), "Vehicle"]) == 2
-    assert "exported tree" in capsys.readouterr().err
+def test_an_exported_tree_is_read_with_its_mappings_and_lines(tmp_path, capsys):
+    speed = '"type": "sensor", "datatype": "float", "unit": "km/h", "description": "S.", "dbc2vss": {"signal": "S"}'
+    text = '{"Vehicle": {"type": "branch", "description": "V.", "children": {\n"Speed": {%s}}}}'
+    (tmp_path / "tree.json").write_text(text % speed)
+    assert main(["show", "-s", str(tmp_path / "tree.json"), "Vehicle.Speed", "--format", "json"]) == 0
+    assert '"S"' in capsys.readouterr().out
+    (tmp_path / "tree.json").write_text(text % speed.replace("float", "flaot"))
+    assert main(["show", "-s", str(tmp_path / "tree.json"), "Vehicle.Speed"]) == 1
+    assert "tree.json:2:" in capsys.readouterr().err
 
 
 def test_a_shipped_catalogue_has_the_name_that_diff_knows(capsys):

@@ -5,14 +5,18 @@ import math
 import pytest
 
 from sigcat.catalogue.network.mapping import mapping_of
+from sigcat.catalogue.network.markers import means_no_value, with_markers
 from sigcat.catalogue.network.values import NetworkValue, Unfit, value_of
 
+NAMES = {4: "GEAR_D", 2: "GEAR_P", 3: "GEAR_R", 7: "GEAR_SNA"}
 
-def made(attribute, given, network, datatype="float", allowed=()):
+
+def made(attribute, given, network, datatype="float", allowed=(), names=NAMES):
     mapping = mapping_of(attribute, {"signal": "S", **given})
     assert mapping is not None
+    marked = with_markers(mapping, datatype, names, lambda raw: raw < 1000)
     try:
-        return value_of(network, mapping, datatype, frozenset(allowed))
+        return value_of(network, marked, datatype, frozenset(allowed))
     except Unfit as reason:
         return str(reason)
 
@@ -78,6 +82,63 @@ def test_beside_a_formula_a_representation_says_which_numbers_are_words():
     """As the tilt of the profile's own page: 2 V are -20 %, and 255 as transmitted is no tilt."""
     assert made("network_serialization", TILT, number(2.0, raw=100), "int8") == -20
     assert made("network_serialization", TILT, number(5.1, raw=255), "int8") == "words where a number belongs"
+
+
+MARKED = {"transform": {"representation": [{"value": 65535, "text": "SNA"}]}}
+MARKED_GEAR = {"transform": {"representation": [{"value": 0, "text": "PARK"}, {"value": 7, "text": "NOT_VALID"}]}}
+
+
+@pytest.mark.parametrize(
+    ("network", "names", "value"),
+    [
+        (number(12.5, raw=1250), {65535: "SNA"}, 12.5),
+        (NetworkValue(65535, 655.35, "SNA", is_within=False), {65535: "SNA"}, "words where a number belongs"),
+        (number(655.35, raw=65535), {}, "words where a number belongs"),
+        (number(655.35, raw=65535, name="Other"), {65535: "Other"}, "words where a number belongs"),
+    ],
+)
+def test_a_marker_of_a_representation_is_never_a_value(network, names, value):
+    found = made("network_serialization", MARKED, network, "double", names=names)
+    assert found == value
+
+
+def test_a_representation_that_says_what_the_database_says_is_a_list_of_values_and_markers():
+    names = {0: "PARK", 7: "NOT_VALID"}
+    made_of = [
+        made("network_serialization", MARKED_GEAR, number(raw, name=names.get(raw)), "int8", names=names)
+        for raw in (0, 7, 3)
+    ]
+    assert made_of == [0, "words where a number belongs", "not among the listed values"]
+
+
+@pytest.mark.parametrize(
+    "name", ["SNA", "Signal not available", "GEAR_INVALID", "ErrorValue", "NotDefined", "n/a", "SIG_NOT_AVAIL"]
+)
+def test_names_that_say_that_there_is_no_value(name):
+    assert means_no_value(name)
+
+
+@pytest.mark.parametrize("name", ["DRIVE", "Validated", "Naples", "Unknownish", "Terror", "NotActive"])
+def test_names_that_are_values(name):
+    assert not means_no_value(name)
+
+
+NAMED = NetworkValue(65535, 655.35, "SNA", is_within=False)
+
+
+@pytest.mark.parametrize("attribute", ["dbc2vss", "network_serialization"])
+def test_a_number_that_the_database_names_is_no_number_for_a_formula(attribute):
+    given = {"transform": {"math": "x/3.6"}}
+    assert made(attribute, given, NAMED) == "named by the database, and not a number for `math`"
+    assert made(attribute, given, number(3.0, name="SLOW")) == "named by the database, and not a number for `math`"
+
+
+@pytest.mark.parametrize("attribute", ["dbc2vss", "network_serialization"])
+def test_a_named_number_that_limits_exclude_is_a_text_and_not_a_number(attribute):
+    assert made(attribute, {}, NAMED) == "outside of the limits that the database states"
+    assert made(attribute, {}, NAMED, "string") == "SNA"
+    listed = {"transform": {"mapping": [{"from": "SNA", "to": -1}]}}
+    assert made("dbc2vss", listed, NAMED, "int8") == -1
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from sigcat import codes
+from sigcat.catalogue.network.signal_limits import limited, names, physical, step
 from sigcat.errors import UsageError
 from sigcat.findings import Finding
 from sigcat.limits import DEFAULT_LIMITS
@@ -29,6 +30,8 @@ class CanSignal(NamedTuple):
     raw_maximum: float
     names: Mapping[int, str]
     """Names of raw numbers."""
+    excluded: frozenset[int]
+    """Raw numbers that have names and are outside of the stated limits."""
     unit: str
     step: float
     """From one number to the next, in its unit; 0 for floats."""
@@ -78,7 +81,7 @@ def read_can_database(paths: Sequence[Path]) -> CanDatabase:
                 other, file = known.setdefault((message.frame_id, message.is_extended_frame), (message, path))
                 if other is message:
                     messages.append(message)
-                    findings.extend(_doubts(message, path))
+                    findings += [*_wrong_factors(message, path), *_doubts(message, path)]
                 elif not _is_same(message, other):
                     findings.append(_contradicts(message, path, other, file))
         except _Unreadable as error:
@@ -131,6 +134,28 @@ def _contradicts(message: Any, path: Path, other: Any, file: Path) -> Finding:
     return codes.CAN_DATABASE_UNREADABLE.finding(text, str(path), fix=fix)
 
 
+def _wrong_factors(message: Any, path: Path) -> Iterator[Finding]:
+    """Signals with a factor of 0, of which every number is the same."""
+    for signal in message.signals:
+        if signal.conversion.scale == 0:
+            text = f"The factor of {message.name}.{signal.name} must not be 0."
+            yield codes.CAN_DATABASE_UNREADABLE.finding(
+                text, str(path), _line(path, message.name, signal.name), fix="Write the factor of one step, such as 1."
+            )
+
+
+def _line(path: Path, message: str, signal: str) -> int:
+    """The line of a signal in a DBC; 0 in other forms."""
+    own = False
+    for number, line in enumerate(path.read_text(encoding="cp1252", errors="replace").splitlines(), 1):
+        words = line.replace(":", " ").split()
+        if words[:1] == ["BO_"]:
+            own = words[2:3] == [message]
+        elif own and words[:2] == ["SG_", signal]:
+            return number
+    return 0
+
+
 def _doubts(message: Any, path: Path) -> Iterator[Finding]:
     """Two signals that share bits, which cannot both be what they say, or one that ends beyond its message."""
     try:
@@ -138,7 +163,9 @@ def _doubts(message: Any, path: Path) -> Iterator[Finding]:
     except Exception as error:  # noqa: BLE001 — of cantools, with the names of both
         message.refresh(strict=False)
         rule = codes.CAN_DATABASE_UNREADABLE.graded("warning")  # other messages are right
-        yield rule.finding(str(error)[:200], str(path), fix="Mend it: such frames may not be decoded.")
+        yield rule.finding(
+            str(error)[:200], str(path), fix="Correct where they start: at least one of them has wrong values."
+        )
 
 
 class _Unreadable(Exception):
@@ -189,13 +216,12 @@ def _unreadable(error: Exception) -> _Unreadable:
 
 def _signals(message: Any) -> Iterator[CanSignal]:
     for signal in message.signals:
-        conversion = signal.conversion
-        least, greatest = sorted(conversion.raw_to_scaled(raw, decode_choices=False) for raw in _raw_range(signal))
-        names = {int(number): str(name) for number, name in (conversion.choices or {}).items()}
+        least, greatest = sorted(physical(signal, raw) for raw in _raw_range(signal))
+        known = names(signal)
+        excluded = frozenset(raw for raw in known if limited(signal, physical(signal, raw)) is None)
         yield CanSignal(
-            signal.name, message.name, signal.minimum, signal.maximum, least, greatest, names,
-            signal.unit or "", 0.0 if conversion.is_float else abs(float(conversion.scale)), signal.length,
-            str(signal.byte_order),
+            signal.name, message.name, signal.minimum, signal.maximum, least, greatest, known, excluded,
+            signal.unit or "", step(signal), signal.length, str(signal.byte_order),
         )  # fmt: skip
 
 

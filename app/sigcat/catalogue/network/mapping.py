@@ -54,6 +54,8 @@ class SignalMapping(NamedTuple):
     on_change: bool
     formula: "Formula | None"
     choices: tuple[Choice, ...]
+    markers: frozenset[Any] = frozenset()
+    """Transmitted numbers that are no value, where a database says which ones are."""
 
     @property
     def is_profile(self) -> bool:

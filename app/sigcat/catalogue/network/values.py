@@ -3,11 +3,13 @@
 import math
 import struct
 from collections.abc import Mapping
-from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from sigcat.catalogue.model.datatypes import FLOATING, INTEGER_RANGES
 from sigcat.catalogue.network.mapping import SignalMapping
+
+if TYPE_CHECKING:
+    from sigcat.catalogue.network.formula import Formula
 
 Value = bool | int | float | str
 
@@ -21,6 +23,8 @@ class NetworkValue(NamedTuple):
     """The number in the unit of the signal."""
     name: str | None = None
     """What the database calls this raw number, if it does."""
+    is_within: bool = True
+    """Whether the limits of the database include it."""
 
 
 class Unfit(Exception):
@@ -28,6 +32,8 @@ class Unfit(Exception):
 
 
 WORD, NO_FORMULA_VALUE, UNLISTED = "words where a number belongs", "no result of `math`", "not among the listed values"
+OUTSIDE = "outside of the limits that the database states"
+NAMED = "named by the database, and not a number for `math`"
 NOT_ALLOWED, NOT_HELD = "not among the `allowed` values", "not held by the datatype"
 
 
@@ -57,19 +63,18 @@ def _is_given(wanted: Any, given: NetworkValue) -> bool:
 
 
 def _of_profile(given: NetworkValue, mapping: SignalMapping, datatype: str) -> Any:
-    """By a representation, else by the formula.
+    """The value of a representation, else of the formula.
 
-    A text signal gets the text of the number that was transmitted. A number whose text is a name of the network gets the
-    number beside it; any other text says what a number means that is no value, such as 255 for «invalid».
+    A text signal gets the text of the number that was transmitted, a number the one beside the name of the network.
     """
     if datatype == "string":
         found = [each.meant for each in mapping.choices if each.given in (given.raw, given.name)]
     else:
         found = [each.given for each in mapping.choices if given.name is not None and each.meant == given.name]
-        if not found and any(each.given == given.raw for each in mapping.choices):
-            raise Unfit(WORD)
     if found:
         return found[0]
+    if given.raw in mapping.markers:
+        raise Unfit(WORD)
     if mapping.choices and mapping.formula is None:
         raise Unfit(UNLISTED)
     return _converted(given, mapping, datatype)
@@ -77,16 +82,23 @@ def _of_profile(given: NetworkValue, mapping: SignalMapping, datatype: str) -> A
 
 def _converted(given: NetworkValue, mapping: SignalMapping, datatype: str) -> Any:
     if mapping.formula is not None:
-        number = float(given.physical)
-        found = mapping.formula.value(number)
-        if found is None or _is_no_result(number, found):
-            raise Unfit(NO_FORMULA_VALUE)
-        return found
+        return _computed(given, mapping.formula)
     if datatype == "string":
         if given.name is None:
             raise Unfit("numbers without a name where a text belongs")
         return given.name
+    if not given.is_within:
+        raise Unfit(OUTSIDE)
     return given.physical if given.name is None else given.raw
+
+
+def _computed(given: NetworkValue, formula: "Formula") -> Any:
+    if given.name is not None:
+        raise Unfit(NAMED)
+    found = formula.value(given.physical)
+    if found is None or _is_no_result(given.physical, found):
+        raise Unfit(NO_FORMULA_VALUE)
+    return found
 
 
 def _is_no_result(number: float, found: float) -> bool:
@@ -129,7 +141,6 @@ def _whole(value: float, least: int, greatest: int) -> int:
     return whole
 
 
-@lru_cache(maxsize=4096)
 def _floating(value: float, datatype: str) -> float:
     if datatype not in FLOATING:
         raise Unfit(NOT_HELD)

@@ -67,7 +67,8 @@ def parse_vspec(data: bytes, source: SourceFile, limits: Limits = DEFAULT_LIMITS
     includes: list[Include] = []
     if isinstance(document.root, MappingNode):
         builder = Builder(limits, len(document.text))
-        _read_statements(document.root, source, builder, statements, includes, findings)
+        root = _flattened(document.root) if source.name.endswith(".json") else document.root
+        _read_statements(root, source, builder, statements, includes, findings)
         findings.extend(_misread(*each, source.name) for each in builder.misread)
     elif document.root is not None and not _is_null(document.root):
         line, column = position(document.root)
@@ -81,6 +82,24 @@ def parse_vspec(data: bytes, source: SourceFile, limits: Limits = DEFAULT_LIMITS
     includes.extend(_include_lines(document.text, source.name, findings))
     findings.extend(_misspelled_includes(document.text, source.name))
     return VspecFile(source, tuple(statements), tuple(includes), tuple(findings))
+
+
+def _flattened(root: MappingNode) -> MappingNode:
+    """The nodes of an exported tree, which nest under `children`, each under its path."""
+    found: list[tuple[Node, Node]] = []
+    waiting: list[tuple[str, Node, Node]] = [("", key, node) for key, node in reversed(root.value)]
+    while waiting:
+        prefix, key, node = waiting.pop()
+        path = f"{prefix}{key.value}" if isinstance(key, ScalarNode) else ""
+        below = [each for name, each in node.value if name.value == "children"] if isinstance(node, MappingNode) else []
+        nested = [pair for each in below if isinstance(each, MappingNode) for pair in each.value]
+        if nested:
+            own = [(name, value) for name, value in node.value if name.value != "children"]
+            node = MappingNode(node.tag, own, node.start_mark, node.end_mark)
+        named = ScalarNode(key.tag, path, key.start_mark, key.end_mark) if path else key
+        found.append((named, node))
+        waiting += [(f"{path}.", *pair) for pair in reversed(nested)]
+    return MappingNode(root.tag, found, root.start_mark, root.end_mark)
 
 
 def _read_statements(

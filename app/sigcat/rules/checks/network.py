@@ -15,6 +15,7 @@ from sigcat.catalogue.network.mapping import (
     faults_of_transform,
     mapping_of,
 )
+from sigcat.catalogue.network.markers import means_no_value
 from sigcat.catalogue.network.values import Unfit, in_datatype
 from sigcat.findings import shown
 from sigcat.names import did_you_mean, nearest
@@ -180,7 +181,10 @@ def unambiguous(_rule: Rule, tree: Tree) -> NodeTest:
             known = _in_database(each, tree)
             if len(known) > 1:
                 names = listed([signal.message for signal in known])
-                message = f"{len(known)} messages have a signal {each.signal}: {names}. Values of all of them come."
+                what = (
+                    "Values of all of them are received" if each.attribute in RECEIVED else "It is sent in all of them"
+                )
+                message = f"{len(known)} messages have a signal {each.signal}: {names}. {what}."
                 yield Problem(definition, message, each.attribute, "Name the `message`.", within=("signal",))
 
     return test
@@ -209,6 +213,24 @@ def _network_names(mapping: SignalMapping) -> Iterator[tuple[str, tuple[int | st
         name, key = (choice.meant, "to") if mapping.attribute == KUKSA_TARGET else (choice.given, "from")
         if isinstance(name, str) and not mapping.is_profile:
             yield name, (*choice.steps, key)
+
+
+def no_value_handled(_rule: Rule, tree: Tree) -> NodeTest:
+    """A name of the database for «no value», such as `SNA`, does not become a number of the signal."""
+
+    def test(definition: Definition) -> Iterator[Problem]:
+        datatype = str(definition.values.get("datatype", ""))
+        for each in _mappings(definition):
+            if each.attribute not in RECEIVED or datatype == "string" or each.choices or each.formula is not None:
+                continue  # a list has all values that are received, and a formula gets no number with a name
+            for signal in _in_database(each, tree):
+                for number, name in signal.names.items():
+                    if number not in signal.excluded and means_no_value(name):
+                        message = f"{signal.name} is {number} for {shown(name)}, which is received as a number."
+                        fix = "Add a list of values, or state limits in the CAN database that exclude it."
+                        yield Problem(definition, message, each.attribute, fix, within=("signal",))
+
+    return test
 
 
 def range_fits(_rule: Rule, tree: Tree) -> NodeTest:
@@ -265,9 +287,7 @@ def _sent_misfit(
     if mapping.choices or datatype == "string" or not all(map(is_number, limits)):
         return ""
     found = [
-        number if mapping.formula is None else mapping.formula.value(float(number))
-        for number in limits
-        if number is not None
+        number if mapping.formula is None else mapping.formula.value(number) for number in limits if number is not None
     ]
     numbers = [number for number in found if number is not None]
     least, greatest = min(each.least for each in signals), max(each.greatest for each in signals)
@@ -285,6 +305,10 @@ def _range_misfit(
     """What does not fit; empty if all does."""
     if mapping.choices:
         return ""
+    if mapping.formula is not None and (
+        named := [signal for signal in signals if len(signal.names) == 2**signal.length]
+    ):
+        return f"The database names every value of {named[0].name}: `math` gets none of them. Add a list of values."
     if datatype == "string":
         allowed = values.get("allowed")
         names = {name for signal in signals for name in signal.names.values()}
@@ -336,7 +360,8 @@ def _numbers(mapping: SignalMapping, signal: "CanSignal") -> Iterator[float]:
         return
     for number in range(_SAMPLES + 1):
         share = number / _SAMPLES
-        found = mapping.formula.value(signal.least * (1 - share) + signal.greatest * share)
+        given = signal.least * (1 - share) + signal.greatest * share
+        found = mapping.formula.value(given if not signal.step or signal.step % 1 else round(given))
         if found is not None and found == found and abs(found) < _MOST_UNSTATED:  # noqa: PLR0124 — not NaN
             yield found
 

@@ -35,10 +35,11 @@ def _line(cells: Iterable[str]) -> str:
 
 def quoted(cell: str) -> str:
     """A cell, in quotes where it needs them."""
-    if _SPECIAL.isdisjoint(cell):
+    if SPECIAL.isdisjoint(cell):
         return cell
     doubled = cell.replace('"', '""')
     return f'"{doubled}"'
 
 
-_SPECIAL = frozenset(',"\r\n')
+SPECIAL = frozenset(',"\r\n')
+"""Characters of a cell that needs quotes."""

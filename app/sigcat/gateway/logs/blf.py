@@ -18,24 +18,13 @@ from can.io.blf import (
     BLFParseError,
 )
 
+from sigcat.gateway.logs.problems import CutLog, DamagedLog, NoLog
 from sigcat.limits import LOG_CONTAINER_BYTES
 
 _SIGNATURE = b"LOGG"
 _BEGIN = struct.Struct("<4sI")
 """Of a log: its signature, and the size of its header."""
 _PADDING = 4
-
-
-class NoLog(Exception):
-    """The file is something else; the text says why."""
-
-
-class CutLog(Exception):
-    """The log ends before it says that it does; the text says where."""
-
-
-class DamagedLog(Exception):
-    """What follows cannot be read; the text says why."""
 
 
 class BlfLog:
