@@ -31,7 +31,7 @@ from . import diagnostics, storage
 from .clock import Clock, LockStepClock, SimulatedClock, SteadyClock
 from .core import Core, NO_CALL
 from .executor import spin_node
-from .parameters import Parameters
+from .parameters import ANY, Limits, Parameters
 from .stored_text import BrokenFile
 from .topics import Topics
 from .watch import Watch
@@ -117,6 +117,7 @@ class FunctionNode(LifecycleNode):
             self.get_logger().error(f'The initialization of {self._core.function} has failed')
             return TransitionCallbackReturn.FAILURE
         self._core_clock = self._make_clock()
+        self._topics.keeps_all = self._is_in_lock_step
         self.create_topics()
         if self._is_in_lock_step:
             service = self.create_service(self._step_service, '~/step', self._on_step)
@@ -167,6 +168,7 @@ class FunctionNode(LifecycleNode):
             self._start()
             self._is_active = True
             return
+        self._is_active = True
         if any(call.longest is not None for call in self._core.calls):
             self._watch = Watch(self._supervise)
         self._thread = Thread(target=self._run, name=self.get_name(), daemon=True)
@@ -244,6 +246,9 @@ class FunctionNode(LifecycleNode):
             if self._core_clock.wait_until(due):
                 self._start()
             while self._core_clock.wait_until(due):
+                if self._core_clock.has_gone_back():
+                    self.get_logger().warning('The time has gone back: the clocks start again')
+                    self._start()
                 self._run_due_calls()
                 with self.core_lock:
                     due = self._core.next_time()
@@ -402,17 +407,19 @@ class FunctionNode(LifecycleNode):
 
     # -- parameters ---------------------------------------------------------------------
 
-    def declare(self, name: str, default: Any, descriptor: ParameterDescriptor) -> None:
+    def declare(
+        self, name: str, default: Any, descriptor: ParameterDescriptor, limits: Limits = ANY,
+    ) -> None:
         """Declare a parameter of the function."""
-        self._function_parameters.declare(name, default, descriptor)
+        self._function_parameters.declare(name, default, descriptor, limits)
 
     # -- storage ------------------------------------------------------------------------
 
     def _make_storage(self) -> storage.Storage:
         folder = self._function_parameters.value('storage_folder')
         path = Path(folder) if folder else storage.default_folder(self._core.package)
-        name = self.get_fully_qualified_name()
-        return storage.Storage(storage.file_of(path, name), self._core)
+        name, domain = self.get_fully_qualified_name(), self.context.get_domain_id()
+        return storage.Storage(storage.file_of(path, name, domain), self._core)
 
     def _load(self) -> Dict[str, Any]:
         if not self._is_stored:
@@ -457,7 +464,9 @@ class FunctionNode(LifecycleNode):
         ]
         if self.priority is not None or self._scheduling_problem:
             statuses.append(diagnostics.scheduling_status(node, self._scheduling_problem))
-        statuses += self._topics.statuses(node)
+        excluded = [times.is_excluded(count.dropped) for count, times in zip(calls, self._times)]
+        has_calls = self._is_active and not (excluded and all(excluded))
+        statuses += self._topics.statuses(node, has_calls=has_calls)
         stamp = self.get_clock().now().to_msg()
         self._diagnostics.publish(diagnostics.diagnostic_array(stamp, statuses))
 
