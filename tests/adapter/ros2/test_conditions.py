@@ -13,7 +13,7 @@ NODE = "core_acc"
 CYCLE = (f"{NODE}/cycle50_ms", "eco_control_interfaces/msg/CoreAccCycle50ms")
 PROPOSAL = ("eco_control_mpc/cycle500_ms", "eco_control_interfaces/msg/EcoControlMpcCycle500ms")
 OK, WARN = 0, 1
-STANDBY = 1
+OFF = 0
 HEARD = {"reliability": "BEST_EFFORT"}
 
 
@@ -38,7 +38,7 @@ def test_a_node_whose_mode_excludes_its_calls_misses_no_deadline(language, tmp_p
         peer.bring(node, CONFIGURE, ACTIVATE)
         peer.switch_on(node)
         peer.finds(status, lambda found: int(found["values"]["messages"]) > 0)
-        peer.publish(f"{node}/mode_in", {"mode": STANDBY})
+        peer.publish(f"{node}/mode_in", {"mode": OFF})
         late = peer.finds(status, lambda found: int(found["values"]["deadline missed"]) > 6)
         assert late["level"] == OK
 

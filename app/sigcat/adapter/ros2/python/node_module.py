@@ -106,7 +106,6 @@ def _class(node: NodePlan) -> Lines:
     return suite(f"class {node.type}(FunctionNode):", between([
         docstring(f"The node of {core.function}.", more),
         (*priority, *policy),
-        lines("offers_methods = True") if node.offered else (),
         _init(node),
         *([_declare(node), _core_parameters(node)] if node.parameters else []),
         _create_topics(node),

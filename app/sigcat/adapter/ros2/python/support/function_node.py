@@ -5,6 +5,7 @@ Configuring initializes the function; while the node is active, a thread of its 
 calls; whatever ends it, terminates the function once. Subscriptions only hand values over.
 """
 
+from concurrent.futures import ThreadPoolExecutor
 import os
 from pathlib import Path
 from signal import SIGINT, signal
@@ -12,7 +13,7 @@ import sys
 from threading import Lock, Thread
 from time import monotonic_ns
 import traceback
-from typing import Any, Callable, Dict, List, Optional
+from typing import Any, Callable, Dict, List, Optional, Tuple
 
 from builtin_interfaces.msg import Time
 from diagnostic_msgs.msg import DiagnosticArray
@@ -52,9 +53,6 @@ class FunctionNode(LifecycleNode):
     policy = 'other'
     """Default of the parameter `scheduling_policy`."""
 
-    offers_methods = False
-    """Whether others may ask for what has to wait until a call has ended."""
-
     def __init__(self, name: str, core: Core, step_service: Any, **options: Any) -> None:
         """Declare parameters; topics come when the node is configured."""
         super().__init__(name, **options)
@@ -67,6 +65,7 @@ class FunctionNode(LifecycleNode):
         self._is_active = False
         self._is_in_lock_step = False
         self._watch: Optional[Watch] = None
+        self._methods: Optional[ThreadPoolExecutor] = None
         self._core_clock: Any = SteadyClock(self)
         self._thread: Optional[Thread] = None
         self._step_service = step_service
@@ -195,6 +194,9 @@ class FunctionNode(LifecycleNode):
         if not self._is_initialized:
             return
         self._is_initialized = False
+        if self._methods is not None:
+            self._methods.shutdown()
+            self._methods = None
         with self._call_lock, self.core_lock:
             self._core.terminate(self._core_clock.now())
         if self._storage is not None:
@@ -354,12 +356,25 @@ class FunctionNode(LifecycleNode):
             self._core_clock.wake()
 
     def offer(self, service: Any, name: str, serve: Callable[[Any, Any], Any]) -> None:
-        """Offer a method, which runs while no call does."""
-        def answer(request: Any, response: Any) -> Any:
-            with self._call_lock:
-                return serve(request, response)
+        """
+        Offer a method, which runs while no call does.
 
-        made = self.create_service(service, name, answer)
+        It waits for the call in a thread of the methods: the executor takes messages meanwhile.
+        """
+        if self._methods is None:
+            self._methods = ThreadPoolExecutor(max_workers=1)
+        made = self.create_service(service, name, lambda request, response: (request, response))
+        submit, send = self._methods.submit, made.send_response
+
+        def answer(asked: Tuple[Any, Any], header: Any) -> None:
+            try:
+                with self._call_lock:
+                    response = serve(*asked)
+                send(response, header)
+            except Exception as error:
+                self.failure.set_exception(error)
+
+        made.send_response = lambda asked, header: submit(answer, asked, header)
         self._entities.append(lambda: self.destroy_service(made))
 
     def use(self, service: Any, name: str) -> Any:
@@ -484,7 +499,7 @@ def spin(make: Callable[[], FunctionNode], args: Optional[List[str]] = None) -> 
         rclpy.try_shutdown()
         sys.exit(1)
     try:
-        spin_node(node, node.failure, offers_methods=node.offers_methods)
+        spin_node(node, node.failure)
     except ExternalShutdownException:
         pass
     except Exception:
