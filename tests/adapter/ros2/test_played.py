@@ -27,13 +27,13 @@ pytestmark = [needs.ros2, pytest.mark.parametrize("language", USUAL)]
 RUNNER = {"C++": "ros2-cpp", "Python": "ros2-py"}
 
 
-def played(language: str, case: Path, folder: Path) -> list[Mapping[str, Sent]]:
+def played(language: str, case: Path, folder: Path) -> list[Mapping[str, tuple[Sent, ...]]]:
     """What the simulation sends, then what a node of the function sends."""
     path, deployment = case / "function.yaml", case / "deployment.yaml"
     functions, _ = read_functions([(path.read_bytes(), str(path))], interfaces())
     chosen = deployment_of_file(deployment, INSTALLED) if deployment.exists() else DEFAULT_DEPLOYMENT
     subject = Subject(functions, prepare(functions), chosen)
-    sent = []
+    sent: list[Mapping[str, tuple[Sent, ...]]] = []
     for name in ("simulate", RUNNER[language]):
         built = RUNNERS[name].build(subject, folder / name, toolchain())
         recording = RUNNERS[name].play(built, subject, Drive(case / "trace.csv", 10**8))

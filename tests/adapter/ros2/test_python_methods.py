@@ -58,7 +58,7 @@ def where(tmp_path_factory):
 
 def test_a_method_is_answered_and_the_node_ends_well(where, tmp_path):
     with started(where, "calls_py", "server_node", tmp_path) as node:
-        command = [ros2_environment.PYTHON, "-c", ASK]
+        command = [str(ros2_environment.PYTHON), "-c", ASK]
         done = subprocess.run(command, env=variables(where, tmp_path), capture_output=True, text=True, check=False)
         assert done.stdout.splitlines() == ["True 3.0 2", "True 6.0 6"], done.stderr
         assert node.end() == 0, node.said.read_text()

@@ -2,6 +2,7 @@
 
 import pytest
 
+from sigcat.integration.datatypes import BY_VSS
 from sigcat.integration.ros2.installed_messages import with_installed_messages
 from sigcat.integration.ros2.message_definitions import Definitions, Field, MessageError
 from sigcat.integration.source_functions import SOURCE_FUNCTIONS
@@ -146,7 +147,7 @@ def test_definitions_are_read_as_rosidl_reads_them():
     }
     definitions = Definitions(texts)
     assert definitions.field("a_msgs/A", "bs[1].x") == Field("float32")
-    assert definitions.field("a_msgs/A", "c[3]").element.vss == "uint8"
+    assert definitions.field("a_msgs/A", "c[3]").element == BY_VSS["uint8"]
     assert definitions.message("a_msgs/A").constants == {"NAME": "x # y"}
     assert definitions.stamp("a_msgs/A") == "header.stamp"
     with pytest.raises(MessageError, match="Line 1 of a_msgs/C is no field"):
