@@ -106,7 +106,7 @@ def profile(quality: Mapping[str, Any], *, is_publisher: bool) -> QoSProfile:
     is_reliable = is_publisher or quality["Reliability"] == "reliable"
     keeps = quality["Durability"] == "transient_local"
     return QoSProfile(
-        depth=1000 if not keeps else 1,
+        depth=1000,
         reliability=ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT,
         durability=DurabilityPolicy.TRANSIENT_LOCAL if keeps else DurabilityPolicy.VOLATILE,
     )

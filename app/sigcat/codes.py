@@ -219,6 +219,7 @@ SEVERAL_PUBLISHERS = RuleCode("N218", "warning")
 NOT_WRITABLE_AS_ROS2 = RuleCode("N219", "error")
 QUALITY_OF_NOTHING = RuleCode("N220", "warning")
 POLICY_WITHOUT_PRIORITY = RuleCode("N221", "warning")
+FIELD_DOES_NOT_FIT = RuleCode("N222", "error")
 
 # lint
 SUPPRESSION_UNUSED = RuleCode("L001", "warning")

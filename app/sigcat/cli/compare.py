@@ -1,6 +1,7 @@
 """`sigcat compare SET --platforms P,P --trace TRACE -o REPORT`."""
 
 import argparse
+import os
 import sys
 import tempfile
 from pathlib import Path
@@ -229,7 +230,7 @@ def _platforms(text: str | None) -> tuple[str, ...]:
 def _subject(arguments: argparse.Namespace, compared: "ComparedSet", tree: "Catalogue") -> "Subject":
     from sigcat.comparison.running.runner import Subject
     from sigcat.integration.reading import read_functions
-    from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
+    from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, deployment_of_file
     from sigcat.runs.prepare import prepare
 
     read, findings = read_functions([(path.read_bytes(), str(path)) for path in compared.functions], tree)
@@ -237,7 +238,7 @@ def _subject(arguments: argparse.Namespace, compared: "ComparedSet", tree: "Cata
     prepared = prepare(functions)
     _print((*findings, *prepared.findings))
     path = deployment_of(arguments, compared.deployment)
-    deployment = read_deployment(path.read_bytes(), str(path)) if path else DEFAULT_DEPLOYMENT
+    deployment = deployment_of_file(path, os.environ) if path else DEFAULT_DEPLOYMENT
     return Subject(functions, prepared, deployment)
 
 

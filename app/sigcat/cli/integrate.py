@@ -1,6 +1,7 @@
 """`sigcat integrate PLATFORM FUNCTION...`."""
 
 import argparse
+import os
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -85,10 +86,10 @@ def _functions(arguments: argparse.Namespace) -> "tuple[ResolvedFunction, ...]":
 def _deployment(arguments: argparse.Namespace) -> "Deployment":
     """What differs from the defaults, with the ids of the files that are named."""
     from sigcat.limits import DEFAULT_LIMITS
-    from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
+    from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, deployment_of_file
 
     path, with_identifiers = deployment_of(arguments), arguments.platform.with_identifiers
-    deployment = DEFAULT_DEPLOYMENT if path is None else read_deployment(path.read_bytes(), str(path))
+    deployment = DEFAULT_DEPLOYMENT if path is None else deployment_of_file(path, os.environ)
     files = [(existing_file(each).read_bytes(), str(each)) for each in getattr(arguments, "identifiers", ())]
     return with_identifiers(deployment, files, DEFAULT_LIMITS) if files else deployment
 

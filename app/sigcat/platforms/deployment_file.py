@@ -1,11 +1,13 @@
 """The deployment file: what holds for every platform, and a section for each platform of the table."""
 
+from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 from pydantic import Field, ValidationError, create_model
 
 from sigcat import codes
-from sigcat.errors import InputRefused
+from sigcat.errors import InputRefused, existing_file
 from sigcat.findings import has_errors, in_order
 from sigcat.function.document.read_yaml import read_yaml
 from sigcat.function.document.structure import structural_findings
@@ -44,6 +46,15 @@ def read_deployment(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> 
             if not findings:
                 return deployment
     raise InputRefused(f"{name} cannot be used as a deployment file.", in_order(findings))
+
+
+def deployment_of_file(path: Path, environment: Mapping[str, str]) -> Deployment:
+    """The deployment of a file of this machine, with the files that it names. Raises InputRefused."""
+    deployment = read_deployment(existing_file(path).read_bytes(), str(path))
+    for platform in PLATFORMS.values():
+        if platform.with_files is not None:
+            deployment = platform.with_files(deployment, path.parent, environment)
+    return deployment
 
 
 def deployment_schema() -> dict[str, Any]:

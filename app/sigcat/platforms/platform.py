@@ -1,6 +1,7 @@
 """What a platform brings: its section of the deployment file, its Integration JSON, and what is generated from that."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
@@ -80,6 +81,10 @@ class Platform(NamedTuple):
     with_previous: "Callable[[Integrated, tuple[bytes, str], Deployment, Limits], Integrated] | None" = None
     """An integration with the versions that follow from the previous Integration JSON, given as content and name; None
     if the platform has no versions. Raises InputRefused if that document cannot be used."""
+
+    with_files: "Callable[[Deployment, Path, Mapping[str, str]], Deployment] | None" = None
+    """A deployment with the files of this machine that it names, relative to the folder of its own file, given an
+    environment; None if the platform names none."""
 
     @property
     def section(self) -> str:

@@ -1,6 +1,7 @@
 """ROS 2, as the table of platforms has it."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sigcat.integration.ros2.releases import DEFAULT_RELEASE, RELEASES
@@ -27,6 +28,13 @@ def _derive(functions: "Sequence[ResolvedFunction]", deployment: "Deployment", s
 
     model, findings, report = derive(functions, deployment, settings)
     return Integrated(to_json(model), findings, report)
+
+
+def _with_files(deployment: "Deployment", folder: "Path", environment: "Mapping[str, str]") -> "Deployment":
+    from sigcat.integration.ros2.installed_messages import with_installed_messages
+
+    settings: Ros2Settings = deployment.ros2  # type: ignore[attr-defined]
+    return deployment.model_copy(update={"ros2": with_installed_messages(settings, folder, environment)})
 
 
 def _schema() -> dict[str, Any]:
@@ -60,4 +68,4 @@ PACKAGES = Generator(
     release_word="distribution",
     view="ros2-packages",
 )
-ROS2 = Platform("ros2", "ROS 2", _settings, _derive, _schema, (PACKAGES,))
+ROS2 = Platform("ros2", "ROS 2", _settings, _derive, _schema, (PACKAGES,), with_files=_with_files)

@@ -4,6 +4,7 @@ import json
 import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -23,9 +24,23 @@ class _Field(NamedTuple):
 
     name: str
     field: str
+    datatype: str
     number_field: str | None = None
     symbols: tuple[tuple[str, int], ...] = ()
     """Texts of a recording, and the numbers that the message has for them."""
+    factor: str = ""
+    """In a recording is value of the field × factor + offset; empty if both are the same."""
+    offset: str = ""
+
+    @property
+    def is_text(self) -> bool:
+        """Whether it is a text, or an array of them."""
+        return self.datatype.startswith("string")
+
+    @property
+    def is_array(self) -> bool:
+        """Whether it has elements."""
+        return self.datatype.endswith("]")
 
 
 class _Topic(NamedTuple):
@@ -38,6 +53,7 @@ class _Topic(NamedTuple):
     fields: tuple[_Field, ...]
     is_reliable: bool
     keeps: bool
+    depth: int
 
 
 def player_files(document: Mapping[str, Any]) -> tuple[GeneratedFile, ...]:
@@ -53,7 +69,16 @@ def player_files(document: Mapping[str, Any]) -> tuple[GeneratedFile, ...]:
             _STEP_SERVICE.format(interfaces=interfaces, header=c_string(f"{interfaces}/srv/step.hpp")),
         ),
         _file("player/topics.cpp", _topics_source(document)),
-        _file("CMakeLists.txt", _CMAKE.format(interfaces=interfaces)),
+        _file("CMakeLists.txt", _cmake(document, interfaces)),
+    )
+
+
+def _cmake(document: Mapping[str, Any], interfaces: str) -> str:
+    others = sorted({topic.message.partition("/")[0] for topic in _topics(document)} - {interfaces})
+    return _CMAKE.format(
+        interfaces=interfaces,
+        found="".join(f"find_package({each} REQUIRED)\n" for each in others),
+        targets="".join(f" ${{{each}_TARGETS}}" for each in others),
     )
 
 
@@ -80,7 +105,7 @@ def _topics(document: Mapping[str, Any]) -> Iterator[_Topic]:
             constants = tuple(
                 (each["Name"], int(each["Value"])) for each in messages[topic["MessageType"]]["Constants"]
             )
-            field = _Field(topic["InterfaceName"], topic["Field"], symbols=constants)
+            field = _Field(topic["InterfaceName"], topic["Field"], "uint8", symbols=constants)
             yield _topic(topic, numbers[node["NodeName"]], (field,))
 
 
@@ -89,14 +114,28 @@ def _fields(data: Mapping[str, Any]) -> Iterator[_Field]:
     for each in data["FieldList"]:
         symbols = conversions.get(each.get("Conversion"), {}).get("Symbols") or ()
         numbers = tuple((symbol["Text"], symbol["Number"]) for symbol in symbols if "Number" in symbol)
-        yield _Field(each["VssPath"], each["Field"], each.get("NumberField"), numbers)
+        factor, offset = (_cpp(each.get(f"Catalogue{key}")) for key in ("Factor", "Offset"))
+        yield _Field(
+            each["VssPath"],
+            each["Field"],
+            each["FieldDataType"],
+            each.get("NumberField"),
+            numbers,
+            factor,
+            offset or "0.0",
+        )
+
+
+def _cpp(number: str | None) -> str:
+    """A number of the document, `5/18`, as C++ writes it."""
+    return repr(float(Fraction(number))) if number else ""
 
 
 def _topic(topic: Mapping[str, Any], node: int, fields: tuple[_Field, ...]) -> _Topic:
     quality = topic["QualityOfService"]
     return _Topic(
         topic["TopicName"], topic["MessageType"], node, topic["Role"], fields,
-        quality["Reliability"] == "reliable", quality["Durability"] == "transient_local",
+        quality["Reliability"] == "reliable", quality["Durability"] == "transient_local", quality["Depth"],
     )  # fmt: skip
 
 
@@ -111,10 +150,9 @@ def _topics_source(document: Mapping[str, Any]) -> str:
             takers[topic.name].add(topic.node)
     heard = _joined(topic for topic in topics if topic.role == "Publisher")
     given = _joined(topic for topic in topics if topic.role == "Subscription" and topic.name not in heard)
-    messages = _messages(document)
     parts = [
-        *(_offered(topic, takers[topic.name], messages) for topic in given.values()),
-        *(_heard(topic, takers[topic.name], messages) for topic in heard.values()),
+        *(_offered(topic, takers[topic.name]) for topic in given.values()),
+        *(_heard(topic, takers[topic.name]) for topic in heard.values()),
     ]
     types = sorted({topic.message for topic in (*heard.values(), *given.values())})
     return _TOPICS.format(
@@ -157,22 +195,25 @@ def _cycles(document: Mapping[str, Any]) -> list[tuple[int, int]]:
     ]  # fmt: skip
 
 
-def _offered(topic: _Topic, takers: Iterable[int], messages: Mapping[str, Mapping[str, Any]]) -> str:
+def _offered(topic: _Topic, takers: Iterable[int]) -> str:
     nodes = ", ".join(map(str, sorted(takers)))
-    quality = f"Quality(true, {_bool(topic.keeps)})"
+    quality = f"Quality(true, {_bool(topic.keeps)}, {topic.depth})"
     offer = f"auto& out = ports.Offer<{_type(topic.message)}>({c_string(topic.name)}, {quality}, {{{nodes}}});"
     columns = [
-        f"        ports.Column({c_string(each.name)}, out, [](auto& message, const Item& item) {{ {_filled(each, messages[topic.message])} }});"
+        f"        ports.Column({c_string(each.name)}, out, [](auto& message, const Item& item) {{ {_filled(each)} }});"
         for each in topic.fields
     ]
     return "\n".join(["    {", f"        {offer}", *columns, "    }"])
 
 
-def _filled(field: _Field, message: Mapping[str, Any]) -> str:
+def _filled(field: _Field) -> str:
     place = f"message.{field.field}"
-    if not field.symbols or _is_array(field.field, message):
+    if field.factor:
+        number = f"(Read<double>(item) - {field.offset}) / {field.factor}"
+        return f"{place} = static_cast<std::decay_t<decltype({place})>>({number});"
+    if not field.symbols or field.is_array:
         return f"{place} = Read<std::decay_t<decltype({place})>>(item);"
-    if not _is_text(field.field, message):
+    if not field.is_text:
         return _numbered(place, field)
     number = f" {_numbered(f'message.{field.number_field}', field)}" if field.number_field else ""
     return f"{place} = item.text;{number}"
@@ -182,19 +223,21 @@ def _numbered(place: str, field: _Field) -> str:
     return f"{place} = static_cast<std::decay_t<decltype({place})>>(NumberOf(item.text, {_symbols(field)}));"
 
 
-def _heard(topic: _Topic, takers: Iterable[int], messages: Mapping[str, Mapping[str, Any]]) -> str:
+def _heard(topic: _Topic, takers: Iterable[int]) -> str:
     nodes = ", ".join(map(str, sorted(takers)))
-    values = ", ".join(f"{{{c_string(each.name)}, {_told(each, messages[topic.message])}}}" for each in topic.fields)
-    quality = f"Quality({_bool(topic.is_reliable)}, {_bool(topic.keeps)})"
+    values = ", ".join(f"{{{c_string(each.name)}, {_told(each)}}}" for each in topic.fields)
+    quality = f"Quality({_bool(topic.is_reliable)}, {_bool(topic.keeps)}, {topic.depth})"
     return (
         f"    ports.Hear<{_type(topic.message)}>({c_string(topic.name)}, {quality}, {topic.node}, {{{nodes}}}, "
         f"[](const auto& message) {{\n        return Values{{{values}}};\n    }});"
     )
 
 
-def _told(field: _Field, message: Mapping[str, Any]) -> str:
+def _told(field: _Field) -> str:
     place = f"message.{field.field}"
-    if field.symbols and not _is_text(field.field, message) and not _is_array(field.field, message):
+    if field.factor:
+        return f"Text(static_cast<double>({place}) * {field.factor} + {field.offset})"
+    if field.symbols and not field.is_text and not field.is_array:
         return f"SymbolOf({place}, {_symbols(field)})"
     return f"Text({place})"
 
@@ -202,18 +245,6 @@ def _told(field: _Field, message: Mapping[str, Any]) -> str:
 def _symbols(field: _Field) -> str:
     names = ", ".join(f"{{{c_string(text)}, {number}}}" for text, number in field.symbols)
     return f"{{{names}}}"
-
-
-def _datatype(field: str, message: Mapping[str, Any]) -> str:
-    return str(next(each["DataType"] for each in message["Fields"] if each["Name"] == field))
-
-
-def _is_text(field: str, message: Mapping[str, Any]) -> bool:
-    return _datatype(field, message).startswith("string")
-
-
-def _is_array(field: str, message: Mapping[str, Any]) -> bool:
-    return _datatype(field, message).endswith("]")
 
 
 def _structs(document: Mapping[str, Any]) -> Iterator[str]:
@@ -349,7 +380,7 @@ project(player LANGUAGES CXX)
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 find_package(ament_cmake REQUIRED)
-find_package(lifecycle_msgs REQUIRED)
+{found}find_package(lifecycle_msgs REQUIRED)
 find_package(rclcpp REQUIRED)
 find_package({interfaces} REQUIRED)
 find_package(Threads REQUIRED)
@@ -357,6 +388,6 @@ add_executable(player player/cell.cpp player/main.cpp player/ports.cpp player/st
 set_target_properties(player PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 20)
 target_compile_options(player PRIVATE -O1)
 target_include_directories(player PRIVATE "${{CMAKE_CURRENT_SOURCE_DIR}}")
-target_link_libraries(player PRIVATE ${{{interfaces}_TARGETS}} ${{lifecycle_msgs_TARGETS}} rclcpp::rclcpp Threads::Threads)
+target_link_libraries(player PRIVATE ${{{interfaces}_TARGETS}}{targets} ${{lifecycle_msgs_TARGETS}} rclcpp::rclcpp Threads::Threads)
 install(TARGETS player DESTINATION lib/player)
 """

@@ -7,14 +7,13 @@ import sys
 from typing import Any
 
 from eco_control_py.core_acc_node import CoreAccNode
+from eco_control_py.support import executor
 from eco_control_py.support.function_node import spin
 from lifecycle_msgs.srv import GetState
 
 
 class Node(CoreAccNode):  # type: ignore[misc]  # generated where the test runs
     """CoreAcc, with a timer that asks."""
-
-    offers_methods = sys.argv[1] == "True"
 
     def __init__(self) -> None:
         super().__init__()
@@ -27,4 +26,6 @@ class Node(CoreAccNode):  # type: ignore[misc]  # generated where the test runs
             raise ValueError("nobody wants it")
 
 
+if sys.argv[1] == "True":
+    executor.EventsExecutor = None
 spin(Node, [])

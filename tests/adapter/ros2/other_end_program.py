@@ -89,8 +89,7 @@ class Peer:
         """Send a message."""
         publisher = self._publishers[topic]
         message = publisher.msg_type()
-        for name, value in fields.items():
-            setattr(message, name, value)
+        _fill(message, fields)
         publisher.publish(message)
 
     def takers(self, topic: str) -> Any:
@@ -118,7 +117,8 @@ class Peer:
             values = {each.key: each.value for each in status.values}
             level = int.from_bytes(status.level, "little")
             worst = max(level, self._diagnostics.get(status.name, {}).get("worst", 0))
-            told = {"level": level, "worst": worst, "message": status.message, "values": values}
+            received = self._diagnostics.get(status.name, {}).get("received", 0) + 1
+            told = {"level": level, "worst": worst, "received": received, "message": status.message, "values": values}
             self._diagnostics[status.name] = told
 
     def _ask(self, service: Any, name: str, request: Any) -> Any:
@@ -138,6 +138,14 @@ class Peer:
 def _type(name: str) -> Any:
     package, kind, message = name.split("/")
     return getattr(importlib.import_module(f"{package}.{kind}"), message)
+
+
+def _fill(message: Any, fields: dict[str, Any]) -> None:
+    for name, value in fields.items():
+        if isinstance(value, dict):
+            _fill(getattr(message, name), value)
+        else:
+            setattr(message, name, value)
 
 
 def _fields(message: Any) -> dict[str, Any]:

@@ -42,7 +42,7 @@ def install(
     """
     source, prefix = write(made, folder / "source"), folder / "install"
     for function, (node, sources) in code.items():
-        build_core(source / name / "core", function, sources, prefix / f"lib/lib{node}_core.so")
+        build_core(source / name / "core", function, sources, prefix / f"lib/lib{name}_{node}_core.so")
     index = prefix / "share/ament_index/resource_index/packages"
     index.mkdir(parents=True, exist_ok=True)
     (index / name).touch()

@@ -8,7 +8,9 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 from unittest.mock import MagicMock, patch
+from xml.etree import ElementTree as ET
 
+import jsonschema_rs
 import pytest
 import yaml
 
@@ -27,13 +29,13 @@ CASES = Path(__file__).parents[2] / "runs/cases"
 
 
 def launch_file(made):
-    (text,) = (text for name, text in made.items() if name.endswith(".launch.py"))
+    (text,) = (text for name, text in made.items() if name.endswith(".launch.py") and "_container" not in name)
     return text
 
 
 def parameters(made, node):
     (text,) = (text for name, text in made.items() if name.endswith(f"config/{node}.yaml"))
-    return yaml.safe_load(text)["/**"]["ros__parameters"]
+    return yaml.safe_load(text)[f"/**/{node}"]["ros__parameters"]
 
 
 def edited(change):
@@ -74,7 +76,7 @@ def test_a_start_that_does_not_come_to_its_end_has_a_time():
     text = launch_file(ecocontrol())
     assert "'start_timeout', default_value='60'" in text
     assert text.count("end(f'") == 3
-    assert text.count("Shutdown(reason=") == 1
+    assert text.count("raise RuntimeError(") == 1
 
 
 LAUNCH_MODULES = (
@@ -109,24 +111,78 @@ def test_arguments_are_read_before_a_group_that_includes_the_file_takes_them_bac
     assert timer.period == 7.0
     (late,) = timer.actions
     (ended,) = late.function(at)
-    assert ended.function(at)[0].msg == "all end: eco_control_mpc has not become inactive within 7 s (start_timeout)"
+    with pytest.raises(
+        RuntimeError, match=r"^all end: eco_control_mpc has not become inactive within 7 s \(start_timeout\)$"
+    ):
+        ended.function(at)
 
 
 def test_whoever_ends_while_all_end_ends_nobody_again(launched):
-    """A second shutdown would make launch itself fail."""
+    """An exception is what `ros2 launch` returns 1 for; one while all end, as a user wants, is none."""
     (ending,) = launched.end("core_acc has ended")
     at = context()
-    log, event = ending.function(at)
-    assert log.msg == "all end: core_acc has ended"
-    assert event.event is not None
+    with pytest.raises(RuntimeError, match=r"^all end: core_acc has ended$"):
+        ending.function(at)
     at.is_shutdown = True
     assert ending.function(at) is None
+
+
+def test_a_launch_file_in_xml_includes_the_one_in_python_with_each_of_its_arguments():
+    root = ET.fromstring(ecocontrol()["eco_control/launch/eco_control.launch.xml"])
+    declared = re.findall(r"^            '(\w+)', default_value", launch_file(ecocontrol()), re.MULTILINE)
+    (include,) = root.findall("include")
+    assert [each.get("name") for each in root.findall("arg")] == declared
+    assert [each.get("value") for each in include] == [f"$(var {name})" for name in declared]
+
+
+def test_a_launch_file_loads_all_nodes_into_one_container_under_a_lifecycle_manager():
+    text = ecocontrol()["eco_control/launch/eco_control_container.launch.py"]
+    assert (
+        "    ('eco_control_mpc', 'eco_control::EcoControlMpcNode'),\n    ('core_acc', 'eco_control::CoreAccNode'),\n"
+        in text
+    )
+    assert "'bond_timeout': 0.0" in text
+
+
+def test_a_changelog_says_of_what_each_package_is_made():
+    made = ecocontrol()
+    head = (
+        "^" * 33 + "\nChangelog for package eco_control\n" + "^" * 33 + "\n\n1.0.0 (2025-09-12)\n------------------\n"
+    )
+    assert made["eco_control/CHANGELOG.rst"].startswith(head)
+    assert {"eco_control_interfaces/CHANGELOG.rst", "eco_control_py/CHANGELOG.rst"} <= made.keys()
+
+
+@pytest.mark.parametrize("workspace", [ecocontrol, full, small, storing])
+def test_every_parameter_file_is_valid_by_its_schema(workspace):
+    made = workspace()
+    names = [name for name in made if "/config/" in name and name.endswith(".yaml")]
+    assert names
+    for name in names:
+        schema = json.loads(made[name.replace(".yaml", ".schema.json")])
+        jsonschema_rs.validator_for(schema).validate(yaml.safe_load(made[name]))
+        assert made[name].startswith(f"# yaml-language-server: $schema={Path(name).stem}.schema.json\n")
+
+
+def test_a_value_out_of_range_and_a_name_that_is_none_are_not_valid_by_the_schema():
+    schema = jsonschema_rs.validator_for(json.loads(ecocontrol()["eco_control/config/core_acc.schema.json"]))
+    values = lambda name, value: {"/ego/core_acc": {"ros__parameters": {name: value}}}  # noqa: E731
+    assert schema.is_valid(values("a_lat_max", 8.0))
+    assert not schema.is_valid(values("a_lat_max", 8.1))
+    assert not schema.is_valid(values("a_lat_mx", 8.0))
+
+
+def test_files_of_cores_have_a_licence_header_too():
+    made = ecocontrol()
+    cores = [name for name in made if name.startswith("eco_control/core/")]
+    assert cores
+    assert all(made[name].startswith("/* Copyright ") for name in cores)
 
 
 @ros2
 @pytest.mark.parametrize("workspace", [ecocontrol, full, small])
 def test_the_launch_file_is_as_ament_flake8_wants_it(workspace, tmp_path):
-    write({"a.launch.py": launch_file(workspace())}, tmp_path)
+    write({name: text for name, text in workspace().items() if name.endswith(".launch.py")}, tmp_path)
     command = [str(ros2_environment.PYTHON), "-m", "flake8", *AMENT_FLAKE8, str(tmp_path)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert (done.stdout, done.returncode) == ("", 0)

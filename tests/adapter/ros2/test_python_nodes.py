@@ -11,7 +11,7 @@ from scripts import ros2_environment, run_ros2
 from sigcat.data import EXAMPLES
 from tests.adapter.ros2.built import interfaces
 from tests.adapter.ros2.generated import ecocontrol
-from tests.adapter.ros2.python_nodes import install, peer, started, variables
+from tests.adapter.ros2.python_nodes import domain, install, peer, started, variables
 from tests.needs import c_compiler, ros2
 from tests.waiting import wait_until
 
@@ -54,7 +54,12 @@ def running(where, tmp_path):
 
 def kept(folder):
     """What is stored, as lines."""
-    return (folder / "kept/core_acc.txt").read_text().splitlines()
+    return stored_file(folder).read_text().splitlines()
+
+
+def stored_file(folder):
+    """The file of the node in its domain."""
+    return folder / f"kept/core_acc-{domain()[0]}.txt"
 
 
 # -- life ---------------------------------------------------------------------------------------------------------
@@ -76,7 +81,7 @@ def test_every_transition_that_a_state_does_not_have_is_refused_and_the_node_liv
 def test_each_good_initialization_is_terminated_once_and_stored(ask, node, tmp_path):
     for cycle in (1, 2):
         assert ask("change", "core_acc", "configure")
-        assert not (tmp_path / "kept/core_acc.txt.new").exists()
+        assert list((tmp_path / "kept").glob("*")) == ([] if cycle == 1 else [stored_file(tmp_path)])
         assert ask("change", "core_acc", "activate")
         assert ask("change", "core_acc", "deactivate")
         assert ask("change", "core_acc", "cleanup")
@@ -208,13 +213,13 @@ def test_a_node_does_not_start_with_a_parameter_out_of_range(where, tmp_path):
 
 # -- what is told -------------------------------------------------------------------------------------------------
 
-OK, WARN, ERROR, STALE = range(4)
+OK, WARN, ERROR = range(3)
 
 
 def test_an_error_is_told_to_people_as_it_is(ask, running):
     name = "core_acc: CoreAcc_BrakePressureTimeout_ErrorSts"
     assert ask("change", "core_acc", "configure")
-    assert ask("diagnostics", "core_acc", name, "state", "NOT_TESTED")["level"] == STALE
+    assert ask("diagnostics", "core_acc", name, "state", "NOT_TESTED")["level"] == OK
     ask("publish", "core_acc/mode_in", "eco_control_interfaces/msg/CoreAccModeIn", {"mode": 2}, "reliable")
     assert ask("change", "core_acc", "activate")
     failed = ask("diagnostics", "core_acc", name, "state", "FAILED")
@@ -247,7 +252,7 @@ def test_calls_are_counted_and_measured(ask, running):
 
 
 def test_a_file_that_is_broken_is_left_aside_and_told(ask, node, tmp_path):
-    file = tmp_path / "kept/core_acc.txt"
+    file = stored_file(tmp_path)
     for text in (
         "sigcat 2\n",
         "sigcat 1\nignition_cycle: seven\n",
@@ -257,14 +262,14 @@ def test_a_file_that_is_broken_is_left_aside_and_told(ask, node, tmp_path):
         file.parent.mkdir(exist_ok=True)
         file.write_text(text)
         assert ask("change", "core_acc", "configure")
-        assert file.with_name("core_acc.txt.broken").read_text() == text
+        assert file.with_name(f"{file.name}.broken").read_text() == text
         assert ask("change", "core_acc", "cleanup")
         assert "ignition_cycle: 1" in kept(tmp_path)
     assert node.said.read_text().count("is left aside") == 4
 
 
 def test_counts_of_errors_go_on(ask, node, tmp_path):
-    file = tmp_path / "kept/core_acc.txt"
+    file = stored_file(tmp_path)
     file.parent.mkdir()
     counts = [f"AliveError.{name}: {value}" for name, value in (
         ("occurrences", 3), ("ignition_cycles", 2), ("has_failed", "true"), ("is_tested", "true"))]  # fmt: skip
@@ -305,6 +310,18 @@ def test_a_file_is_written_whole_or_not_at_all_whenever_the_process_is_killed(wh
         writer.wait()
         lines = file.read_text().split("\n")
         assert (lines[0], len(lines), lines[-1]) == ("sigcat 1", 19, "")
+
+
+TWICE = WRITER.replace("while True:", "for _ in range(200):")
+
+
+def test_two_nodes_that_end_together_both_store(where, tmp_path):
+    file = tmp_path / "core_acc.txt"
+    command = [ros2_environment.PYTHON, "-c", TWICE, file]
+    writers = [subprocess.Popen(command, env=variables(where, tmp_path), stdout=subprocess.DEVNULL) for _ in range(2)]
+    assert [writer.wait() for writer in writers] == [0, 0]
+    assert [path.name for path in tmp_path.glob("core_acc*")] == [file.name]
+    assert file.read_text().startswith("sigcat 1\n")
 
 
 # -- the package itself -------------------------------------------------------------------------------------------

@@ -156,6 +156,17 @@ def test_structs_become_messages_and_one_that_contains_itself_is_refused():
     assert ("N200", "Vehicle.Place") in rules([function(place, datatypes=[endless])])
 
 
+def test_a_struct_leaves_its_name_to_the_message_of_a_topic():
+    pose = {
+        "typeRef": "DT_GuardPose", "category": "userdefined", "cDef": "struct Pose", "Kind": "struct",
+        "Fields": [{"Name": "X", "Datatype": "DT_Float32"}],
+    }  # fmt: skip
+    place = signal("Pose", "Vehicle.GuardPose", Datatype="DT_GuardPose", VssDatatype="Types.GuardPose")
+    made = messages([function(place, datatypes=[pose])])
+    assert made["GuardPose"]["Fields"][1]["DataType"] == "GuardPoseStruct"
+    assert "GuardPose2" not in made
+
+
 def test_an_enumeration_in_a_struct_has_constants():
     side = {
         "typeRef": "DT_Side", "category": "userdefined", "cDef": "uint8_t", "Kind": "enumeration",
@@ -166,7 +177,7 @@ def test_an_enumeration_in_a_struct_has_constants():
         "Fields": [{"Name": "Side", "Datatype": "DT_Side"}, {"Name": "Others", "Datatype": "DT_Side"}],
     }  # fmt: skip
     place = signal("Lane", "Vehicle.Lane", Datatype="DT_Lane", VssDatatype="Types.Lane")
-    made = messages([function(place, datatypes=[side, lane])])["Lane"]
+    made = messages([function(place, datatypes=[side, lane])])["LaneStruct"]
     assert [(each["Name"], each["DataType"], each["Value"]) for each in made["Constants"]] == [
         ("SIDE_LEFT", "uint8", "0"), ("SIDE_RIGHT", "uint8", "2"),
         ("OTHERS_LEFT", "uint8", "0"), ("OTHERS_RIGHT", "uint8", "2"),

@@ -9,6 +9,7 @@ from sigcat.adapter.core.plan import Method, Output, Port, WireType
 from sigcat.adapter.ros2.node_context import NodeContext
 from sigcat.adapter.ros2.plan import (
     ArgumentField,
+    Fixed,
     Given,
     InterfaceType,
     MethodService,
@@ -161,7 +162,10 @@ def _publisher(name: str, ends: list[tuple[str, RosTopic]], names: dict[str, str
     first = ends[0][1]
     assert first.message is not None
     assert first.quality is not None
-    return Publisher(name, interface_type(first.message), _member(name, names), first.quality, tuple(gives.values()))
+    return Publisher(
+        name, interface_type(first.message), _member(name, names), first.quality, tuple(gives.values()),
+        stamp=first.stamp, fixed=tuple(Fixed(each.field, each.value) for each in first.values or ()),
+    )  # fmt: skip
 
 
 def _given(mapping: FieldMapping, output: Output, context: NodeContext) -> Given:

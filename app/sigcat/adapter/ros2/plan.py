@@ -82,6 +82,13 @@ class Subscription:
     takes: tuple[Taken, ...]
 
 
+class Fixed(NamedTuple):
+    """A field of a message that always has one value."""
+
+    field: str
+    value: Any
+
+
 @dataclass(frozen=True)
 class Publisher:
     """A topic that a node gives."""
@@ -93,6 +100,9 @@ class Publisher:
     gives: tuple[Given, ...]
     is_status: bool = False
     """Whether it is an error, a safety reaction or a mode, and not data of a call."""
+    stamp: str | None = "stamp"
+    """Field that has the time; None if the message has none."""
+    fixed: tuple[Fixed, ...] = ()
 
     @property
     def is_queue(self) -> bool:
@@ -206,6 +216,21 @@ class NodePlan:
         return f"{camel_case(self.name)}Node"
 
     @property
+    def core_library(self) -> str:
+        """Library of its core. Packages that are installed into one prefix share a folder of libraries."""
+        return f"{self.package}_{self.name}_core"
+
+    @property
+    def component_library(self) -> str:
+        """Library of the component."""
+        return f"{self.package}_{self.stem}_component"
+
+    def private(self, topic: str) -> str:
+        """A topic or service as the node creates it: below its own name, whatever it is started as, if it is the node's."""
+        own = f"{self.name}/"
+        return f"~/{topic.removeprefix(own)}" if topic.startswith(own) else topic
+
+    @property
     def steps(self) -> tuple[Call, ...]:
         """Calls that run while it is active."""
         return self.core.steps
@@ -224,6 +249,10 @@ class NodePlan:
     def settable(self) -> tuple[NodeParameter, ...]:
         """Parameters that may change while it runs, by the core's SetParameters."""
         return tuple(each for each in self.parameters if not each.is_learned)
+
+    def is_own(self, interface: InterfaceType) -> bool:
+        """Whether a message or service is of the interface package of the set."""
+        return interface.package == self.step_service.package
 
     @property
     def messages(self) -> tuple[InterfaceType, ...]:
@@ -247,6 +276,12 @@ class WorkspacePlan:
     release: str
     """`jazzy` or `humble`."""
     nodes: tuple[NodePlan, ...]
+
+    @property
+    def message_packages(self) -> tuple[str, ...]:
+        """Packages of messages that nodes exchange, by name, beside that of the set."""
+        found = {each.package for node in self.nodes for each in node.messages}
+        return tuple(sorted(found - {self.interfaces}))
 
     @property
     def name(self) -> str:

@@ -64,9 +64,6 @@ def source_of_tree(tree: str) -> Source:
     """
     path = Path(tree)
     if path.is_file():
-        if ending_of(path.name) == ".json" and not (path.parent / "units.yaml").exists():
-            quantities = (VSPEC / "quantities.yaml",)  # an export has neither these nor units
-            return Source(path.stem, path.stem, path, units=SHIPPED_UNITS, quantities=quantities)
         return Source(path.stem, path.stem, path)
     if path.is_dir():
         from sigcat.catalogue.reading.root_file import root_file, types_beside

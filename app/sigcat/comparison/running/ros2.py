@@ -130,8 +130,8 @@ def _durations(drive: Drive, subject: Subject) -> Mapping[str, str]:
 def _files(node: Mapping[str, Any], folder: Path, *, language: str) -> tuple[Path, ...]:
     package = node["Package"] if language == CPP else f"{node['Package']}_py"
     program = folder / "install/lib" / package / node["Executable"]
-    library = folder / f"install/lib/lib{node['NodeName']}_core.so"
-    component = folder / f"install/lib/lib{node['Executable']}_component.so"
+    library = folder / f"install/lib/lib{node['Package']}_{node['NodeName']}_core.so"
+    component = folder / f"install/lib/lib{node['Package']}_{node['NodeName']}_node_component.so"
     modules = folder.glob(f"install/lib/python3*/site-packages/{package}/*.py")
     return (program, library, *([component] if language == CPP else modules))
 

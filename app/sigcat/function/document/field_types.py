@@ -162,6 +162,10 @@ ServiceEvent = Annotated[str, SERVICE_EVENT]
 ROS_NAME = _matching("a ROS 2 name of lower-case letters, digits and underscores", _ROS_WORD)
 RosName = Annotated[str, ROS_NAME]
 """A package, a node, a field or a parameter."""
+_ROS_STEP = rf"{_ROS_WORD}(?:\[[0-9]{{1,9}}\])?"
+ROS_FIELD = _matching("a field of a message such as speed or linear.x", rf"{_ROS_STEP}(?:\.{_ROS_STEP})*", "", 2_000)
+RosField = Annotated[str, ROS_FIELD]
+"""A field of a message, or of a message in it."""
 ROS_TOPIC = _matching("a ROS 2 topic such as vehicle/speed", rf"/?{_ROS_WORD}(?:/{_ROS_WORD})*")
 RosTopicName = Annotated[str, ROS_TOPIC]
 ROS_NAMESPACE = _matching("a ROS 2 namespace such as /ego", rf"/?|(?:/{_ROS_WORD})+")

@@ -30,18 +30,19 @@ def physical(item: Signal | DataQueue | ParameterInterface, interface: Subject, 
 
 def conversion(
     name: str, field: str, reference: str, kind: FieldType, linear: Linear, table: Mapping[str, Datatype],
-    written: str, *, is_outgoing: bool, has_number: bool = False,
+    written: str, *, is_outgoing: bool, has_number: bool = False, is_named: bool = False,
 ) -> Conversion | None:  # fmt: skip
     """The conversion between a variable and a field, or None if they are the same. `written`: the field's datatype.
 
-    `linear` leads from the variable to the field. `has_number`: the number of an enumeration stands beside its text.
+    `linear` leads from the variable to the field. `has_number`: the number of an enumeration stands beside its text. `is_named`: names are
+    listed where numbers are the same, too.
     """
     result = written if is_outgoing else c_definition(reference, table)
     code = code_type(reference, table)
     if kind.element is None or code is None:
         return Conversion(name=name, return_type=result, field=field, kind="Members")
     own = symbols_of(reference, table)
-    if kind.symbols and (kind.is_text or set(own) != set(kind.symbols)):
+    if kind.symbols and (kind.is_text or is_named or set(own) != set(kind.symbols)):
         maps = _symbol_maps(own, kind, has_number=has_number or not kind.is_text)
         return Conversion(name=name, return_type=result, field=field, kind="Symbols", symbols=maps)
     if linear == IDENTITY and code.vss == kind.element.vss:

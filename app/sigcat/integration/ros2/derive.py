@@ -14,6 +14,7 @@ from sigcat.integration.application import DEFAULT_VERSION, Application, Part, a
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.report import Entry
+from sigcat.integration.ros2.existing_messages import ExistingMessages, existing_messages, with_existing_messages
 from sigcat.integration.ros2.field_targets import field_targets
 from sigcat.integration.ros2.function_set import function_set
 from sigcat.integration.ros2.messages import MessageBook
@@ -49,13 +50,17 @@ def derive(
 ) -> Derived:
     """The integration of a function or a set of functions. The order in which they are given does not matter."""
     app = application(functions, deployment)
+    mapped, existing = with_existing_messages(app.functions, existing_messages(settings), app.paths)
+    app = app._replace(functions=mapped)
     merged = function_set(app.functions)
     wholes = tuple(each.function for each in merged.functions)
     findings = FindingCollector(merged.functions, deployment)
+    for problem in existing.problems:
+        findings.report_deployment(codes.FIELD_DOES_NOT_FIT, problem.message, problem.at, problem.fix, "")
     packages = _packages(app, settings)
     book = MessageBook(packages.interfaces, {each.reference: each for each in merged.datatypes}, findings)
     parts = node_parts(wholes, findings)
-    exchanged = _exchanged(parts, app, settings, book, findings)
+    exchanged = _exchanged(parts, app, existing, settings, book, findings)
     context = NodeContext(
         package=packages.nodes,
         namespace=settings.namespace or "/",
@@ -79,19 +84,22 @@ def derive(
         mode_interfaces=tuple(each for f in wholes for each in f.mode_interfaces or ()) or None,
         communications=exchanged,
         interface_packages=(_interface_package(book, app, settings),),
-        node_packages=(_node_package(packages, tuple(nodes.values()), app, settings),),
+        node_packages=(_node_package(packages, tuple(nodes.values()), _message_packages(exchanged), app, settings),),
         functions=tuple(each.function for each in app.functions),
     )
     return Derived(model, findings.findings, field_targets(parts, nodes, exchanged))
 
 
 def _exchanged(
-    parts: Sequence[Part], app: Application, settings: Ros2Settings, book: MessageBook, findings: FindingCollector
-) -> tuple[Communication, ...]:
+    parts: Sequence[Part], app: Application, existing: ExistingMessages, settings: Ros2Settings, book: MessageBook,
+    findings: FindingCollector,
+) -> tuple[Communication, ...]:  # fmt: skip
     """What each call exchanges with others."""
     uses = signal_uses(parts, app.paths)
-    made = communications(topics_of(uses, settings, book, findings), uses, settings, book, findings)
+    topics = topics_of(uses, existing, settings, book, findings)
+    made = communications(topics, uses, settings, book, findings)
     _report_quality_of_nothing(made, {use.path for use in uses if use.path}, settings, findings)
+    _report_fields_of_nothing(existing, {use.key for use in uses}, findings)
     return with_services(made, parts, book, findings)
 
 
@@ -110,6 +118,14 @@ def _report_quality_of_nothing(
         if key not in known:
             message = f"Nothing in the set is called {key!r}, which the deployment file names under `ros2: quality`."
             findings.report(codes.QUALITY_OF_NOTHING, message, key, did_you_mean(key, known))
+
+
+def _report_fields_of_nothing(existing: ExistingMessages, known: Collection[str], findings: FindingCollector) -> None:
+    """A finding for each signal that the deployment maps to a field, and that is none of the set."""
+    for key, field in existing.fields.items():
+        if key not in known:
+            message = f"Nothing in the set is called {key!r}, which the deployment file names under `ros2: messages`."
+            findings.report_deployment(codes.QUALITY_OF_NOTHING, message, field.at, did_you_mean(key, known), key)
 
 
 class _Packages(NamedTuple):
@@ -220,7 +236,7 @@ def _interface_package(book: MessageBook, app: Application, settings: Ros2Settin
 
 
 def _node_package(
-    packages: _Packages, nodes: tuple[RosNode, ...], app: Application, settings: Ros2Settings
+    packages: _Packages, nodes: tuple[RosNode, ...], existing: Collection[str], app: Application, settings: Ros2Settings
 ) -> NodePackage:
     (first, *others) = app.functions
     version = app.version or ("" if others else first.function.info.version) or ""
@@ -231,9 +247,14 @@ def _node_package(
         maintainer=_maintainer(app, settings),
         email=settings.email,
         license=Text(settings.license),
-        dependencies=tuple(sorted((*_NODE_DEPENDENCIES, packages.interfaces))),
+        dependencies=tuple(sorted({*_NODE_DEPENDENCIES, *existing, packages.interfaces})),
         nodes=nodes,
     )
+
+
+def _message_packages(exchanged: Sequence[Communication]) -> set[str]:
+    """Packages of the messages that calls exchange."""
+    return {topic.message.partition("/")[0] for each in exchanged for topic in each.topics if topic.message}
 
 
 def _maintainer(app: Application, settings: Ros2Settings) -> Text:

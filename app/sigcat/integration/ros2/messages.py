@@ -9,7 +9,7 @@ from sigcat.function.function_json.datatype import Datatype
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.common_types import ERROR_STATUS, SAFETY_REACTION, STEP
 from sigcat.integration.ros2.model import Message, MessageConstant, MessageField, Service
-from sigcat.integration.ros2.names import constant_name, field_name, message_name, report_renamed
+from sigcat.integration.ros2.names import Name, constant_name, field_name, message_name, report_renamed
 from sigcat.integration.ros2.types import FieldType, field_type
 
 
@@ -39,11 +39,9 @@ class MessageBook:
         return tuple(self._services[name] for name in sorted(self._services))
 
     def add(
-        self, source: str, interface: Subject, description: Text,
-        fields: Iterable[MessageField], constants: Iterable[MessageConstant],
-    ) -> str:  # fmt: skip
-        """Add a message and return its name."""
-        name = self._name(source, interface)
+        self, name: str, description: Text, fields: Iterable[MessageField], constants: Iterable[MessageConstant]
+    ) -> str:
+        """Add a message under a name that was reserved for it."""
         message = Message(name=name, description=description, constants=tuple(constants), fields=tuple(fields))
         self._messages[name.lower()] = message
         return name
@@ -57,7 +55,7 @@ class MessageBook:
         response: Iterable[MessageField],
     ) -> str:
         """Add a service and return its name."""
-        name = self._name(source, interface)
+        name = self.reserved(source, interface)
         service = Service(name=name, description=description, request=tuple(request), response=tuple(response))
         self._services[name.lower()] = service
         return name
@@ -69,7 +67,8 @@ class MessageBook:
         name = self._struct(kind.struct, interface)
         return None if name is None else name + kind.suffix
 
-    def _name(self, source: str, interface: Subject) -> str:
+    def reserved(self, source: str, interface: Subject) -> str:
+        """A name that nothing else of the package gets."""
         name = message_name(source, self._taken)
         report_renamed(name, source, interface, self._findings)
         self._taken.add(name.text.lower())
@@ -91,9 +90,18 @@ class MessageBook:
             return None
         datatype = self.table[reference]
         description = datatype.description or Text(f"Struct {datatype.vss_datatype or reference}.")
-        name = self.add(reference.removeprefix("DT_"), interface, description, *members)
+        name = self.add(self._struct_name(reference, interface), description, *members)
         self._structs[reference] = name
         return name
+
+    def _struct_name(self, reference: str, interface: Subject) -> str:
+        """Messages of topics keep their names, which other sets know; a struct of the same name says what it is."""
+        source = reference.removeprefix("DT_")
+        if message_name(source).text.lower() in self._taken:
+            renamed = self.reserved(f"{source}Struct", interface)
+            report_renamed(Name(renamed, f"{source!r} is the message of a topic"), source, interface, self._findings)
+            return renamed
+        return self.reserved(source, interface)
 
     def _members(
         self, datatype: Datatype, interface: Subject

@@ -23,6 +23,7 @@ from sigcat.function.document.field_types import (
     ParameterName,
     RosConstant,
     RosDatatype,
+    RosField,
     RosInterface,
     RosMessage,
     RosName,
@@ -57,7 +58,7 @@ class Conversion(WireModel):
 
     name: RosName = described("Name", "Name of the conversion.", source=ROS2)
     return_type: CDefinition = described("ReturnDataType", "Datatype of the result.", source=ROS2)
-    field: RosName | None = described("Field", "Field of the message that it belongs to.", default=None, source=OWN)
+    field: RosField | None = described("Field", "Field of the message that it belongs to.", default=None, source=OWN)
     kind: Name | None = described("Kind", "Cast, Linear or Symbols.", default=None, source=OWN)
     factor: NumberText | None = described("Factor", "Result = value × factor + offset.", default=None, source=OWN)
     offset: NumberText | None = described("Offset", "Offset of the result, in its unit.", default=None, source=OWN)
@@ -74,7 +75,7 @@ class FieldMapping(WireModel):
     """Everything that the adapter has to know about one field of a topic."""
 
     signal: InterfaceName = described("Signal", "Name of the signal in the function.", source=OWN)
-    field: RosName = described("Field", "Field of the message.", source=OWN)
+    field: RosField = described("Field", "Field of the message, or of a message in it.", source=OWN)
     number_field: RosName | None = described(
         "NumberField", "Field that has the number of an enumeration, beside its text. A publisher fills both.",
         default=None, source=OWN,
@@ -82,6 +83,13 @@ class FieldMapping(WireModel):
     field_type: RosDatatype = described("FieldDataType", "Datatype of the field.", source=OWN)
     field_units: UnitKey | None = described(
         "FieldUnits", "Unit of the field: the catalogue's.", default=None, source=OWN
+    )
+    catalogue_factor: NumberText | None = described(
+        "CatalogueFactor", "Value in the catalogue's unit = value of the field × factor + offset; absent where they are "
+        "the same. Exact: a decimal number or a fraction.", default=None, source=OWN,
+    )  # fmt: skip
+    catalogue_offset: NumberText | None = described(
+        "CatalogueOffset", "Offset of it, in the catalogue's unit.", default=None, source=OWN
     )
     variable: CExpression = described("Variable", "Expression of the C code.", source=OWN)
     variable_type: CDefinition = described("VariableDataType", "Its datatype.", source=OWN)
@@ -114,7 +122,7 @@ class DataMap(WireModel):
     variable_types: tuple[CDefinition, ...] = described(
         "GlobalVariableDataType", "Their datatypes.", source=ROS2, strict=False
     )
-    fields: tuple[RosName, ...] = described("ROSTopicFieldName", "Fields.", source=ROS2, strict=False)
+    fields: tuple[RosField, ...] = described("ROSTopicFieldName", "Fields.", source=ROS2, strict=False)
     field_types: tuple[RosDatatype, ...] = described(
         "ROSTopicFieldDataType", "Their datatypes.", source=ROS2, strict=False
     )
@@ -124,6 +132,14 @@ class DataMap(WireModel):
     mappings: tuple[FieldMapping, ...] | None = described(
         "FieldList", "The same, with all that is known of each field.", default=None, source=OWN, strict=False
     )
+
+
+class FixedField(WireModel):
+    """A field of an existing message that always has one value."""
+
+    field: RosField = described("Field", "Field of the message.", source=OWN)
+    field_type: RosDatatype = described("FieldDataType", "Its datatype.", source=OWN)
+    value: AnyValue = described("Value", "Its value.", source=OWN)
 
 
 Reliability = Literal["reliable", "best_effort"]
@@ -157,7 +173,12 @@ class RosTopic(WireModel):
     data_maps: tuple[DataMap, ...] = described("DataMappingList", "Fields and variables.", source=ROS2, strict=False)
     role: Name | None = described("Role", "Publisher or Subscription.", default=None, source=OWN)
     message: RosInterface | None = described("MessageType", "Package, `msg` and message.", default=None, source=OWN)
-    stamp: RosName | None = described("StampField", "Field that has the time of the call.", default=None, source=OWN)
+    stamp: RosField | None = described(
+        "StampField", "Field that has the time of the call; absent if the message has none.", default=None, source=OWN
+    )
+    values: tuple[FixedField, ...] | None = described(
+        "FixedFields", "Fields that always have one value.", default=None, source=OWN, strict=False
+    )
     node: RosName | None = described(
         "NodeName", "Node that has the publisher or subscription.", default=None, source=OWN
     )

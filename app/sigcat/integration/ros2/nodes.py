@@ -276,8 +276,7 @@ def _mode_message(interface: ModeInterface, part: Part, book: MessageBook, findi
     )
     values = constants(kind, "", subject, findings)
     name = book.add(
-        f"{part.function_name}_Mode_{interface.direction}",
-        subject,
+        book.reserved(f"{part.function_name}_Mode_{interface.direction}", subject),
         interface.description,
         (STAMP, field),
         values,

@@ -33,14 +33,22 @@ STATUS = MODE.model_copy(update={"reasons": (Text("A status is sent on change an
 
 
 def quality(
-    mine: Sequence[SignalUse], everyone: Sequence[SignalUse], topic: str, settings: Ros2Settings
-) -> QualityOfService:
-    """Quality of one end of a topic. `mine` are the signals of this end; `everyone` those of every end in the set."""
+    mine: Sequence[SignalUse], everyone: Sequence[SignalUse], topic: str, settings: Ros2Settings, *,
+    is_existing: bool = False,
+) -> QualityOfService:  # fmt: skip
+    """Quality of one end of a topic. `mine` are the signals of this end; `everyone` those of every end in the set.
+
+    `is_existing`: the message exists, and nodes that are not of the set know it.
+    """
     reasons: list[str] = []
     asil = max((use.asil for use in everyone), key=rank)
     is_heard = any(use.is_provider for use in everyone)
     is_strict = asil in ("C", "D") and is_heard
-    reliability = _reliability(everyone, asil, reasons) if is_heard else _of_outsider(reasons)
+    if is_heard and is_existing:
+        reliability: Reliability = "reliable"
+        reasons.append("reliable: nodes outside of the set subscribe as ROS does by default")
+    else:
+        reliability = _reliability(everyone, asil, reasons) if is_heard else _of_outsider(reasons)
     deadline = _deadline(mine, everyone, reasons)
     derived = QualityOfService(
         reliability=reliability,

@@ -7,7 +7,17 @@ from pydantic import AfterValidator, Field
 from pydantic_core import PydanticCustomError
 
 from sigcat.function.declaration.form import DeclarationModel, Natural, Text
-from sigcat.function.document.field_types import E_MAIL, ROS_NAME, ROS_NAMESPACE, Name
+from sigcat.function.document.field_types import (
+    E_MAIL,
+    ROS_NAME,
+    ROS_NAMESPACE,
+    Name,
+    RosField,
+    RosInterface,
+    RosTopicName,
+    UnitKey,
+)
+from sigcat.function.function_json.wire import Integer, Number
 from sigcat.integration.ros2.names import PACKAGES_OF_ROS
 
 EMAIL = re.compile(r"[^@\s<>\"&]+@[^@\s<>\"&]+")
@@ -39,6 +49,39 @@ class QualitySettings(DeclarationModel):
     )
     depth: Annotated[Natural, Field(ge=1, le=MOST_VALUES)] | None = Field(None, description="Values that are kept.")
     deadline: Natural | None = Field(None, description="Longest time between two values, in ms; 0 for none.")
+
+
+class FieldSettings(DeclarationModel):
+    """What a field of an existing message has."""
+
+    signal: Name = Field(description="VSS path of the signal, or `Function.Signal` of one that has none.")
+    unit: UnitKey | None = Field(
+        None, description="Unit of the field, by its key in the catalogue, as m/s; that of the signal if absent."
+    )
+    symbols: dict[Name, Integer] | None = Field(
+        None,
+        description="Numbers that the message has for the values of an enumeration, where the catalogue has others.",
+    )
+
+
+class MessageSettings(DeclarationModel):
+    """An existing message that signals are sent and received with."""
+
+    type: RosInterface = Field(description="The message, as geometry_msgs/Twist.")
+    fields: dict[RosField, Name | FieldSettings] = Field(
+        description="The signal of each field, by the path of the field, as linear.x.", min_length=1
+    )
+    values: dict[RosField, bool | Number | Text] = Field(
+        {}, description="What other fields of a message that is sent always have, as header.frame_id: base_link."
+    )
+
+    @property
+    def mapped(self) -> dict[str, FieldSettings]:
+        """Signals by the path of their field."""
+        return {
+            path: FieldSettings.model_validate({"signal": each}) if isinstance(each, str) else each
+            for path, each in self.fields.items()
+        }
 
 
 class Ros2Settings(DeclarationModel):
@@ -75,6 +118,19 @@ class Ros2Settings(DeclarationModel):
     license: Text = Field("Proprietary", description="License of the packages, as package.xml states it.")
     quality: dict[Name, QualitySettings] = Field(
         {}, description="Quality of service by VSS path or name of a topic, where it differs from the derived one."
+    )
+
+    messages: dict[RosTopicName, MessageSettings] = Field(
+        {}, description="Existing messages, by the topic that has them, and the signals that their fields have."
+    )
+    message_folders: tuple[Text, ...] = Field(
+        (),
+        description="Folders with definitions of existing messages, as PACKAGE/msg/NAME.msg, beside those that ROS 2 has "
+        "installed here; relative to the deployment file.",
+        strict=False,
+    )
+    message_definitions: dict[Name, Text] = Field(
+        {}, description="Text of the definition of a message, by its name, where no file has it."
     )
 
 

@@ -5,16 +5,19 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.function.document.text import Text
+from sigcat.function.function_json.conversion import IDENTITY, Linear, as_text
 from sigcat.function.function_json.duration import time_in_a_name
 from sigcat.integration.finding_collector import FindingCollector
 from sigcat.integration.ros2.common_types import STAMP
 from sigcat.integration.ros2.conversions import conversion, to_catalogue
+from sigcat.integration.ros2.existing_messages import SECTION, ExistingMessages, MappedField
 from sigcat.integration.ros2.messages import MessageBook, constants, unresolved
 from sigcat.integration.ros2.model import (
     Communication,
     Conversion,
     DataMap,
     FieldMapping,
+    FixedField,
     MessageConstant,
     MessageField,
     RosTopic,
@@ -39,6 +42,8 @@ class Member(NamedTuple):
     kind: FieldType
     number: str = ""
     """The field that has the number of an enumeration, beside its text."""
+    way: Linear | None = None
+    """From the unit of the field to that of the catalogue, if the message exists."""
 
 
 class Topic(NamedTuple):
@@ -46,9 +51,14 @@ class Topic(NamedTuple):
 
     name: str
     message: str
+    """With its package: `eco_control_interfaces/msg/Speed`."""
     members: dict[str, Member]
     """By the key of the signal."""
     uses: tuple[SignalUse, ...]
+    stamp: str | None = STAMP.name
+    """Field of the time; None if the message has none."""
+    values: tuple[FixedField, ...] = ()
+    """What other fields always have."""
 
 
 class _Group(NamedTuple):
@@ -59,20 +69,59 @@ class _Group(NamedTuple):
 
 
 def topics_of(
-    uses: Sequence[SignalUse], settings: Ros2Settings, book: MessageBook, findings: FindingCollector
-) -> tuple[Topic, ...]:
+    uses: Sequence[SignalUse], existing: ExistingMessages, settings: Ros2Settings, book: MessageBook,
+    findings: FindingCollector,
+) -> tuple[Topic, ...]:  # fmt: skip
     """Every topic, in the order of their names. Names and types of topics for single signals depend on paths alone."""
     providers = _providers(uses, findings)
-    together = _Together.of(uses, providers.values())
+    mapped = tuple(_existing_topics(uses, existing, findings))
+    own = [use for use in uses if use.key not in existing.fields]
+    together = _Together.of(uses, (use for use in providers.values() if use.key not in existing.fields))
     groups: dict[_Group, list[SignalUse]] = {}
-    for use in uses:
+    for use in own:
         groups.setdefault(_group(use, providers.get(use.key), together, settings), []).append(use)
-    taken: dict[str, str] = {}
+    taken = {topic.name.removeprefix("/"): topic.message for topic in mapped}
+    messages = {group: book.reserved(group.message, groups[group][0].interface) for group in sorted(groups)}
     made = []
-    for group in sorted(groups):
+    for group, message in messages.items():
         name = _free(topic_name(*group.segments), taken, groups[group][0], findings)
-        made.append(_topic(name, group, groups[group], settings, book, findings))
-    return tuple(made)
+        made.append(_topic(name, message, group, groups[group], settings, book, findings))
+    return tuple(sorted((*made, *mapped), key=lambda topic: topic.name))
+
+
+def _existing_topics(
+    uses: Sequence[SignalUse], existing: ExistingMessages, findings: FindingCollector
+) -> Iterable[Topic]:
+    """Topics whose messages exist. Each is sent by one node, or by others: a message is sent whole."""
+    for name, topic in existing.topics.items():
+        fields = {key: field for key, field in existing.fields.items() if field.topic == name}
+        own = tuple(use for use in uses if use.key in fields)
+        if not own:
+            continue
+        senders = {use.part.name for use in own if use.is_provider}
+        foreign = {use.key for use in own} - {use.key for use in own if use.is_provider}
+        if len(senders) > 1 or (senders and foreign):
+            others = [*sorted(senders), *(f"the sender of {key}" for key in sorted(foreign))]
+            message = f"{name} must have one sender, not {' and '.join(others)}: each would send the fields of the others empty."
+            findings.report_deployment(
+                codes.FIELD_DOES_NOT_FIT, message, (*SECTION, name), "Map signals of one node.", ""
+            )
+        members = {
+            use.key: Member(
+                fields[use.key].path, *_existing_kind(use, fields[use.key]), way=existing.ways.get(use.key, IDENTITY)
+            )
+            for use in own
+        }
+        values = tuple(FixedField(field=each.path, field_type=each.datatype, value=each.value) for each in topic.values)
+        yield Topic(name, topic.message, members, own, topic.stamp, values)
+
+
+def _existing_kind(use: SignalUse, mapped: MappedField) -> tuple[str, FieldType]:
+    """The datatype of a field, with the names of an enumeration."""
+    field = mapped.field
+    assert field.element is not None
+    kind = FieldType(field.element, "", field.array, use.data.vss_symbols or ())
+    return f"{field.element.ros2}{field.array}", kind
 
 
 def communications(
@@ -173,6 +222,7 @@ def _free(name: str, taken: dict[str, str], use: SignalUse, findings: FindingCol
 
 def _topic(
     name: str,
+    message: str,
     group: _Group,
     uses: list[SignalUse],
     settings: Ros2Settings,
@@ -197,8 +247,8 @@ def _topic(
         values.extend(constants(kind, _prefix(member, of_key), own[0].interface, findings, taken))
     together = Text(group.title or f"Signals of {' '.join(group.segments)}.")
     what = uses[0].data.description if len(of_key) == 1 else together
-    message = book.add(group.message, uses[0].interface, what, fields, values)
-    return Topic(name, message, members, tuple(uses))
+    book.add(message, what, fields, values)
+    return Topic(name, f"{book.package}/msg/{message}", members, tuple(uses))
 
 
 def _fields(member: Member, first: SignalUse) -> Iterable[MessageField]:
@@ -280,11 +330,12 @@ def _ends(
             interface=_interface(mine),
             data_maps=(_data_map(mine, topic, taken, book, findings),),
             role=PUBLISHER if is_provider else SUBSCRIPTION,
-            message=f"{book.package}/msg/{topic.message}",
-            stamp=STAMP.name,
+            message=topic.message,
+            stamp=topic.stamp,
+            values=topic.values or None,
             node=mine[0].part.name,
             providers=tuple(dict.fromkeys(use.part.function_name for use in topic.uses if use.is_provider)),
-            quality=quality(mine, topic.uses, topic.name, settings),
+            quality=quality(mine, topic.uses, topic.name, settings, is_existing=topic.name in settings.messages),
         )
 
 
@@ -341,7 +392,7 @@ def _row(
     name = package_name(f"{use.part.function_name}_{data.name}_{way}", taken).text
     made = conversion(
         name, member.field, data.datatype, member.kind, to_catalogue(data, use.interface, findings), book.table,
-        member.written, is_outgoing=use.is_provider, has_number=bool(member.number),
+        member.written, is_outgoing=use.is_provider, has_number=bool(member.number), is_named=member.way is not None,
     )  # fmt: skip
     if made is not None:
         taken.add(name)
@@ -349,12 +400,14 @@ def _row(
 
 
 def _mapping(use: SignalUse, member: Member, book: MessageBook, made: Conversion | None) -> FieldMapping:
-    data = use.data
+    data, way = use.data, member.way or IDENTITY
     return FieldMapping(
         signal=data.name,
         field=member.field,
         number_field=member.number or None,
         field_type=member.written,
+        catalogue_factor=None if way == IDENTITY else as_text(way.factor),
+        catalogue_offset=None if way == IDENTITY else as_text(way.offset),
         field_units=data.vss_unit or (None if use.path else data.units) or None,
         variable=data.variable or data.name,
         variable_type=c_definition(data.datatype, book.table),

@@ -79,6 +79,7 @@ public:
     void InLockStep(std::uint64_t begin) {
         begin_ = begin;
         for (std::uint64_t time = Next(begin); time <= rows_.End();) {
+            record_.SetNow(time - begin);
             KillUntil(time);
             SendUntil(time, true, static_cast<std::int64_t>(time - begin));
             const bool is_due = NextRun(time - begin) == time - begin || player::HasEvents();
@@ -233,7 +234,7 @@ std::uint64_t Run(const std::shared_ptr<rclcpp::Node>& node, const std::string& 
     const Spinning spinning{node};
     const std::int64_t never = std::numeric_limits<std::int64_t>::max();
     record.Begin(is_lock_step ? 0 : never, begin);  // what was sent before counts as of the begin
-    player::Ports ports{*node, record};
+    player::Ports ports{*node, record, is_lock_step};
     player::Connect(ports);
     player::Steps steps{*node, record};
     const auto asked = std::chrono::steady_clock::now();

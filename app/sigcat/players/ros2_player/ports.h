@@ -3,6 +3,7 @@
 #ifndef PLAYER_PORTS_H
 #define PLAYER_PORTS_H
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -16,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "builtin_interfaces/msg/time.hpp"
 #include "player/cell.h"
 #include "player/times.h"
 #include "rclcpp/rclcpp.hpp"
@@ -24,6 +26,8 @@ namespace player {
 
 /// After which what does not come will not come.
 constexpr std::chrono::seconds kPatience{20};
+
+constexpr std::size_t kRoom = 1000;  // messages of a topic that wait until they are taken
 
 constexpr std::int64_t kSecond = 1000000000;  // in ns
 
@@ -53,6 +57,20 @@ struct Cell<T, std::void_t<typename T::allocator_type, std::enable_if_t<!std::is
         }
         return text + "]";
     }
+};
+
+/// The time that a message has: its own, that of its header, or none.
+template <typename MessageT, typename = void>
+struct Stamp final {
+    static builtin_interfaces::msg::Time* Of(MessageT&) { return nullptr; }
+};
+template <typename MessageT>
+struct Stamp<MessageT, std::enable_if_t<std::is_same_v<decltype(MessageT::stamp), builtin_interfaces::msg::Time>>> final {
+    static auto* Of(MessageT& message) { return &message.stamp; }
+};
+template <typename MessageT>
+struct Stamp<MessageT, std::void_t<decltype(MessageT::header.stamp)>> final {
+    static auto* Of(MessageT& message) { return &message.header.stamp; }
 };
 
 /// The number of a symbol, or of a text that is a number.
@@ -94,6 +112,10 @@ public:
     void TimeIn(const std::string& file);  // when rows are sent and values come
     void TellSent(std::uint64_t row);
 
+    /// The time of the nodes in lock step.
+    void SetNow(std::uint64_t time) { now_ = static_cast<std::int64_t>(time); }
+    std::int64_t Now() const { return now_; }
+
     std::uint64_t Given(std::size_t node) const;
     std::uint64_t GivenInAll() const;
 
@@ -107,6 +129,7 @@ private:
     Times times_;
     bool is_read_;
     std::int64_t epoch_{0};
+    std::atomic<std::int64_t> now_{0};
     std::uint64_t begin_{0};
     std::vector<std::uint64_t> heard_;
     std::vector<std::uint64_t> given_;
@@ -134,8 +157,10 @@ public:
         : Out{std::move(takers)}, publisher_{node.create_publisher<MessageT>(topic, quality)} {}
 
     void Publish(std::int64_t stamp) override {
-        message.stamp.sec = static_cast<std::int32_t>(stamp / kSecond);
-        message.stamp.nanosec = static_cast<std::uint32_t>(stamp % kSecond);
+        if (auto* const time = Stamp<MessageT>::Of(message)) {
+            time->sec = static_cast<std::int32_t>(stamp / kSecond);
+            time->nanosec = static_cast<std::uint32_t>(stamp % kSecond);
+        }
         publisher_->publish(message);
         message = MessageT{};
         is_filled = false;
@@ -150,7 +175,8 @@ private:
 
 class Ports final {
 public:
-    Ports(rclcpp::Node& node, Record& record) : node_{node}, record_{record} {}
+    /// `keeps_all`: in lock step nothing may be lost, however many messages a step sends.
+    Ports(rclcpp::Node& node, Record& record, bool keeps_all) : node_{node}, record_{record}, keeps_all_{keeps_all} {}
 
     template <typename MessageT>
     OutOf<MessageT>& Offer(const std::string& topic, const rclcpp::QoS& quality, const Takers& takers) {
@@ -169,15 +195,17 @@ public:
     }
 
     template <typename MessageT, typename ValuesT>
-    void Hear(const std::string& topic, const rclcpp::QoS& quality, std::size_t node, const Takers& takers,
-              ValuesT values) {
+    void Hear(const std::string& topic, rclcpp::QoS quality, std::size_t node, const Takers& takers, ValuesT values) {
+        if (keeps_all_) {
+            quality.keep_last(kRoom);
+        }
         Takers others = takers;
         others.erase(node);
         subscriptions_.push_back(node_.create_subscription<MessageT>(
             topic, quality, [this, node, others, values](const MessageT& message) {
-                const std::int64_t stamp = static_cast<std::int64_t>(message.stamp.sec) * kSecond +
-                                           static_cast<std::int64_t>(message.stamp.nanosec);
-                record_.Hear(node, others, values(message), stamp);
+                MessageT copy = message;
+                const auto* const time = Stamp<MessageT>::Of(copy);
+                record_.Hear(node, others, values(message), time != nullptr ? Nanoseconds(*time) : Now());
             }));
     }
 
@@ -201,16 +229,23 @@ public:
     bool AreConnected() const;
 
 private:
+    static std::int64_t Nanoseconds(const builtin_interfaces::msg::Time& time) {
+        return static_cast<std::int64_t>(time.sec) * kSecond + static_cast<std::int64_t>(time.nanosec);
+    }
+    /// The time of a message that has none.
+    std::int64_t Now() const { return keeps_all_ ? record_.Now() : node_.now().nanoseconds(); }
+
     rclcpp::Node& node_;
     Record& record_;
+    bool keeps_all_;
     std::vector<std::unique_ptr<Out>> outs_;
     std::map<std::string, std::function<void(const std::string&)>> columns_;
     std::vector<std::shared_ptr<void>> subscriptions_;
 };
 
-/// Reliable for all that hear it, or as reliable as the one that is heard.
-inline rclcpp::QoS Quality(bool is_reliable, bool keeps) {
-    rclcpp::QoS quality{rclcpp::KeepLast(keeps ? 1 : 1000)};
+/// Reliable for all that hear it, or as reliable as the one that is heard. `depth`: messages that one who comes late gets.
+inline rclcpp::QoS Quality(bool is_reliable, bool keeps, std::size_t depth) {
+    rclcpp::QoS quality{rclcpp::KeepLast(keeps ? depth : kRoom)};
     is_reliable ? quality.reliable() : quality.best_effort();
     return keeps ? quality.transient_local() : quality;
 }

@@ -29,9 +29,9 @@ not been so in time, all end, and the reason is logged.
 """
 
 from launch import LaunchDescription
-from launch.actions import DeclareLaunchArgument, EmitEvent, LogInfo
-from launch.actions import OpaqueFunction, RegisterEventHandler, TimerAction
-from launch.events import matches_action, Shutdown
+from launch.actions import DeclareLaunchArgument, EmitEvent, OpaqueFunction
+from launch.actions import RegisterEventHandler, TimerAction
+from launch.events import matches_action
 from launch.substitutions import LaunchConfiguration, PathJoinSubstitution
 from launch_ros.actions import LifecycleNode
 from launch_ros.event_handlers import OnStateTransition
@@ -103,11 +103,11 @@ def lifecycle_node(name):
 
 
 def end(reason):
-    """End all, and say why, unless they end already."""
+    """End all with an error, and say why, unless they end already."""
     def ending(context):
-        if context.is_shutdown:
-            return None
-        return [LogInfo(msg=f'all end: {{reason}}'), EmitEvent(event=Shutdown(reason=reason))]
+        if not context.is_shutdown:
+            # An error ends all, and lets `ros2 launch` return 1: no event of launch does.
+            raise RuntimeError(f'all end: {{reason}}')
 
     return [OpaqueFunction(function=ending)]
 

@@ -13,13 +13,19 @@ _WIDEST = 102
 
 
 def parameter_file(node: NodePlan, workspace: WorkspacePlan) -> str:
-    """The text of `config/NODE.yaml`. It is given to its node alone, so that any name and namespace will do."""
+    """The text of `config/NODE.yaml`, for the node of this name in any namespace."""
     parts = [*map(_parameter, node.parameters), *_own(node, workspace)]
     body = "\n".join(textwrap.indent(part, "    ") for part in parts)
-    head = _comment(f"Parameters of {node.name}: what it has without this file.")
+    head = f"# yaml-language-server: $schema={schema_name(node)}\n"
+    head += _comment(f"Parameters of {node.name}: what it has without this file.")
     has_values = any(not line.startswith("#") for part in parts for line in part.splitlines())
     values = "ros__parameters:" if has_values else "ros__parameters: {}"  # rcl refuses a key without a value
-    return f"{head}/**:\n  {values}\n{body}"
+    return f"{head}/**/{node.name}:\n  {values}\n{body}"
+
+
+def schema_name(node: NodePlan) -> str:
+    """File of the schema, beside the parameter file."""
+    return f"{node.name}.schema.json"
 
 
 def _own(node: NodePlan, workspace: WorkspacePlan) -> Iterator[str]:

@@ -221,7 +221,7 @@ _TOPICS = """Names are relative to the namespace of the nodes. Deadlines that ar
 messages that are lost are counted on `/diagnostics`; errors come from the cores alone.
 """
 _ERRORS = """Each error has a topic of its own, with `PASSED` or `FAILED`, on which other nodes hear it, and a status on `/diagnostics` for people:
-OK (passed), WARN (present, not yet failed), ERROR (failed or healing; WARN where that is mild), STALE (not tested).
+OK (passed), WARN (present, not yet failed), ERROR (failed or healing; WARN where that is mild). One that was not tested yet is OK, too, and its message says so.
 """
 _PARAMETERS = """`{name}/config` has a file for each node, with defaults, units and ranges. What the core refuses is refused, all or nothing.
 """

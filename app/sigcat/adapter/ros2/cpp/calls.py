@@ -40,6 +40,7 @@ if (!scheduling_problem_.empty()) {{
   RCLCPP_WARN(get_logger(), "%s", scheduling_problem_.c_str());
 }}""" if node.priority is not None else ""  # fmt: skip
     return function(f"void {node.type}::start_calls()", [
+        scope("", [LOCK, "is_active_ = true;"]),
         "clock_->resume();",
         scope("if (step_clock_ != nullptr)", [
             "const std::lock_guard<std::mutex> call(call_mutex_);\nstart();\nis_running_ = true;\nreturn;"]),
@@ -51,6 +52,7 @@ if (!scheduling_problem_.empty()) {{
 
 def _stop_calls(node: NodePlan) -> str:
     return function(f"void {node.type}::stop_calls()", [
+        scope("", [LOCK, "is_active_ = false;"]),
         scope("if (clock_ != nullptr)", ["clock_->stop();"]),
         scope("if (calls_.joinable())", ["calls_.join();"]),
         "watch_.reset();" if has_deadline(node) else "",
@@ -63,6 +65,8 @@ def _run_calls(node: NodePlan) -> str:
         "if (!clock_->wait_until(1)) {  // simulated time is 0 until it is known\n  return;\n}",
         "start();\nuint64_t next = 0;",
         scope("while (clock_->wait_until(next))", [
+            scope("if (clock_->has_gone_back())", [
+                'RCLCPP_WARN(get_logger(), "the time has gone back: the clocks start again");\nstart();']),
             scope("", ["const std::lock_guard<std::mutex> call(call_mutex_);", "run_due_call();"]),
             "supervise();",
             LOCK,

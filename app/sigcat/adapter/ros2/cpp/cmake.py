@@ -11,7 +11,16 @@ from sigcat.names import snake_case
 def cmake(workspace: WorkspacePlan, support: Sequence[str]) -> str:
     """CMakeLists.txt. `support` are sources that all nodes share."""
     sources = "".join(f"\n  src/{name}" for name in support)
-    parts = [_HEAD.format(name=workspace.name, interfaces=workspace.interfaces, sources=sources)]
+    others = [
+        each
+        for each in workspace.message_packages
+        if each not in ("builtin_interfaces", "diagnostic_msgs", "rcl_interfaces")
+    ]
+    parts = [_HEAD.format(
+        name=workspace.name, interfaces=workspace.interfaces, sources=sources,
+        found="".join(f"find_package({each} REQUIRED)\n" for each in others),
+        targets="".join(f"  ${{{each}_TARGETS}}\n" for each in others),
+    )]  # fmt: skip
     parts += [_node(node, workspace) for node in workspace.nodes]
     return "\n".join([*parts, _TAIL.format(tests=_tests(workspace, support))])
 
@@ -34,7 +43,7 @@ find_package(ament_cmake REQUIRED)
 find_package(builtin_interfaces REQUIRED)
 find_package(diagnostic_msgs REQUIRED)
 find_package({interfaces} REQUIRED)
-find_package(rcl_interfaces REQUIRED)
+{found}find_package(rcl_interfaces REQUIRED)
 find_package(rclcpp REQUIRED)
 find_package(rclcpp_components REQUIRED)
 find_package(rclcpp_lifecycle REQUIRED)
@@ -51,7 +60,7 @@ target_link_libraries({name}_support PUBLIC
   ${{builtin_interfaces_TARGETS}}
   ${{diagnostic_msgs_TARGETS}}
   ${{{interfaces}_TARGETS}}
-  ${{rcl_interfaces_TARGETS}}
+{targets}  ${{rcl_interfaces_TARGETS}}
   rclcpp::rclcpp
   rclcpp_components::component
   rclcpp_lifecycle::rclcpp_lifecycle
@@ -70,9 +79,9 @@ def _node(node: NodePlan, workspace: WorkspacePlan) -> str:
         f'\n  "$<BUILD_INTERFACE:${{{setting}}}/{cmake_argument(each)}>"' for each in code.include_folders
     )
     macros = "".join(f' "{cmake_argument(each)}"' for each in code.definitions)
-    defined = f"target_compile_definitions({node.name}_core PUBLIC{macros})\n" if macros else ""
+    defined = f"target_compile_definitions({node.core_library} PUBLIC{macros})\n" if macros else ""
     return _NODE.format(
-        function=cmake_argument(node.core.function), setting=setting, package=cmake_argument(workspace.name), name=node.name, stem=node.stem,
+        function=cmake_argument(node.core.function), setting=setting, package=cmake_argument(workspace.name), name=node.name, stem=node.stem, core=node.core_library, component=node.component_library,
         type=cmake_argument(node.type), executable=node.executable, sources=" ".join(map(cmake_word, code.sources)), files=own + sources, folder=folder,
         folders=folders, defined=defined,
     )  # fmt: skip
@@ -88,29 +97,29 @@ foreach(source {sources})
       "Put it into {package}/code/{folder}, or set {setting} to its folder.")
   endif()
 endforeach()
-add_library({name}_core SHARED{files}
+add_library({core} SHARED{files}
 )
-target_include_directories({name}_core PUBLIC
+target_include_directories({core} PUBLIC
   "$<BUILD_INTERFACE:${{CMAKE_CURRENT_SOURCE_DIR}}/core>"
   "$<BUILD_INTERFACE:${{{setting}}}>"{folders})
 {defined}# Results are those of every other platform: no multiplication is joined with an addition.
-target_compile_options({name}_core PRIVATE -ffp-contract=off)
+target_compile_options({core} PRIVATE -ffp-contract=off)
 # Each source has names and macros of its own, also where others are joined for a faster build.
-set_target_properties({name}_core PROPERTIES UNITY_BUILD OFF)
+set_target_properties({core} PROPERTIES UNITY_BUILD OFF)
 # What the code lacks is told when it is linked.
-target_link_options({name}_core PRIVATE "LINKER:-z,defs")
-target_link_libraries({name}_core PRIVATE m)
+target_link_options({core} PRIVATE "LINKER:-z,defs")
+target_link_libraries({core} PRIVATE m)
 
-add_library({stem}_component SHARED src/{stem}.cpp)
-target_compile_options({stem}_component PRIVATE
+add_library({component} SHARED src/{stem}.cpp)
+target_compile_options({component} PRIVATE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -ffp-contract=off)
-target_link_libraries({stem}_component PUBLIC {package}_support PRIVATE {name}_core)
-rclcpp_components_register_nodes({stem}_component "{package}::{type}")
+target_link_libraries({component} PUBLIC {package}_support PRIVATE {core})
+rclcpp_components_register_nodes({component} "{package}::{type}")
 
 add_executable({executable} src/{name}_main.cpp)
-target_link_libraries({executable} PRIVATE {stem}_component)
+target_link_libraries({executable} PRIVATE {component})
 
-install(TARGETS {name}_core {stem}_component
+install(TARGETS {core} {component}
   ARCHIVE DESTINATION lib
   LIBRARY DESTINATION lib
   RUNTIME DESTINATION bin
@@ -123,7 +132,7 @@ def _tests(workspace: WorkspacePlan, support: Sequence[str]) -> str:
     nodes = "".join(
         f"""
   ament_add_ros_isolated_gtest(test_{node.stem} test/test_{node.stem}.cpp)
-  target_link_libraries(test_{node.stem} {node.stem}_component ${{lifecycle_msgs_TARGETS}})"""
+  target_link_libraries(test_{node.stem} {node.component_library} ${{lifecycle_msgs_TARGETS}})"""
         for node in workspace.nodes
     )
     return nodes + (_STORAGE_TEST if "storage.cpp" in support else "")

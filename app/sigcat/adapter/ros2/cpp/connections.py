@@ -18,7 +18,7 @@ from sigcat.integration.ros2.model import QualityOfService
 def connection_functions(node: NodePlan, workspace: WorkspacePlan) -> list[str]:
     """What makes them, and what drops them."""
     return [
-        function(f"void {node.type}::advertise()", [_advertised(each) for each in node.publishers]),
+        function(f"void {node.type}::advertise()", [_advertised(each, node) for each in node.publishers]),
         function(f"void {node.type}::subscribe_all()", [_subscribed(each, node) for each in node.subscriptions],
                  "// Subscriptions only store: what is stored is taken by the calls."),
         _offer(node, workspace),
@@ -49,9 +49,9 @@ def _duration(milliseconds: float) -> str:
     return f"std::chrono::nanoseconds({round(milliseconds * 10**6)})"
 
 
-def _advertised(publisher: Publisher) -> str:
-    arguments = ["*this", "topics_", c_string(publisher.topic), quality(publisher.quality), "receiving_"]
-    made = f"std::make_unique<CountingPublisher<{short(publisher.message)}>>"
+def _advertised(publisher: Publisher, node: NodePlan) -> str:
+    arguments = ["*this", "topics_", c_string(node.private(publisher.topic)), quality(publisher.quality), "receiving_"]
+    made = f"std::make_unique<CountingPublisher<{short(publisher.message, node)}>>"
     return f"{publisher.member}_publisher_ =\n  " + call(made, arguments, levels=2)
 
 
@@ -59,17 +59,17 @@ def _advertised(publisher: Publisher) -> str:
 
 
 def _subscribed(subscription: Subscription, node: NodePlan) -> str:
-    head = f"[this](const {short(subscription.message)} & message) {{"
+    head = f"[this](const {short(subscription.message, node)} & message) {{"
     body = text([LOCK, *(_received(each, node) for each in subscription.takes)])
     if any(each.wakes for each in subscription.takes):
         body = text([scope("", [body]), "clock_->wake();"])
     arguments = [
-        f"*this, topics_, {c_string(subscription.topic)},",
+        f"*this, topics_, {c_string(node.private(subscription.topic))},",
         f"{quality(subscription.quality)}, receiving_,",
         head,
     ]
     return text([
-        f"subscriptions_.push_back(\n  subscribe<{short(subscription.message)}>(",
+        f"subscriptions_.push_back(\n  subscribe<{short(subscription.message, node)}>(",
         indented(text(arguments), 2),
         indented(body, 3),
         "    }));",
@@ -113,14 +113,16 @@ def _renumbered(taken: Taken, field: str) -> str:
 def _offer(node: NodePlan, workspace: WorkspacePlan) -> str:
     qos = "rmw_qos_profile_services_default" if workspace.release == "humble" else "rclcpp::ServicesQoS()"
     return function(f"void {node.type}::offer()", [
-        *(_offered(each, qos) for each in node.offered),
-        *(_used(each, qos) for each in node.used),
+        *(_offered(each, node, qos) for each in node.offered),
+        *(_used(each, node, qos) for each in node.used),
         scope("if (step_clock_ != nullptr)", [_service("step_service_", "srv::Step", "~/step", "step", qos)]),
     ])  # fmt: skip
 
 
-def _offered(each: MethodService, qos: str) -> str:
-    return _service(f"{each.member}_service_", short(each.service), each.topic, f"answer_{each.member}", qos)
+def _offered(each: MethodService, node: NodePlan, qos: str) -> str:
+    return _service(
+        f"{each.member}_service_", short(each.service, node), node.private(each.topic), f"answer_{each.member}", qos
+    )
 
 
 def _service(member: str, type_: str, name: str, handler: str, qos: str) -> str:
@@ -132,8 +134,8 @@ def _service(member: str, type_: str, name: str, handler: str, qos: str) -> str:
   {qos}, answering_);"""
 
 
-def _used(each: MethodService, qos: str) -> str:
-    made = f"{each.member}_client_ = create_client<{short(each.service)}>"
+def _used(each: MethodService, node: NodePlan, qos: str) -> str:
+    made = f"{each.member}_client_ = create_client<{short(each.service, node)}>"
     return call(made, [c_string(each.topic), qos, "answering_"])
 
 

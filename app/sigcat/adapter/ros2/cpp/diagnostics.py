@@ -13,13 +13,13 @@ def tell_function(node: NodePlan) -> str:
         "decltype(diagnostics_) publisher;",
         "decltype(core_->adapter.error) error{};\ndecltype(core_->adapter.stored) stored{};" if node.monitors else "",
         *(f"CallReport {report_name(node, step)};" for step in node.steps),
-        "std::string scheduling_problem;",
+        "std::string scheduling_problem;\nbool is_active = false;",
         scope("", [
             LOCK,
             "publisher = diagnostics_;",
             "error = core_->adapter.error;\nstored = core_->adapter.stored;" if node.monitors else "",
             *(_reported(step, node) for step in node.steps),
-            "scheduling_problem = scheduling_problem_;",
+            "scheduling_problem = scheduling_problem_;\nis_active = is_active_;",
         ]),
         "if (publisher == nullptr || publisher->get_subscription_count() == 0U) {\n  return;\n}",
         "diagnostic_msgs::msg::DiagnosticArray told;\ntold.header.stamp = now();",
@@ -28,8 +28,14 @@ def tell_function(node: NodePlan) -> str:
         *(call("told.status.push_back", [call("call_status", ["node", c_string(step.interface), report_name(node, step)], ")", 3)])
           for step in node.steps),
         _SCHEDULING if node.priority is not None else scope("if (!scheduling_problem.empty())", [_SCHEDULING]),
-        "topics_.tell(node, told.status);\npublisher->publish(told);",
+        f"topics_.tell(node, {_has_calls(node)}, told.status);\npublisher->publish(told);",
     ], "// For people and aggregators; what others act on has topics of its own.")  # fmt: skip
+
+
+def _has_calls(node: NodePlan) -> str:
+    """Whether a call runs: the node is active, and its mode does not exclude all of them."""
+    excluded = " && ".join(f"{report_name(node, step)}.is_excluded" for step in node.steps)
+    return f"is_active && !({excluded})" if excluded else "is_active"
 
 
 def _reported(step: Call, node: NodePlan) -> str:

@@ -68,6 +68,6 @@ def _support(workspace: WorkspacePlan) -> Iterator[GeneratedFile]:
 
 def _dependencies(workspace: WorkspacePlan) -> Iterator[tuple[str, str]]:
     yield "buildtool_depend", "ament_cmake"
-    yield from (("depend", name) for name in sorted([*_DEPENDS, workspace.interfaces]))
+    yield from (("depend", name) for name in sorted({*_DEPENDS, workspace.interfaces, *workspace.message_packages}))
     yield from (("exec_depend", name) for name in ("launch", "launch_ros", "lifecycle_msgs"))
     yield from (("test_depend", name) for name in _TEST_DEPENDS)

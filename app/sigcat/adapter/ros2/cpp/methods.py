@@ -18,7 +18,7 @@ def _answer(each: MethodService, node: NodePlan) -> str:
     core, name = node.core.type_name, each.method.named.name
     arguments = [CORE, *(["&arguments"] if each.request else []), *(["&results"] if each.response else [])]
     good = f"reply == {scope_of(node).constant('OK')}"
-    type_ = short(each.service)
+    type_ = short(each.service, node)
     request = "request" if each.request else "/* request */"
     return function(f"void {node.type}::answer_{each.member}(\n  const {type_}::Request & {request}, {type_}::Response & response)", [
         f"{core}_{name}_Arguments arguments{{}};" if each.request else "",
@@ -33,7 +33,7 @@ def _answer(each: MethodService, node: NodePlan) -> str:
 
 def _request(each: MethodService, node: NodePlan) -> str:
     core, name = node.core.type_name, each.method.named.name
-    type_, client = short(each.service), f"{each.member}_client_"
+    type_, client = short(each.service, node), f"{each.member}_client_"
     results = [f"{core}_{name}_Results results{{}};"] if each.response else []
     given = ["&results"] if each.response else []
     answer = core_function(node, f"Answer_{name}")

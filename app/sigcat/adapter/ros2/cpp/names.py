@@ -32,9 +32,9 @@ def header_of(interface: InterfaceType) -> str:
     return f"{interface.package}/{interface.kind}/{spread.lower()}.hpp"
 
 
-def short(interface: InterfaceType) -> str:
-    """The class of a message in the namespace of the package: `msg::Speed`."""
-    return f"{interface.kind}::{interface.name}"
+def short(interface: InterfaceType, node: NodePlan) -> str:
+    """The class of a message in the namespace of the package: `msg::Speed`, or `geometry_msgs::msg::Twist`."""
+    return f"{interface.kind}::{interface.name}" if node.is_own(interface) else interface.cpp
 
 
 def bridge_source(node: NodePlan) -> str:

@@ -1,8 +1,10 @@
 """The header of a node."""
 
+from collections.abc import Iterable
+
 from sigcat.adapter.ros2.cpp.layout import WIDEST, comment, indented, spaced, text
 from sigcat.adapter.ros2.cpp.names import copyright_line, guard, header_of, run_name, short, times_name
-from sigcat.adapter.ros2.plan import MethodService, NodePlan, WorkspacePlan
+from sigcat.adapter.ros2.plan import MethodService, NodePlan, Publisher, Subscription, WorkspacePlan
 from sigcat.function.document.text import composed
 from sigcat.function.document.text_filters import c_header
 
@@ -22,13 +24,18 @@ def node_header(node: NodePlan, workspace: WorkspacePlan) -> str:
         _includes(node, workspace),
         text([
             f"namespace {workspace.name}\n{{\n",
-            messages_of(workspace) if node.publishers else "",
+            messages_of(workspace) if has_messages(node, node.publishers) else "",
             f"namespace srv = {workspace.interfaces}::srv;",
         ]),
         _class(node),
         f"}}  {comment(f'namespace {workspace.name}')}",
         f"#endif  {comment(name)}",
     ]) + "\n"  # fmt: skip
+
+
+def has_messages(node: NodePlan, ends: Iterable[Publisher | Subscription]) -> bool:
+    """Whether a message of the set is among those of some topics."""
+    return any(node.is_own(each.message) for each in ends)
 
 
 def messages_of(workspace: WorkspacePlan) -> str:
@@ -107,6 +114,7 @@ def _members(node: NodePlan) -> str:
             "std::mutex call_mutex_;  // held while calls run: nothing else calls the function",
             "std::mutex publishing_mutex_;",
             "bool is_initialized_ = false;",
+            "bool is_active_ = false;  // under the lock of the core",
             "bool is_running_ = false;",
         ]),
         text([
@@ -124,11 +132,13 @@ def _members(node: NodePlan) -> str:
 
 def _connections(node: NodePlan) -> str:
     publishers = [
-        _member(f"std::unique_ptr<CountingPublisher<{short(each.message)}>>", f"{each.member}_publisher_;")
+        _member(f"std::unique_ptr<CountingPublisher<{short(each.message, node)}>>", f"{each.member}_publisher_;")
         for each in node.publishers
     ]
-    services = [f"rclcpp::Service<{short(each.service)}>::SharedPtr {each.member}_service_;" for each in node.offered]
-    clients = [_client(each) for each in node.used]
+    services = [
+        f"rclcpp::Service<{short(each.service, node)}>::SharedPtr {each.member}_service_;" for each in node.offered
+    ]
+    clients = [_client(each, node) for each in node.used]
     return text(
         [
             "rclcpp::CallbackGroup::SharedPtr receiving_;",
@@ -154,5 +164,5 @@ def _member(type_: str, name: str) -> str:
     return line if len(line) + 2 <= WIDEST else f"{type_}\n{name}"
 
 
-def _client(each: MethodService) -> str:
-    return f"rclcpp::Client<{short(each.service)}>::SharedPtr {each.member}_client_;"
+def _client(each: MethodService, node: NodePlan) -> str:
+    return f"rclcpp::Client<{short(each.service, node)}>::SharedPtr {each.member}_client_;"

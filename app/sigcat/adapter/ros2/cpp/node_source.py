@@ -7,7 +7,7 @@ from sigcat.adapter.ros2.cpp.diagnostics import tell_function
 from sigcat.adapter.ros2.cpp.layout import comment, function, indented, spaced, text
 from sigcat.adapter.ros2.cpp.methods import method_functions
 from sigcat.adapter.ros2.cpp.names import CORE, LOCK, copyright_line, core_function, header_of, times_name
-from sigcat.adapter.ros2.cpp.node_header import messages_of
+from sigcat.adapter.ros2.cpp.node_header import has_messages, messages_of
 from sigcat.adapter.ros2.cpp.parameters import initial_parameters, parameter_functions
 from sigcat.adapter.ros2.cpp.sending import publish_function
 from sigcat.adapter.ros2.cpp.stored import storage_functions
@@ -28,7 +28,8 @@ def node_source(node: NodePlan, workspace: WorkspacePlan) -> str:
         _includes(node, workspace),
         text([
             f"namespace {workspace.name}\n{{\n",
-            messages_of(workspace) if node.subscriptions and not node.publishers else "",
+            messages_of(workspace)
+            if has_messages(node, node.subscriptions) and not has_messages(node, node.publishers) else "",
             "using diagnostic_msgs::msg::DiagnosticStatus;",
         ]),
         _anonymous([*symbol_tables(node), *storage_functions(node)]),
@@ -134,10 +135,12 @@ def _configured(node: NodePlan) -> str:
     storage = """storage_ = std::make_unique<Storage>(
   storage_file(
     get_parameter("storage_folder").as_string(),
-    get_node_base_interface()->get_fully_qualified_name()),
+    get_node_base_interface()->get_fully_qualified_name(),
+    get_node_base_interface()->get_context()->get_domain_id()),
   get_logger());
 """ if node.is_stored else ""  # fmt: skip
     return f"""set_clock();
+topics_.keep_all(step_clock_ != nullptr);
 {storage}if (!initialize()) {{
   RCLCPP_ERROR(get_logger(), {c_format(f"the initialization of {node.core.function} has failed")});
   return CallbackReturn::FAILURE;

@@ -100,6 +100,8 @@ def _value(value: Any, element: str) -> str:
 
 def _double(value: float) -> str:
     number = float(value)
+    if math.isinf(number):
+        return f"{'-' if number < 0 else ''}std::numeric_limits<double>::infinity()"
     if not math.isfinite(number):
         return "std::numeric_limits<double>::quiet_NaN()"
     return repr(number)
@@ -143,9 +145,19 @@ def _set(node: NodePlan) -> str:
         scope("if (!result.successful || !has_changed)", ["return result;"]),
         f"result.successful = {asks};",
         scope("if (result.successful)", ["core_->parameters = changed;"], "} else {"),
-        '  result.reason = "a value is out of its range";\n}',
+        f"  result.reason = {call('refusal', ['parameters', _all_limits(node)], ');', 2)}\n}}",
         "return result;",
     ], "// All of them, or none.")  # fmt: skip
+
+
+def _all_limits(node: NodePlan) -> str:
+    """Limits of those that have some; one that has none of a kind has those of every number."""
+    own = ", ".join(
+        f"{{{c_string(each.name)}, {_double(-math.inf if each.low is None else each.low)}, {_double(math.inf if each.high is None else each.high)}}}"
+        for each in node.settable
+        if each.low is not None or each.high is not None
+    )
+    return f"{{{own}}}"
 
 
 def _chain(branches: list[str]) -> str:

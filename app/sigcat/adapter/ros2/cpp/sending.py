@@ -1,9 +1,12 @@
 """What a node sends."""
 
+from typing import Any
+
 from sigcat.adapter.core.plan import Port
 from sigcat.adapter.ros2.cpp.layout import any_of, call, comment, function, indented, scope, text
 from sigcat.adapter.ros2.cpp.names import CORE, LOCK, core_function, is_plain, short, table
 from sigcat.adapter.ros2.plan import Given, NodePlan, Publisher
+from sigcat.function.document.text_filters import c_string
 
 
 def publish_function(node: NodePlan) -> str:
@@ -27,7 +30,7 @@ def publish_function(node: NodePlan) -> str:
 
 
 def _argument(node: NodePlan) -> str:
-    return f"const builtin_interfaces::msg::Time &{' stamp' if node.publishers else ' /* stamp */'}"
+    return f"const builtin_interfaces::msg::Time &{' stamp' if any(each.stamp for each in node.publishers) else ' /* stamp */'}"
 
 
 def _sent(publisher: Publisher, node: NodePlan) -> str:
@@ -43,12 +46,21 @@ def _sent(publisher: Publisher, node: NodePlan) -> str:
 
 def _message(publisher: Publisher, node: NodePlan, queued: str) -> str:
     return text([
-        f"{short(publisher.message)} message;\nmessage.stamp = stamp;",
+        f"{short(publisher.message, node)} message;",
+        f"message.{publisher.stamp} = stamp;" if publisher.stamp else "",
+        *(f"message.{each.field} = {_fixed(each.value)};" for each in publisher.fixed),
         *(text([comment(each.comment, levels=3), _filled(each, queued or f"out.{each.place}")]) for each in publisher.gives),
         f"{publisher.member}_publisher_->publish(message);",
         *(_taken_back(port, queued or f"out.{each.place}", f"due.{each.place}", node, is_alone=len(publisher.gives) == 1)
           for each in publisher.gives for port in each.own_ports),
     ])  # fmt: skip
+
+
+def _fixed(value: Any) -> str:
+    """A value of a document, as C++ writes it."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    return repr(value) if isinstance(value, int | float) else c_string(value)
 
 
 def _filled(given: Given, value: str) -> str:

@@ -23,7 +23,7 @@ def node_test(node: NodePlan, workspace: WorkspacePlan) -> str:
 
 def _includes(node: NodePlan, workspace: WorkspacePlan) -> str:
     headers = [f"{workspace.name}/{node.stem}.hpp", header_of(node.step_service), "lifecycle_msgs/msg/state.hpp"]
-    headers += ["rclcpp/rclcpp.hpp"]
+    headers += ["rclcpp/rclcpp.hpp", *([f"{workspace.name}/storage.hpp"] if node.is_stored else [])]
     standard = ["chrono", "filesystem", "fstream", "future", "memory", "string", "thread"]
     return spaced([
         "#include <gtest/gtest.h>\n#include <unistd.h>",
@@ -57,7 +57,7 @@ protected:
 
 
 def _life(node: NodePlan) -> str:
-    file = f"folder_ / {c_string(f'{node.name}.txt')}"
+    file = _stored_file(node)
     kept = f"""
   EXPECT_TRUE(std::filesystem::exists({file}));""" if node.is_stored else ""  # fmt: skip
     return f"""TEST_F({node.type}Test, GoesThroughItsLife)
@@ -73,6 +73,12 @@ def _life(node: NodePlan) -> str:
   EXPECT_EQ(node->configure().id(), State::PRIMARY_STATE_INACTIVE);
   EXPECT_EQ(node->shutdown().id(), State::PRIMARY_STATE_FINALIZED);
 }}"""
+
+
+def _stored_file(node: NodePlan) -> str:
+    return f"""{node.package}::storage_file(
+        folder_.string(), {c_string(f"/{node.name}")},
+        node->get_node_base_interface()->get_context()->get_domain_id())"""
 
 
 def _life_with_errors(node: NodePlan) -> str:
@@ -156,16 +162,16 @@ _LOCK_STEP = """TEST_F({type}Test, RunsInLockStep)
 
 
 def _stored(node: NodePlan) -> str:
-    file = c_string(f"{node.name}.txt")
     return f"""TEST_F({node.type}Test, StartsWithoutABrokenFile)
 {{
-  std::filesystem::create_directories(folder_);
-  std::ofstream(folder_ / {file}) << "nothing that it wrote\\n";
   const auto node = make_node();
+  const auto path = {_stored_file(node)};
+  std::filesystem::create_directories(folder_);
+  std::ofstream(path) << "nothing that it wrote\\n";
   EXPECT_EQ(node->configure().id(), State::PRIMARY_STATE_INACTIVE);
-  EXPECT_TRUE(std::filesystem::exists(folder_ / {c_string(f"{node.name}.txt.broken")}));
+  EXPECT_TRUE(std::filesystem::exists(path.string() + ".broken"));
   EXPECT_EQ(node->cleanup().id(), State::PRIMARY_STATE_UNCONFIGURED);
-  std::ifstream file(folder_ / {file});
+  std::ifstream file(path);
   std::string line;
   EXPECT_TRUE(std::getline(file, line));
   EXPECT_EQ(line, "sigcat 1");

@@ -138,7 +138,7 @@ def _attributes(node: NodePlan) -> Lines:
         lines(f"""
             function = {python_string(core.function)}
             package = {python_string(node.package)}
-            library = {python_string(f"{node.name}_core")}
+            library = {python_string(node.core_library)}
             declarations = DECLARATIONS
             digest = {python_string(digest(core))}
         """),

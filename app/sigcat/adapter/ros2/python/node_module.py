@@ -1,6 +1,7 @@
 """The module of a node: topics, parameters and services of one function, over what all nodes have in common."""
 
 from collections.abc import Iterable, Iterator
+from typing import Any
 
 from sigcat.adapter.core.c.lines import Line, Lines, indented, joined, lines
 from sigcat.adapter.core.plan import WireType
@@ -56,11 +57,12 @@ def _imports(node: NodePlan) -> Lines:
     used = ["Any", "List", "Optional"]
     used += ["Callable", "Dict"] * bool(node.parameters)
     used += ["Dict"] * bool(node.structs or any(not each.response for each in node.used))
-    kinds = {each.kind for each in node.messages}
+    kinds = {each.kind for each in node.messages if node.is_own(each)}
     third: list[tuple[str, Iterable[str]]] = (
         [("builtin_interfaces.msg", ("Time",))] if node.publishers or node.used else []
     )
     third += [(node.step_service.package, kinds)]
+    third += [(f"{package}.msg", ()) for package in {each.package for each in node.messages if not node.is_own(each)}]
     third += [("rcl_interfaces.msg", ranges)] if (ranges := _range_types(node)) else []
     stem, functions = class_name(node.core.function), f".{snake_case(node.core.function)}_core"
     own = [core_type(node.core)]
@@ -90,9 +92,10 @@ def _range_types(node: NodePlan) -> list[str]:
             *(["IntegerRange"] * ("integer" in with_range))]  # fmt: skip
 
 
-def _class_of(interface: InterfaceType) -> str:
-    """A message or service: `msg.Speed`."""
-    return f"{interface.kind}.{interface.name}"
+def _class_of(interface: InterfaceType, node: NodePlan) -> str:
+    """A message or service: `msg.Speed`, or `geometry_msgs.msg.Twist`."""
+    own = f"{interface.kind}.{interface.name}"
+    return own if node.is_own(interface) else f"{interface.package}.{own}"
 
 
 def _class(node: NodePlan) -> Lines:
@@ -103,7 +106,6 @@ def _class(node: NodePlan) -> Lines:
     return suite(f"class {node.type}(FunctionNode):", between([
         docstring(f"The node of {core.function}.", more),
         (*priority, *policy),
-        lines("offers_methods = True") if node.offered else (),
         _init(node),
         *([_declare(node), _core_parameters(node)] if node.parameters else []),
         _create_topics(node),
@@ -118,7 +120,7 @@ def _class(node: NodePlan) -> Lines:
 def _init(node: NodePlan) -> Lines:
     return function("__init__", ("**options: Any",), "None", "Make the core, and declare the parameters.",
                     lines(f"self.core = {core_type(node.core)}()"),
-                    lines(f"super().__init__({python_string(node.name)}, self.core, {_class_of(node.step_service)}, **options)"))  # fmt: skip
+                    lines(f"super().__init__({python_string(node.name)}, self.core, {_class_of(node.step_service, node)}, **options)"))  # fmt: skip
 
 
 # -- parameters ---------------------------------------------------------------------------------------------------
@@ -141,14 +143,20 @@ def _declared(parameter: NodeParameter) -> Lines:
         lines("read_only=True,") if parameter.is_read_only else (),
         lines(f"{_range(parameter)},") if _has_range(parameter) else (),
     ])  # fmt: skip
+    has_limits = parameter.low is not None or parameter.high is not None
     return (
         Line("self.declare("),
         Line(f"    {python_string(parameter.name)},"),
         Line(f"    {number(parameter.default)},"),
         *indented(suite("ParameterDescriptor(", descriptor)),
         Line("    ),"),
+        *((Line(f"    ({_limit(parameter.low, '-inf')}, {_limit(parameter.high, 'inf')}),"),) if has_limits else ()),
         Line(")"),
     )
+
+
+def _limit(value: float | None, infinite: str) -> str:
+    return f"float('{infinite}')" if value is None else repr(value)
 
 
 def _described(name: str, value: AnyText) -> Lines:
@@ -194,23 +202,31 @@ def _table(symbols: Iterable[Symbol]) -> str:
 
 def _create_topics(node: NodePlan) -> Lines:
     body = joined([
-        *(_subscribed(each) for each in node.subscriptions),
-        *(_advertised(each) for each in node.publishers),
-        *(call("self.offer(", (_class_of(each.service), python_string(each.topic), f"self._serve_{each.member}")) for each in node.offered),
-        *(call(f"self._client_{each.member} = self.use(", (_class_of(each.service), python_string(each.topic))) for each in node.used),
+        *(_subscribed(each, node) for each in node.subscriptions),
+        *(_advertised(each, node) for each in node.publishers),
+        *(call("self.offer(", (_class_of(each.service, node), python_string(node.private(each.topic)), f"self._serve_{each.member}")) for each in node.offered),
+        *(call(f"self._client_{each.member} = self.use(", (_class_of(each.service, node), python_string(each.topic))) for each in node.used),
     ]) or lines("pass")  # fmt: skip
     return function("create_topics", (), "None", "Create subscriptions, publishers, services and clients.", body)
 
 
-def _subscribed(subscription: Subscription) -> Lines:
-    arguments = [_class_of(subscription.message), python_string(subscription.topic), _quality(subscription.quality)]
+def _subscribed(subscription: Subscription, node: NodePlan) -> Lines:
+    arguments = [
+        _class_of(subscription.message, node),
+        python_string(node.private(subscription.topic)),
+        _quality(subscription.quality),
+    ]
     arguments.append(f"self._take_{subscription.member}")
     arguments += ["wakes=True"] if any(each.wakes for each in subscription.takes) else []
     return exploded("self.take(", arguments)
 
 
-def _advertised(publisher: Publisher) -> Lines:
-    arguments = (_class_of(publisher.message), python_string(publisher.topic), _quality(publisher.quality))
+def _advertised(publisher: Publisher, node: NodePlan) -> Lines:
+    arguments = (
+        _class_of(publisher.message, node),
+        python_string(node.private(publisher.topic)),
+        _quality(publisher.quality),
+    )
     return exploded(f"self._send_{publisher.member} = self.give(", arguments)
 
 
@@ -226,7 +242,11 @@ def _take(subscription: Subscription, node: NodePlan) -> Lines:
     body = joined(_taken(each, node) for each in subscription.takes)
     about = f"Take a message of {subscription.topic}."
     return function(
-        f"_take_{subscription.member}", (f"message: {_class_of(subscription.message)}", "t: int"), "None", about, body
+        f"_take_{subscription.member}",
+        (f"message: {_class_of(subscription.message, node)}", "t: int"),
+        "None",
+        about,
+        body,
     )
 
 
@@ -277,7 +297,11 @@ def _either(flags: list[str]) -> Lines:
 def _give(publisher: Publisher, node: NodePlan) -> Lines:
     arguments = (f"out: {class_name(node.core.function)}Out", "stamp: Time")
     about = f"Send a message on {publisher.topic}."
-    message = lines(f"message = {_class_of(publisher.message)}(stamp=stamp)")
+    message = lines("\n".join([
+        f"message = {_class_of(publisher.message, node)}({'stamp=stamp' if publisher.stamp == 'stamp' else ''})",
+        *([f"message.{publisher.stamp} = stamp"] if publisher.stamp not in (None, "stamp") else []),
+        *(f"message.{each.field} = {_fixed(each.value)}" for each in publisher.fixed),
+    ]))  # fmt: skip
     if publisher.is_queue:
         (given,) = publisher.gives
         each = joined([message, *_filled(given, "value", node), lines(f"self._send_{publisher.member}(message)"),
@@ -291,6 +315,11 @@ def _give(publisher: Publisher, node: NodePlan) -> Lines:
             *(row for given in publisher.gives for row in _handed_over(given, _member(given, node), node)),
         ])  # fmt: skip
     return function(f"_give_{publisher.member}", arguments, "None", about, body)
+
+
+def _fixed(value: Any) -> str:
+    """A value of a document, as Python writes it."""
+    return repr(value) if isinstance(value, bool | int | float) else python_string(value)
 
 
 def _member(given: Given, node: NodePlan) -> str:
@@ -328,14 +357,14 @@ def _conversions(pair: StructPair, node: NodePlan) -> Iterator[Lines]:
     stem, items = _stem(pair), list(zip(pair.members, pair.struct.fields, strict=True))
     taken = [f"{python_string(member.name)}: {_struct_value(f'message.{field}', _wire(member.c, member.length, node), node)}"
              for field, member in items]  # fmt: skip
-    yield suite(f"def _{stem}_of(message: {_class_of(pair.message)}) -> Dict[str, Any]:",
+    yield suite(f"def _{stem}_of(message: {_class_of(pair.message, node)}) -> Dict[str, Any]:",
                 docstring(f"Answer a {pair.message.name} as the core takes it."),
                 (Line("return {"), *(Line(f"    {each},") for each in taken), Line("}")))  # fmt: skip
     given = [f"{field}={_message_value(f'value[{python_string(member.name)}]', _wire(member.c, member.length, node), node)}"
              for field, member in items]  # fmt: skip
-    yield suite(f"def _{stem}_message(value: Dict[str, Any]) -> {_class_of(pair.message)}:",
+    yield suite(f"def _{stem}_message(value: Dict[str, Any]) -> {_class_of(pair.message, node)}:",
                 docstring(f"Answer a {pair.message.name} that the core has given."),
-                exploded(f"return {_class_of(pair.message)}(", given))  # fmt: skip
+                exploded(f"return {_class_of(pair.message, node)}(", given))  # fmt: skip
 
 
 def _stem(pair: StructPair) -> str:
@@ -380,9 +409,12 @@ def _serve(service: MethodService, node: NodePlan) -> Lines:
         body.append(suite("if reply == OK:", filled))
     elif not service.success:
         body = [lines(body[0][0].text.replace(f"reply, {results} = ", ""))]
-    arguments = (f"request: {_class_of(service.service)}.Request", f"response: {_class_of(service.service)}.Response")
+    arguments = (
+        f"request: {_class_of(service.service, node)}.Request",
+        f"response: {_class_of(service.service, node)}.Response",
+    )
     about = f"Answer a request of {service.topic}."
-    result = f"{_class_of(service.service)}.Response"
+    result = f"{_class_of(service.service, node)}.Response"
     return function(f"_serve_{service.member}", arguments, result, about, *body, lines("return response"))
 
 
@@ -408,9 +440,9 @@ def _request(service: MethodService, node: NodePlan) -> Lines:
     is_ok = f"bool(response.{service.success})" if service.success else "True"
     body = joined([
         suite("with self.core_lock:", lines(f"number, {arguments} = self.core.request_{name}()")),
-        lines("\n".join([f"request = {_class_of(service.service)}.Request()", *filled])),
+        lines("\n".join([f"request = {_class_of(service.service, node)}.Request()", *filled])),
         (Line(""),),
-        suite(f"def answered(response: Optional[{_class_of(service.service)}.Response], t: int) -> None:",
+        suite(f"def answered(response: Optional[{_class_of(service.service, node)}.Response], t: int) -> None:",
               suite("if response is None:", lines(f"self.core.answer_{name}(number, False, {{}}, t)"), lines("return")),
               (Line("results = {"), *(Line(f"    {each},") for each in results), Line("}")) if results else lines("results: Dict[str, Any] = {}"),
               lines(f"self.core.answer_{name}(number, {is_ok}, results, t)")),

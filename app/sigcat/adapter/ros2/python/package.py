@@ -25,7 +25,10 @@ def core_stem(node: NodePlan) -> str:
 
 def description(workspace: WorkspacePlan) -> str:
     """package.xml."""
-    needed = [("exec_depend", name) for name in sorted((*_DEPENDENCIES, workspace.name, workspace.interfaces))]
+    needed = [
+        ("exec_depend", name)
+        for name in sorted({*_DEPENDENCIES, workspace.name, workspace.interfaces, *workspace.message_packages})
+    ]
     tested = [("test_depend", name) for name in _TEST_DEPENDENCIES]
     return package_xml(workspace.package, package_name(workspace), [*needed, *tested], "ament_python")
 

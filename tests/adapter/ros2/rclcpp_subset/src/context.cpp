@@ -122,6 +122,13 @@ Context::~Context()
   }
 }
 
+size_t Context::get_domain_id()
+{
+  size_t number = 0;
+  check(rcl_context_get_domain_id(&context_, &number), "domain");
+  return number;
+}
+
 bool Context::shutdown()
 {
   const std::lock_guard<std::recursive_mutex> lock(mutex_);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "rcl/graph.h"
 #include "rclcpp/exceptions.hpp"
 #include "time_source.hpp"
 
@@ -82,6 +83,22 @@ std::vector<Parameter> NodeParts::get_parameters(const std::vector<std::string> 
     parameters.push_back(parameters_->get(name));
   }
   return parameters;
+}
+
+size_t NodeParts::count_publishers(const std::string & topic) const
+{
+  size_t count = 0;
+  check(
+    rcl_count_publishers(base_->get_shared_rcl_node_handle().get(), topic.c_str(), &count), topic.c_str());
+  return count;
+}
+
+size_t NodeParts::count_subscribers(const std::string & topic) const
+{
+  size_t count = 0;
+  check(
+    rcl_count_subscribers(base_->get_shared_rcl_node_handle().get(), topic.c_str(), &count), topic.c_str());
+  return count;
 }
 
 }  // namespace rclcpp::detail

@@ -109,6 +109,13 @@ QoS & QoS::transient_local()
   return *this;
 }
 
+QoS & QoS::keep_last(size_t depth)
+{
+  profile_.history = RMW_QOS_POLICY_HISTORY_KEEP_LAST;
+  profile_.depth = depth;
+  return *this;
+}
+
 QoS & QoS::durability_volatile()
 {
   profile_.durability = RMW_QOS_POLICY_DURABILITY_VOLATILE;

@@ -2,7 +2,7 @@
 
 from threading import Condition
 from time import monotonic_ns
-from typing import Optional
+from typing import Any, Optional
 
 from builtin_interfaces.msg import Time as TimeMessage
 from rclpy.clock import JumpThreshold
@@ -33,6 +33,14 @@ class Clock:
     def is_stopped(self) -> bool:
         """Answer whether nobody waits any more."""
         return self._is_stopped
+
+    def has_gone_back(self) -> bool:
+        """
+        Answer whether the time of messages has gone back since this was asked last.
+
+        That of the core has not: it goes on from where it was.
+        """
+        return False
 
     def start(self) -> None:
         """Let threads wait again."""
@@ -90,16 +98,35 @@ class SimulatedClock(Clock):
     def __init__(self, node: Node) -> None:
         """Hear of every change of the node's time."""
         super().__init__(node)
+        self._gone_back = 0
+        self._is_back = False
+        self._last = self._node_time()
         tick = Duration(nanoseconds=1)
         back = Duration(nanoseconds=-1)
         threshold = JumpThreshold(min_forward=tick, min_backward=back, on_clock_change=True)
         self._jumps = node.get_clock().create_jump_callback(
-            threshold, post_callback=lambda _: self.wake()
+            threshold, post_callback=self._jumped
         )
+
+    def _jumped(self, _: Any) -> None:
+        t = self._node_time()
+        if t < self._last:
+            self._gone_back += self._last - t
+            self._is_back = True
+        self._last = t
+        self.wake()
+
+    def _node_time(self) -> int:
+        return max(int(self._node.get_clock().now().nanoseconds), 0)
+
+    def has_gone_back(self) -> bool:
+        """Answer whether it has since this was asked last."""
+        was, self._is_back = self._is_back, False
+        return was
 
     def now(self) -> int:
         """Answer the time that /clock had last."""
-        return max(int(self._node.get_clock().now().nanoseconds), 0)
+        return self._node_time() + self._gone_back
 
     def close(self) -> None:
         """Hear of changes no more."""

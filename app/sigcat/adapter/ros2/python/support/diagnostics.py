@@ -1,15 +1,40 @@
 """What a node tells people and aggregators on /diagnostics. No function listens to it."""
 
-from typing import Dict, Iterable, List, Optional, Tuple
+from time import monotonic
+from typing import Callable, Dict, Iterable, List, Optional, Tuple
 
 from builtin_interfaces.msg import Time
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 
-from .core import Call, CallCounts, Error, ErrorStatus, FAILED, HEALING, NOT_TESTED, PREFAILED
+from .core import Call, CallCounts, Error, ErrorStatus, FAILED, HEALING, PREFAILED
 
 STATES = ('NOT_TESTED', 'PASSED', 'PREFAILED', 'FAILED', 'HEALING')
 EVENTS = ('lost', 'skipped', 'deadline missed', 'liveliness lost', 'incompatible QoS')
 """What may become of messages and of a topic's quality of service."""
+
+
+class Recent:
+    """
+    Whether a count has grown lately, that is, within the last second or two.
+
+    A level holds that long, however often statuses are sent.
+    """
+
+    def __init__(self) -> None:
+        """Begin with nothing."""
+        self._before = 0
+        self._last = 0
+        self._begin = monotonic()
+
+    def grows(self, count: int) -> bool:
+        """Answer whether the count has grown."""
+        if monotonic() - self._begin >= 0.9:
+            self._before, self._last, self._begin = self._last, count, monotonic()
+        return count != self._before
+
+    def forget(self, count: int) -> None:
+        """Note that what has been counted so far does not matter."""
+        self._before = self._last = count
 
 
 class TopicCounts:
@@ -22,7 +47,10 @@ class TopicCounts:
         self.events = dict.fromkeys(EVENTS, 0)
         self._rate = 0.0
         self._told_messages = 0
-        self._told_events = 0
+        self.has_stranger: Callable[[], bool] = lambda: False
+        """Whether another end of the topic is there that is not connected with this one."""
+        self._losses = Recent()
+        self._promises = Recent()
         self._sequence_number = 0
 
     def skipped_before(self, sequence_number: Optional[int]) -> int:
@@ -39,15 +67,27 @@ class TopicCounts:
         self._rate = (self.messages - self._told_messages) / seconds
         self._told_messages = self.messages
 
-    def status(self, node: str) -> DiagnosticStatus:
-        """Answer what is to be told of it."""
-        events = sum(self.events.values())
-        is_worse, self._told_events = events != self._told_events, events
-        level = DiagnosticStatus.WARN if is_worse else DiagnosticStatus.OK
-        message = 'Messages or promises were lost.' if is_worse else ''
+    def status(self, node: str, *, has_calls: bool) -> DiagnosticStatus:
+        """Answer its status. Deadlines are missed as they should be while no call runs."""
+        message = self._problem(has_calls=has_calls)
+        level = DiagnosticStatus.WARN if message else DiagnosticStatus.OK
         values = {'messages': str(self.messages), 'rate [Hz]': f'{self._rate:.6f}'}
         values.update((name, str(total)) for name, total in self.events.items())
         return _status(node, self.name, (level, message, values))
+
+    def _problem(self, *, has_calls: bool) -> str:
+        """Answer what is wrong at present."""
+        found = []
+        if self.events['incompatible QoS'] and self.has_stranger():
+            found.append('An end of the topic has a quality of service that does not fit.')
+        if self._losses.grows(self.events['lost'] + self.events['skipped']):
+            found.append('Messages are lost.')
+        missed = self.events['deadline missed'] + self.events['liveliness lost']
+        if not has_calls:
+            self._promises.forget(missed)
+        elif self._promises.grows(missed):
+            found.append('Messages are late.')
+        return ' '.join(found)
 
 
 class CallTimes:
@@ -56,7 +96,9 @@ class CallTimes:
     def __init__(self) -> None:
         """Begin with nothing."""
         self.steps = 0
-        self.told_missed = 0
+        self.missed = Recent()
+        self._steps = Recent()
+        self._dropped = Recent()
         self._last = {'t_adapter': 0, 't_logic': 0}
         self._longest = {'t_adapter': 0, 't_logic': 0}
 
@@ -65,6 +107,11 @@ class CallTimes:
         self.steps += 1
         self._last = {'t_adapter': adapter, 't_logic': logic}
         self._longest = {name: max(self._longest[name], t) for name, t in self._last.items()}
+
+    def is_excluded(self, dropped: int) -> bool:
+        """Answer whether the mode excludes the call."""
+        has_run = self._steps.grows(self.steps)
+        return self._dropped.grows(dropped) and not has_run
 
     def values(self) -> Dict[str, str]:
         """Answer all of it, times in microseconds."""
@@ -78,9 +125,7 @@ class CallTimes:
 def error_status(node: str, error: Error, status: ErrorStatus) -> DiagnosticStatus:
     """Answer the status of an error."""
     level = DiagnosticStatus.OK
-    if status.state == NOT_TESTED:
-        level = DiagnosticStatus.STALE
-    elif status.state == PREFAILED:
+    if status.state == PREFAILED:
         level = DiagnosticStatus.WARN
     elif status.state in (FAILED, HEALING):
         level = DiagnosticStatus.WARN if error.is_mild else DiagnosticStatus.ERROR
@@ -97,7 +142,7 @@ def error_status(node: str, error: Error, status: ErrorStatus) -> DiagnosticStat
 
 def call_status(node: str, call: Call, counts: CallCounts, times: CallTimes) -> DiagnosticStatus:
     """Answer the status of a call."""
-    is_late, times.told_missed = counts.missed != times.told_missed, counts.missed
+    is_late = times.missed.grows(counts.missed)
     level = DiagnosticStatus.WARN if is_late else DiagnosticStatus.OK
     message = 'Releases were missed.' if is_late else ''
     values = times.values()

@@ -10,24 +10,23 @@ from rclpy.task import Future
 
 try:
     from rclpy.experimental import EventsExecutor
-except ImportError:  # the first releases of rclpy for Jazzy do not have it
+except ImportError:  # Humble and the first releases of rclpy for Jazzy do not have it
     EventsExecutor = None
 
 LONGEST = 3600.0
 """Seconds for which events are waited for at once: without an end, some releases never wake."""
 
 
-def spin_node(node: Node, failure: Future, *, offers_methods: bool) -> None:
+def spin_node(node: Node, failure: Future) -> None:
     """
     Run the callbacks of a node until its context ends, or until `failure` has an exception.
 
     It is raised then, as is one of a callback that the executor calls itself.
 
     An executor of events is told what has come, and does not ask every entity each time: that
-    takes a fraction of the processor. It has one thread. A node that offers methods has several:
-    a method waits until a call has ended, and messages do not wait for that.
+    takes a fraction of the processor.
     """
-    if EventsExecutor is None or offers_methods:
+    if EventsExecutor is None:
         executor: Any = MultiThreadedExecutor(num_threads=4)
         executor.add_node(node)
         failure.add_done_callback(lambda _: executor.wake())

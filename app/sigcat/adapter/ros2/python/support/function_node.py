@@ -5,6 +5,7 @@ Configuring initializes the function; while the node is active, a thread of its 
 calls; whatever ends it, terminates the function once. Subscriptions only hand values over.
 """
 
+from concurrent.futures import ThreadPoolExecutor
 import os
 from pathlib import Path
 from signal import SIGINT, signal
@@ -12,7 +13,7 @@ import sys
 from threading import Lock, Thread
 from time import monotonic_ns
 import traceback
-from typing import Any, Callable, Dict, List, Optional
+from typing import Any, Callable, Dict, List, Optional, Tuple
 
 from builtin_interfaces.msg import Time
 from diagnostic_msgs.msg import DiagnosticArray
@@ -31,7 +32,7 @@ from . import diagnostics, storage
 from .clock import Clock, LockStepClock, SimulatedClock, SteadyClock
 from .core import Core, NO_CALL
 from .executor import spin_node
-from .parameters import Parameters
+from .parameters import ANY, Limits, Parameters
 from .stored_text import BrokenFile
 from .topics import Topics
 from .watch import Watch
@@ -52,9 +53,6 @@ class FunctionNode(LifecycleNode):
     policy = 'other'
     """Default of the parameter `scheduling_policy`."""
 
-    offers_methods = False
-    """Whether others may ask for what has to wait until a call has ended."""
-
     def __init__(self, name: str, core: Core, step_service: Any, **options: Any) -> None:
         """Declare parameters; topics come when the node is configured."""
         super().__init__(name, **options)
@@ -67,6 +65,7 @@ class FunctionNode(LifecycleNode):
         self._is_active = False
         self._is_in_lock_step = False
         self._watch: Optional[Watch] = None
+        self._methods: Optional[ThreadPoolExecutor] = None
         self._core_clock: Any = SteadyClock(self)
         self._thread: Optional[Thread] = None
         self._step_service = step_service
@@ -117,6 +116,7 @@ class FunctionNode(LifecycleNode):
             self.get_logger().error(f'The initialization of {self._core.function} has failed')
             return TransitionCallbackReturn.FAILURE
         self._core_clock = self._make_clock()
+        self._topics.keeps_all = self._is_in_lock_step
         self.create_topics()
         if self._is_in_lock_step:
             service = self.create_service(self._step_service, '~/step', self._on_step)
@@ -167,6 +167,7 @@ class FunctionNode(LifecycleNode):
             self._start()
             self._is_active = True
             return
+        self._is_active = True
         if any(call.longest is not None for call in self._core.calls):
             self._watch = Watch(self._supervise)
         self._thread = Thread(target=self._run, name=self.get_name(), daemon=True)
@@ -193,6 +194,9 @@ class FunctionNode(LifecycleNode):
         if not self._is_initialized:
             return
         self._is_initialized = False
+        if self._methods is not None:
+            self._methods.shutdown()
+            self._methods = None
         with self._call_lock, self.core_lock:
             self._core.terminate(self._core_clock.now())
         if self._storage is not None:
@@ -244,6 +248,9 @@ class FunctionNode(LifecycleNode):
             if self._core_clock.wait_until(due):
                 self._start()
             while self._core_clock.wait_until(due):
+                if self._core_clock.has_gone_back():
+                    self.get_logger().warning('The time has gone back: the clocks start again')
+                    self._start()
                 self._run_due_calls()
                 with self.core_lock:
                     due = self._core.next_time()
@@ -349,12 +356,25 @@ class FunctionNode(LifecycleNode):
             self._core_clock.wake()
 
     def offer(self, service: Any, name: str, serve: Callable[[Any, Any], Any]) -> None:
-        """Offer a method, which runs while no call does."""
-        def answer(request: Any, response: Any) -> Any:
-            with self._call_lock:
-                return serve(request, response)
+        """
+        Offer a method, which runs while no call does.
 
-        made = self.create_service(service, name, answer)
+        It waits for the call in a thread of the methods: the executor takes messages meanwhile.
+        """
+        if self._methods is None:
+            self._methods = ThreadPoolExecutor(max_workers=1)
+        made = self.create_service(service, name, lambda request, response: (request, response))
+        submit, send = self._methods.submit, made.send_response
+
+        def answer(asked: Tuple[Any, Any], header: Any) -> None:
+            try:
+                with self._call_lock:
+                    response = serve(*asked)
+                send(response, header)
+            except Exception as error:
+                self.failure.set_exception(error)
+
+        made.send_response = lambda asked, header: submit(answer, asked, header)
         self._entities.append(lambda: self.destroy_service(made))
 
     def use(self, service: Any, name: str) -> Any:
@@ -402,17 +422,19 @@ class FunctionNode(LifecycleNode):
 
     # -- parameters ---------------------------------------------------------------------
 
-    def declare(self, name: str, default: Any, descriptor: ParameterDescriptor) -> None:
+    def declare(
+        self, name: str, default: Any, descriptor: ParameterDescriptor, limits: Limits = ANY,
+    ) -> None:
         """Declare a parameter of the function."""
-        self._function_parameters.declare(name, default, descriptor)
+        self._function_parameters.declare(name, default, descriptor, limits)
 
     # -- storage ------------------------------------------------------------------------
 
     def _make_storage(self) -> storage.Storage:
         folder = self._function_parameters.value('storage_folder')
         path = Path(folder) if folder else storage.default_folder(self._core.package)
-        name = self.get_fully_qualified_name()
-        return storage.Storage(storage.file_of(path, name), self._core)
+        name, domain = self.get_fully_qualified_name(), self.context.get_domain_id()
+        return storage.Storage(storage.file_of(path, name, domain), self._core)
 
     def _load(self) -> Dict[str, Any]:
         if not self._is_stored:
@@ -457,7 +479,9 @@ class FunctionNode(LifecycleNode):
         ]
         if self.priority is not None or self._scheduling_problem:
             statuses.append(diagnostics.scheduling_status(node, self._scheduling_problem))
-        statuses += self._topics.statuses(node)
+        excluded = [times.is_excluded(count.dropped) for count, times in zip(calls, self._times)]
+        has_calls = self._is_active and not (excluded and all(excluded))
+        statuses += self._topics.statuses(node, has_calls=has_calls)
         stamp = self.get_clock().now().to_msg()
         self._diagnostics.publish(diagnostics.diagnostic_array(stamp, statuses))
 
@@ -475,7 +499,7 @@ def spin(make: Callable[[], FunctionNode], args: Optional[List[str]] = None) -> 
         rclpy.try_shutdown()
         sys.exit(1)
     try:
-        spin_node(node, node.failure, offers_methods=node.offers_methods)
+        spin_node(node, node.failure)
     except ExternalShutdownException:
         pass
     except Exception:

@@ -1,7 +1,8 @@
 """Parameters of a node: settings that every node has, and those that its core takes."""
 
+import math
 from threading import Lock
-from typing import Any, Callable, Dict, Mapping, Optional, Sequence
+from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Tuple
 
 from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
 from rclpy.exceptions import InvalidParameterValueException
@@ -12,6 +13,9 @@ from .core import Core
 
 POLICIES = ('other', 'fifo', 'rr')
 """Of the thread that runs the calls."""
+Limits = Tuple[float, float]
+"""Smallest and largest value of a parameter, in its unit."""
+ANY: Limits = (-math.inf, math.inf)
 CoreParameters = Callable[[Callable[[str], Any]], Dict[str, Any]]
 """Parameters of the core, from what answers those of the node."""
 
@@ -28,6 +32,7 @@ class Parameters:
         self._core_lock = core_lock
         self._core_parameters = core_parameters
         self._defaults: Dict[str, Any] = {}
+        self._limits: Dict[str, Limits] = {}
 
     def declare_settings(self, policy: str, priority: Optional[int], *, is_stored: bool) -> None:
         """
@@ -62,9 +67,12 @@ class Parameters:
         self._node.declare_parameter(name, default, ParameterDescriptor(
             description=description, additional_constraints=constraints, read_only=True))
 
-    def declare(self, name: str, default: Any, descriptor: ParameterDescriptor) -> None:
+    def declare(
+        self, name: str, default: Any, descriptor: ParameterDescriptor, limits: Limits = ANY,
+    ) -> None:
         """Declare a parameter of the function."""
         self._defaults[name] = default
+        self._limits[name] = limits
         self._node.declare_parameter(name, default, descriptor)
 
     def value(self, name: str) -> Any:
@@ -104,8 +112,19 @@ class Parameters:
                 })
         except (TypeError, ValueError, OverflowError) as error:
             return SetParametersResult(successful=False, reason=str(error))
-        reason = '' if is_taken else 'a parameter is out of its range'
+        reason = '' if is_taken else self._refusal(changed or {
+            name: self.value(name) for name in self._defaults})
         return SetParametersResult(successful=is_taken, reason=reason)
+
+    def _refusal(self, values: Mapping[str, Any]) -> str:
+        """Answer which parameter the core refuses, and what its limits are."""
+        for name, value in values.items():
+            low, high = self._limits.get(name, ANY)
+            elements = [value] if isinstance(value, (int, float)) else value
+            if any(isinstance(each, (int, float)) and not low <= each <= high
+                   for each in elements):
+                return f'{name} must be from {low:g} to {high:g}'
+        return f'{", ".join(values)}: a value is out of its range'
 
 
 def symbol(numbers: Mapping[str, int], text: Any) -> int:

@@ -2,6 +2,7 @@
 
 import os
 from pathlib import Path
+from tempfile import mkstemp
 from typing import Any, Dict, Mapping, Sequence, Tuple
 
 from .core import Core, Leaf
@@ -21,9 +22,14 @@ def default_folder(package: str) -> Path:
     return Path(os.environ.get('ROS_HOME') or Path.home() / '.ros') / package
 
 
-def file_of(folder: Path, node: str) -> Path:
-    """Answer the file of a node, which is given with its namespace: `/ego/core_acc`."""
-    return folder / f'{node.strip("/").replace("/", ".")}.txt'
+def file_of(folder: Path, node: str, domain: int) -> Path:
+    """
+    Answer the file of a node, which is given with its namespace: `/ego/core_acc`.
+
+    Its name has the domain, unless that is 0.
+    """
+    ending = f'-{domain}' if domain else ''
+    return folder / f'{node.strip("/").replace("/", ".")}{ending}.txt'
 
 
 class Storage:
@@ -74,9 +80,11 @@ class Storage:
 
 def _write(path: Path, data: bytes) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
-    new = path.with_name(f'{path.name}.new')
+    number, name = mkstemp(dir=path.parent, prefix=f'{path.name}.')
+    new = Path(name)
     try:
-        with new.open('wb') as file:
+        with os.fdopen(number, 'wb') as file:
+            os.fchmod(number, 0o644)
             file.write(data)
             file.flush()
             os.fsync(file.fileno())

@@ -14,6 +14,9 @@ from .events import publisher_events, subscription_events
 from .executor import has_threads
 from .message_info import with_sequence_number
 
+ALL_OF_A_STEP = 1000
+"""Messages of a topic that are kept in lock step until they are taken."""
+
 
 class Topics:
     """All topics of a node."""
@@ -23,6 +26,8 @@ class Topics:
         self.received = 0
         """Messages that have been taken in all, and whose values are stored."""
         self.sent = 0
+        self.keeps_all = False
+        """Whether nothing may be lost, as in lock step, however many messages a step sends."""
         self._node = node
         self._group = MutuallyExclusiveCallbackGroup()
         self._counts: List[TopicCounts] = []
@@ -34,7 +39,7 @@ class Topics:
         self, message: Any, topic: str, quality: QoSProfile, take: Callable[[Any], None],
     ) -> None:
         """Subscribe to a topic whose messages `take` stores."""
-        counts = TopicCounts(f'subscription {topic}')
+        counts = TopicCounts(f'subscription {self._shown(topic)}')
 
         def taken(value: Any, sequence_number: Optional[int]) -> None:
             take(value)
@@ -47,20 +52,26 @@ class Topics:
                 self._has_received.notify_all()
 
         subscription = self._node.create_subscription(
-            message, topic, with_sequence_number(taken), quality,
+            message, topic, with_sequence_number(taken), self._kept(quality),
             callback_group=self._group, event_callbacks=subscription_events(quality, counts),
         )
+        counts.has_stranger = lambda: (
+            self._node.count_publishers(subscription.topic_name)
+            > subscription.get_publisher_count())
         self._counts.append(counts)
         self._subscriptions.append(subscription)
         self._destroyers.append(lambda: self._node.destroy_subscription(subscription))
 
     def advertise(self, message: Any, topic: str, quality: QoSProfile) -> Callable[[Any], None]:
         """Advertise a topic, and answer what sends a message on it while the node is active."""
-        counts = TopicCounts(f'publisher {topic}')
+        counts = TopicCounts(f'publisher {self._shown(topic)}')
         publisher = self._node.create_lifecycle_publisher(
-            message, topic, quality, callback_group=self._group,
+            message, topic, self._kept(quality), callback_group=self._group,
             event_callbacks=publisher_events(quality, counts),
         )
+        counts.has_stranger = lambda: (
+            self._node.count_subscribers(publisher.topic_name)
+            > publisher.get_subscription_count())
         self._counts.append(counts)
         self._destroyers.append(lambda: self._node.destroy_lifecycle_publisher(publisher))
 
@@ -71,6 +82,14 @@ class Topics:
                 self.sent += 1
 
         return send
+
+    def _shown(self, topic: str) -> str:
+        return self._node.get_name() + topic[1:] if topic.startswith('~/') else topic
+
+    def _kept(self, quality: QoSProfile) -> QoSProfile:
+        if self.keeps_all:
+            quality.depth = ALL_OF_A_STEP
+        return quality
 
     def wait_for_received(self, count: int, longest: float) -> bool:
         """Answer whether so many messages have been taken in all, `longest` seconds from now."""
@@ -103,9 +122,9 @@ class Topics:
         for counts in self._counts:
             counts.tick(seconds)
 
-    def statuses(self, node: str) -> List[DiagnosticStatus]:
+    def statuses(self, node: str, *, has_calls: bool) -> List[DiagnosticStatus]:
         """Answer a status of each topic."""
-        return [counts.status(node) for counts in list(self._counts)]
+        return [counts.status(node, has_calls=has_calls) for counts in list(self._counts)]
 
     def clear(self) -> None:
         """Destroy all of them, and begin anew."""

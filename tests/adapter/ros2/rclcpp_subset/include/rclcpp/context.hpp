@@ -31,6 +31,7 @@ public:
 
   bool shutdown();
   bool is_valid() const {return rcl_context_is_valid(&context_);}
+  size_t get_domain_id();
   rcl_context_t * handle() {return &context_;}
 
   /// Calls it when the context is shut down, until it is removed.

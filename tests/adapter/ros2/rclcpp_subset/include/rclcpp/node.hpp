@@ -127,6 +127,9 @@ public:
     return parameters_->add_on_set(std::move(callback));
   }
 
+  size_t count_publishers(const std::string & topic) const;
+  size_t count_subscribers(const std::string & topic) const;
+
   NodeParts(const NodeParts &) = delete;
   NodeParts & operator=(const NodeParts &) = delete;
 

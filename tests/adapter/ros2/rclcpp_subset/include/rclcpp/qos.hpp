@@ -32,6 +32,7 @@ public:
   QoS(size_t depth)  // NOLINT: rclcpp converts, too
   : QoS(KeepLast(depth)) {}
 
+  QoS & keep_last(size_t depth);
   QoS & reliable();
   QoS & best_effort();
   QoS & transient_local();

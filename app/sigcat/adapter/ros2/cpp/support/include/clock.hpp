@@ -3,6 +3,7 @@
 #ifndef PACKAGE_GUARD__CLOCK_HPP_
 #define PACKAGE_GUARD__CLOCK_HPP_
 
+#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <memory>
@@ -26,6 +27,10 @@ public:
 
   /// The present time as messages have it.
   virtual builtin_interfaces::msg::Time stamp() const = 0;
+
+  /// Whether the time of messages has gone back since this was asked last. That of the calls has
+  /// not: it goes on from where it was.
+  virtual bool has_gone_back() {return false;}
 
   /// Waits until it is `time`, which does not drift, or until wake(). False after stop().
   bool wait_until(uint64_t time);
@@ -64,17 +69,21 @@ private:
   rclcpp::Clock::SharedPtr node_clock_;
 };
 
-/// Simulated time, from /clock: it stands still, runs as fast as it likes, and is 0 at first.
+/// Simulated time, from /clock: it stands still, runs as fast as it likes, goes back, and is 0 at
+/// first.
 class SimulatedClock final : public Clock
 {
 public:
   explicit SimulatedClock(rclcpp::Clock::SharedPtr node_clock);
   uint64_t now() const override;
   builtin_interfaces::msg::Time stamp() const override;
+  bool has_gone_back() override {return is_back_.exchange(false);}
 
 private:
   void wait(std::unique_lock<std::mutex> & lock, uint64_t time) override;
 
+  std::atomic<int64_t> gone_back_{0};  // in all
+  std::atomic<bool> is_back_{false};
   rclcpp::Clock::SharedPtr node_clock_;
   rclcpp::JumpHandler::SharedPtr jumps_;
 };

@@ -12,6 +12,35 @@
 namespace PACKAGE_NAME
 {
 
+/// Whether a count has grown lately, that is, within the last second or two: a level holds that
+/// long, however often statuses are sent.
+class Recent
+{
+public:
+  bool grows(uint64_t count)
+  {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - begin_ >= std::chrono::milliseconds(900)) {
+      before_ = last_;
+      last_ = count;
+      begin_ = now;
+    }
+    return count != before_;
+  }
+
+  /// What has been counted so far does not matter.
+  void forget(uint64_t count)
+  {
+    before_ = count;
+    last_ = count;
+  }
+
+private:
+  uint64_t before_ = 0;
+  uint64_t last_ = 0;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
 /// A name that differs between namespaces, without the slash that all begin with: `ego/core_acc`.
 std::string unique_name(const std::string & fully_qualified_name);
 
@@ -71,7 +100,8 @@ struct CallReport
   uint64_t steps = 0;
   uint64_t missed = 0;
   uint64_t dropped = 0;
-  bool is_late = false;  // whether releases were missed since the report before
+  bool is_late = false;  // whether releases were missed lately
+  bool is_excluded = false;  // whether the mode excludes it
   uint64_t adapter = 0;  // the last one
   uint64_t logic = 0;
   uint64_t longest_adapter = 0;
@@ -90,6 +120,9 @@ public:
 
 private:
   CallReport last_;
+  Recent steps_;
+  Recent missed_;
+  Recent dropped_;
 };
 
 }  // namespace PACKAGE_NAME

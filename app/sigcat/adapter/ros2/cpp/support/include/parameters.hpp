@@ -3,16 +3,19 @@
 #ifndef PACKAGE_GUARD__PARAMETERS_HPP_
 #define PACKAGE_GUARD__PARAMETERS_HPP_
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 #include "PACKAGE_NAME/values.hpp"
 #include "rcl_interfaces/msg/parameter_descriptor.hpp"
+#include "rclcpp/rclcpp.hpp"
 
 namespace PACKAGE_NAME
 {
@@ -120,6 +123,55 @@ void start_with(
   if (!stored.is_there && value != standard) {
     stored.is_there = take(symbols, value, stored.value);
   }
+}
+
+/// The limits of a parameter, in its unit.
+struct Limits
+{
+  const char * name;
+  double low;
+  double high;
+
+  bool has(const rclcpp::Parameter & parameter) const
+  {
+    const auto is_inside = [this](auto value) {
+        return static_cast<double>(value) >= low && static_cast<double>(value) <= high;
+      };
+    const auto are_inside = [&is_inside](const auto & values) {
+        return std::all_of(values.begin(), values.end(), is_inside);
+      };
+    switch (parameter.get_type()) {
+      case rclcpp::ParameterType::PARAMETER_INTEGER:
+        return is_inside(parameter.as_int());
+      case rclcpp::ParameterType::PARAMETER_DOUBLE:
+        return is_inside(parameter.as_double());
+      case rclcpp::ParameterType::PARAMETER_INTEGER_ARRAY:
+        return are_inside(parameter.as_integer_array());
+      case rclcpp::ParameterType::PARAMETER_DOUBLE_ARRAY:
+        return are_inside(parameter.as_double_array());
+      default:
+        return true;
+    }
+  }
+};
+
+/// Which parameter the core refuses, and what its limits are.
+inline std::string refusal(
+  const std::vector<rclcpp::Parameter> & parameters, const std::vector<Limits> & limits)
+{
+  std::string names;
+  for (const rclcpp::Parameter & parameter : parameters) {
+    const std::string & name = parameter.get_name();
+    const auto is_own = [&name](const Limits & each) {return name == each.name;};
+    const auto own = std::find_if(limits.begin(), limits.end(), is_own);
+    if (own != limits.end() && !own->has(parameter)) {
+      std::ostringstream text;
+      text << name << " must be from " << own->low << " to " << own->high;
+      return text.str();
+    }
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  return names + ": a value is out of its range";
 }
 
 }  // namespace PACKAGE_NAME

@@ -3,6 +3,7 @@
 #ifndef PACKAGE_GUARD__STORAGE_HPP_
 #define PACKAGE_GUARD__STORAGE_HPP_
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 
@@ -13,7 +14,9 @@ namespace PACKAGE_NAME
 {
 
 /// The file of a node in a folder; an empty one is $ROS_HOME/PACKAGE_NAME, or ~/.ros/PACKAGE_NAME.
-std::filesystem::path storage_file(const std::string & folder, const std::string & node);
+/// Its name has the domain, unless that is 0.
+std::filesystem::path storage_file(
+  const std::string & folder, const std::string & node, std::size_t domain);
 
 class Storage
 {

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -15,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "PACKAGE_NAME/diagnostics.hpp"
 #include "diagnostic_msgs/msg/diagnostic_status.hpp"
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp_lifecycle/lifecycle_node.hpp"
@@ -36,10 +38,14 @@ struct TopicCounts
   std::atomic<uint64_t> liveliness_lost{0};
   std::atomic<uint64_t> incompatible_qos{0};
 
-  /// Of the last status, for rate and level.
+  /// Whether another end of the topic is there that is not connected with this one.
+  std::function<bool()> has_stranger = [] {return false;};
+
+  /// For rate and level.
   uint64_t told_messages = 0;
-  uint64_t told_events = 0;
   double rate = 0.0;
+  Recent losses;
+  Recent promises;
 
   /// Sequence number of the last message of each publisher.
   std::map<std::array<uint8_t, RMW_GID_STORAGE_SIZE>, uint64_t> sequence_numbers;
@@ -51,6 +57,13 @@ class Topics
 public:
   /// Begins anew. There may be no publisher or subscription.
   void clear();
+
+  /// In lock step nothing may be lost: publishers and subscriptions that are made next keep
+  /// messages until they are taken, however many a step sends.
+  void keep_all(bool is_on);
+
+  /// The quality of service of an end, as declared or, in lock step, with room for all messages.
+  rclcpp::QoS quality(rclcpp::QoS declared) const;
 
   std::shared_ptr<TopicCounts> add(const std::string & topic, bool is_sent);
 
@@ -64,13 +77,16 @@ public:
   /// Whether as many messages have been taken in all, at the latest after `longest`.
   bool wait_for_received(uint64_t count, std::chrono::seconds longest);
 
-  /// A status of each topic. A warning says that something was lost since the one before.
+  /// A status of each topic. A warning says that an end of it does not fit, that messages are
+  /// lost, or that deadlines are missed, which is as it should be while no call runs.
   void tell(
-    const std::string & node, std::vector<diagnostic_msgs::msg::DiagnosticStatus> & statuses);
+    const std::string & node, bool has_calls,
+    std::vector<diagnostic_msgs::msg::DiagnosticStatus> & statuses);
 
 private:
   mutable std::mutex mutex_;
   std::condition_variable changed_;
+  bool keeps_all_ = false;
   uint64_t received_ = 0;
   std::vector<std::shared_ptr<TopicCounts>> counts_;
   std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
@@ -87,6 +103,9 @@ rclcpp::PublisherOptions publisher_options(
   const std::shared_ptr<TopicCounts> & counts, const rclcpp::CallbackGroup::SharedPtr & group,
   const rclcpp::QoS & qos);
 
+/// What a topic is called in diagnostics: without the sign for the name of the node.
+std::string shown(const rclcpp_lifecycle::LifecycleNode & node, const std::string & topic);
+
 /// A lifecycle publisher whose messages are counted.
 template<typename MessageT>
 class CountingPublisher
@@ -95,9 +114,16 @@ public:
   CountingPublisher(
     rclcpp_lifecycle::LifecycleNode & node, Topics & topics, const std::string & topic,
     const rclcpp::QoS & qos, const rclcpp::CallbackGroup::SharedPtr & group)
-  : counts_(topics.add(topic, true)),
-    publisher_(node.create_publisher<MessageT>(topic, qos, publisher_options(counts_, group, qos)))
+  : counts_(topics.add(shown(node, topic), true)),
+    publisher_(node.create_publisher<MessageT>(
+        topic, topics.quality(qos), publisher_options(counts_, group, qos)))
   {
+    const auto base = std::weak_ptr<rclcpp::PublisherBase>(publisher_);
+    counts_->has_stranger = [&node, base] {
+        const auto made = base.lock();
+        return made != nullptr &&
+               node.count_subscribers(made->get_topic_name()) > made->get_subscription_count();
+      };
   }
 
   void publish(const MessageT & message)
@@ -117,14 +143,21 @@ typename rclcpp::Subscription<MessageT>::SharedPtr subscribe(
   rclcpp_lifecycle::LifecycleNode & node, Topics & topics, const std::string & topic,
   const rclcpp::QoS & qos, const rclcpp::CallbackGroup::SharedPtr & group, TakeT take)
 {
-  const auto counts = topics.add(topic, false);
-  return node.create_subscription<MessageT>(
-    topic, qos,
+  const auto counts = topics.add(shown(node, topic), false);
+  const auto made = node.create_subscription<MessageT>(
+    topic, topics.quality(qos),
     [&topics, counts, take](const MessageT & message, const rclcpp::MessageInfo & info) {
       take(message);
       topics.taken(*counts, info.get_rmw_message_info());
     },
     subscription_options(counts, group, qos));
+  const auto base = std::weak_ptr<rclcpp::SubscriptionBase>(made);
+  counts->has_stranger = [&node, base] {
+      const auto one = base.lock();
+      return one != nullptr &&
+             node.count_publishers(one->get_topic_name()) > one->get_publisher_count();
+    };
+  return made;
 }
 
 }  // namespace PACKAGE_NAME

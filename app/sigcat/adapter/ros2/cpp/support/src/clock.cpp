@@ -91,7 +91,13 @@ SimulatedClock::SimulatedClock(rclcpp::Clock::SharedPtr node_clock)
   any.on_clock_change = true;
   any.min_forward.nanoseconds = 1;
   any.min_backward.nanoseconds = -1;
-  const auto has_jumped = [this](const rcl_time_jump_t &) {
+  const auto has_jumped = [this](const rcl_time_jump_t & jump) {
+      if (jump.clock_change == RCL_ROS_TIME_NO_CHANGE && jump.delta.nanoseconds < 0) {
+        gone_back_ -= jump.delta.nanoseconds;
+        is_back_ = true;
+        wake();
+        return;
+      }
       {
         const std::lock_guard<std::mutex> lock(mutex_);
       }
@@ -102,7 +108,7 @@ SimulatedClock::SimulatedClock(rclcpp::Clock::SharedPtr node_clock)
 
 uint64_t SimulatedClock::now() const
 {
-  return static_cast<uint64_t>(node_clock_->now().nanoseconds());
+  return static_cast<uint64_t>(node_clock_->now().nanoseconds() + gone_back_);
 }
 
 builtin_interfaces::msg::Time SimulatedClock::stamp() const

@@ -23,9 +23,9 @@ uint8_t level_of(const ErrorReport & report)
     case ErrorState::FAILED:
     case ErrorState::HEALING:
       return report.failed_level;
-    case ErrorState::NOT_TESTED:
+    case ErrorState::NOT_TESTED:  // no fault: aggregators rank STALE as the worst
     default:
-      return DiagnosticStatus::STALE;
+      return DiagnosticStatus::OK;
   }
 }
 
@@ -117,7 +117,9 @@ void CallTimes::add(uint64_t adapter, uint64_t logic)
 
 CallReport CallTimes::report(uint64_t missed, uint64_t dropped)
 {
-  last_.is_late = missed != last_.missed;
+  const bool has_run = steps_.grows(last_.steps);
+  last_.is_late = missed_.grows(missed);
+  last_.is_excluded = dropped_.grows(dropped) && !has_run;
   last_.missed = missed;
   last_.dropped = dropped;
   return last_;

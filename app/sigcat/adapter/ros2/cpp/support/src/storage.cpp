@@ -1,10 +1,12 @@
 #include "PACKAGE_NAME/storage.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstddef>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -22,14 +24,15 @@ namespace PACKAGE_NAME
 namespace
 {
 
-/// Writes a file so that it stays, whatever happens next. 0, or the error that it cannot.
-int write_file(const std::filesystem::path & path, const std::string & text)
+/// Writes a file that no other process writes, so that it stays, whatever happens next. `path`
+/// ends with the letters for its own part of the name. 0, or the error that it cannot.
+int write_file(std::string & path, const std::string & text)
 {
-  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  const int file = mkostemp(path.data(), O_CLOEXEC);
   if (file < 0) {
     return errno;
   }
-  int error = 0;
+  int error = fchmod(file, S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH) == 0 ? 0 : errno;
   std::size_t written = 0;
   while (error == 0 && written < text.size()) {
     const ssize_t count = write(file, text.data() + written, text.size() - written);
@@ -59,7 +62,8 @@ void sync_folder(const std::filesystem::path & path)
 
 }  // namespace
 
-std::filesystem::path storage_file(const std::string & folder, const std::string & node)
+std::filesystem::path storage_file(
+  const std::string & folder, const std::string & node, std::size_t domain)
 {
   std::filesystem::path path = folder;
   if (folder.empty()) {
@@ -71,7 +75,7 @@ std::filesystem::path storage_file(const std::string & folder, const std::string
   }
   std::string name = node.substr(node.find_first_not_of('/'));
   std::replace(name.begin(), name.end(), '/', '.');
-  return path / (name + ".txt");
+  return path / (name + (domain == 0U ? "" : "-" + std::to_string(domain)) + ".txt");
 }
 
 Storage::Storage(std::filesystem::path file, rclcpp::Logger logger)
@@ -112,8 +116,7 @@ void Storage::set_aside()
 
 void Storage::save()
 {
-  std::filesystem::path next = file_;
-  next += ".new";
+  std::string next = file_.string() + ".XXXXXX";
   std::error_code error;
   std::filesystem::create_directories(file_.parent_path(), error);
   const int problem = write_file(next, stored_text(values_));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstddef>
 #include <iterator>
 #include <memory>
 #include <mutex>
@@ -18,12 +19,29 @@ namespace PACKAGE_NAME
 
 using diagnostic_msgs::msg::DiagnosticStatus;
 
+namespace
+{
+
+constexpr std::size_t kAllOfAStep = 1000;
+
+}  // namespace
+
 void Topics::clear()
 {
   const std::lock_guard<std::mutex> lock(mutex_);
   counts_.clear();
   received_ = 0;
   told_ = std::chrono::steady_clock::now();
+}
+
+void Topics::keep_all(bool is_on)
+{
+  keeps_all_ = is_on;
+}
+
+rclcpp::QoS Topics::quality(rclcpp::QoS declared) const
+{
+  return keeps_all_ ? declared.keep_last(kAllOfAStep) : declared;
 }
 
 std::shared_ptr<TopicCounts> Topics::add(const std::string & topic, bool is_sent)
@@ -89,7 +107,32 @@ bool Topics::wait_for_received(uint64_t count, std::chrono::seconds longest)
   return changed_.wait_for(lock, longest, [this, count] {return received_ >= count;});
 }
 
-void Topics::tell(const std::string & node, std::vector<DiagnosticStatus> & statuses)
+namespace
+{
+
+/// What is wrong at present; nothing if all is well.
+std::string problem(TopicCounts & counts, bool has_calls)
+{
+  std::string text;
+  if (counts.incompatible_qos > 0U && counts.has_stranger()) {
+    text += "An end of the topic has a quality of service that does not fit. ";
+  }
+  if (counts.losses.grows(counts.lost + counts.skipped)) {
+    text += "Messages are lost. ";
+  }
+  const uint64_t missed = counts.deadline_missed + counts.liveliness_lost;
+  if (!has_calls) {
+    counts.promises.forget(missed);
+  } else if (counts.promises.grows(missed)) {
+    text += "Messages are late. ";
+  }
+  return text.substr(0, text.find_last_not_of(' ') + 1U);
+}
+
+}  // namespace
+
+void Topics::tell(
+  const std::string & node, bool has_calls, std::vector<DiagnosticStatus> & statuses)
 {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto now = std::chrono::steady_clock::now();
@@ -101,14 +144,10 @@ void Topics::tell(const std::string & node, std::vector<DiagnosticStatus> & stat
       counts->rate = static_cast<double>(messages - counts->told_messages) / elapsed.count();
       counts->told_messages = messages;
     }
-    const uint64_t events = counts->lost + counts->skipped + counts->deadline_missed +
-      counts->liveliness_lost + counts->incompatible_qos;
-    const bool is_worse = events != counts->told_events;
-    counts->told_events = events;
+    const std::string message = problem(*counts, has_calls);
     DiagnosticStatus status = made_status(
-      is_worse ? DiagnosticStatus::WARN : DiagnosticStatus::OK, node,
-      (counts->is_sent ? "publisher " : "subscription ") + counts->topic,
-      is_worse ? "Messages or promises were lost." : "");
+      message.empty() ? DiagnosticStatus::OK : DiagnosticStatus::WARN, node,
+      (counts->is_sent ? "publisher " : "subscription ") + counts->topic, message);
     add_value(status, "messages", counts->messages.load());
     add_value(status, "rate [Hz]", counts->rate);
     add_value(status, "lost", counts->lost.load());
@@ -133,6 +172,11 @@ bool is_limited(const rmw_time_t & time)
 }
 
 }  // namespace
+
+std::string shown(const rclcpp_lifecycle::LifecycleNode & node, const std::string & topic)
+{
+  return topic.rfind("~/", 0) == 0 ? node.get_name() + topic.substr(1) : topic;
+}
 
 rclcpp::SubscriptionOptions subscription_options(
   const std::shared_ptr<TopicCounts> & counts, const rclcpp::CallbackGroup::SharedPtr & group,
