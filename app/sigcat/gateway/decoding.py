@@ -34,7 +34,7 @@ class Decoded(NamedTuple):
 
 
 class Failed(NamedTuple):
-    """A number of a mapped signal that is no value of it."""
+    """A number of a mapped signal that is not a value of it."""
 
     number: int
     why: str

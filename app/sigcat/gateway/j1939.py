@@ -24,7 +24,7 @@ def pgn(identifier: int) -> int:
 
 
 def by_pgn(messages: Iterable[tuple[int, Any]]) -> Mapping[int, Any]:
-    """What is known of PGNs, by pairs of an identifier and what it means; a PGN of several identifiers is left out."""
+    """Meanings by PGN, of pairs of an identifier and what it means; a PGN of several identifiers is left out."""
     found: dict[int, list[Any]] = {}
     for identifier, meaning in messages:
         found.setdefault(pgn(identifier), []).append(meaning)

@@ -8,7 +8,7 @@ _FLOATS = {16: "<e", 32: "<f", 64: "<d"}
 
 
 class Bits(NamedTuple):
-    """Where a signal stands in the bytes of a message, taken as one whole number."""
+    """The place of a signal in the bytes of a message, taken as one whole number."""
 
     is_big: bool
     """Whether the first byte of the message is the greatest of the number."""
@@ -24,7 +24,7 @@ def width(message: Any) -> int:
 
 
 def bits(signal: Any, width: int) -> Bits:
-    """Where a signal stands in a message of so many bytes."""
+    """The place of a signal in a message of so many bytes."""
     is_big = signal.byte_order == "big_endian"
     shift = width * 8 - _end(signal) if is_big else signal.start
     return Bits(is_big, shift, (1 << signal.length) - 1, _size(signal))

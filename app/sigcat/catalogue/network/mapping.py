@@ -55,7 +55,7 @@ class SignalMapping(NamedTuple):
     formula: "Formula | None"
     choices: tuple[Choice, ...]
     markers: frozenset[Any] = frozenset()
-    """Transmitted numbers that are no value, where a database says which ones are."""
+    """Transmitted numbers that are not a value, where a database says which ones are."""
 
     @property
     def is_profile(self) -> bool:

@@ -1,4 +1,4 @@
-"""Numbers of a network that are no value of their signal, such as 65535 for «signal not available»."""
+"""Numbers of a network that are not a value of their signal, such as 65535 for «signal not available»."""
 
 from collections.abc import Callable, Mapping
 from itertools import pairwise
@@ -20,7 +20,7 @@ def means_no_value(name: str) -> bool:
 def with_markers(
     mapping: SignalMapping, datatype: str, names: Mapping[int, str], is_within: Callable[[int], bool]
 ) -> SignalMapping:
-    """The mapping with those items of a representation set apart that say which number is no value.
+    """The mapping with those items of a representation set apart that mark a number as not a value.
 
     A number whose text is a name of the database gets the name's number, as the gear in VSS's page. An item that says what the
     database says, as `value: 65535, text: SNA`, is a marker if there is a formula for numbers, the limits exclude it, or its

@@ -43,7 +43,7 @@ def no_log(path: Path, message: str, fix: str) -> Finding:
 
 
 class MalformedLines:
-    """Findings of lines that are no frames, the same one at most a hundred times."""
+    """Findings of lines that are not frames, the same one at most a hundred times."""
 
     def __init__(self, path: Path, form: str, findings: list[Finding]) -> None:
         self._path = str(path)
