@@ -1,0 +1,103 @@
+"""A project: the catalogues and functions of a `sigcat.toml`."""
+
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from sigcat.python_api.catalogue import Catalogue, changes_between, sound
+from sigcat.python_api.opening import Opened, PathLike, project_of
+
+if TYPE_CHECKING:
+    from sigcat.catalogue.comparing.changes import Change
+    from sigcat.catalogue.hosting.library import Library
+    from sigcat.catalogue.model import catalogue as model
+    from sigcat.function.hosting import FunctionLibrary
+    from sigcat.function.node_uses import NodeUse
+
+
+class Project:
+    """The catalogues and functions of a project. Files are read when they are needed, and again by `reload`."""
+
+    def __init__(self, opened: Opened) -> None:
+        self._opened = opened
+
+    @property
+    def catalogues(self) -> tuple[str, ...]:
+        """Ids of the catalogues, the default one first."""
+        return tuple(source.id for source in self._opened.sources)
+
+    @cached_property
+    def functions(self) -> tuple[Path, ...]:
+        """The function files of the project, for `Catalogue.resolve`."""
+        from sigcat.function.hosting import functions_over
+
+        built = functions_over(self._functions.files, self._composed(""))
+        return tuple(each.file.path for each in built if not each.file.is_shipped)
+
+    def catalogue(self, name: str = "") -> Catalogue:
+        """Return a catalogue by its id, or the default one.
+
+        Raises NotFound with near ids, InputRefused with every finding if its files have errors.
+        """
+        hosted = self._library.get(name or self.catalogues[0])
+        return sound(hosted.catalogue, hosted.source.title, self._opened.lint, hosted.rejected)
+
+    def users(self, path: str, catalogue: str = "") -> "tuple[NodeUse, ...]":
+        """Return the uses of a node, or of any node below a branch, by the functions of the project."""
+        from sigcat.catalogue.find_node import find_node
+        from sigcat.function.hosting import buildable, functions_over
+        from sigcat.function.node_uses import uses_of
+
+        composed = self._composed(catalogue)
+        found = find_node(path, composed)
+        wanted = {node.path for top in found.instances or (found.node,) for node in composed.nodes[top.path].walk()}
+        built = functions_over(buildable(self._functions.files, composed), composed)
+        uses = (use for each in built if each.function for use in uses_of(each.id, each.function))
+        return tuple(use for use in uses if use.path in wanted)
+
+    def diff(self, old: str, new: str) -> "tuple[Change, ...]":
+        """Return the changes between two sides: ids of catalogues, or names as for `sigcat diff`."""
+        return changes_between(old, new, self._named)
+
+    def reload(self) -> None:
+        """Read files that changed again."""
+        self._library.reload_changed()
+        if self._functions.reload_changed():
+            self.__dict__.pop("functions", None)
+
+    @cached_property
+    def _library(self) -> "Library":
+        from sigcat.catalogue.hosting.library import Library
+
+        return Library(self._opened.sources)
+
+    @cached_property
+    def _functions(self) -> "FunctionLibrary":
+        from sigcat.function.hosting import FunctionLibrary
+
+        opened = self._opened
+        return FunctionLibrary(opened.functions, has_shipped=opened.has_shipped_functions, catalogues=self._library)
+
+    def _composed(self, name: str) -> "model.Catalogue":
+        return self.catalogue(name)._composed
+
+    def _named(self, name: str) -> "model.Catalogue":
+        from sigcat.catalogue.hosting.source import load
+        from sigcat.catalogue.hosting.sources import source_of_tree
+
+        return self._composed(name) if name in self.catalogues else load(source_of_tree(name))
+
+    def __repr__(self) -> str:
+        return f"<sigcat.Project {', '.join(self.catalogues)}>"
+
+
+def open_project(folder: PathLike = ".") -> Project:
+    """Open the project of a folder: the nearest `sigcat.toml` in it or above it, else what sigcat ships.
+
+    Raises InputRefused with everything that is wrong with the file, UsageError if there is no such folder.
+    """
+    from sigcat.errors import UsageError
+
+    if not Path(folder).is_dir():
+        raise UsageError(f"{folder}: there is no such folder")
+    return Project(project_of(Path(folder)))
