@@ -4,8 +4,6 @@ The names below are the public Python API (docs/reference/python.md). Each is lo
 starts without them.
 """
 
-from typing import Any
-
 __version__ = "0.1.0"
 
 _NAMES = {
@@ -25,7 +23,7 @@ _NAMES = {
 _MODULES = {name: module for module, names in _NAMES.items() for name in names}
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> object:
     if name not in _MODULES:
         raise AttributeError(f"module 'sigcat' has no attribute {name!r}")
     from importlib import import_module

@@ -88,22 +88,35 @@ class Catalogue:
         found = find_node(path, self._composed)
         return tuple(Node(node.path, self._composed) for node in found.instances or (found.node,))
 
-    def search(self, text: str, *, limit: int = 50, each_instance: bool = False, **filters: str) -> tuple[Node, ...]:
+    def search(
+        self,
+        text: str = "",
+        *,
+        type: str | None = None,  # noqa: A002 — the attribute of VSS is called so
+        datatype: str | None = None,
+        unit: str | None = None,
+        category: str | None = None,
+        asil: str | None = None,
+        overlay: str | None = None,
+        deprecated: str | None = None,
+        limit: int = 50,
+        each_instance: bool = False,
+    ) -> tuple[Node, ...]:
         """Return nodes by words of their names, descriptions and units, or by a generated name, the best first.
 
-        `filters` are those of `sigcat search` and the API: type, datatype, unit, category, asil, overlay, deprecated.
-        Instances of one definition are one hit, unless `each_instance`. Raises UsageError for a filter that no node has.
+        The filters are exact values; `deprecated` is yes or no. Instances of one definition are one hit, unless
+        `each_instance`. Raises UsageError for a value that no node can have.
         """
-        from sigcat.catalogue.search import FACETS, index_of
+        from sigcat.catalogue.search import index_of
         from sigcat.catalogue.search_filters import checked_filters
-        from sigcat.errors import UsageError
-        from sigcat.names import did_you_mean
 
-        for name in filters.keys() - set(FACETS):
-            raise UsageError(f"There is no filter {name!r}. {did_you_mean(name, FACETS)}".rstrip())
+        given = {
+            "type": type, "datatype": datatype, "unit": unit, "category": category, "asil": asil, "overlay": overlay,
+            "deprecated": deprecated,
+        }  # fmt: skip
         index = index_of(self._composed)
-        checked = checked_filters(filters, self._composed, index)
-        found = index.search(text, checked, limit=limit, each_instance=each_instance)
+        filters = checked_filters(given, self._composed, index)
+        found = index.search(text, filters, limit=limit, each_instance=each_instance)
         return tuple(Node(node.path, self._composed) for node in found.nodes)
 
     def lint(self, text: str, name: str = "text") -> "tuple[Finding, ...]":

@@ -20,6 +20,8 @@ class Opened(NamedTuple):
     """Folders of functions."""
     has_shipped_functions: bool
     lint: "LintOptions"
+    root: Path
+    """The folder of the project."""
 
 
 def project_of(folder: Path) -> Opened:
@@ -34,9 +36,11 @@ def project_of(folder: Path) -> Opened:
 
     file = find_configuration(folder)
     if file is None or file.name != FILE_NAME:
-        return Opened(shipped_sources()[:1], (), True, LintOptions())
+        return Opened(shipped_sources()[:1], (), True, LintOptions(), folder)
     read = read_configuration(file, {"lint": options_of, "service": lambda *_: None})
-    return Opened(read.sources or shipped_sources()[:1], read.functions, read.has_shipped, read.tables["lint"])
+    return Opened(
+        read.sources or shipped_sources()[:1], read.functions, read.has_shipped, read.tables["lint"], file.parent
+    )
 
 
 def tree_source(

@@ -11,7 +11,8 @@ if TYPE_CHECKING:
     from sigcat.catalogue.comparing.changes import Change
     from sigcat.catalogue.hosting.library import Library
     from sigcat.catalogue.model import catalogue as model
-    from sigcat.function.hosting import FunctionLibrary
+    from sigcat.findings import Finding
+    from sigcat.function.hosting import FunctionLibrary, HostedFunction
     from sigcat.function.node_uses import NodeUse
 
 
@@ -26,13 +27,15 @@ class Project:
         """Ids of the catalogues, the default one first."""
         return tuple(source.id for source in self._opened.sources)
 
-    @cached_property
+    @property
+    def root(self) -> Path:
+        """Folder of the `sigcat.toml`, else the folder that was opened."""
+        return self._opened.root
+
+    @property
     def functions(self) -> tuple[Path, ...]:
         """The function files of the project, for `Catalogue.resolve`."""
-        from sigcat.function.hosting import functions_over
-
-        built = functions_over(self._functions.files, self._composed(""))
-        return tuple(each.file.path for each in built if not each.file.is_shipped)
+        return tuple(each.file.path for each in self._built(self._composed("")) if not each.file.is_shipped)
 
     def catalogue(self, name: str = "") -> Catalogue:
         """Return a catalogue by its id, or the default one.
@@ -43,17 +46,24 @@ class Project:
         return sound(hosted.catalogue, hosted.source.title, self._opened.lint, hosted.rejected)
 
     def users(self, path: str, catalogue: str = "") -> "tuple[NodeUse, ...]":
-        """Return the uses of a node, or of any node below a branch, by the functions of the project."""
+        """Return the uses of a node, or of any node below a branch, by the functions of the project.
+
+        Files that `function_errors` reports are not among them. Raises NotFound with near paths.
+        """
         from sigcat.catalogue.find_node import find_node
-        from sigcat.function.hosting import buildable, functions_over
         from sigcat.function.node_uses import uses_of
 
         composed = self._composed(catalogue)
         found = find_node(path, composed)
         wanted = {node.path for top in found.instances or (found.node,) for node in composed.nodes[top.path].walk()}
-        built = functions_over(buildable(self._functions.files, composed), composed)
-        uses = (use for each in built if each.function for use in uses_of(each.id, each.function))
+        uses = (use for each in self._built(composed) if each.function for use in uses_of(each.id, each.function))
         return tuple(use for use in uses if use.path in wanted)
+
+    def function_errors(self, catalogue: str = "") -> "tuple[Finding, ...]":
+        """Return the errors of function files that cannot be used with a catalogue."""
+        built = self._built(self._composed(catalogue))
+        findings = (finding for each in built for finding in (*each.findings, *each.file.rejected))
+        return tuple(finding for finding in findings if finding.severity == "error")
 
     def diff(self, old: str, new: str) -> "tuple[Change, ...]":
         """Return the changes between two sides: ids of catalogues, or names as for `sigcat diff`."""
@@ -62,8 +72,7 @@ class Project:
     def reload(self) -> None:
         """Read files that changed again."""
         self._library.reload_changed()
-        if self._functions.reload_changed():
-            self.__dict__.pop("functions", None)
+        self._functions.reload_changed()
 
     @cached_property
     def _library(self) -> "Library":
@@ -77,6 +86,11 @@ class Project:
 
         opened = self._opened
         return FunctionLibrary(opened.functions, has_shipped=opened.has_shipped_functions, catalogues=self._library)
+
+    def _built(self, composed: "model.Catalogue") -> "tuple[HostedFunction, ...]":
+        from sigcat.function.hosting import buildable, functions_over
+
+        return functions_over(buildable(self._functions.files, composed), composed)
 
     def _composed(self, name: str) -> "model.Catalogue":
         return self.catalogue(name)._composed
@@ -100,4 +114,4 @@ def open_project(folder: PathLike = ".") -> Project:
 
     if not Path(folder).is_dir():
         raise UsageError(f"{folder}: there is no such folder")
-    return Project(project_of(Path(folder)))
+    return Project(project_of(Path(folder).absolute()))
