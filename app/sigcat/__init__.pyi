@@ -21,3 +21,4 @@ from sigcat.python_api.run import Run as Run
 from sigcat.python_api.run import simulate as simulate
 
 __version__: str
+_NAMES: dict[str, tuple[str, ...]]

@@ -23,7 +23,7 @@ class InputRefused(SigcatError):
 
     def __init__(self, message: str, findings: tuple[Finding, ...] = ()) -> None:
         super().__init__(message)
-        self.findings = findings
+        self.findings: tuple[Finding, ...] = findings
 
 
 class NoRoom(SigcatError):
@@ -35,7 +35,7 @@ class NotFound(SigcatError):
 
     def __init__(self, message: str, nearest: tuple[str, ...] = ()) -> None:
         super().__init__(message)
-        self.nearest = nearest
+        self.nearest: tuple[str, ...] = nearest
 
 
 class ToolCrashed(SigcatError):
