@@ -31,7 +31,7 @@ def mcp(arguments: argparse.Namespace) -> int:
     try:
         from sigcat.assistants.server import serve
     except ModuleNotFoundError as error:
-        if error.name not in ("mcp", "mcp_types"):
+        if (error.name or "").partition(".")[0] not in ("mcp", "mcp_types"):
             raise
         raise UsageError("this needs the package `mcp`: run `pip install mcp`") from None
     from sigcat.python_api.project import open_project

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 _BATCH = 65_536
 """Rows that are converted at a time."""
-_NAMES = {"boolean": "bool", "float": "float32", "double": "float64"}
+_NAMES = {"boolean": "bool_", "float": "float32", "double": "float64"}
 """Arrow's names of datatypes, where VSS has other ones."""
 
 
