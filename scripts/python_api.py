@@ -1,4 +1,4 @@
-"""Tell what the public Python API breaks of that of the last release: `python -m scripts.python_api`.
+"""Compare the public Python API with that of the last release: `python -m scripts.python_api`.
 
 With `--release` the API becomes the released one, to which later ones are compared; if it breaks its users, it does not.
 `make generate` writes docs/reference/python-api.pyi: the signatures of all public names.
@@ -52,13 +52,13 @@ def files() -> Mapping[str, str]:
 
 
 def breaking_changes(old: str, new: str) -> list[str]:
-    """Return what `new` breaks for users of `old`, one line for each."""
+    """Return the changes that break users of `old`, one line for each."""
     before, after = (visit("sigcat", Path("sigcat.pyi"), text) for text in (old, new))
     return [" ".join(each.explain().split()) for each in find_breaking_changes(before, after)]
 
 
 def release(new: str, released: Path = RELEASED) -> list[str]:
-    """Make the API the released one, unless it breaks its users; what it breaks."""
+    """Make the API the released one, unless it breaks its users. Return the changes that do."""
     broken = breaking_changes(released.read_text("utf-8"), new) if released.is_file() else []
     if not broken:
         released.write_text(new, encoding="utf-8")
@@ -66,7 +66,7 @@ def release(new: str, released: Path = RELEASED) -> list[str]:
 
 
 def main() -> int:
-    """Print what breaks users of the released API; 1 if anything does."""
+    """Print changes that break users of the released API; 1 if there are any."""
     new = signatures()
     broken = release(new) if "--release" in sys.argv[1:] else breaking_changes(RELEASED.read_text("utf-8"), new)
     for change in broken:

@@ -1,7 +1,6 @@
 """sigcat: vspec files, overlays and functions in; a catalogue, findings, exports and code of platforms out.
 
-The names below are the public Python API (docs/reference/python.md). Each is loaded when it is used: the command line
-starts without them.
+The names below are the public Python API, each loaded when it is used: the command line starts without them.
 """
 
 __version__ = "0.1.0"

@@ -317,7 +317,7 @@ class Run:
 
     @property
     def units(self) -> Mapping[str, str]:
-        """Units by name, of what has one."""
+        """Units by name; names without a unit are omitted."""
 
     @property
     def findings(self) -> tuple[Finding, ...]:

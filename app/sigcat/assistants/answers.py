@@ -36,7 +36,7 @@ def node_summary(node: Node) -> Answer:
 
 
 def node_detail(node: Node, instances: Sequence[Node]) -> Answer:
-    """Return every attribute of a node and its origin, the nodes below it and the instances that it stands for."""
+    """Return every attribute of a node and its origin, the nodes below it and its instances."""
     attributes = {name: _attribute(each) for name, each in node.attributes.items()}
     paths = [each.path for each in instances] if len(instances) > 1 else []
     return {

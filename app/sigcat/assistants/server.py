@@ -88,7 +88,7 @@ class _Tools:
     def try_overlay(
         self, text: Annotated[str, Field(description="Text of an overlay.")], catalogue: CatalogueId = ""
     ) -> Answer:
-        """Show what an overlay would change, by compatibility class, and what is wrong with it."""
+        """Show what an overlay would change, by compatibility class, and its findings."""
         trial = self._project.catalogue(catalogue).try_overlay(text)
         return {**finding_data(trial.findings), **change_data(trial.changes)}
 

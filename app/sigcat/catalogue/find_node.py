@@ -1,4 +1,4 @@
-"""Find the node that a path means: itself, a definition that stands for its instances, or near paths."""
+"""Find the node that a path means: itself, the definition of instances, or near paths."""
 
 from typing import NamedTuple
 
@@ -10,11 +10,11 @@ from sigcat.names import nearest
 
 
 class Found(NamedTuple):
-    """A node, the catalogue that has it, and the instances that it stands for."""
+    """A node, the catalogue that has it, and its instances where it is their definition."""
 
     node: Node
     catalogue: Catalogue
-    """With instances folded where the node stands for some."""
+    """With instances folded where the node is a definition."""
     instances: tuple[Node, ...] = ()
 
 

@@ -32,7 +32,7 @@ class Run:
 
     @property
     def units(self) -> Mapping[str, str]:
-        """Units by name, of what has one."""
+        """Units by name; names without a unit are omitted."""
         return self._prepared.connections.units
 
     @property
