@@ -84,7 +84,7 @@ def test_walking_a_node_yields_it_and_what_is_below_it(shipped):
 
 
 def test_errors_of_a_tree_are_raised_with_all_findings(tree):
-    tree.write_text(TREE.replace("float", "flaot").replace("sensor", "sensr"))
+    tree.write_text(TREE + "Vehicle.A:\n  type: sensr\nVehicle.B:\n  type: brnch\n")
     with pytest.raises(sigcat.InputRefused, match=r"'tree' has \d errors, such as .*tree.vspec:\d") as refused:
         sigcat.open_catalogue(tree)
     assert len(refused.value.findings) > 1
