@@ -48,7 +48,7 @@ class SigcatError(Exception):
     """Base of every error that sigcat raises on purpose; its text is written for users."""
 
 class InputRefused(SigcatError):
-    """An input cannot be used. `findings` has every reason, not the first one only."""
+    """An input cannot be used. `findings` has every reason, not the first one only; a traceback shows the first of them."""
     findings: tuple[Finding, ...]
 
     def __init__(self, message: str, findings: tuple[Finding, ...]=()) -> None:

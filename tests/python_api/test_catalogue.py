@@ -83,10 +83,11 @@ def test_walking_a_node_yields_it_and_what_is_below_it(shipped):
     assert [root.parent for root in shipped.roots] == [None] * len(shipped.roots)
 
 
-def test_errors_of_a_tree_are_raised_with_all_findings(tree):
+def test_errors_of_a_tree_are_raised_with_all_findings(tree, units):
     tree.write_text(TREE + "Vehicle.A:\n  type: sensr\nVehicle.B:\n  type: brnch\n")
-    with pytest.raises(sigcat.InputRefused, match=r"'tree' has \d errors, such as .*tree.vspec:\d") as refused:
-        sigcat.open_catalogue(tree)
+    with pytest.raises(sigcat.InputRefused, match=r"'tree' has 2 errors\.") as refused:
+        sigcat.open_catalogue(tree, **units)
+    assert any("tree.vspec:10" in note for note in refused.value.__notes__)
     assert len(refused.value.findings) > 1
 
 

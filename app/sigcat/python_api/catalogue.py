@@ -202,9 +202,9 @@ def sound(
 
     findings = rejected or composed.findings
     if has_errors(findings):
-        errors = [finding for finding in findings if finding.severity == "error"]
-        count = f"{len(errors)} error{'s' if len(errors) > 1 else ''}"
-        raise InputRefused(f"The catalogue {composed.name!r} has {count}, such as {errors[0].line_of_text}", findings)
+        errors = sum(finding.severity == "error" for finding in findings)
+        count = f"{errors} error{'s' if errors > 1 else ''}"
+        raise InputRefused(f"The catalogue {composed.name!r} has {count}.", findings)
     return Catalogue(composed, title, lint)
 
 
