@@ -3,6 +3,8 @@
 The names below are the public Python API, each loaded when it is used: the command line starts without them.
 """
 
+from typing import Any
+
 __version__ = "0.1.0"
 
 _NAMES = {
@@ -18,11 +20,11 @@ _NAMES = {
     "python_api.rows": ("Row",),
     "python_api.run": ("Run", "simulate"),
 }
-"""The public names, by the module that defines them; `__init__.pyi` has their types."""
+"""The public names, by the module that defines them; app/public/__init__.pyi has their types."""
 _MODULES = {name: module for module, names in _NAMES.items() for name in names}
 
 
-def __getattr__(name: str) -> object:
+def __getattr__(name: str) -> Any:
     if name not in _MODULES:
         raise AttributeError(f"module 'sigcat' has no attribute {name!r}")
     from importlib import import_module

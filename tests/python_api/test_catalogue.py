@@ -1,7 +1,9 @@
 """Catalogues and nodes of the Python API: what is returned, what is raised, and how notebooks show them."""
 
+import re
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -58,7 +60,13 @@ def test_every_public_name_is_there_and_is_listed():
     assert set(names) <= set(dir(sigcat))
     assert all(getattr(sigcat, name).__name__ == name for name in names)
     with pytest.raises(AttributeError, match="no attribute 'Catalog'"):
-        _ = sigcat.Catalog  # type: ignore[attr-defined]
+        _ = sigcat.Catalog
+
+
+def test_the_stub_of_the_wheel_has_the_types_of_every_public_name():
+    stub = (Path(__file__).parents[2] / "app/public/__init__.pyi").read_text("utf-8")
+    imports = re.findall(r"^from sigcat\.(\S+) import (\w+) as \2$", stub, re.MULTILINE)
+    assert sorted(imports) == sorted((module, name) for module, names in sigcat._NAMES.items() for name in names)
 
 
 def test_a_later_value_of_an_overlay_has_its_origin_and_the_one_before(tree, units, tmp_path):

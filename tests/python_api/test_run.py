@@ -88,7 +88,7 @@ def test_a_run_that_stops_raises_after_the_rows_so_far(tmp_path, capfd):
     assert hostile.count("abort") == 1
     (tmp_path / "WheelSpeedCalculation.c").write_text(hostile)
     functions = sigcat.open_catalogue().resolve(tmp_path / "function.yaml")
-    rows: list[sigcat.Row] = []
+    rows: list[object] = []
     with pytest.raises(sigcat.InputRefused) as stopped:
         rows.extend(sigcat.simulate(functions, DRIVE, duration=3))
     assert len(rows) > 1

@@ -1,3 +1,5 @@
+# The types of `import sigcat`, in the wheel as sigcat/__init__.pyi. Within the package they would make one import cycle of all modules,
+# in which mypy no longer resolves types.
 from sigcat.catalogue.comparing.changes import AttributeChange as AttributeChange
 from sigcat.catalogue.comparing.changes import Change as Change
 from sigcat.catalogue.reading.statement import Origin as Origin
@@ -21,4 +23,3 @@ from sigcat.python_api.run import Run as Run
 from sigcat.python_api.run import simulate as simulate
 
 __version__: str
-_NAMES: dict[str, tuple[str, ...]]
