@@ -24,6 +24,7 @@ format: .venv/dev
 
 lint: .venv/dev
 	$(BIN)/ruff check .
+	$(BIN)/python -m scripts.python_api
 
 types: .venv/dev
 	$(BIN)/mypy

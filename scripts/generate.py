@@ -20,6 +20,7 @@ GENERATORS: Mapping[str, str] = {
     "command_line": "",
     "tables": "",
     "openapi": "",
+    "python_api": "",
     "licences": "",
     "examples": "examples/*/expected/**/*",
     "drives": "examples/*/drive.csv",

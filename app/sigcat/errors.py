@@ -18,12 +18,18 @@ class SigcatError(Exception):
     """Base of every error that sigcat raises on purpose; its text is written for users."""
 
 
+_SHOWN = 10
+"""Findings that a traceback shows."""
+
+
 class InputRefused(SigcatError):
-    """An input cannot be used. `findings` has every reason, not the first one only."""
+    """An input cannot be used. `findings` has every reason, not the first one only; a traceback shows the first of them."""
 
     def __init__(self, message: str, findings: tuple[Finding, ...] = ()) -> None:
         super().__init__(message)
-        self.findings = findings
+        self.findings: tuple[Finding, ...] = findings
+        for finding in findings[:_SHOWN]:
+            self.add_note(finding.line_of_text)
 
 
 class NoRoom(SigcatError):
@@ -35,7 +41,7 @@ class NotFound(SigcatError):
 
     def __init__(self, message: str, nearest: tuple[str, ...] = ()) -> None:
         super().__init__(message)
-        self.nearest = nearest
+        self.nearest: tuple[str, ...] = nearest
 
 
 class ToolCrashed(SigcatError):

@@ -227,3 +227,12 @@ COMPARED_NAMES = 1_000_000
 
 PROPOSAL_CHARACTERS = 500
 """Characters of a name that is compared with others for a proposal."""
+
+ASSISTANT_CHARACTERS = 40_000
+"""Characters of a list in an answer to an assistant; the answer says how many entries are omitted."""
+
+ASSISTANT_ITEMS = 100
+"""Entries of a list in an answer to an assistant."""
+
+ASSISTANT_TEXT = 500
+"""Characters of a text in an answer to an assistant; longer ones are cut."""

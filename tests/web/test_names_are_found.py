@@ -6,7 +6,7 @@ from sigcat.catalogue.hosting.source import load
 from sigcat.catalogue.hosting.sources import shipped_sources
 from sigcat.catalogue.search import SearchIndex
 from sigcat.function.hosting import FunctionLibrary
-from sigcat.web.views.node_uses import uses_in
+from sigcat.function.node_uses import uses_in
 from sigcat.web.views.node_view import node_view
 
 EVERY = 11

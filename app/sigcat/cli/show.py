@@ -5,11 +5,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from sigcat.cli.tree_options import add_tree_options, read_tree
-from sigcat.errors import NotFound
-from sigcat.names import nearest
 
 if TYPE_CHECKING:
-    from sigcat.catalogue.model.catalogue import Catalogue, Node
+    from sigcat.catalogue.model.catalogue import Node
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -28,18 +26,9 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def show(arguments: argparse.Namespace) -> int:
     """Print one node; as JSON it is that of the API. Raises NotFound with paths that may have been meant."""
-    from sigcat.catalogue.composing.compose import unexpanded
+    from sigcat.catalogue.find_node import find_node
 
-    catalogue = read_tree(arguments)
-    path = arguments.path.replace("/", ".").strip(".")
-    instances = _instances(path, catalogue)
-    if instances:
-        catalogue = unexpanded(catalogue)
-    node = catalogue.get(path)
-    if node is None:
-        near = _meant(path, catalogue)
-        hint = f" Did you mean {' or '.join(near)}?" if near else ""
-        raise NotFound(f"there is no node {arguments.path!r}.{hint}", near)
+    node, catalogue, instances = find_node(arguments.path, read_tree(arguments))
     if arguments.format == "json":
         from sigcat.api.answers.serializers import node_detail
 
@@ -47,21 +36,6 @@ def show(arguments: argparse.Namespace) -> int:
     else:
         _print_text(node, instances)
     return 0
-
-
-def _instances(path: str, catalogue: "Catalogue") -> "tuple[Node, ...]":
-    """The nodes that a definition stands for, where it is no node itself."""
-    if path in catalogue.nodes or path not in catalogue.definitions:
-        return ()
-    return tuple(node for node in catalogue.nodes.values() if node.template == path)
-
-
-def _meant(path: str, catalogue: "Catalogue") -> tuple[str, ...]:
-    """The nearest paths, or else nodes that have the words."""
-    from sigcat.catalogue.search import SearchIndex
-
-    near = nearest(path, dict.fromkeys((*catalogue.nodes, *catalogue.definitions)))
-    return near or tuple(node.path for node in SearchIndex(catalogue).search(path, limit=3).nodes if path.strip())
 
 
 def _print_text(node: "Node", instances: "Sequence[Node]" = ()) -> None:

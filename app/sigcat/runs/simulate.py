@@ -2,7 +2,8 @@
 
 import ctypes
 import tempfile
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Generator, Mapping
+from contextlib import closing
 from pathlib import Path
 from typing import NamedTuple
 
@@ -78,6 +79,9 @@ class Simulated(NamedTuple):
 Take = Callable[[Block, ctypes.CDLL | None], None]
 """A function that takes rows as they come, and the library that converts them where there is one."""
 
+Blocks = Generator[tuple[Block, ctypes.CDLL | None], None, Simulated]
+"""Rows as they come, then what happened in the run."""
+
 
 class Collected:
     """Takes rows, and keeps all of them: memory grows with the length of the run."""
@@ -113,6 +117,18 @@ def simulate(prepared: Prepared, trace: Trace | None, settings: Settings, tools:
 
     Raises InputRefused if the trace cannot be used, or the code cannot be built: then no row was taken.
     """
+    with closing(simulated_blocks(prepared, trace, settings, tools)) as blocks:
+        while True:
+            try:
+                block, library = next(blocks)
+            except StopIteration as end:
+                done: Simulated = end.value
+                return done
+            take(block, library)
+
+
+def simulated_blocks(prepared: Prepared, trace: Trace | None, settings: Settings, tools: Toolchain) -> Blocks:
+    """Run the functions, and yield blocks of rows as they come. Closing it ends the run. Raises as `simulate` does."""
     with tempfile.TemporaryDirectory(prefix="sigcat-") as name:
         folder = Path(name)
         members = prepared.connections.members
@@ -128,7 +144,7 @@ def simulate(prepared: Prepared, trace: Trace | None, settings: Settings, tools:
             (*_sandbox(settings, folder), str(program)), folder / INPUT, folder / RESULTS, start, end,
             settings.ignition_cycle, settings.echoes, settings.memory_limit, limits, settings.prints, settings.is_sandboxed,
         )  # fmt: skip
-        done = _run(prepared, command, trace, take, library)
+        done = yield from _run(prepared, command, trace, library)
         if settings.coverage is not None and done.stop is None:
             report_coverage(members, folder, settings.coverage, tools)
         return done._replace(memory=memory, findings=(*notes, *done.findings))
@@ -172,9 +188,7 @@ def _times(span: Span, settings: Settings) -> tuple[int, int]:
     return start, span.last
 
 
-def _run(
-    prepared: Prepared, command: Command, trace: Trace | None, take: Take, library: ctypes.CDLL | None
-) -> Simulated:
+def _run(prepared: Prepared, command: Command, trace: Trace | None, library: ctypes.CDLL | None) -> Blocks:
     layout, progress = layout_of(prepared), Progress()
     scan = fast_scanner(layout, len(prepared.numbers.calls), library) if library else scanner(layout)
     left: dict[Kept, Value] = {}
@@ -183,7 +197,7 @@ def _run(
     try:
         for event in run(command, layout, scan, progress):
             if isinstance(event, Block):
-                take(event, library)
+                yield event, library
             elif isinstance(event, Stored):
                 left[prepared.numbers.kept[event.kept]] = event.value
             elif isinstance(event, InitFails):

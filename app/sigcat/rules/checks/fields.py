@@ -74,7 +74,7 @@ def _check_table(option: str, fields: Any) -> None:
         _check_table(option, field.get("fields", {}))
 
 
-FIELDS = Kind("table of fields", _check_table)
+FIELDS: Kind = Kind("table of fields", _check_table)
 
 
 def required_fields(rule: Rule, _tree: Tree) -> NodeTest:

@@ -27,7 +27,7 @@ from sigcat.rules.tree import Tree
 if TYPE_CHECKING:
     from sigcat.catalogue.network.can_database import CanSignal
 
-ANY_MAPPING = "|".join(ATTRIBUTES)
+ANY_MAPPING: str = "|".join(ATTRIBUTES)
 """The attributes that these checks look at."""
 _SAMPLES = 64
 """Numbers between the limits of a network's signal at which a formula is looked at."""

@@ -30,12 +30,12 @@ from sigcat.catalogue.search_filters import checked_filters
 from sigcat.errors import UsageError
 from sigcat.findings import SEVERITIES
 from sigcat.function.hosting import FunctionLibrary
+from sigcat.function.node_uses import uses_in
 from sigcat.limits import PAGE_FINDINGS, PICTURED_NODES
 from sigcat.web.addresses import Addresses
 from sigcat.web.pictures.sunburst import Sunburst, sunburst
 from sigcat.web.rendering import page
 from sigcat.web.views.catalogue_findings import findings_over
-from sigcat.web.views.node_uses import uses_in
 from sigcat.web.views.node_view import field_units_of, node_view
 from sigcat.web.views.tree_rows import OpenBranches, rows_below, visible_rows
 

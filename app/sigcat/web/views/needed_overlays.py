@@ -9,7 +9,7 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.search import overlay_name
 from sigcat.function.hosted_files import HostedFiles
 from sigcat.function.hosting import HostedFunction, buildable, functions_over
-from sigcat.web.views.node_uses import uses_of
+from sigcat.function.node_uses import uses_of
 
 
 class Need(NamedTuple):

@@ -9,12 +9,12 @@ from sigcat.api.answers.serializers import node_detail
 from sigcat.catalogue.exporting.static_id import static_id
 from sigcat.catalogue.hosting.variants import instance_counts, instances_of
 from sigcat.catalogue.model.catalogue import Catalogue, Node
+from sigcat.function.node_uses import NodeUse, UseBelow, Uses
 from sigcat.integration.autosar_names import branch_of, event_name, service_name, short_name
 from sigcat.integration.ros2.names import field_name, message_name, topic_name
 from sigcat.names import last_name
 from sigcat.rules.record import Rule
 from sigcat.web.pictures.range_bar import RangeBar, range_bar
-from sigcat.web.views.node_uses import NodeUse, UseBelow, Uses
 from sigcat.web.views.overlay_draft import may_be_overlaid
 
 _ORDER = ("type", "datatype", "unit", "min", "max", "default", "allowed", "enum", "ASILlevel", "description")

@@ -11,9 +11,9 @@ from sigcat.findings import Finding, has_errors
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.hosted_files import HostedFiles
 from sigcat.function.hosting import HostedFunction, buildable, built_over, functions_over
+from sigcat.function.node_uses import uses_in
 from sigcat.limits import PAGE_FINDINGS, Limits
 from sigcat.web.views.change_trees import Branch, trees_of, worst_first
-from sigcat.web.views.node_uses import uses_in
 
 
 class TriedNode(NamedTuple):

@@ -1,0 +1,40 @@
+"""Find the node that a path means: itself, the definition of instances, or near paths."""
+
+from typing import NamedTuple
+
+from sigcat.catalogue.composing.compose import unexpanded
+from sigcat.catalogue.model.catalogue import Catalogue, Node
+from sigcat.catalogue.search import index_of
+from sigcat.errors import NotFound
+from sigcat.names import nearest
+
+
+class Found(NamedTuple):
+    """A node, the catalogue that has it, and its instances where it is their definition."""
+
+    node: Node
+    catalogue: Catalogue
+    """With instances folded where the node is a definition."""
+    instances: tuple[Node, ...] = ()
+
+
+def find_node(text: str, catalogue: Catalogue) -> Found:
+    """Return the node at a path, with dots or slashes. Raises NotFound with paths that may have been meant."""
+    path = text.replace("/", ".").strip(".")
+    node = catalogue.get(path)
+    if node is not None:
+        return Found(node, catalogue)
+    if path in catalogue.definitions:
+        folded = unexpanded(catalogue)
+        if node := folded.get(path):
+            instances = tuple(each for each in catalogue.nodes.values() if each.template == path)
+            return Found(node, folded, instances)
+    near = _near(path, catalogue)
+    hint = f" Did you mean {' or '.join(near)}?" if near else ""
+    raise NotFound(f"there is no node {text!r}.{hint}", near)
+
+
+def _near(path: str, catalogue: Catalogue) -> tuple[str, ...]:
+    """Return the nearest paths, or else nodes that have the words."""
+    near = nearest(path, dict.fromkeys((*catalogue.nodes, *catalogue.definitions)))
+    return near or tuple(node.path for node in index_of(catalogue).search(path, limit=3).nodes if path.strip())

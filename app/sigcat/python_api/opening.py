@@ -1,0 +1,75 @@
+"""Where catalogues come from: the project of a folder, or a tree with what is added to it."""
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
+
+if TYPE_CHECKING:
+    from sigcat.catalogue.hosting.source import Source
+    from sigcat.rules.linting.options import LintOptions
+
+PathLike = str | Path
+Value = TypeVar("Value")
+
+
+class Opened(NamedTuple):
+    """What a project says."""
+
+    sources: "tuple[Source, ...]"
+    """Its catalogues, the default one first."""
+    functions: tuple[Path, ...]
+    """Folders of functions."""
+    has_shipped_functions: bool
+    lint: "LintOptions"
+    root: Path
+    """The folder of the project."""
+
+
+def project_of(folder: Path) -> Opened:
+    """Return the project of the nearest sigcat.toml in `folder` or above it; without one, what sigcat ships.
+
+    Raises InputRefused with everything that is wrong with the file.
+    """
+    from sigcat.project.chosen_tree import TreeOptions, chosen_tree
+    from sigcat.project.find_project import find_project
+    from sigcat.project.project import Project
+    from sigcat.project.read_project import read_project
+
+    file = find_project(folder)
+    project = read_project(file) if file is not None else Project()
+    sources = project.catalogues or (chosen_tree(project, TreeOptions()),)
+    root = folder if file is None else file.parent
+    return _absolute(Opened(sources, project.functions, project.has_shipped_functions, project.lint, root))
+
+
+def _absolute(value: Value) -> Value:
+    """Return a value with absolute paths: a notebook may change the current folder."""
+    if isinstance(value, Path):
+        return value.absolute()
+    if isinstance(value, tuple):
+        items = map(_absolute, value)
+        return type(value)(*items) if hasattr(value, "_fields") else type(value)(items)
+    return value
+
+
+def tree_source(
+    tree: PathLike,
+    overlays: Iterable[PathLike],
+    units: Iterable[PathLike],
+    quantities: Iterable[PathLike],
+    types: Iterable[PathLike],
+    include_dirs: Iterable[PathLike],
+) -> "Source":
+    """Return a tree with what is added to it. Raises UsageError, or NotFound with near names."""
+    from sigcat.project.chosen_tree import TreeOptions, chosen_tree
+    from sigcat.project.project import Project
+
+    folders = tuple(map(Path, include_dirs))
+    added = TreeOptions(str(tree), _files(overlays), folders, _files(units), _files(quantities), _files(types))
+    return chosen_tree(Project(), added)
+
+
+def _files(paths: Iterable[PathLike]) -> tuple[Path, ...]:
+    from sigcat.errors import existing_file
+
+    return tuple(map(existing_file, paths))

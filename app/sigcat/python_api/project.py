@@ -1,0 +1,118 @@
+"""A project: the catalogues and functions of a `sigcat.toml`."""
+
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from sigcat.python_api.catalogue import Catalogue, changes_between, sound
+from sigcat.python_api.opening import Opened, PathLike, project_of
+
+if TYPE_CHECKING:
+    from sigcat.catalogue.comparing.changes import Change
+    from sigcat.catalogue.hosting.library import Library
+    from sigcat.catalogue.hosting.source import Source
+    from sigcat.catalogue.model import catalogue as model
+    from sigcat.findings import Finding
+    from sigcat.function.hosting import FunctionLibrary, HostedFunction
+    from sigcat.function.node_uses import NodeUse
+
+
+class Project:
+    """The catalogues and functions of a project. Files are read when they are needed, and again by `reload`."""
+
+    def __init__(self, opened: Opened) -> None:
+        self._opened = opened
+
+    @property
+    def catalogues(self) -> tuple[str, ...]:
+        """Ids of the catalogues, the default one first."""
+        return tuple(source.id for source in self._opened.sources)
+
+    @property
+    def root(self) -> Path:
+        """Folder of the `sigcat.toml`, else the folder that was opened."""
+        return self._opened.root
+
+    @property
+    def functions(self) -> tuple[Path, ...]:
+        """The function files of the project, for `Catalogue.resolve`."""
+        return tuple(each.file.path for each in self._built(self._composed("")) if not each.file.is_shipped)
+
+    def catalogue(self, name: str = "") -> Catalogue:
+        """Return a catalogue by its id, or the default one.
+
+        Raises NotFound with near ids, InputRefused with every finding if its files have errors.
+        """
+        hosted = self._library.get(name or self.catalogues[0])
+        return sound(hosted.catalogue, hosted.source.title, self._opened.lint, hosted.rejected)
+
+    def users(self, path: str, catalogue: str = "") -> "tuple[NodeUse, ...]":
+        """Return the uses of a node, or of any node below a branch, by the functions of the project.
+
+        Files that `function_errors` reports are not among them. Raises NotFound with near paths.
+        """
+        from sigcat.catalogue.find_node import find_node
+        from sigcat.function.node_uses import uses_of
+
+        composed = self._composed(catalogue)
+        found = find_node(path, composed)
+        wanted = {node.path for top in found.instances or (found.node,) for node in composed.nodes[top.path].walk()}
+        uses = (use for each in self._built(composed) if each.function for use in uses_of(each.id, each.function))
+        return tuple(use for use in uses if use.path in wanted)
+
+    def function_errors(self, catalogue: str = "") -> "tuple[Finding, ...]":
+        """Return the errors of function files that cannot be used with a catalogue."""
+        built = self._built(self._composed(catalogue))
+        findings = (finding for each in built for finding in (*each.findings, *each.file.rejected))
+        return tuple(finding for finding in findings if finding.severity == "error")
+
+    def diff(self, old: str, new: str) -> "tuple[Change, ...]":
+        """Return the changes between two sides: ids of catalogues, or names as for `sigcat diff`."""
+        return changes_between(old, new, self._named)
+
+    def reload(self) -> None:
+        """Read files that changed again."""
+        self._library.reload_changed()
+        self._functions.reload_changed()
+
+    @cached_property
+    def _library(self) -> "Library":
+        from sigcat.catalogue.hosting.library import Library
+
+        return Library(self._opened.sources)
+
+    @cached_property
+    def _functions(self) -> "FunctionLibrary":
+        from sigcat.function.hosting import FunctionLibrary
+
+        opened = self._opened
+        return FunctionLibrary(opened.functions, has_shipped=opened.has_shipped_functions, catalogues=self._library)
+
+    def _built(self, composed: "model.Catalogue") -> "tuple[HostedFunction, ...]":
+        from sigcat.function.hosting import buildable, functions_over
+
+        return functions_over(buildable(self._functions.files, composed), composed)
+
+    def _composed(self, name: str) -> "model.Catalogue":
+        return self.catalogue(name)._composed
+
+    def _named(self, name: str) -> "Source":
+        from sigcat.catalogue.hosting.sources import source_of_tree
+
+        declared = (source for source in self._opened.sources if source.id == name)
+        return next(declared, None) or source_of_tree(name)
+
+    def __repr__(self) -> str:
+        return f"<sigcat.Project {', '.join(self.catalogues)}>"
+
+
+def open_project(folder: PathLike = ".") -> Project:
+    """Open the project of a folder: the nearest `sigcat.toml` in it or above it, else what sigcat ships.
+
+    Raises InputRefused with everything that is wrong with the file, UsageError if there is no such folder.
+    """
+    from sigcat.errors import UsageError
+
+    if not Path(folder).is_dir():
+        raise UsageError(f"{folder}: there is no such folder")
+    return Project(project_of(Path(folder).absolute()))
