@@ -69,7 +69,10 @@ def _includes(node: NodePlan, workspace: WorkspacePlan) -> str:
 def _class(node: NodePlan) -> str:
     return text([
         f"class {node.type} : public rclcpp_lifecycle::LifecycleNode\n{{\npublic:",
-        indented(spaced([_life(node), "private:"])).replace("  private:", "private:"),
+        indented(_life(node)),
+        "\nprotected:",
+        indented(_for_derived(node)),
+        "\nprivate:",
         indented(spaced(["struct Core;", _functions(node), _members(node)])),
         "};",
     ])  # fmt: skip
@@ -86,13 +89,25 @@ def _life(node: NodePlan) -> str:
     ])  # fmt: skip
 
 
+def _for_derived(node: NodePlan) -> str:
+    """What a class that derives from the node may use: transitions are virtual, too."""
+    hooks = [
+        f"virtual void complete_{each.member}(\n  {short(each.message, node)} & /* message */) {{}}"
+        for each in node.publishers
+        if not each.is_status
+    ]
+    about = "/// Called before a message is published, by the thread of the calls: a derived class may fill\n/// fields that the function does not know, or publish something else beside it."
+    ended = "/// Ends the calls. The destructor of a derived class calls it, so that none calls what is gone."
+    return spaced([text([about, *hooks]) if hooks else "", f"{ended}\nvoid stop_calls();"])
+
+
 def _functions(node: NodePlan) -> str:
     parameters = ["void declare_parameters();"]
     if node.settable:
         parameters.append("rcl_interfaces::msg::SetParametersResult set(\n"
                           "  const std::vector<rclcpp::Parameter> & parameters);")  # fmt: skip
     connections = ["void advertise();", "void subscribe_all();", "void offer();", "void disconnect();"]
-    calls = ["void start_calls();", "void stop_calls();", "void run_calls();", "void start();", "bool run_due_call();"]
+    calls = ["void start_calls();", "void run_calls();", "void start();", "bool run_due_call();"]
     calls += [f"void {run_name(node, step)}();" for step in node.steps]
     calls += ["void supervise();", "void publish(const builtin_interfaces::msg::Time & stamp);", "void tell();"]
     methods = [f"void {name}(\n  const srv::{each.service.name}::Request & request, srv::{each.service.name}::Response & response);"
