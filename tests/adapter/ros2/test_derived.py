@@ -30,3 +30,6 @@ def test_a_class_that_derives_from_a_node_has_publishers_of_its_own_and_complete
             other.hears("counted", bool)
             heard = other.hears(f"{NODE}/cycle50_ms", bool)
             assert heard[0]["stamp"]["sec"] == 7
+            for value, is_taken in ((4.0, True), (6.0, False)):
+                assert other.set_all_parameters(NODE, {"a_lat_max": value})[0] is is_taken
+            assert other.parameters(NODE, ["a_lat_max"]) == [4.0]

@@ -17,7 +17,9 @@ _CORE = FieldTarget("{core}", "decided there, as on every platform")
 _DOCUMENT = FieldTarget("{interfaces}", "in a comment of the field")
 _CODE = "{node}"
 _TOPIC: Targets = {
-    **dict.fromkeys(("TopicName", "InterfaceName", "Role", "NodeName", "DataMappingList", "StampField", "FixedFields"), _CODE),
+    **dict.fromkeys(
+        ("TopicName", "InterfaceName", "Role", "NodeName", "DataMappingList", "StampField", "FixedFields"), _CODE
+    ),
     "MessageType": "{interfaces}",
     "Providers": FieldTarget("README.md", "in the picture"),
     "QualityOfService": FieldTarget(_CODE, "its events are counted and told in the diagnostics"),

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "eco_control/core_acc_node.hpp"
 #include "rclcpp/rclcpp.hpp"
@@ -11,7 +12,16 @@ class Derived : public eco_control::CoreAccNode
 {
 public:
   explicit Derived(const rclcpp::NodeOptions & options)
-  : CoreAccNode(options) {}
+  : CoreAccNode(options)
+  {
+    refusing_ = add_on_set_parameters_callback(
+      [](const std::vector<rclcpp::Parameter> & parameters) {
+        rcl_interfaces::msg::SetParametersResult result;
+        result.successful = parameters.empty() || parameters[0].get_name() != "a_lat_max" ||
+        parameters[0].as_double() < 5.0;
+        return result;
+      });
+  }
   ~Derived() override {stop_calls();}
 
   CallbackReturn on_configure(const rclcpp_lifecycle::State & state) override
@@ -32,6 +42,7 @@ protected:
 
 private:
   uint32_t count_ = 0;
+  rclcpp::node_interfaces::OnSetParametersCallbackHandle::SharedPtr refusing_;
   rclcpp_lifecycle::LifecyclePublisher<std_msgs::msg::UInt32>::SharedPtr counted_;
 };
 
