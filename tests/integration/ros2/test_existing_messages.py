@@ -150,7 +150,7 @@ def test_definitions_are_read_as_rosidl_reads_them():
     assert definitions.field("a_msgs/A", "c[3]").element == BY_VSS["uint8"]
     assert definitions.message("a_msgs/A").constants == {"NAME": "x # y"}
     assert definitions.stamp("a_msgs/A") == "header.stamp"
-    with pytest.raises(MessageError, match="Line 1 of a_msgs/C is no field"):
+    with pytest.raises(MessageError, match="Line 1 of a_msgs/C is not a field"):
         Definitions({"a_msgs/C": "float32"}).message("a_msgs/C")
 
 

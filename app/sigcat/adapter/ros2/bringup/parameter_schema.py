@@ -28,7 +28,7 @@ def parameter_schema(node: NodePlan) -> str:
 
 
 def _own(node: NodePlan) -> dict[str, Any]:
-    """What every node has, whatever its function is."""
+    """Parameters that every node has."""
     found: dict[str, Any] = {"use_sim_time": {"type": "boolean"}, "lock_step": {"type": "boolean"}}
     if node.priority is not None:
         found["scheduling_policy"] = {"enum": ["other", "fifo", "rr"]}
