@@ -164,7 +164,7 @@ install(DIRECTORY launch config DESTINATION share/${{PROJECT_NAME}})
 
 if(BUILD_TESTING)
   # Cores are C of every platform, with rules of their own, and code is that of the functions.
-  file(GLOB_RECURSE not_linted CONFIGURE_DEPENDS core/* code/*)
+  file(GLOB_RECURSE not_linted CONFIGURE_DEPENDS core/?* code/?*)
   set(AMENT_LINT_AUTO_FILE_EXCLUDE ${{not_linted}})
   find_package(ament_lint_auto REQUIRED)
   ament_lint_auto_find_test_dependencies()
