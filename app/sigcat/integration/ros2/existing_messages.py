@@ -13,11 +13,10 @@ from sigcat.function.function_json.conversion import IDENTITY, Linear, as_number
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.datatype import Datatype, EnumerationValue
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.primitive_types import value_range
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.runnable import Contract
 from sigcat.integration.datatypes import Spelling
-from sigcat.integration.ros2.message_definitions import Definitions, Field, MessageError, short_name
+from sigcat.integration.ros2.message_definitions import Definitions, Field, MessageError, holds, short_name
 from sigcat.integration.ros2.settings import FieldSettings, MessageSettings, Ros2Settings
 from sigcat.integration.ros2.types import FieldType, field_type, sent
 from sigcat.names import either
@@ -135,19 +134,6 @@ def _values(
             problems.append(MappingProblem(own, f"{path} must have a value of {kind}, not {str(value)[:60]!r}."))
         else:
             yield FixedValue(path, field.element.ros2, value)
-
-
-def holds(element: Spelling, value: object) -> bool:
-    """Whether a primitive can have a value of a document."""
-    if element.vss == "string":
-        return isinstance(value, str)
-    if isinstance(value, bool) or element.vss == "boolean":
-        return isinstance(value, bool) and element.vss == "boolean"
-    if not isinstance(value, int | float):
-        return False
-    limits = value_range(element.vss)
-    is_whole = element.vss in ("float", "double") or value == int(value)
-    return is_whole and limits is not None and limits[0] <= value <= limits[1]
 
 
 # -- functions ----------------------------------------------------------------------------------------------------

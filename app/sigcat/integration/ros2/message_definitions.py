@@ -4,6 +4,7 @@ import re
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from sigcat.function.function_json.primitive_types import value_range
 from sigcat.integration.datatypes import SPELLINGS, Spelling
 
 _TYPE = r"(?P<type>[A-Za-z]\w*(?:/[A-Za-z]\w*)?)(?:<=\d{1,9})?(?P<array>\[(?:<=)?\d{0,9}\])?"
@@ -130,3 +131,16 @@ def named_types(text: str, name: str) -> tuple[str, ...]:
     except MessageError:
         return ()
     return tuple(dict.fromkeys(field.type for field in fields if "/" in field.type))
+
+
+def holds(element: Spelling, value: object) -> bool:
+    """Whether a primitive can have a value of a document."""
+    if element.vss == "string":
+        return isinstance(value, str)
+    if isinstance(value, bool) or element.vss == "boolean":
+        return isinstance(value, bool) and element.vss == "boolean"
+    if not isinstance(value, int | float):
+        return False
+    limits = value_range(element.vss)
+    is_whole = element.vss in ("float", "double") or value == int(value)
+    return is_whole and limits is not None and limits[0] <= value <= limits[1]
