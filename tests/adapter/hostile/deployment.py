@@ -26,5 +26,12 @@ DEPLOYMENT: dict[str, Any] = {
     "ros2": {
         "namespace": "/demo", "messagePackage": "demo_messages", "maintainer": "Team", "email": "team@example.com", "license": "Proprietary",
         "quality": {"vehicle/demo/in": {"depth": 2}},
+        "messages": {
+            "demo": {
+                "type": "demo_msgs/Demo", "values": {"header.frame_id": "base"},
+                "fields": {"speed": {"signal": "Vehicle.Demo.In", "unit": "m/s", "symbols": {"P": 1}}},
+            }
+        },
+        "messageFolders": ["messages"], "messageDefinitions": {"demo_msgs/Demo": "float64 speed"},
     },
 }  # fmt: skip

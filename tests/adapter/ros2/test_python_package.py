@@ -44,15 +44,13 @@ def test_each_value_is_traced_to_its_path_and_unit():
     )
 
 
-def test_both_releases_differ_in_executors_and_in_what_rclpy_tells_of_events_and_messages_alone():
+def test_both_releases_differ_in_what_rclpy_tells_of_events_and_messages_alone():
     jazzy, humble = (generated.files(generated.ECOCONTROL.read_bytes(), release) for release in ("jazzy", "humble"))
     support = "eco_control_py/eco_control_py/support"
     differing = [name for name in jazzy if name.startswith("eco_control_py/") and jazzy[name] != humble[name]]
-    events, executor, message_info = (f"{support}/{name}.py" for name in ("events", "executor", "message_info"))
-    assert sorted(differing) == [events, executor, message_info]
+    events, message_info = (f"{support}/{name}.py" for name in ("events", "message_info"))
+    assert sorted(differing) == [events, message_info]
     assert humble[events] == jazzy[events].replace("rclpy.event_handler", "rclpy.qos_event")
-    assert "EventsExecutor" in jazzy[executor]
-    assert "EventsExecutor" not in humble[executor]
     assert "def callback(message: Any) -> None" in humble[message_info]
 
 

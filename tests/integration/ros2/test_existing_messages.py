@@ -1,11 +1,16 @@
 """Signals in fields of messages that exist: where they travel, what the core converts, and what is refused."""
 
+import json
+
 import pytest
 
+from sigcat.errors import InputRefused
 from sigcat.integration.datatypes import BY_VSS
+from sigcat.integration.ros2.document import read_integration
 from sigcat.integration.ros2.installed_messages import with_installed_messages
 from sigcat.integration.ros2.message_definitions import Definitions, Field, MessageError
 from sigcat.integration.source_functions import SOURCE_FUNCTIONS
+from sigcat.limits import DEFAULT_LIMITS
 from tests.integration.ros2.functions import derived, document, function, rules, settings, signal, topics
 
 TEXTS = {
@@ -112,7 +117,7 @@ def test_what_does_not_fit_is_refused_with_its_reason(fields, message):
     ],
 )
 def test_values_that_a_field_cannot_have_are_refused(values, message):
-    (found,) = refused({"twist.linear.x": "Vehicle.Speed"}, values=values)
+    (found,) = refused({"twist.linear.x": "Vehicle.Speed"}, speed("Provider"), values=values)
     assert message in found
 
 
@@ -132,8 +137,24 @@ def test_a_message_is_sent_by_one_node():
     assert "the sender of Vehicle.Other" in problems(derived([mixed], deployment(fields=fields)))[0]
 
 
+def test_values_of_a_message_that_is_only_received_are_refused():
+    (found,) = refused({"gear": "Vehicle.Speed"}, values={"header.frame_id": "base_link"})
+    assert "it is only received" in found
+
+
 def test_a_signal_of_nothing_is_told():
     assert ("N220", "Vehicle.Sped") in rules([function(speed())], deployment(fields={"gear": "Vehicle.Sped"}))
+
+
+@pytest.mark.parametrize("value", [3, True, None, ["base"], {"a": 1}])
+def test_an_edited_document_cannot_give_a_field_a_value_of_another_kind(value):
+    wanted = deployment(fields={"gear": "Vehicle.Speed"}, values={"header.frame_id": "base_link"})
+    made = document([function(speed("Provider"))], wanted)
+    (end,) = (topic for call in made["CommunicationList"] for topic in call["ROSTopicList"])
+    end["FixedFields"][0]["Value"] = value
+    with pytest.raises(InputRefused) as refused:
+        read_integration(json.dumps(made).encode(), "ros2.json", DEFAULT_LIMITS)
+    assert "The value of header.frame_id must be a string" in refused.value.findings[0].message
 
 
 # -- definitions --------------------------------------------------------------------------------------------------
@@ -150,7 +171,7 @@ def test_definitions_are_read_as_rosidl_reads_them():
     assert definitions.field("a_msgs/A", "c[3]").element == BY_VSS["uint8"]
     assert definitions.message("a_msgs/A").constants == {"NAME": "x # y"}
     assert definitions.stamp("a_msgs/A") == "header.stamp"
-    with pytest.raises(MessageError, match="Line 1 of a_msgs/C is no field"):
+    with pytest.raises(MessageError, match="Line 1 of a_msgs/C is not a field"):
         Definitions({"a_msgs/C": "float32"}).message("a_msgs/C")
 
 

@@ -16,6 +16,7 @@ from sigcat.integration.ros2.names import (
     topic_name,
 )
 from sigcat.reserved_words import CPP_KEYWORDS, PYTHON_KEYWORDS
+from tests.integration.ros2.functions import document, function, signal
 
 HOSTILE = st.one_of(
     st.text(max_size=300), st.sampled_from(["*/ #include <x>", '"><script>', "a__b_", "9", "_", "Ä", ""])
@@ -82,3 +83,9 @@ def test_names_beside_each_other_differ(sources):
 def test_topics_are_made_of_field_names(segments):
     name = topic_name(*segments)
     assert all(FIELD.fullmatch(segment) for segment in name.split("/"))
+
+
+def test_the_package_has_no_name_of_the_c_code():
+    """It is a namespace of C++ beside them."""
+    taken = function(signal(Variable="acc.speed"), name="Acc")
+    assert document([taken])["NodePackageList"][0]["Name"] == "acc_2"

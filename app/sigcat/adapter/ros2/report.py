@@ -17,7 +17,9 @@ _CORE = FieldTarget("{core}", "decided there, as on every platform")
 _DOCUMENT = FieldTarget("{interfaces}", "in a comment of the field")
 _CODE = "{node}"
 _TOPIC: Targets = {
-    **dict.fromkeys(("TopicName", "InterfaceName", "Role", "NodeName", "DataMappingList", "StampField"), _CODE),
+    **dict.fromkeys(
+        ("TopicName", "InterfaceName", "Role", "NodeName", "DataMappingList", "StampField", "FixedFields"), _CODE
+    ),
     "MessageType": "{interfaces}",
     "Providers": FieldTarget("README.md", "in the picture"),
     "QualityOfService": FieldTarget(_CODE, "its events are counted and told in the diagnostics"),
@@ -28,6 +30,7 @@ _FIELD: Targets = {
                     _CORE),
     **dict.fromkeys(("Field", "NumberField"), "{interfaces}; {node}"),
     "FieldDataType": "{interfaces}",
+    **dict.fromkeys(("CatalogueFactor", "CatalogueOffset"), FieldTarget(_CODE, "in the core, which converts")),
     **dict.fromkeys(("FieldUnits", "VssPath"), _DOCUMENT),
     "ExternalProvider": FieldTarget("README.md", "in the picture"),
 }  # fmt: skip

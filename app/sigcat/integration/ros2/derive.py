@@ -10,6 +10,7 @@ from sigcat.function.document.text import Text
 from sigcat.function.function_json.data_interfaces import ParameterInterface
 from sigcat.function.function_json.model import FunctionInfo, FunctionJson, MetaInfo, Mode
 from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.function.function_json.walk import parts as walked
 from sigcat.integration.application import DEFAULT_VERSION, Application, Part, application, joined
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 from sigcat.integration.finding_collector import FindingCollector, Subject
@@ -139,7 +140,16 @@ def _packages(app: Application, settings: Ros2Settings) -> _Packages:
     """`EcoControl` → `eco_control` and `eco_control_interfaces`."""
     taken = {*PACKAGES_OF_ROS, *(name.removesuffix("_interfaces") for name in PACKAGES_OF_ROS)}
     interfaces = settings.message_package or f"{package_name(app.name, taken).text}_interfaces"
-    return _Packages(package_name(app.name, {interfaces, *taken}).text, interfaces)
+    return _Packages(package_name(app.name, {interfaces, *taken, *_c_names(app)}).text, interfaces)
+
+
+def _c_names(app: Application) -> Iterator[str]:
+    """Names of the C code: the package is a namespace of C++ beside them."""
+    for resolved in app.functions:
+        for _, part in walked(resolved.function):
+            for text in (getattr(part, "variable", None), getattr(part, "symbol", None)):
+                if isinstance(text, str) and (name := re.match(r"\w+", text)):
+                    yield name[0]
 
 
 def _topic_names(exchanged: Sequence[Communication], parts: Sequence[Part]) -> Iterator[str]:

@@ -1,7 +1,7 @@
-"""Signals that travel in messages that exist, as geometry_msgs/Twist: which field each has, and what is wrong with it.
+"""Map signals to fields of existing messages such as geometry_msgs/Twist, and report fields that do not fit.
 
-Such a signal has the datatype, unit and numbers of its field in place of the catalogue's, so that the core of the
-function converts between the two, with its rounding and its limits.
+A mapped signal gets the datatype, unit and numbers of its field instead of the catalogue's, so that the core of the
+function converts between field and code, with its rounding and limits.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -13,11 +13,10 @@ from sigcat.function.function_json.conversion import IDENTITY, Linear, as_number
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.datatype import Datatype, EnumerationValue
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.primitive_types import value_range
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.runnable import Contract
 from sigcat.integration.datatypes import Spelling
-from sigcat.integration.ros2.message_definitions import Definitions, Field, MessageError, short_name
+from sigcat.integration.ros2.message_definitions import Definitions, Field, MessageError, holds, short_name
 from sigcat.integration.ros2.settings import FieldSettings, MessageSettings, Ros2Settings
 from sigcat.integration.ros2.types import FieldType, field_type, sent
 from sigcat.names import either
@@ -26,7 +25,7 @@ SECTION = ("ros2", "messages")
 
 
 class MappingProblem(NamedTuple):
-    """What is wrong with an entry of `messages` in the deployment file."""
+    """A problem of an entry of `messages` in the deployment file."""
 
     at: Pointer
     message: str
@@ -34,7 +33,7 @@ class MappingProblem(NamedTuple):
 
 
 class FixedValue(NamedTuple):
-    """What a field always has."""
+    """The value that a field always has."""
 
     path: str
     datatype: str
@@ -66,7 +65,7 @@ class MappedField(NamedTuple):
 
 
 class ExistingMessages(NamedTuple):
-    """What the deployment says of existing messages."""
+    """Existing messages, as the deployment maps them."""
 
     topics: Mapping[str, ExistingTopic]
     fields: Mapping[str, MappedField]
@@ -137,26 +136,13 @@ def _values(
             yield FixedValue(path, field.element.ros2, value)
 
 
-def holds(element: Spelling, value: object) -> bool:
-    """Whether a primitive can have a value of a document."""
-    if element.vss == "string":
-        return isinstance(value, str)
-    if isinstance(value, bool) or element.vss == "boolean":
-        return isinstance(value, bool) and element.vss == "boolean"
-    if not isinstance(value, int | float):
-        return False
-    limits = value_range(element.vss)
-    is_whole = element.vss in ("float", "double") or value == int(value)
-    return is_whole and limits is not None and limits[0] <= value <= limits[1]
-
-
 # -- functions ----------------------------------------------------------------------------------------------------
 
 
 def with_existing_messages(
     functions: Sequence[ResolvedFunction], messages: ExistingMessages, paths: Mapping[str, str]
 ) -> tuple[tuple[ResolvedFunction, ...], ExistingMessages]:
-    """Functions whose mapped signals have datatype, unit and numbers of their fields; and what does not fit, too."""
+    """Give mapped signals the datatype, unit and numbers of their fields, and add the problems of those that do not fit."""
     problems: dict[MappingProblem, None] = {}
     ways: dict[str, Linear] = {}
 
@@ -205,7 +191,7 @@ def _each_signal(function: FunctionJson, change: Callable[[Any], Any]) -> Functi
 
 
 class _DoesNotFit(Exception):
-    """Why a signal cannot have its field, and what to do."""
+    """The reason why a signal cannot have its field, and a fix."""
 
     def __init__(self, message: str, fix: str = "") -> None:
         super().__init__(message)
@@ -247,7 +233,7 @@ def _kind(own: FieldType) -> str:
 
 
 def _symbols(own: FieldType, element: Spelling, mapped: MappedField) -> tuple[EnumerationValue, ...]:
-    """Values of an enumeration with the numbers of the message; none of what is no enumeration."""
+    """Values of an enumeration with the numbers of the message; empty for other datatypes."""
     signal, given = mapped.settings.signal, mapped.settings.symbols
     if element.vss == "string" and not (own.is_text and own.symbols and given is None):
         raise _DoesNotFit(f"{mapped.path} is a text, which {signal} can have as an enumeration of texts alone.")

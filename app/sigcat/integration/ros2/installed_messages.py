@@ -7,13 +7,13 @@ from sigcat.integration.ros2.message_definitions import named_types, short_name
 from sigcat.integration.ros2.settings import Ros2Settings
 
 _MOST_BYTES = 1_000_000
-"""A definition that is larger is none."""
+"""Larger files are ignored."""
 
 
 def with_installed_messages(settings: Ros2Settings, folder: Path, environment: Mapping[str, str]) -> Ros2Settings:
     """Settings with the definition of every message that they name, and of those within, as far as files have them.
 
-    Folders are relative to `folder`. What the settings define themselves goes before.
+    Folders are relative to `folder`. Definitions in the settings go first.
     """
     prefixes = [Path(each) / "share" for each in environment.get("AMENT_PREFIX_PATH", "").split(":") if each]
     folders = [*(folder / each for each in settings.message_folders), *prefixes]

@@ -4,6 +4,7 @@ import re
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from sigcat.function.function_json.primitive_types import value_range
 from sigcat.integration.datatypes import SPELLINGS, Spelling
 
 _TYPE = r"(?P<type>[A-Za-z]\w*(?:/[A-Za-z]\w*)?)(?:<=\d{1,9})?(?P<array>\[(?:<=)?\d{0,9}\])?"
@@ -15,11 +16,11 @@ _OLD = {"byte": "uint8", "char": "uint8"}
 PRIMITIVES: Mapping[str, Spelling] = {row.ros2: row for row in SPELLINGS}
 HEADER, TIME = "std_msgs/Header", "builtin_interfaces/Time"
 _KNOWN = {TIME: "int32 sec\nuint32 nanosec"}
-"""What every message may have, wherever its own definition is from."""
+"""Definitions that are always known."""
 
 
 class MessageError(Exception):
-    """A message or a field that is not there, or is no such thing."""
+    """A message or field that does not exist or cannot be read."""
 
 
 class Definition(NamedTuple):
@@ -57,7 +58,7 @@ class Definitions:
         self._read: dict[str, Definition] = {}
 
     def message(self, name: str) -> Definition:
-        """A message. Raises MessageError if it is not there, or cannot be read."""
+        """A message. Raises MessageError if it does not exist or cannot be read."""
         if name not in self._read:
             if name not in self._texts:
                 raise MessageError(f"The message {name} is not found")
@@ -100,7 +101,7 @@ def short_name(name: str) -> str:
 
 
 def parsed(name: str, text: str) -> Definition:
-    """The definition of a message from its text. Raises MessageError for a line that is none of a message."""
+    """The definition of a message from its text. Raises MessageError for a line that is not a field or constant."""
     package = name.partition("/")[0]
     fields: dict[str, Field] = {}
     constants: dict[str, str] = {}
@@ -112,7 +113,7 @@ def parsed(name: str, text: str) -> Definition:
         elif field:
             fields[field["name"]] = Field(_full(field["type"], package), field["array"] or "")
         elif code:
-            raise MessageError(f"Line {number} of {name} is no field: {code[:60]!r}")
+            raise MessageError(f"Line {number} of {name} is not a field: {code[:60]!r}")
     return Definition(fields, constants)
 
 
@@ -124,9 +125,22 @@ def _full(type_: str, package: str) -> str:
 
 
 def named_types(text: str, name: str) -> tuple[str, ...]:
-    """Messages that a message has fields of. None, if its text is none of a message."""
+    """Messages that a message has fields of; empty if its text cannot be read."""
     try:
         fields = parsed(name, text).fields.values()
     except MessageError:
         return ()
     return tuple(dict.fromkeys(field.type for field in fields if "/" in field.type))
+
+
+def holds(element: Spelling, value: object) -> bool:
+    """Whether a primitive can have a value of a document."""
+    if element.vss == "string":
+        return isinstance(value, str)
+    if isinstance(value, bool) or element.vss == "boolean":
+        return isinstance(value, bool) and element.vss == "boolean"
+    if not isinstance(value, int | float):
+        return False
+    limits = value_range(element.vss)
+    is_whole = element.vss in ("float", "double") or value == int(value)
+    return is_whole and limits is not None and limits[0] <= value <= limits[1]

@@ -11,6 +11,7 @@ from sigcat.integration.agreement import argument_counts
 from sigcat.integration.checked_document import Problem
 from sigcat.integration.datatypes import BY_VSS
 from sigcat.integration.ros2.common_types import ERROR_STATUS, SAFETY_REACTION, STEP
+from sigcat.integration.ros2.message_definitions import PRIMITIVES, holds
 from sigcat.integration.ros2.model import (
     InterfacePackage,
     Message,
@@ -21,6 +22,7 @@ from sigcat.integration.ros2.model import (
     Ros2Integration,
     RosNode,
     RosParameter,
+    RosTopic,
     Service,
 )
 from sigcat.integration.ros2.names import CONSTANT, FIELD, LONGEST, MESSAGE
@@ -56,6 +58,7 @@ def problems_of(model: Ros2Integration) -> Iterator[Problem]:
             below: Pointer = (*at, "ROSTopicList", number)
             yield from _is(topic.name, _TOPIC, (*below, "TopicName"), "name of a topic")
             yield from _is(topic.message or "", _INTERFACE, (*below, "MessageType"), "type of a topic")
+            yield from _fixed_fields(topic, below)
             if topic.quality is None:
                 yield Problem(below, f"The topic {topic.name} must have a `QualityOfService`.")
         for number, service in enumerate(communication.services or ()):
@@ -66,6 +69,15 @@ def problems_of(model: Ros2Integration) -> Iterator[Problem]:
             if known is not None and own not in known:  # a method that no function has is reported elsewhere
                 message = f"{service.name} must have the arguments and results of {service.method}."
                 yield Problem(below, message, _AGAIN)
+
+
+def _fixed_fields(topic: RosTopic, at: Pointer) -> Iterator[Problem]:
+    for index, fixed in enumerate(topic.values or ()):
+        element = PRIMITIVES.get(fixed.field_type)
+        value = fixed.value.raw if isinstance(fixed.value, Text) else fixed.value
+        if element is None or not holds(element, value):
+            message = f"The value of {fixed.field} must be a {fixed.field_type}, not {str(value)[:60]!r}."
+            yield Problem((*at, "FixedFields", index, "Value"), message)
 
 
 def _is(text: str, form: re.Pattern[str], at: Pointer, what: str) -> Iterator[Problem]:

@@ -52,7 +52,7 @@ class QualitySettings(DeclarationModel):
 
 
 class FieldSettings(DeclarationModel):
-    """What a field of an existing message has."""
+    """The signal of a field of an existing message."""
 
     signal: Name = Field(description="VSS path of the signal, or `Function.Signal` of one that has none.")
     unit: UnitKey | None = Field(
@@ -65,7 +65,7 @@ class FieldSettings(DeclarationModel):
 
 
 class MessageSettings(DeclarationModel):
-    """An existing message that signals are sent and received with."""
+    """An existing message whose fields have signals."""
 
     type: RosInterface = Field(description="The message, as geometry_msgs/Twist.")
     fields: dict[RosField, Name | FieldSettings] = Field(

@@ -99,6 +99,10 @@ def _existing_topics(
         if not own:
             continue
         senders = {use.part.name for use in own if use.is_provider}
+        if topic.values and not senders:
+            message = f"{name} must be sent by a node of the set to have `values`; it is only received."
+            at = (*SECTION, name, "values")
+            findings.report_deployment(codes.FIELD_DOES_NOT_FIT, message, at, "Remove `values`.", "")
         foreign = {use.key for use in own} - {use.key for use in own if use.is_provider}
         if len(senders) > 1 or (senders and foreign):
             others = [*sorted(senders), *(f"the sender of {key}" for key in sorted(foreign))]

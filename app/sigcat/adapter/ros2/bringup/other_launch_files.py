@@ -1,4 +1,4 @@
-"""Launch files beside the main one: in XML, and with all nodes in one container."""
+"""Further launch files: in XML, and with all nodes in one container."""
 
 from sigcat.adapter.ros2.bringup.graph import in_order_of_activation
 from sigcat.adapter.ros2.package_xml import rights
@@ -54,11 +54,11 @@ def container_launch_file(workspace: WorkspacePlan) -> str:
 _CONTAINER = '''{head}
 
 """
-Load the nodes of this package into one container, each with threads of its own.
+Load the nodes of this package into one container, each with separate threads.
 
 A lifecycle manager configures all of them, then activates them in this order. It is that of Nav2
 (package nav2_lifecycle_manager), which gets no heartbeats (bonds) from these nodes. With
-`manager:=false`, another one does it, such as the manager of the whole system.
+`manager:=false`, another manager does it, such as that of the whole system.
 """
 
 from launch import LaunchDescription
@@ -76,7 +76,7 @@ NODES = (  # in the order of activation
 
 
 def generate_launch_description():
-    """Declare the arguments, load the nodes, and start who brings them to life."""
+    """Declare the arguments, load the nodes, and start their lifecycle manager."""
     container = ComposableNodeContainer(
         package='rclcpp_components',
         executable='component_container_isolated',
@@ -91,7 +91,7 @@ def generate_launch_description():
 
 
 def arguments():
-    """Declare what the launch can be told."""
+    """Declare the arguments of the launch."""
     configuration = PathJoinSubstitution([FindPackageShare(PACKAGE), 'config'])
     return [
         DeclareLaunchArgument(

@@ -16,7 +16,7 @@ def parameter_file(node: NodePlan, workspace: WorkspacePlan) -> str:
     """The text of `config/NODE.yaml`, for the node of this name in any namespace."""
     parts = [*map(_parameter, node.parameters), *_own(node, workspace)]
     body = "\n".join(textwrap.indent(part, "    ") for part in parts)
-    head = f"# yaml-language-server: $schema={schema_name(node)}\n"
+    head = f"# yaml-language-server: $schema={comment(schema_name(node))}\n"
     head += _comment(f"Parameters of {node.name}: what it has without this file.")
     has_values = any(not line.startswith("#") for part in parts for line in part.splitlines())
     values = "ros__parameters:" if has_values else "ros__parameters: {}"  # rcl refuses a key without a value

@@ -4,6 +4,7 @@ import json
 from typing import Any
 
 from sigcat.adapter.ros2.plan import NodeParameter, NodePlan
+from sigcat.function.document.text_filters import comment
 
 _TYPES = {"bool": "boolean", "integer": "integer", "double": "number", "string": "string"}
 _NAME = r"^/?(\*\*/|[a-z][a-z0-9_]*/)*(\*\*|\*|[a-z][a-z0-9_]*)$"
@@ -24,11 +25,11 @@ def parameter_schema(node: NodePlan) -> str:
         "additionalProperties": False,
         "patternProperties": {_NAME: {"type": "object", "properties": {"ros__parameters": values}}},
     }
-    return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
+    return json.dumps(schema, indent=2) + "\n"
 
 
 def _own(node: NodePlan) -> dict[str, Any]:
-    """What every node has, whatever its function is."""
+    """Parameters that every node has."""
     found: dict[str, Any] = {"use_sim_time": {"type": "boolean"}, "lock_step": {"type": "boolean"}}
     if node.priority is not None:
         found["scheduling_policy"] = {"enum": ["other", "fifo", "rr"]}
@@ -45,5 +46,5 @@ def _parameter(parameter: NodeParameter) -> dict[str, Any]:
         element["maximum"] = parameter.high
     if parameter.symbols:
         element["enum"] = [each.text for each in parameter.symbols]
-    about = {"description": parameter.described.raw}
+    about = {"description": comment(parameter.described)}
     return about | ({"type": "array", "items": element} if parameter.type.endswith("_array") else element)

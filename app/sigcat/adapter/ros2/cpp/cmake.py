@@ -22,7 +22,7 @@ def cmake(workspace: WorkspacePlan, support: Sequence[str]) -> str:
         targets="".join(f"  ${{{each}_TARGETS}}\n" for each in others),
     )]  # fmt: skip
     parts += [_node(node, workspace) for node in workspace.nodes]
-    return "\n".join([*parts, _TAIL.format(tests=_tests(workspace, support))])
+    return "\n".join([*parts, _TAIL.format(exported=_exported(workspace), tests=_tests(workspace, support))])
 
 
 _HEAD = """cmake_minimum_required(VERSION 3.16)
@@ -54,7 +54,8 @@ add_library({name}_support STATIC{sources}
 )
 set_target_properties({name}_support PROPERTIES POSITION_INDEPENDENT_CODE ON)
 target_include_directories({name}_support PUBLIC
-  "$<BUILD_INTERFACE:${{CMAKE_CURRENT_SOURCE_DIR}}/include>")
+  "$<BUILD_INTERFACE:${{CMAKE_CURRENT_SOURCE_DIR}}/include>"
+  "$<INSTALL_INTERFACE:include/${{PROJECT_NAME}}>")
 target_compile_options({name}_support PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
 target_link_libraries({name}_support PUBLIC
   ${{builtin_interfaces_TARGETS}}
@@ -67,6 +68,12 @@ target_link_libraries({name}_support PUBLIC
   Threads::Threads
 )
 """
+
+
+def _exported(workspace: WorkspacePlan) -> str:
+    """Packages whose headers those of the nodes include."""
+    own = {"builtin_interfaces", "diagnostic_msgs", "rcl_interfaces", "rclcpp", "rclcpp_components", "rclcpp_lifecycle"}
+    return "\n  ".join(sorted({*own, "Threads", workspace.interfaces, *workspace.message_packages}))
 
 
 def _node(node: NodePlan, workspace: WorkspacePlan) -> str:
@@ -119,7 +126,7 @@ rclcpp_components_register_nodes({component} "{package}::{type}")
 add_executable({executable} src/{name}_main.cpp)
 target_link_libraries({executable} PRIVATE {component})
 
-install(TARGETS {core} {component}
+install(TARGETS {core} {component} EXPORT export_${{PROJECT_NAME}}
   ARCHIVE DESTINATION lib
   LIBRARY DESTINATION lib
   RUNTIME DESTINATION bin
@@ -143,9 +150,24 @@ _STORAGE_TEST = """
   target_link_libraries(test_storage ${PROJECT_NAME}_support)"""
 
 
-_TAIL = """install(DIRECTORY launch config DESTINATION share/${{PROJECT_NAME}})
+_TAIL = """# For packages that link a node or derive from its class.
+install(TARGETS ${{PROJECT_NAME}}_support EXPORT export_${{PROJECT_NAME}}
+  ARCHIVE DESTINATION lib
+)
+install(DIRECTORY include/ DESTINATION include/${{PROJECT_NAME}})
+ament_export_targets(export_${{PROJECT_NAME}} HAS_LIBRARY_TARGET)
+ament_export_dependencies(
+  {exported}
+)
+
+install(DIRECTORY launch config DESTINATION share/${{PROJECT_NAME}})
 
 if(BUILD_TESTING)
+  # Cores are C of every platform, with rules of their own, and code is that of the functions.
+  file(GLOB_RECURSE not_linted CONFIGURE_DEPENDS core/?* code/?*)
+  set(AMENT_LINT_AUTO_FILE_EXCLUDE ${{not_linted}})
+  find_package(ament_lint_auto REQUIRED)
+  ament_lint_auto_find_test_dependencies()
   find_package(ament_cmake_gtest REQUIRED)
   find_package(ament_cmake_ros REQUIRED)
   find_package(launch_testing_ament_cmake REQUIRED)

@@ -24,18 +24,14 @@ def tell_function(node: NodePlan) -> str:
         "if (publisher == nullptr || publisher->get_subscription_count() == 0U) {\n  return;\n}",
         "diagnostic_msgs::msg::DiagnosticArray told;\ntold.header.stamp = now();",
         "const std::string node = unique_name(get_node_base_interface()->get_fully_qualified_name());",
+        "bool has_calls = false;  // whether one runs: the mode may exclude all of them" if node.steps else "",
+        *(f"has_calls |= is_active && !{report_name(node, step)}.is_excluded;" for step in node.steps),
         *(_error(each) for each in node.monitors),
         *(call("told.status.push_back", [call("call_status", ["node", c_string(step.interface), report_name(node, step)], ")", 3)])
           for step in node.steps),
         _SCHEDULING if node.priority is not None else scope("if (!scheduling_problem.empty())", [_SCHEDULING]),
-        f"topics_.tell(node, {_has_calls(node)}, told.status);\npublisher->publish(told);",
+        f"topics_.tell(node, {'has_calls' if node.steps else 'is_active'}, told.status);\npublisher->publish(told);",
     ], "// For people and aggregators; what others act on has topics of its own.")  # fmt: skip
-
-
-def _has_calls(node: NodePlan) -> str:
-    """Whether a call runs: the node is active, and its mode does not exclude all of them."""
-    excluded = " && ".join(f"{report_name(node, step)}.is_excluded" for step in node.steps)
-    return f"is_active && !({excluded})" if excluded else "is_active"
 
 
 def _reported(step: Call, node: NodePlan) -> str:

@@ -24,7 +24,8 @@ _DEPENDS = (
     "rclcpp_lifecycle",
 )
 _TEST_DEPENDS = (
-    "ament_cmake_gtest", "ament_cmake_ros", "launch_testing_ament_cmake", "launch_testing_ros", "lifecycle_msgs",
+    "ament_cmake_cpplint", "ament_cmake_flake8", "ament_cmake_gtest", "ament_cmake_pep257", "ament_cmake_ros",
+    "ament_cmake_uncrustify", "ament_cmake_xmllint", "ament_lint_auto", "launch_testing_ament_cmake", "launch_testing_ros", "lifecycle_msgs",
 )  # fmt: skip
 SUPPORT = Path(__file__).parent / "support"
 """What all nodes share, with PACKAGE_NAME and PACKAGE_GUARD for the name of the package."""

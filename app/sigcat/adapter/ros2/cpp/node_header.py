@@ -27,7 +27,7 @@ def node_header(node: NodePlan, workspace: WorkspacePlan) -> str:
             messages_of(workspace) if has_messages(node, node.publishers) else "",
             f"namespace srv = {workspace.interfaces}::srv;",
         ]),
-        _class(node),
+        _class(node, workspace),
         f"}}  {comment(f'namespace {workspace.name}')}",
         f"#endif  {comment(name)}",
     ]) + "\n"  # fmt: skip
@@ -66,11 +66,14 @@ def _includes(node: NodePlan, workspace: WorkspacePlan) -> str:
     ])  # fmt: skip
 
 
-def _class(node: NodePlan) -> str:
+def _class(node: NodePlan, workspace: WorkspacePlan) -> str:
     return text([
         f"class {node.type} : public rclcpp_lifecycle::LifecycleNode\n{{\npublic:",
-        indented(spaced([_life(node), "private:"])).replace("  private:", "private:"),
-        indented(spaced(["struct Core;", _functions(node), _members(node)])),
+        indented(_life(node)),
+        "\nprotected:",
+        indented(_for_derived(node)),
+        "\nprivate:",
+        indented(spaced(["struct Core;", _functions(node), _members(node, workspace)])),
         "};",
     ])  # fmt: skip
 
@@ -86,13 +89,25 @@ def _life(node: NodePlan) -> str:
     ])  # fmt: skip
 
 
+def _for_derived(node: NodePlan) -> str:
+    """What a class that derives from the node may use: transitions are virtual, too."""
+    hooks = [
+        f"virtual void complete_{each.member}(\n  {short(each.message, node)} & /* message */) {{}}"
+        for each in node.publishers
+        if not each.is_status
+    ]
+    about = "/// Called before a message is published, by the thread of the calls: a derived class may fill\n/// fields that the function does not know, or publish something else beside it."
+    ended = "/// Ends the calls. The destructor of a derived class calls it, so that none calls what is gone."
+    return spaced([text([about, *hooks]) if hooks else "", f"{ended}\nvoid stop_calls();"])
+
+
 def _functions(node: NodePlan) -> str:
     parameters = ["void declare_parameters();"]
     if node.settable:
         parameters.append("rcl_interfaces::msg::SetParametersResult set(\n"
-                          "  const std::vector<rclcpp::Parameter> & parameters);")  # fmt: skip
+                          "  const std::vector<rclcpp::Parameter> & parameters, bool is_only_checked);")  # fmt: skip
     connections = ["void advertise();", "void subscribe_all();", "void offer();", "void disconnect();"]
-    calls = ["void start_calls();", "void stop_calls();", "void run_calls();", "void start();", "bool run_due_call();"]
+    calls = ["void start_calls();", "void run_calls();", "void start();", "bool run_due_call();"]
     calls += [f"void {run_name(node, step)}();" for step in node.steps]
     calls += ["void supervise();", "void publish(const builtin_interfaces::msg::Time & stamp);", "void tell();"]
     methods = [f"void {name}(\n  const srv::{each.service.name}::Request & request, srv::{each.service.name}::Response & response);"
@@ -106,7 +121,7 @@ def _functions(node: NodePlan) -> str:
     ])  # fmt: skip
 
 
-def _members(node: NodePlan) -> str:
+def _members(node: NodePlan, workspace: WorkspacePlan) -> str:
     return spaced([
         text([
             "std::unique_ptr<Core> core_;",
@@ -126,11 +141,11 @@ def _members(node: NodePlan) -> str:
             "std::unique_ptr<Storage> storage_;" if node.is_stored else "",
             *(f"CallTimes {times_name(node, step)};" for step in node.steps),
         ]),
-        _connections(node),
+        _connections(node, workspace),
     ])  # fmt: skip
 
 
-def _connections(node: NodePlan) -> str:
+def _connections(node: NodePlan, workspace: WorkspacePlan) -> str:
     publishers = [
         _member(f"std::unique_ptr<CountingPublisher<{short(each.message, node)}>>", f"{each.member}_publisher_;")
         for each in node.publishers
@@ -151,12 +166,18 @@ def _connections(node: NodePlan) -> str:
             "rclcpp::Service<srv::Step>::SharedPtr step_service_;",
             "rclcpp::Publisher<diagnostic_msgs::msg::DiagnosticArray>::SharedPtr diagnostics_;",
             "rclcpp::TimerBase::SharedPtr diagnostics_timer_;",
-            "rclcpp::node_interfaces::OnSetParametersCallbackHandle::SharedPtr parameters_callback_;"
-            if node.settable
-            else "",
+            *(_parameter_callbacks(workspace) if node.settable else []),
             "std::unique_ptr<Receiver> receiver_;  // the last, so that it ends first",
         ]
     )
+
+
+def _parameter_callbacks(workspace: WorkspacePlan) -> list[str]:
+    interfaces = "rclcpp::node_interfaces::"
+    found = [f"{interfaces}OnSetParametersCallbackHandle::SharedPtr parameters_callback_;"]
+    if workspace.release != "humble":
+        found.append(f"{interfaces}PostSetParametersCallbackHandle::SharedPtr taken_callback_;")
+    return found
 
 
 def _member(type_: str, name: str) -> str:

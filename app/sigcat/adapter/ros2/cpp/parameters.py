@@ -25,7 +25,7 @@ def _declare(node: NodePlan, workspace: WorkspacePlan) -> str:
     return function(f"void {node.type}::declare_parameters()", [
         *_own(node, workspace),
         *(_declared(each) for each in node.parameters),
-        _checked(node) if node.settable else "",
+        _checked(node, workspace) if node.settable else "",
     ])  # fmt: skip
 
 
@@ -110,16 +110,23 @@ def _double(value: float) -> str:
 # -- changes ------------------------------------------------------------------------------------------------------
 
 
-def _checked(node: NodePlan) -> str:
+def _checked(node: NodePlan, workspace: WorkspacePlan) -> str:
+    """Others may refuse what this node does not: what all have accepted is taken, except on Humble, which does not tell."""
     names = ",\n  ".join(c_string(each.name) for each in node.settable)
+    is_told = workspace.release != "humble"
+    taken = """
+taken_callback_ = add_post_set_parameters_callback(
+  [this](const std::vector<rclcpp::Parameter> & parameters) {set(parameters, false);});""" if is_told else ""  # fmt: skip
     return f"""const std::vector<std::string> names = {{
   {names}}};
-const rcl_interfaces::msg::SetParametersResult result = set(get_parameters(names));
+const rcl_interfaces::msg::SetParametersResult result = set(get_parameters(names), false);
 if (!result.successful) {{
   throw rclcpp::exceptions::InvalidParameterValueException(result.reason);
 }}
 parameters_callback_ = add_on_set_parameters_callback(
-  [this](const std::vector<rclcpp::Parameter> & parameters) {{return set(parameters);}});"""
+  [this](const std::vector<rclcpp::Parameter> & parameters) {{
+    return set(parameters, {"true" if is_told else "false"});
+  }});{taken}"""
 
 
 def _set(node: NodePlan) -> str:
@@ -132,7 +139,7 @@ def _set(node: NodePlan) -> str:
         scope(f"if (name == {c_string(each.name)})", [f"is_taken = {_taken(each)};"])
         for each in node.settable
     ]  # fmt: skip
-    return function(f"rcl_interfaces::msg::SetParametersResult {node.type}::set(\n  const std::vector<rclcpp::Parameter> & parameters)", [
+    return function(f"rcl_interfaces::msg::SetParametersResult {node.type}::set(\n  const std::vector<rclcpp::Parameter> & parameters, bool is_only_checked)", [
         LOCK,
         "rcl_interfaces::msg::SetParametersResult result;\nresult.successful = true;",
         f"{core}_Parameters changed = core_->parameters;\nbool has_changed = false;",
@@ -143,8 +150,9 @@ def _set(node: NodePlan) -> str:
             scope("if (!is_taken)", ['result.successful = false;\nresult.reason = name + " has no such value";']),
         ]),
         scope("if (!result.successful || !has_changed)", ["return result;"]),
-        f"result.successful = {asks};",
-        scope("if (result.successful)", ["core_->parameters = changed;"], "} else {"),
+        f"const auto before = core_->adapter.parameter;\nresult.successful = {asks};",
+        scope("if (result.successful && is_only_checked)", ["core_->adapter.parameter = before;"],
+              "} else if (result.successful) {\n  core_->parameters = changed;\n} else {"),
         f"  result.reason = {call('refusal', ['parameters', _all_limits(node)], ');', 2)}\n}}",
         "return result;",
     ], "// All of them, or none.")  # fmt: skip

@@ -50,6 +50,7 @@ def _message(publisher: Publisher, node: NodePlan, queued: str) -> str:
         f"message.{publisher.stamp} = stamp;" if publisher.stamp else "",
         *(f"message.{each.field} = {_fixed(each.value)};" for each in publisher.fixed),
         *(text([comment(each.comment, levels=3), _filled(each, queued or f"out.{each.place}")]) for each in publisher.gives),
+        "" if publisher.is_status else f"complete_{publisher.member}(message);",
         f"{publisher.member}_publisher_->publish(message);",
         *(_taken_back(port, queued or f"out.{each.place}", f"due.{each.place}", node, is_alone=len(publisher.gives) == 1)
           for each in publisher.gives for port in each.own_ports),

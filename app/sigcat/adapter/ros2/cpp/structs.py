@@ -34,8 +34,10 @@ def _copy(pair: StructPair, *, gives: bool) -> str:
     head = f"struct Copy<{source}, {target}>"
     if len(head) > WIDEST:
         head = f"struct Copy<{source},\n  {target}>"
+    taken, filled = f"  const {source} & from,", f"{target} & to)"
+    arguments = f"{taken} {filled}" if len(taken) + len(filled) + 3 <= WIDEST else f"{taken}\n  {filled}"
     return text([
         f"template<>\n{head}\n{{",
-        indented(function(f"static void run(\n  const {source} & from, {target} & to)", rows)),
+        indented(function(f"static void run(\n{arguments}", rows)),
         "};",
     ])  # fmt: skip

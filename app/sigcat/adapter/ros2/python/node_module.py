@@ -156,7 +156,7 @@ def _declared(parameter: NodeParameter) -> Lines:
 
 
 def _limit(value: float | None, infinite: str) -> str:
-    return f"float('{infinite}')" if value is None else repr(value)
+    return f"float({python_string(infinite)})" if value is None else repr(value)
 
 
 def _described(name: str, value: AnyText) -> Lines:

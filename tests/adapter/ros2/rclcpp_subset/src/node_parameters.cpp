@@ -206,6 +206,11 @@ Result NodeParameters::set_atomically(const Parameters & parameters)
     for (const Parameter & parameter : parameters) {
       declared_[parameter.get_name()].value = parameter.get_parameter_value();
     }
+    for (const auto & weak : post_set_) {
+      if (const auto handle = weak.lock()) {
+        handle->callback(parameters);
+      }
+    }
     tell(parameters, false);
   }
   return result;
@@ -252,6 +257,16 @@ OnSetParametersCallbackHandle::SharedPtr NodeParameters::add_on_set(
   handle->callback = std::move(callback);
   const std::lock_guard<std::recursive_mutex> lock(mutex_);
   on_set_.push_front(handle);
+  return handle;
+}
+
+PostSetParametersCallbackHandle::SharedPtr NodeParameters::add_post_set(
+  PostSetParametersCallbackHandle::PostSetParametersCallbackType callback)
+{
+  auto handle = std::make_shared<PostSetParametersCallbackHandle>();
+  handle->callback = std::move(callback);
+  const std::lock_guard<std::recursive_mutex> lock(mutex_);
+  post_set_.push_front(handle);
   return handle;
 }
 

@@ -127,6 +127,12 @@ public:
     return parameters_->add_on_set(std::move(callback));
   }
 
+  [[nodiscard]] node_interfaces::PostSetParametersCallbackHandle::SharedPtr
+  add_post_set_parameters_callback(
+    node_interfaces::PostSetParametersCallbackHandle::PostSetParametersCallbackType callback)
+  {
+    return parameters_->add_post_set(std::move(callback));
+  }
   size_t count_publishers(const std::string & topic) const;
   size_t count_subscribers(const std::string & topic) const;
 

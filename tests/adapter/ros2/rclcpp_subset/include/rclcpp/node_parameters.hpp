@@ -30,6 +30,14 @@ struct OnSetParametersCallbackHandle
   OnSetParametersCallbackType callback;
 };
 
+struct PostSetParametersCallbackHandle
+{
+  using SharedPtr = std::shared_ptr<PostSetParametersCallbackHandle>;
+  using PostSetParametersCallbackType = std::function<void(const std::vector<rclcpp::Parameter> &)>;
+
+  PostSetParametersCallbackType callback;
+};
+
 /// Parameters of a node, their services and the events that tell of them.
 class NodeParameters
 {
@@ -52,6 +60,8 @@ public:
 
   OnSetParametersCallbackHandle::SharedPtr add_on_set(
     OnSetParametersCallbackHandle::OnSetParametersCallbackType callback);
+  PostSetParametersCallbackHandle::SharedPtr add_post_set(
+    PostSetParametersCallbackHandle::PostSetParametersCallbackType callback);
   /// Called with what was set.
   void after_set(std::function<void(const Parameters &)> callback);
 
@@ -76,6 +86,7 @@ private:
   std::map<std::string, ParameterValue> overrides_;
   std::map<std::string, Declared> declared_;
   std::list<std::weak_ptr<OnSetParametersCallbackHandle>> on_set_;
+  std::list<std::weak_ptr<PostSetParametersCallbackHandle>> post_set_;
   std::function<void(const Parameters &)> after_set_;
   std::vector<std::shared_ptr<detail::Waitable>> services_;
 };
