@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.adapter.ros2.built import USUAL, running
+from tests.adapter.ros2.built import USUAL, preloaded, running, workspace
 from tests.adapter.ros2.other_end import (
     ACTIVATE,
     ACTIVE_SHUTDOWN,
@@ -13,6 +13,7 @@ from tests.adapter.ros2.other_end import (
     DEACTIVATE,
     INACTIVE_SHUTDOWN,
     UNCONFIGURED_SHUTDOWN,
+    Peer,
 )
 from tests.needs import ros2
 
@@ -74,13 +75,19 @@ def test_what_is_kept_is_written_when_a_process_is_told_to_end(language, tmp_pat
         assert cycles(tmp_path) == number
 
 
+def stored_file(peer: Peer, folder: Path) -> Path:
+    """The file of the node, whose name has the domain."""
+    file = folder / f"eco_control/{NODE}-{peer.variables['ROS_DOMAIN_ID']}.txt"
+    file.parent.mkdir()
+    return file
+
+
 @pytest.mark.parametrize("text", ["", "sigcat 1\nignition_cycle: 70", "sigcat 1\nignition_cycle: 1e2\n"])
 def test_a_file_that_is_not_whole_is_left_aside(language, text, tmp_path):
     """One that ends within its last number too: the rest of it may be missing."""
-    file = tmp_path / f"eco_control/{NODE}.txt"
-    file.parent.mkdir()
-    file.write_text(text)
     with running(language, tmp_path, NODE) as peer:
+        file = stored_file(peer, tmp_path)
+        file.write_text(text)
         peer.bring(NODE, CONFIGURE, CLEANUP)
     assert file.with_name(f"{file.name}.broken").read_text() == text
     assert cycles(tmp_path) == 1
@@ -88,23 +95,32 @@ def test_a_file_that_is_not_whole_is_left_aside(language, text, tmp_path):
 
 def test_what_another_version_has_stored_stays(language, tmp_path):
     """A function that is updated and set back keeps what it has learned; bytes that are no text do no harm."""
-    file = tmp_path / f"eco_control/{NODE}.txt"
-    file.parent.mkdir()
-    file.write_bytes(b"sigcat 1\nOfAnotherVersion: 5\nignition_cycle: 7\n\xff: \xfe\n")
     with running(language, tmp_path, NODE) as peer:
+        file = stored_file(peer, tmp_path)
+        file.write_bytes(b"sigcat 1\nOfAnotherVersion: 5\nignition_cycle: 7\n\xff: \xfe\n")
         peer.bring(NODE, CONFIGURE, CLEANUP, CONFIGURE, CLEANUP)
     lines = file.read_bytes().split(b"\n")
     assert {b"OfAnotherVersion: 5", b"ignition_cycle: 9", b"\xff: \xfe"} <= {*lines}
 
 
-def test_a_disk_that_is_full_leaves_what_was_stored_and_is_told(language, tmp_path):
-    file = tmp_path / f"eco_control/{NODE}.txt"
-    file.parent.mkdir()
-    file.write_text("sigcat 1\nignition_cycle: 7\n")
-    new = file.with_name(f"{file.name}.new")
-    new.symlink_to("/dev/full")
+FULL_DISK = """
+#include <cerrno>
+
+extern "C" int fsync(int)
+{
+  errno = ENOSPC;
+  return -1;
+}
+"""
+
+
+def test_a_disk_that_is_full_leaves_what_was_stored_and_is_told(language, tmp_path, monkeypatch):
+    workspace()
+    monkeypatch.setenv("LD_PRELOAD", str(preloaded(FULL_DISK, tmp_path)))
     with running(language, tmp_path, NODE) as peer:
+        file = stored_file(peer, tmp_path)
+        file.write_text("sigcat 1\nignition_cycle: 7\n")
         peer.bring(NODE, CONFIGURE, CLEANUP)
     assert file.read_text() == "sigcat 1\nignition_cycle: 7\n"
-    assert not new.is_symlink()
+    assert [each.name for each in file.parent.iterdir()] == [file.name]
     assert "No space left on device" in (tmp_path / "nodes.txt").read_text()
