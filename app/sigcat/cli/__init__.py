@@ -19,6 +19,7 @@ from sigcat.errors import InputRefused, SigcatError, must_be_a_file
 COMMANDS = (
     "lint",
     "diff",
+    "version-bump",
     "try",
     "show",
     "search",
@@ -38,8 +39,8 @@ COMMANDS = (
     "serve",
 )
 """Names of the commands; each stands in the module of its name."""
-_MODULES = {"try": "try_overlay"}
-"""Modules of commands whose names are words of Python."""
+_MODULES = {"try": "try_overlay", "version-bump": "version_bump"}
+"""Modules of commands whose names cannot be names of modules."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
