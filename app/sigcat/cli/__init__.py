@@ -17,6 +17,7 @@ from sigcat.cli.output_options import refuse_overwriting
 from sigcat.errors import InputRefused, SigcatError, must_be_a_file
 
 COMMANDS = (
+    "init",
     "lint",
     "diff",
     "version-bump",

@@ -4,6 +4,7 @@ import os
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
+from pathlib import Path
 
 from sigcat.catalogue.comparing.changes import CLASSES, Change, Class
 from sigcat.catalogue.comparing.compatibility import ROWS
@@ -93,6 +94,6 @@ def _statements(side: Side) -> Iterator[tuple[tuple[str, str], Origin]]:
 
 def _as_here(place: Origin, side: Side) -> Origin:
     """Name the file as it is seen from the current folder; nowhere if it is not below it."""
-    start = side.folder or os.getcwd()
-    file = os.path.relpath(os.path.join(start, place.file), start)
+    start = Path(side.folder or Path.cwd())
+    file = os.path.relpath(start / place.file, start)
     return _NOWHERE if file.startswith("..") else place._replace(file=file)

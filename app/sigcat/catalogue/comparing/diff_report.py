@@ -78,7 +78,7 @@ def markdown_comment(changes: Sequence[Change], old: str, new: str, hidden: int 
 
 
 def _heading(changes: Sequence[Change], old: str, new: str, hidden: int) -> str:
-    return f"# Changes from {_code(old)} to {_code(new)}\n\n{summary(changes, hidden).rstrip('.')}.\n\n"
+    return f"# Changes from {_code(old)} to {_code(new)}\n\n{summary(changes, hidden).rstrip('.')}.\n"
 
 
 def _sections(changes: Sequence[Change]) -> Iterator[str]:
@@ -86,9 +86,8 @@ def _sections(changes: Sequence[Change]) -> Iterator[str]:
     for compatibility in CLASSES:
         chosen = [change for change in changes if change.compatibility == compatibility]
         for number, change in enumerate(chosen):
-            heading = "" if number else f"## {_HEADINGS[compatibility]}\n\n"
-            end = "\n\n" if number == len(chosen) - 1 else "\n"
-            yield heading + "\n".join(markdown_lines(change)) + end
+            heading = "" if number else f"\n## {_HEADINGS[compatibility]}\n\n"
+            yield heading + "\n".join(markdown_lines(change)) + "\n"
 
 
 def sentence(change: Change) -> str:
