@@ -37,6 +37,7 @@ COMMANDS = (
     "pull",
     "releases",
     "config",
+    "completion",
     "serve",
 )
 """Names of the commands; each stands in the module of its name."""
@@ -50,6 +51,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     if sys.stdout is None:  # closed by the caller, as `>&-` does
         sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123, SIM115 — stands until the end
     try:
+        if argv is None and "_ARGCOMPLETE" in os.environ:
+            _complete()
         given = sys.argv[1:] if argv is None else argv
         arguments = parser_of(given[0] if given else "").parse_args(given)
         refuse_overwriting(arguments)
@@ -70,6 +73,13 @@ def main(argv: Sequence[str] | None = None) -> int:
             raise
         return _failed(f"internal error: {type(error).__name__}: {error} (SIGCAT_DEBUG=1 shows where)", 2)
     return status
+
+
+def _complete() -> None:
+    """Answer a shell that asks for completions; ends the process."""
+    from sigcat.cli.completion import answer, wanted_command
+
+    answer(parser_of(wanted_command()))
 
 
 def set_up_process() -> None:
