@@ -3,7 +3,6 @@
 Exit status: 0 done, or nothing worse than a note; 1 findings, or changes that --fail-on names; 2 could not run.
 """
 
-import argparse
 import atexit
 import gc
 import os
@@ -89,7 +88,7 @@ def set_up_process() -> None:
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # it would look for some in every package installed
 
 
-def parser_of(wanted: str) -> argparse.ArgumentParser:
+def parser_of(wanted: str) -> CommandParser:
     """The parser of the command `wanted`; of all commands where it is none of them, such as `--help`."""
     parser = CommandParser(
         prog="sigcat",

@@ -5,6 +5,7 @@ import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
+from sigcat.cli.command_parser import CommandParser
 from sigcat.cli.project_options import project_of
 from sigcat.cli.tree_options import tree_options
 from sigcat.errors import SigcatError
@@ -46,7 +47,7 @@ def wanted_command() -> str:
     return words[1] if len(words) > 2 else ""
 
 
-def answer(parser: argparse.ArgumentParser) -> None:
+def answer(parser: CommandParser) -> None:
     """Answer the shell, and end the process."""
     from argcomplete import autocomplete
 
@@ -54,10 +55,10 @@ def answer(parser: argparse.ArgumentParser) -> None:
     autocomplete(parser, always_complete_options=False)
 
 
-def _add_completers(parser: argparse.ArgumentParser) -> None:
+def _add_completers(parser: CommandParser) -> None:
     if getattr(parser, "fill", None) is not None:  # a parser that adds its options when it is used
         parser.parse_known_args([])
-    for action in parser._actions:  # noqa: SLF001 -- argparse has no public list of them
+    for action in parser.actions:
         if isinstance(action, argparse._SubParsersAction):  # noqa: SLF001
             for below in action.choices.values():
                 _add_completers(below)

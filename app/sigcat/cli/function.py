@@ -56,7 +56,7 @@ def _add_new(actions: Actions) -> None:
 
 def _add_code_options(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("C and C++ code")
-    group.add_argument("--from-c", type=Path, metavar="FOLDER", help="read this folder (needs the package libclang)")
+    group.add_argument("--from-c", type=Path, metavar="FOLDER", help="read this folder (needs the extra `c`)")
     group.add_argument("--model", metavar="PREFIX", help="what the calls begin with, if the folder has several models")
     group.add_argument(
         "--define-under",
