@@ -26,12 +26,14 @@ LABEL org.opencontainers.image.title="sigcat" \
       org.opencontainers.image.licenses="Apache-2.0"
 RUN useradd --system --uid 10001 --no-create-home sigcat
 COPY --from=build /opt/sigcat /opt/sigcat
-ENV PATH=/opt/sigcat/bin:$PATH PYTHONUNBUFFERED=1 PYTHONDONTWRITEBYTECODE=1
+RUN mkdir /project /data && chown 10001 /data
+# The project is mounted at /project; pulled releases are kept in /data, which may be a volume.
+ENV PATH=/opt/sigcat/bin:$PATH PYTHONUNBUFFERED=1 PYTHONDONTWRITEBYTECODE=1 SIGCAT_DATA=/data SIGCAT_HOST=0.0.0.0
 USER 10001
-WORKDIR /tmp
+WORKDIR /project
 EXPOSE 8000
 HEALTHCHECK --interval=30s --timeout=3s --start-period=10s \
-  CMD ["python", "-c", "import urllib.request as r; r.urlopen('http://127.0.0.1:8000/health/ready', timeout=2)"]
+  CMD ["python", "-m", "sigcat.cli.health_check"]
 STOPSIGNAL SIGTERM
 ENTRYPOINT ["sigcat"]
-CMD ["serve", "--host", "0.0.0.0", "--port", "8000"]
+CMD ["serve"]

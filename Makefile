@@ -5,7 +5,7 @@ BIN := .venv/bin
 HOST ?= 127.0.0.1
 PORT ?= 8000
 
-.PHONY: help serve test real format lint types imports tests bench generate pictures kpi clients fuzz slow trust sbom audit lock clean run-autosar run-ros2 ros2
+.PHONY: help serve test real format lint types imports tests bench generate pictures kpi clients fuzz slow trust sbom audit package lock clean run-autosar run-ros2 ros2
 
 help:  ## list the commands
 	@grep -hE '^[a-z0-9-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -75,6 +75,11 @@ trust: .venv/dev  ## ask every judge that others wrote everything, and write wha
 
 sbom: .venv/dev  ## write the bill of materials of what is shipped to build/sbom.json (CycloneDX)
 	$(BIN)/python -m scripts.sbom
+
+package: .venv/dev  ## build the source archive and the wheel into dist/, and check what a registry would show
+	rm -rf dist
+	$(BIN)/python -m build --no-isolation --outdir dist
+	$(BIN)/twine check --strict dist/*
 
 audit: .venv/dev  ## look for known vulnerabilities in what is shipped; needs the network
 	$(BIN)/python -m scripts.audit

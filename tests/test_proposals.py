@@ -1,5 +1,7 @@
 """Proposals of near names have one bound: so many names are compared in a piece of work, and then no more."""
 
+import pytest
+
 from sigcat.function.function_file import check_function
 from sigcat.names import bounded_proposals, may_compare, nearest
 from sigcat.rules.linting.lint import lint_paths
@@ -53,3 +55,21 @@ def test_the_first_unknown_nodes_of_an_overlay_have_proposals(tmp_path):
     assert len(found) == COUNT
     assert "Did you mean" in found[0].fix
     assert "Did you mean" not in found[-1].fix
+
+
+@pytest.mark.parametrize(
+    ("name", "candidate", "is_near"),
+    [
+        ("init", "lint", False),
+        ("Vehicle.Cabin.CO2", "Vehicle.Cabin.Door.Row2", False),
+        ("Vehicle.Cabin.Door.Row3.IsOpen", "Vehicle.Cabin.Door.Row1.IsOpen", True),
+        ("Vehicle.Cabin.Dor.Row1.IsOpen", "Vehicle.Cabin.Door.Row1.IsOpen", True),
+        ("Vehicle.Cabin.Row1.IsOpen", "Vehicle.Cabin.Door.Row1.IsOpen", True),
+        ("lnit", "lint", True),
+        ("lnt", "lint", True),
+        ("ilnt", "lint", True),
+        ("v5", "v5.0", True),
+    ],
+)
+def test_a_name_is_proposed_only_if_it_is_near(name, candidate, is_near):
+    assert nearest(name, [candidate]) == ((candidate,) if is_near else ())

@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
+from itertools import takewhile
 from math import inf
 
 from sigcat.limits import COMPARED_NAMES
@@ -11,6 +12,7 @@ from sigcat.limits import COMPARED_NAMES
 IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,127}")
 """What AUTOSAR takes for the name of an element."""
 _MUCH_FARTHER = 12.0
+_SHORT, _LEAST_OF_PARTS = 5, 60.0
 _CAMEL_WORD = r"[A-Z]+(?=[A-Z][a-z])|[A-Z]?[a-z]+|[A-Z]+|[0-9]+"
 
 
@@ -66,8 +68,8 @@ def with_article(noun: str) -> str:
 def nearest(name: str, candidates: Iterable[str], limit: int = 3, cutoff: float = 75.0) -> tuple[str, ...]:
     """The candidates that `name` was probably meant to be, best first; case does not count.
 
-    `cutoff` is the least similarity, from 0 to 100. What is much farther off than the best is not meant: long paths
-    are all alike in their beginnings. Where nothing is near, a name that was cut short is completed: `v5` to `v5.0`.
+    `cutoff` is the least similarity, from 0 to 100. What is much farther off than the best is not meant. Long paths are
+    all alike in their beginnings: the parts that differ must be alike, too. Where nothing is near, a name that was cut short is completed: `v5` to `v5.0`.
     """
     from rapidfuzz import fuzz, process  # loaded only when something is wrong: start-up stays quick
 
@@ -75,9 +77,32 @@ def nearest(name: str, candidates: Iterable[str], limit: int = 3, cutoff: float 
         return ()
     choices = {candidate: candidate.lower() for candidate in candidates}
     may_compare(len(choices))
-    matches = process.extract(name.lower(), choices, scorer=fuzz.ratio, limit=limit, score_cutoff=cutoff)
+    found = process.extract(name.lower(), choices, scorer=fuzz.ratio, limit=limit, score_cutoff=cutoff)
+    matches = [match for match in found if _differ_little(name.lower(), match[0])]
     near = tuple(key for _, score, key in matches if score >= matches[0][1] - _MUCH_FARTHER)
     return near or _completed(name.lower(), choices, limit)
+
+
+def _differ_little(name: str, candidate: str) -> bool:
+    """Whether the parts of two dotted names that differ are alike; of short ones, all but one letter."""
+    from rapidfuzz import fuzz
+    from rapidfuzz.distance import OSA
+
+    part, other = _without_shared(name.split("."), candidate.split("."))
+    if not part or not other or part in other:
+        return True
+    if max(len(part), len(other)) <= _SHORT:
+        return OSA.distance(part, other) <= 1
+    return fuzz.ratio(part, other) >= _LEAST_OF_PARTS
+
+
+def _without_shared(parts: list[str], others: list[str]) -> tuple[str, str]:
+    """Both names without the parts that they begin and end with alike."""
+    start = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(parts, others, strict=False)))
+    parts, others = parts[start:], others[start:]
+    reversed_pairs = zip(reversed(parts), reversed(others), strict=False)
+    end = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], reversed_pairs))
+    return ".".join(parts[: len(parts) - end]), ".".join(others[: len(others) - end])
 
 
 class _Budget:

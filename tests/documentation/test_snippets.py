@@ -96,16 +96,10 @@ def test_the_suppression_suppresses(folder):
     assert main(["lint", "noise.vspec"]) == 1
 
 
-def test_hooks_and_pipelines_are_yaml_and_name_what_exists():
+def test_hooks_are_those_that_exist():
     hooks = {hook["id"] for hook in yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text(encoding="utf-8"))}
     named = yaml.safe_load(block(PIPELINE, "yaml", "repos:"))["repos"][0]["hooks"]
     assert {hook["id"] for hook in named} == hooks
-    steps = yaml.safe_load(block(PIPELINE, "yaml", "on:"))["jobs"]["lint"]["steps"]
-    script = yaml.safe_load(block(PIPELINE, "yaml", "lint:"))["lint"]["script"]
-    for line in (*(step["run"] for step in steps if "run" in step), *script):
-        assert line.startswith(
-            ("sigcat lint --format ", "pip install git+https://example.org/your/copy/of/sigcat@REVISION")
-        )
 
 
 def test_python_runs():

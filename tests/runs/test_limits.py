@@ -170,4 +170,7 @@ def test_coverage_of_the_code_is_reported(run, monkeypatch):
 def test_coverage_without_gcovr_is_refused(run, monkeypatch):
     monkeypatch.setattr("sigcat.runs.building.coverage.find_spec", lambda _: None)
     status, said = run("", "--coverage", "covered")
-    assert (status, said) == (2, "sigcat: --coverage needs the package `gcovr`: run `pip install gcovr`\n")
+    assert (status, said) == (
+        2,
+        "sigcat: --coverage needs the extra `coverage`: run `pip install 'sigcat[coverage]'`\n",
+    )

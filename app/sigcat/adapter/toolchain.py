@@ -15,7 +15,7 @@ EXACT = ("-ffp-contract=off",)
 
 _PAIRS = (("gcc", "g++"), ("clang", "clang++"), ("cc", "c++"))
 _ZIG = "ziglang"
-_MISSING = "There is no C compiler. Install gcc or clang, or run `pip install ziglang`, or name one in CC."
+_MISSING = "There is no C compiler. Install gcc or clang, or run `pip install 'sigcat[simulate]'`, or name one in CC."
 
 
 class Toolchain(NamedTuple):

@@ -52,7 +52,7 @@ def _check(environment: Mapping[str, str]) -> None:
     if protocol != _PROTOCOL:
         raise UsageError(f"OTEL_EXPORTER_OTLP_PROTOCOL must be `{_PROTOCOL}`, not {protocol[:100]!r}.")
     if not all(map(_is_installed, _NEEDED)):
-        raise UsageError("Traces need the packages of the extra `otel`: `pip install sigcat[otel]`.")
+        raise UsageError("Traces need the extra `otel`: run `pip install 'sigcat[otel]'`.")
 
 
 def _is_installed(module: str) -> bool:

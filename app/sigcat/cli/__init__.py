@@ -3,7 +3,6 @@
 Exit status: 0 done, or nothing worse than a note; 1 findings, or changes that --fail-on names; 2 could not run.
 """
 
-import argparse
 import atexit
 import gc
 import os
@@ -17,8 +16,10 @@ from sigcat.cli.output_options import refuse_overwriting
 from sigcat.errors import InputRefused, SigcatError, must_be_a_file
 
 COMMANDS = (
+    "init",
     "lint",
     "diff",
+    "version-bump",
     "try",
     "show",
     "search",
@@ -35,12 +36,13 @@ COMMANDS = (
     "pull",
     "releases",
     "config",
+    "completion",
     "serve",
     "mcp",
 )
 """Names of the commands; each stands in the module of its name."""
-_MODULES = {"try": "try_overlay"}
-"""Modules of commands whose names are words of Python."""
+_MODULES = {"try": "try_overlay", "version-bump": "version_bump"}
+"""Modules of commands whose names cannot be names of modules."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -49,6 +51,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     if sys.stdout is None:  # closed by the caller, as `>&-` does
         sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123, SIM115 — stands until the end
     try:
+        if argv is None and "_ARGCOMPLETE" in os.environ:
+            _complete()
         given = sys.argv[1:] if argv is None else argv
         arguments = parser_of(given[0] if given else "").parse_args(given)
         refuse_overwriting(arguments)
@@ -71,6 +75,13 @@ def main(argv: Sequence[str] | None = None) -> int:
     return status
 
 
+def _complete() -> None:
+    """Answer a shell that asks for completions; ends the process."""
+    from sigcat.cli.completion import answer, wanted_command
+
+    answer(parser_of(wanted_command()))
+
+
 def set_up_process() -> None:
     """Spare a short process what a long one may need."""
     gc.set_threshold(1_000_000, 20)  # most of what a command makes stays to its end: seldom looked through
@@ -78,7 +89,7 @@ def set_up_process() -> None:
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # it would look for some in every package installed
 
 
-def parser_of(wanted: str) -> argparse.ArgumentParser:
+def parser_of(wanted: str) -> CommandParser:
     """The parser of the command `wanted`; of all commands where it is none of them, such as `--help`."""
     parser = CommandParser(
         prog="sigcat",

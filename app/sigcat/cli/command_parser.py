@@ -30,6 +30,11 @@ def positive(kind: type[Number]) -> Callable[[str], Number]:
 class CommandParser(argparse.ArgumentParser):
     """A parser that says which option or choice is wrong, and which one is near to it."""
 
+    @property
+    def actions(self) -> tuple[argparse.Action, ...]:
+        """The arguments and options, in order."""
+        return tuple(self._actions)
+
     def add_subparsers(self, **named: Any) -> Any:
         """Add the commands below this one. Without one of them, its help goes to standard error."""
         self.set_defaults(run=self._run_without_command)

@@ -1,21 +1,19 @@
-"""`sigcat diff OLD NEW`: what changed between two trees, and whom it breaks."""
+"""`sigcat diff OLD NEW`: changes between two trees, each with its compatibility class."""
 
 import argparse
 import os
 import sys
 from typing import TYPE_CHECKING
 
+from sigcat.cli.compared_sides import SIDES, add_sides, changes_between, names_of_sides, read_compared
 from sigcat.cli.output import write_bytes
-from sigcat.cli.output_options import add_output, refuse_overwriting
-from sigcat.cli.project_options import add_project_options, project_of
-from sigcat.cli.tree_options import add_many, add_vocabulary_options, tree_options
+from sigcat.cli.output_options import add_output
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
 
     from sigcat.catalogue.comparing.changes import Change
     from sigcat.catalogue.comparing.sides import Side
-    from sigcat.project.project import Project
 
 _CLASSES = (
     "breaking",
@@ -23,35 +21,32 @@ _CLASSES = (
     "compatible",
     "text",
 )  # sigcat.catalogue.comparing.changes has them; it is loaded when it is needed
-_SIDES = """A side is
-  a catalogue               of the project, by its id
-  a folder                  the tree in or below it
-  a .vspec file             the tree of which it is the root
-  a .json file              an exported tree
-  git:REVISION[:PATH]       a revision of the repository around the current folder
-  a name                    a release, pulled or shipped (`sigcat releases`)
-each with its own overlays, if any: TREE+OVERLAY+OVERLAY.
-
+_EPILOG = f"""{SIDES}
 The classes are explained in docs/reference/compatibility.md. Exit status: 0; 1 with --fail-on if there are such changes.
 """
+_FINDINGS = ("github", "gitlab")
+"""Formats that build servers read: each change at its line."""
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add the command."""
     parser = commands.add_parser(
         "diff",
-        help="what changed between two trees, and whom it breaks",
+        help="compare two trees and classify breaking changes",
         description="Compare two trees node by node. Each change is breaking, risky, compatible or text only.",
-        epilog=_SIDES,
+        epilog=_EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("old", metavar="OLD", help="side that software was written against")
-    parser.add_argument("new", metavar="NEW", help="side that it is to run with")
-    parser.add_argument(
+    form = parser.add_mutually_exclusive_group()
+    form.add_argument(
         "--format",
-        choices=("text", "json", "markdown"),
+        choices=("text", "json", "markdown", *_FINDINGS),
         default="text",
-        help="form of the report (default: %(default)s)",
+        help="form of the report: markdown is a comment of at most 65,000 characters, github annotations, gitlab Code "
+        "Quality (default: %(default)s)",
+    )
+    form.add_argument(
+        "--changelog", action="store_true", help="write the entry of a changelog, in the form of keepachangelog.com"
     )
     parser.add_argument(
         "--fail-on", choices=_CLASSES, metavar="CLASS",
@@ -62,67 +57,56 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         help="show changes of this class only; may be repeated",
     )  # fmt: skip
     add_output(parser, "-o", "--output", metavar="FILE", help="write here instead of to standard output")
-    _add_options_of_both(parser)
+    add_sides(parser)
     parser.set_defaults(run=diff)
-
-
-def _add_options_of_both(parser: argparse.ArgumentParser) -> None:
-    group = parser.add_argument_group("for both sides")
-    add_many(group, "-l", "--overlays", "overlay, applied in the order given, after those of the side")
-    add_vocabulary_options(group)
-    add_project_options(group)
 
 
 def diff(arguments: argparse.Namespace) -> int:
     """Write the changes; 1 if `--fail-on` is met."""
     from sigcat.catalogue.comparing.changes import at_least
-    from sigcat.catalogue.comparing.diff import compare
 
-    project = project_of(arguments)
-    old, new = _sides(arguments, project)
-    refuse_overwriting(arguments, (*project.files, *_files(arguments.old, old), *_files(arguments.new, new)))
-    changes = compare(old.catalogue, new.catalogue, old.unknown | new.unknown)
+    old, new = read_compared(arguments, *names_of_sides(arguments))
+    changes = changes_between(old, new)
     shown = [change for change in changes if not arguments.only or change.compatibility in arguments.only]
-    report = _report(shown, len(changes) - len(shown), old.title, new.title, arguments)
+    report = _report(shown, len(changes) - len(shown), old, new, arguments)
     write_bytes(report.encode("utf-8", "backslashreplace"), arguments.output)
     bound = arguments.fail_on
     return int(bound is not None and any(at_least(change.compatibility, bound) for change in changes))
 
 
-def _sides(arguments: argparse.Namespace, project: "Project") -> "tuple[Side, Side]":
-    from sigcat.catalogue.comparing.sides import Options, read_sides
-    from sigcat.catalogue.hosting.sources import release_source
-
-    given = tree_options(arguments)
-    options = Options(
-        given.overlays,
-        (*project.include_dirs, *given.include_dirs),
-        (*project.units, *given.units),
-        (*project.quantities, *given.quantities),
-        (*project.types, *given.types),
-        {source.id: source for source in project.catalogues},
-    )
-    return read_sides(arguments.old, arguments.new, release_source, options)
-
-
-def _files(name: str, side: "Side") -> "Iterator[str]":
-    """The files that a side was read from."""
-    from sigcat.catalogue.reading.joined_paths import split_paths
-
-    yield from split_paths(name, "+")
-    yield from (file.name for file in side.catalogue.files)
-
-
-def _report(changes: "Sequence[Change]", hidden: int, old: str, new: str, arguments: argparse.Namespace) -> str:
+def _report(changes: "Sequence[Change]", hidden: int, old: "Side", new: "Side", arguments: argparse.Namespace) -> str:
     import json
 
-    from sigcat.catalogue.comparing.diff_report import diff_data, markdown_report, text_report
+    from sigcat.catalogue.comparing.diff_report import diff_data, markdown_comment, text_report
 
+    if arguments.changelog:
+        return _changelog(changes, new)
     if arguments.format == "json":
-        return json.dumps({"old": old, "new": new, **diff_data(changes)}, indent=2, ensure_ascii=False) + "\n"
+        return (
+            json.dumps({"old": old.title, "new": new.title, **diff_data(changes)}, indent=2, ensure_ascii=False) + "\n"
+        )
     if arguments.format == "markdown":
-        return markdown_report(changes, old, new, hidden)
+        return markdown_comment(changes, old.title, new.title, hidden)
+    if arguments.format in _FINDINGS:
+        return _findings_report(changes, old, new, arguments.format)
     return text_report(changes, is_coloured=arguments.output is None and is_coloured(), hidden=hidden)
+
+
+def _changelog(changes: "Sequence[Change]", new: "Side") -> str:
+    from sigcat.catalogue.comparing.changelog import changelog_entry
+    from sigcat.catalogue.comparing.sides import GIT
+    from sigcat.catalogue.reading.git_revision import commit_date
+
+    revision = new.title.removeprefix(GIT).partition(":")[0]
+    is_revision = new.title.startswith(GIT)
+    return changelog_entry(changes, revision, commit_date(revision) if is_revision else "")
+
+
+def _findings_report(changes: "Sequence[Change]", old: "Side", new: "Side", form: str) -> str:
+    from sigcat.catalogue.comparing.change_findings import change_findings
+    from sigcat.rules.report import report
+
+    return report(change_findings(changes, old, new), form)
 
 
 def is_coloured() -> bool:

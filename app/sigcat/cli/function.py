@@ -34,9 +34,10 @@ def add_parser(commands: Actions) -> None:
 def _add_new(actions: Actions) -> None:
     starting = actions.add_parser(
         "new",
-        help="a function.yaml to start from",
+        help="a function to start from",
         description=(
-            "Write a function.yaml that builds, and the JSON Schema that it names, by which editors complete it. With "
+            "Write a function.yaml that builds, its C code with the variables that it declares, and the JSON Schema that it "
+            "names, by which editors complete it. With "
             "--from-c, it is made from C or C++ code, such as Simulink Coder generates: calls, inputs, outputs, parameters, "
             "and paths of the catalogue where they are certain."
         ),
@@ -63,7 +64,7 @@ def _add_code_options(parser: argparse.ArgumentParser) -> None:
         "--from-c",
         type=Path,
         metavar="FOLDER",
-        help="read the code in this folder, which has its headers (needs the package libclang)",
+        help="read the code in this folder, which has its headers (needs the extra `c`)",
     )
     group.add_argument("--model", metavar="PREFIX", help="what the calls begin with, if the folder has several models")
     group.add_argument(
@@ -155,24 +156,28 @@ def build(arguments: argparse.Namespace) -> int:
 
 def new(arguments: argparse.Namespace) -> int:
     """Write the scaffold, or what is made from code; a file that is there already is never written over."""
-    from sigcat.function.declaration.scaffold import SCHEMA_FILE, scaffold, schema_text
+    from sigcat.function.declaration.scaffold import SCHEMA_FILE, code_scaffold, scaffold, schema_text
 
     if not arguments.from_c and (arguments.model or arguments.define or arguments.define_under):
         raise UsageError("--model, --define and --define-under are about C code: name its folder with --from-c")
     schema = arguments.schema or SCHEMA_FILE
     file = _new_file(arguments.output or arguments.from_c or Path(arguments.name))
     folder = file.parent
-    if file.exists():
-        raise UsageError(f"{file} is there already")
+    code = {} if arguments.from_c else code_scaffold(arguments.name)
+    for path in (file, *(folder / name for name in code)):
+        if path.exists():
+            raise UsageError(f"{path} is there already")
     text = _imported(arguments, folder, schema) if arguments.from_c else scaffold(arguments.name, schema)
     if not arguments.schema:
         write_text(schema_text(), folder / SCHEMA_FILE)
+    for name, source in code.items():
+        write_text(source, folder / name)
     write_text(text, file)
     checked = folder if file.name == "function.yaml" else file
     advice = (
         f"check it with `sigcat lint {checked}`"
         if arguments.from_c
-        else f"build it with `sigcat function build {file}`"
+        else f"run it with `sigcat simulate {file} --duration 1`"
     )
     print(f"{file}: {advice}", file=sys.stderr)
     return 0

@@ -35,8 +35,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         help="carry CAN into a trace, or to functions that run",
         description=(
             "Decode a log of CAN, or what comes on a bus, and write the signals that the catalogue maps to it as a trace, "
-            "which `sigcat simulate` reads, or send them to functions that run, over SOME/IP or DDS. It takes the packages "
-            "cantools and python-can: pip install cantools python-can."
+            "which `sigcat simulate` reads, or send them to functions that run, over SOME/IP or DDS. It takes "
+            "the extra `can`: pip install 'sigcat[can]'."
         ),
     )
     parser.add_argument(

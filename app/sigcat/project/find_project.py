@@ -12,15 +12,19 @@ VARIABLE = "SIGCAT_CONFIG"
 
 
 def find_project(start: Path) -> Path | None:
-    """Return the file that SIGCAT_CONFIG names, or the nearest one in `start` or above it.
-
-    A pyproject.toml counts only with a table for sigcat.
-    """
+    """Return the file that SIGCAT_CONFIG names, or the nearest one in `start` or above it."""
     if named := os.environ.get(VARIABLE):
         return Path(named)
+    return nearest_project(start)
+
+
+def nearest_project(start: Path, top: Path | None = None) -> Path | None:
+    """Return the nearest file in `start` or above it, up to `top`. A pyproject.toml counts only with a table for sigcat."""
     for folder in (real_path(start), *real_path(start).parents):
         for name in FILES:
             path = folder / name
             if path.is_file() and (name == FILE_NAME or b"[tool.sigcat" in path.read_bytes()):
                 return near_path(path)
+        if folder == top:
+            break
     return None

@@ -47,6 +47,8 @@ TOP_KEYS: Mapping[str, type] = {
     **dict.fromkeys(("functions", "rules", *_OF_CATALOGUES, "dbc"), list),
     **dict.fromkeys(("lint", "service"), dict),
 }  # fmt: skip
+_OF_TREES = frozenset(("catalogue", *_OF_CATALOGUES))
+"""Keys that a catalogue is made of."""
 _OF_FOLDERS = frozenset(("include-dirs", "functions"))
 """Lists that name folders; all others name files."""
 
@@ -61,13 +63,27 @@ TableReader = Callable[[Mapping[str, Any], Path], Any]
 
 def read_project(file: Path, readers: Mapping[str, TableReader] | None = None) -> Project:
     """Read the file. `readers` check tables that are otherwise kept as they are. Raises InputRefused with all findings."""
+    return _read(file, readers or {}, lambda data: data)
+
+
+def read_catalogues(file: Path) -> Project:
+    """Read the catalogues alone, with what is added to them: a revision of git lacks functions and databases.
+
+    Raises InputRefused with all findings.
+    """
+    return _read(file, {}, lambda data: {key: data[key] for key in data if key.replace("_", "-") in _OF_TREES})
+
+
+def _read(
+    file: Path, readers: Mapping[str, TableReader], part: Callable[[Mapping[str, Any]], Mapping[str, Any]]
+) -> Project:
     text = _text(file)
     try:
         data = tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise _refused(file, [_syntax_error(error, file, text)]) from None
     reading = _Reading(file, Lines(text))
-    project = _project(reading.own_part(data), reading, readers or {})
+    project = _project(part(reading.own_part(data)), reading, readers)
     if reading.findings:
         raise _refused(file, reading.findings)
     return project

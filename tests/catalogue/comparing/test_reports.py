@@ -159,7 +159,7 @@ def test_no_change_of_a_class_is_not_no_difference(sides, capsys):
 
 def test_the_report_goes_to_a_file(sides, tmp_path, capsys):
     assert sigcat("diff", *sides, "--format", "markdown", "-o", str(tmp_path / "notes.md")) == 0
-    assert (tmp_path / "notes.md").read_text().startswith("# Changes from")
+    assert (tmp_path / "notes.md").read_text().startswith("<!-- sigcat diff -->\n# Changes from")
     assert capsys.readouterr().out == ""
 
 

@@ -25,6 +25,11 @@ _HEADINGS: Mapping[Class, str] = {
 }  # fmt: skip
 _ABSENT = "(none)"
 _SHOWN = 72
+COMMENT_MARK = "<!-- sigcat diff -->"
+"""First line of a comment, by which a pipeline finds the one to replace."""
+_COMMENT_LENGTH = 65_000
+"""GitHub takes 65,536 characters."""
+_CUT = "\nThe comment is full: further changes are not shown. `sigcat diff` lists them all.\n"
 _LISTED = 6
 """At most so many paths are listed; of the rest, the number."""
 
@@ -59,12 +64,36 @@ def text_report(changes: Sequence[Change], *, is_coloured: bool = False, hidden:
 
 def markdown_report(changes: Sequence[Change], old: str, new: str, hidden: int = 0) -> str:
     """Release notes, the worst first. All text from the trees is in code spans, where nothing is markup."""
-    lines = [f"# Changes from {_code(old)} to {_code(new)}", "", summary(changes, hidden).rstrip(".") + ".", ""]
+    return _heading(changes, old, new, hidden) + "".join(_sections(changes))
+
+
+def markdown_comment(changes: Sequence[Change], old: str, new: str, hidden: int = 0) -> str:
+    """The same as a comment of a pull request: with the mark by which the next one replaces it, and not too long for it."""
+    text = f"{COMMENT_MARK}\n{_heading(changes, old, new, hidden)}"
+    for part in _sections(changes):
+        if len(text) + len(part) > _COMMENT_LENGTH - len(_CUT):
+            return text + _CUT
+        text += part
+    return text
+
+
+def _heading(changes: Sequence[Change], old: str, new: str, hidden: int) -> str:
+    return f"# Changes from {_code(old)} to {_code(new)}\n\n{summary(changes, hidden).rstrip('.')}.\n"
+
+
+def _sections(changes: Sequence[Change]) -> Iterator[str]:
+    """Yield a heading for each class, then each of its changes whole."""
     for compatibility in CLASSES:
         chosen = [change for change in changes if change.compatibility == compatibility]
-        if chosen:
-            lines += [f"## {_HEADINGS[compatibility]}", "", *(line for c in chosen for line in _markdown(c)), ""]
-    return "\n".join(lines)
+        for number, change in enumerate(chosen):
+            heading = "" if number else f"\n## {_HEADINGS[compatibility]}\n\n"
+            yield heading + "\n".join(markdown_lines(change)) + "\n"
+
+
+def sentence(change: Change) -> str:
+    """The change on one line, without a full stop."""
+    first, *details = (line.strip().removeprefix("- ") for line in markdown_lines(change))
+    return "; ".join((first, *details)).replace("`", "")
 
 
 def diff_data(changes: Sequence[Change]) -> dict[str, Any]:
@@ -149,7 +178,8 @@ def _details(change: Change) -> Iterator[str]:
             yield f"{word}: {_listed(paths, printable)}"
 
 
-def _markdown(change: Change) -> Iterator[str]:
+def markdown_lines(change: Change) -> Iterator[str]:
+    """The change as an item of a list, with its details below it."""
     counted = f" ({_counted(change)})" if _counted(change) else ""
     if change.kind == "moved":
         yield f"- Moved: {_code(change.former)} → {_code(change.path)}{counted}: {_EVIDENCES[change.evidence]}"

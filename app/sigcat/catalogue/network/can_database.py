@@ -12,7 +12,7 @@ from sigcat.findings import Finding
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.real_path import real_path
 
-NEEDED = "CAN needs the packages cantools and python-can: run `pip install cantools python-can`"
+NEEDED = "CAN needs the extra `can`: run `pip install 'sigcat[can]'`"
 FORMS = ("dbc", "kcd", "sym", "arxml")
 """Endings of the files that cantools reads."""
 

@@ -12,6 +12,9 @@ from sigcat.errors import UsageError
 from sigcat.file_kind import ENDINGS
 from sigcat.limits import DEFAULT_LIMITS, Limits
 
+_READ = (*ENDINGS, ".toml")
+"""Endings of the files that are unpacked: trees, units and project files."""
+
 
 def unpack_revision(revision: str, folder: Path, limits: Limits = DEFAULT_LIMITS) -> str:
     """Write the trees of a revision of the repository around the current folder into `folder`.
@@ -19,8 +22,7 @@ def unpack_revision(revision: str, folder: Path, limits: Limits = DEFAULT_LIMITS
     Links are left out. Returns the current folder as a path in the repository (`spec/`; empty at its top).
     Raises UsageError with git's own words.
     """
-    if not revision or revision.startswith("-"):
-        raise UsageError(f"git:{revision}: name a revision, such as git:HEAD or git:v1.2:spec")
+    _check(revision)
     commit = _git("rev-parse", "--verify", "--end-of-options", f"{revision}^{{tree}}")
     prefix = _git("rev-parse", "--show-prefix")
     top = _git("rev-parse", "--show-toplevel") or "."
@@ -37,6 +39,50 @@ def unpack_revision(revision: str, folder: Path, limits: Limits = DEFAULT_LIMITS
     return prefix
 
 
+def merge_base(revision: str, other: str = "HEAD") -> str:
+    """Return the commit from which two revisions began to differ. Raises UsageError."""
+    for each in (revision, other):
+        _check(each)
+        _git("rev-parse", "--verify", "--end-of-options", f"{each}^{{commit}}")
+    found = subprocess.run(  # noqa: S603 -- no shell
+        [_program(), "merge-base", "--end-of-options", revision, other], capture_output=True, check=False
+    )
+    if found.returncode:
+        raise UsageError(
+            f"git:{revision}: it has no commit in common with {other}. A shallow clone lacks the history: "
+            "fetch it whole (`git fetch --unshallow`; fetch-depth: 0 on GitHub, GIT_DEPTH: 0 on GitLab)."
+        )
+    return found.stdout.decode().strip()
+
+
+def is_revision(name: str) -> bool:
+    """Whether the repository around the current folder, if there is one, has a revision of this name."""
+    program = shutil.which("git")
+    if program is None or not name or name.startswith("-"):
+        return False
+    command = [program, "rev-parse", "--quiet", "--verify", "--end-of-options", f"{name}^{{tree}}"]
+    return not subprocess.run(command, capture_output=True, check=False).returncode  # noqa: S603 -- no shell
+
+
+def commit_date(revision: str) -> str:
+    """Return the day of a commit, such as `2026-05-17`. Raises UsageError."""
+    _check(revision)
+    return _git("log", "-1", "--format=%cs", "--end-of-options", revision)
+
+
+def last_tag() -> str:
+    """Return the last tag before the current commit. Raises UsageError."""
+    try:
+        return _git("describe", "--tags", "--abbrev=0")
+    except UsageError:
+        raise UsageError("there is no tag before the current commit; name the old side") from None
+
+
+def _check(revision: str) -> None:
+    if not revision or revision.startswith("-"):
+        raise UsageError(f"git:{revision}: name a revision, such as git:HEAD or git:v1.2:spec")
+
+
 def _program() -> str:
     program = shutil.which("git")
     if program is None:
@@ -47,7 +93,11 @@ def _program() -> str:
 def _git(*arguments: str) -> str:
     result = subprocess.run([_program(), *arguments], capture_output=True, check=False)  # noqa: S603 -- no shell
     if result.returncode:
-        raise UsageError(_first_line(result.stderr.decode(errors="replace"), arguments[-1].removesuffix("^{tree}")))
+        raise UsageError(
+            _first_line(
+                result.stderr.decode(errors="replace"), arguments[-1].removesuffix("^{tree}").removesuffix("^{commit}")
+            )
+        )
     return result.stdout.decode(errors="replace").strip()
 
 
@@ -61,7 +111,7 @@ def _unpack(archive: IO[bytes], folder: Path, limits: Limits) -> None:
     with tarfile.open(fileobj=archive, mode="r|") as tar:
         for member in tar:
             path = PurePosixPath(member.name)
-            if not member.isfile() or path.suffix.lower() not in ENDINGS or path.is_absolute() or ".." in path.parts:
+            if not member.isfile() or path.suffix.lower() not in _READ or path.is_absolute() or ".." in path.parts:
                 continue
             count += 1
             if count > limits.files or member.size > limits.file_bytes:

@@ -41,7 +41,7 @@ class Parsed(NamedTuple):
 def parse(files: CodeFiles) -> Parsed:
     """Parse for the first machine that the code does not refuse. Raises UsageError, InputRefused."""
     if find_spec("clang") is None:
-        raise UsageError("reading C code needs the package libclang: install it, or sigcat with its extra `c`")
+        raise UsageError("reading C code needs the extra `c`: run `pip install 'sigcat[c]'`")
     end = time.monotonic() + CODE_SECONDS
     (first, _), *others = _TARGETS.items()
     declarations = _parsed(files, first, end)

@@ -1,7 +1,8 @@
-"""A function.yaml to start from: it names its JSON Schema, defines an interface of every category, and builds."""
+"""A function to start from: a function.yaml that names its JSON Schema and defines an interface of every category, and C code."""
 
 import json
 import re
+from collections.abc import Mapping
 
 from sigcat.errors import UsageError
 from sigcat.function.declaration.declaration import declaration_schema
@@ -22,11 +23,11 @@ description: Says in one sentence what the function does.
 responsible: Name of a team
 version: 0.1.0
 
-# How the C code is compiled and called, which an adapter needs: by pointers or as members of a C++ class, too.
-# code:
-#   signature: globals
-#   sources: [__NAME__.c]
-#   headers: [__NAME__.h]
+# How the C code is compiled and called: by pointers or as members of a C++ class, too.
+code:
+  signature: globals
+  sources: [__NAME__.c]
+  headers: [__NAME__.h]
 
 # Interfaces that the catalogue does not have yet. `sigcat function overlay` makes an overlay of them for others.
 define:
@@ -90,7 +91,7 @@ components:
         data:
           - path: Vehicle.Speed
             role: consumed
-            variable: in.speed
+            variable: __NAME___in.speed
             asil: QM
             timeout: 100
             timeoutError: __NAME___SpeedTimeout_ErrorSts
@@ -98,15 +99,15 @@ components:
             init: 0.0
         parameters:
           - path: Vehicle.Function.__NAME__.Parameter.Gain
-            variable: par.gain
+            variable: __NAME___par.gain
         errors: [__NAME___SpeedTimeout_ErrorSts, {interface: __NAME___AliveError_ErrorSts, reset: restart}]
-        safetyReactions: [{interface: __NAME__Invalid_SftyCondSts, variable: in.isInvalid}]
+        safetyReactions: [{interface: __NAME__Invalid_SftyCondSts, variable: __NAME___in.isInvalid}]
       - __NAME___Terminate
 
 modes:
   interfaces: [__NAME___Mode_In, __NAME___Mode_Out]
-  in: {variable: in.mode, initial: 'OFF'}
-  out: {variable: out.mode}
+  in: {variable: __NAME___in.mode, initial: 'OFF'}
+  out: {variable: __NAME___out.mode}
   active:
     - mode: 'OFF'
       description: The function is not used.
@@ -115,6 +116,82 @@ modes:
       description: The function runs.
       runnables: [__NAME___Step]
 """
+_HEADER = """\
+/* The variables and calls that function.yaml declares. An adapter writes the inputs before each call, and reads the
+   outputs after it. */
+#ifndef __NAME___H
+#define __NAME___H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { __NAME___IN_OFF, __NAME___IN_ON };
+enum { __NAME___OUT_OFF, __NAME___OUT_ON, __NAME___OUT_FAULT };
+
+typedef struct {
+  float speed;    /* Vehicle.Speed, km/h */
+  bool isInvalid; /* __NAME__Invalid_SftyCondSts: the outputs are not valid */
+  uint8_t mode;   /* __NAME___Mode_In */
+} __NAME___Inputs;
+
+typedef struct {
+  float gain; /* Vehicle.Function.__NAME__.Parameter.Gain, 0 to 1 */
+} __NAME___Parameters;
+
+typedef struct {
+  uint8_t mode; /* __NAME___Mode_Out */
+} __NAME___Outputs;
+
+extern __NAME___Inputs __NAME___in;
+extern __NAME___Parameters __NAME___par;
+extern __NAME___Outputs __NAME___out;
+
+void __NAME___Init(void);
+void __NAME___Step(void); /* every 20 ms */
+void __NAME___Terminate(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
+"""
+_SOURCE = """\
+#include "__NAME__.h"
+
+__NAME___Inputs __NAME___in;
+__NAME___Parameters __NAME___par = {0.5f};
+__NAME___Outputs __NAME___out;
+
+void __NAME___Init(void)
+{
+  __NAME___out.mode = __NAME___OUT_OFF;
+}
+
+void __NAME___Step(void)
+{
+  if (__NAME___in.isInvalid) {
+    __NAME___out.mode = __NAME___OUT_FAULT;
+    return;
+  }
+  __NAME___out.mode = __NAME___in.mode == __NAME___IN_ON ? __NAME___OUT_ON : __NAME___OUT_OFF;
+  /* To do: compute the outputs from __NAME___in.speed and __NAME___par.gain. */
+}
+
+void __NAME___Terminate(void)
+{
+}
+"""
+_CODE = {".h": _HEADER, ".c": _SOURCE}
+
+
+def code_scaffold(name: str) -> Mapping[str, str]:
+    """Return the C code for the same function, by the name of its file. Raises UsageError."""
+    return {f"{checked_name(name)}{ending}": text.replace(_MARK, name) for ending, text in _CODE.items()}
 
 
 def scaffold(name: str, schema: str = SCHEMA_FILE) -> str:

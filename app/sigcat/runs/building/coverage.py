@@ -19,7 +19,7 @@ XML, HTML = "coverage.xml", "index.html"
 def check_coverage(tools: Toolchain) -> None:
     """Raise UsageError if coverage cannot be measured or reported."""
     if find_spec("gcovr") is None:
-        raise UsageError("--coverage needs the package `gcovr`: run `pip install gcovr`")
+        raise UsageError("--coverage needs the extra `coverage`: run `pip install 'sigcat[coverage]'`")
     _reader(tools)
 
 

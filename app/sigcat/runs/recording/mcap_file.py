@@ -32,7 +32,7 @@ def check_mcap() -> None:
     try:
         import mcap.records
     except ImportError:
-        raise UsageError("MCAP needs the package `mcap`: run `pip install mcap`") from None
+        raise UsageError("MCAP needs the extra `mcap`: run `pip install 'sigcat[mcap]'`") from None
     del mcap
 
 

@@ -58,7 +58,7 @@ class McapFile:
         try:
             import mcap.records
         except ImportError:
-            raise UsageError("MCAP needs the package `mcap`: run `pip install mcap`") from None
+            raise UsageError("MCAP needs the extra `mcap`: run `pip install 'sigcat[mcap]'`") from None
         del mcap
         self.path = path
         self.topics: dict[int, str | None] = {}

@@ -1,0 +1,77 @@
+"""`sigcat init [FOLDER]`: a project to start from, or the project file for a repository that is there."""
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from sigcat.cli.output import write_text
+from sigcat.errors import UsageError
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+_SERVERS = ("github", "gitlab")
+
+
+def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the command."""
+    parser = commands.add_parser(
+        "init",
+        help="start a project: catalogue, rule, function, hooks and CI",
+        description="Write a project that works: sigcat.toml, an overlay with a signal, a rule, a function with C code "
+        "and a trace, and hooks for pre-commit. No file is written over.",
+    )
+    parser.add_argument(
+        "folder", nargs="?", type=Path, metavar="FOLDER", help="folder to write into (default: the current folder)"
+    )
+    parser.add_argument("--ci", choices=_SERVERS, help="write the pipeline for this server, too")
+    parser.add_argument(
+        "--from", dest="existing", type=Path, metavar="REPO_FOLDER",
+        help="write only the sigcat.toml that fits the trees, overlays, units, functions and rules in this folder "
+        "(default of FOLDER: the same folder)",
+    )  # fmt: skip
+    parser.set_defaults(run=init)
+
+
+def init(arguments: argparse.Namespace) -> int:
+    """Write the files, and say what to do next."""
+    folder: Path = arguments.folder or arguments.existing or Path()
+    texts = _existing(arguments.existing, folder) if arguments.existing else _new(folder)
+    texts = {**texts, **_pipelines(arguments.ci)}
+    taken = [str(folder / name) for name in texts if (folder / name).exists()]
+    if taken:
+        raise UsageError(f"nothing was written: {', '.join(taken)} {'is' if len(taken) == 1 else 'are'} there already")
+    for name, text in texts.items():
+        write_text(text, folder / name)
+        print(folder / name)
+    run = "`sigcat lint`" if arguments.existing else f"`sigcat lint`, `{_SIMULATE}` and `sigcat serve`"
+    print(f"Try {run}{'' if folder == Path() else f' in {folder}'}.", file=sys.stderr)
+    return 0
+
+
+_SIMULATE = "sigcat simulate --trace functions/cabin_air/trace.csv"
+
+
+def _new(folder: Path) -> "Mapping[str, str]":
+    from sigcat.function.declaration.scaffold import SCHEMA_FILE, schema_text
+    from sigcat.project.starting.ci import HOOKS, hooks_text, installed_source
+    from sigcat.project.starting.start import FUNCTION, starting_files
+
+    schema = {f"{FUNCTION}/{SCHEMA_FILE}": schema_text()}
+    return {**starting_files(folder.resolve()), **schema, HOOKS: hooks_text(installed_source())}
+
+
+def _existing(existing: Path, folder: Path) -> "Mapping[str, str]":
+    from sigcat.project.project import FILE_NAME
+    from sigcat.project.starting.existing import configuration_of, found_in
+
+    if not existing.is_dir():
+        raise UsageError(f"{existing}: there is no such folder")
+    return {FILE_NAME: configuration_of(found_in(existing), folder)}
+
+
+def _pipelines(server: str | None) -> "Mapping[str, str]":
+    from sigcat.project.starting.ci import PIPELINES, installed_source, pipeline_text
+
+    return {PIPELINES[server][0]: pipeline_text(server, installed_source())} if server else {}

@@ -1,0 +1,38 @@
+"""The pipelines and hooks of a project, and what they install."""
+
+import json
+from importlib.metadata import PackageNotFoundError, distribution
+from pathlib import Path
+
+from sigcat import __version__
+
+FILES = Path(__file__).parent / "files"
+PIPELINES = {"github": (".github/workflows/signals.yml", "github.yml"), "gitlab": (".gitlab-ci.yml", "gitlab.yml")}
+"""By server: where its pipeline is in a repository, and the text of it here."""
+HOOKS = ".pre-commit-config.yaml"
+
+
+def pipeline_text(server: str, source: str) -> str:
+    """Return the pipeline for a server. `source` is what pip installs."""
+    return _filled(PIPELINES[server][1], source)
+
+
+def hooks_text(source: str) -> str:
+    """Return the configuration of pre-commit."""
+    return _filled("pre-commit.yaml", source)
+
+
+def installed_source() -> str:
+    """Return what pip needs to install this sigcat elsewhere: the commit that it is from, else its version."""
+    try:
+        origin = json.loads(distribution("sigcat").read_text("direct_url.json") or "{}")
+    except PackageNotFoundError:
+        origin = {}
+    versioned = origin.get("vcs_info", {})
+    if versioned.get("vcs") == "git":
+        return f"git+{origin['url']}@{versioned['commit_id']}"
+    return f"sigcat=={__version__}"
+
+
+def _filled(name: str, source: str) -> str:
+    return (FILES / name).read_text(encoding="utf-8").replace("__SIGCAT__", source)
