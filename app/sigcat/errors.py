@@ -56,6 +56,11 @@ def existing_file(path: str | os.PathLike[str]) -> Path:
     return file
 
 
+def without_signals(tree: str | os.PathLike[str]) -> str:
+    """What is said of a tree that has nothing to work with."""
+    return f"{tree}: the catalogue has no signals; name the root .vspec file of a tree"
+
+
 def must_be_a_file(path: str | os.PathLike[str]) -> str:
     """What is said of a folder where a file belongs."""
     return f"{path} must be a file, not a folder"

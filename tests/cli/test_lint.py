@@ -152,7 +152,7 @@ def test_the_status_is_0_when_clean_1_with_findings_and_2_when_it_could_not_run(
 @pytest.mark.parametrize(
     ("file", "text", "reason"),
     [
-        ("sigcat.toml", "[lint", "not valid TOML"),
+        ("sigcat.toml", "[lint", "Not valid TOML"),
         ("sigcat.toml", "[lint]\nselct = []\n", "Did you mean 'select'?"),
         ("sigcat.toml", "[lint.severity]\nV101 = 'eror'\n", "Did you mean 'error'?"),
         ("sigcat.toml", "[lint.per-file.here]\nX1 = 'off'\n", "No rule has the code 'X1'."),

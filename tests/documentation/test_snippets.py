@@ -11,11 +11,11 @@ import yaml
 
 from sigcat.api.read_settings import TABLE, read_settings
 from sigcat.catalogue.composing.compose import read_catalogue
-from sigcat.catalogue.hosting.configuration import read_configuration as read_catalogues
 from sigcat.cli import main
 from sigcat.data import ROOT_FILE
 from sigcat.function.hosting import FunctionLibrary
-from sigcat.rules.linting.configuration import _FIELDS, options_of, read_configuration
+from sigcat.project.read_project import CATALOGUE_KEYS, TOP_KEYS, read_project
+from sigcat.rules.linting.configuration import FIELDS
 from sigcat.rules.linting.selection import rules_for, selected
 from sigcat.rules.record import parse_rules
 from tests.catalogue.hosting.archives import saved, tar_bytes
@@ -37,7 +37,7 @@ def test_the_configuration_of_the_linter_is_one(folder):
     shutil.copytree(ROOT / "vspec", "vspec")
     Path("our-rules.yaml").write_text(block(COMPANY, "yaml", "ACME001"))
     Path("sigcat.toml").write_text(block(CONFIGURATION, "toml", "[lint]"))
-    options = read_configuration(Path("sigcat.toml"))
+    options = read_project(Path("sigcat.toml")).lint
     codes = {rule.id: rule for rule in selected(rules_for(options), options)}
     assert {"ACME001", "P001"} <= set(codes)
     assert codes["V102"].severity == "error"
@@ -46,7 +46,14 @@ def test_the_configuration_of_the_linter_is_one(folder):
 
 def test_every_key_of_the_linter_is_documented():
     table = text_of(CONFIGURATION).split("## Lint")[1].split("## Service")[0]
-    assert set(_FIELDS) <= set(re.findall(r"`([a-z-]+)`", table))
+    assert set(FIELDS) <= set(re.findall(r"`([a-z-]+)`", table))
+
+
+def test_every_key_of_the_project_is_documented():
+    text = text_of(CONFIGURATION)
+    keys = {*TOP_KEYS, *CATALOGUE_KEYS} - {"catalogue", "service", "lint"}
+    assert [key for key in sorted(keys) if key not in text] == []
+    assert {"[[catalogue]]", "[lint]", "[service]"} <= set(re.findall(r"\[+[a-z]+\]+", text))
 
 
 def test_the_catalogues_of_the_configuration_are_some(folder, monkeypatch):
@@ -55,14 +62,17 @@ def test_the_catalogues_of_the_configuration_are_some(folder, monkeypatch):
     (folder / "trees" / "common").mkdir(parents=True)
     (folder / "overlays").mkdir()
     (folder / "functions").mkdir()
+    (folder / "can").mkdir()
+    for name in ("our-rules.yaml", "units.yaml", "quantities.yaml", "can/vehicle.dbc", "deployment.yaml"):
+        (folder / name).write_text("")
     for name in ("Own.vspec", "units.yaml", "quantities.yaml", "types.vspec"):
         (folder / "trees" / name).write_text("")
     (folder / "overlays" / "body.vspec").write_text("")
-    Path("sigcat.toml").write_text(block(CONFIGURATION, "toml", "watch = true"))
-    configuration = read_catalogues(Path("sigcat.toml"))
-    assert [source.id for source in configuration.sources] == ["body", "own"]
+    Path("sigcat.toml").write_text(block(CONFIGURATION, "toml", "functions = "))
+    configuration = read_project(Path("sigcat.toml"))
+    assert [source.id for source in configuration.catalogues] == ["body", "own"]
     assert configuration.is_watching
-    assert not configuration.has_shipped
+    assert not configuration.has_shipped_catalogues
     assert configuration.functions == (Path("functions"),)
 
 
@@ -72,8 +82,8 @@ def test_the_files_of_a_company_fit_together(folder):
             (folder / each.title).parent.mkdir(parents=True, exist_ok=True)
             (folder / each.title).write_text(each.text)
     assert parse_rules(Path("our-rules.yaml").read_bytes(), "our-rules.yaml", trusted=False).findings == ()
-    hosted = read_catalogues(Path("sigcat.toml"), {TABLE: lambda table, _: read_settings(table), "lint": options_of})
-    assert [source.id for source in hosted.sources] == ["acme"]
+    hosted = read_project(Path("sigcat.toml"), {TABLE: lambda table, _: read_settings(table)})
+    assert [source.id for source in hosted.catalogues] == ["acme"]
     assert [file.id for file in FunctionLibrary(hosted.functions, has_shipped=False).files] == ["cabin_noise"]
     assert main(["lint", "functions", "our-rules.yaml"]) == 0
 

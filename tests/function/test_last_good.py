@@ -6,8 +6,7 @@ from pathlib import Path
 import pytest
 
 from sigcat.catalogue.hosting.library import Library, Source, shipped_sources
-from sigcat.catalogue.hosting.sources import SHIPPED_UNITS
-from sigcat.data import ROOT_FILE
+from sigcat.data import OVERLAYS, ROOT_FILE
 from sigcat.findings import Finding
 from sigcat.function.hosted_files import HostedFile
 from sigcat.function.hosting import FunctionLibrary, function_over
@@ -22,7 +21,7 @@ UNKNOWN = noise(path="Vehicle.Sped")
 def catalogues(tmp_path_factory: pytest.TempPathFactory) -> Library:
     overlay = tmp_path_factory.mktemp("acme") / "hum.vspec"
     overlay.write_text("Vehicle.Cabin.Hum: {type: sensor, datatype: float, description: A hum.}\n")
-    return Library([*shipped_sources(), Source("acme", "Acme", ROOT_FILE, (overlay,), SHIPPED_UNITS)])
+    return Library([*shipped_sources(), Source("acme", "Acme", ROOT_FILE, (overlay,), (OVERLAYS / "units.yaml",))])
 
 
 @pytest.fixture

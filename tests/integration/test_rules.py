@@ -5,7 +5,6 @@ from typing import Any
 import pytest
 
 from sigcat import codes
-from sigcat.catalogue.hosting.configuration import FILE_NAME, read_configuration
 from sigcat.data import INTERFACE_RULES
 from sigcat.errors import InputRefused
 from sigcat.function.sets.check_set import read_set
@@ -15,6 +14,8 @@ from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
 from sigcat.platforms.platform import Options
 from sigcat.platforms.table import PLATFORMS
+from sigcat.project.project import FILE_NAME
+from sigcat.project.read_project import read_project
 from sigcat.rules.compiled import compiled_rules
 from tests.function.shipped import interfaces
 
@@ -75,7 +76,7 @@ def findings_of_configuration(files, folder):
     for name, text in files.items():
         (folder / name).write_text(text, encoding="utf-8")
     try:
-        read_configuration(folder / FILE_NAME)
+        read_project(folder / FILE_NAME)
     except InputRefused as refused:
         return refused.findings
     return ()

@@ -6,7 +6,6 @@ from pathlib import Path
 import pytest
 
 from sigcat.catalogue.hosting.library import Library, Source, shipped_sources
-from sigcat.catalogue.hosting.sources import SHIPPED_UNITS
 from sigcat.cli import main
 from sigcat.data import OVERLAYS, ROOT_FILE
 from sigcat.function.hosting import FunctionLibrary
@@ -21,7 +20,7 @@ SPEED = "Vehicle.Speed: {type: sensor, datatype: float, unit: km/h, max: 300, de
 def site(tmp_path_factory: pytest.TempPathFactory) -> Ask:
     folder = tmp_path_factory.mktemp("functions")
     (folder / "hum.function.yaml").write_text(noise("Hum", "Vehicle.Cabin.Hum"))
-    acme = Source("acme", "Acme", ROOT_FILE, (OVERLAYS / "ecocontrol.vspec",), SHIPPED_UNITS)
+    acme = Source("acme", "Acme", ROOT_FILE, (OVERLAYS / "ecocontrol.vspec",))
     return asker(create_site(Library([*shipped_sources(), acme, *SOURCES]), functions=FunctionLibrary([folder])))
 
 

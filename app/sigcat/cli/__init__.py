@@ -22,6 +22,7 @@ COMMANDS = (
     "try",
     "show",
     "search",
+    "units",
     "export",
     "function",
     "integrate",

@@ -1,30 +1,27 @@
-"""The options that say which catalogues a service hosts: a configuration file, and catalogues named one by one."""
+"""The options that say which catalogues a service hosts: those of the project, and catalogues named one by one."""
 
 import argparse
-import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sigcat.cli.output import could_not_run
+from sigcat.cli.project_options import project_of
 from sigcat.errors import InputRefused, UsageError
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from sigcat.api.settings import Settings
-    from sigcat.catalogue.hosting.configuration import Configuration, TableReader
+    from sigcat.catalogue.hosting.source import Source
+    from sigcat.project.project import Project
 
 SETTINGS = "service"
 """The table of the settings."""
 
 
 def add_catalogue_options(parser: argparse.ArgumentParser) -> None:
-    """Add --config, --catalogue and --watch."""
+    """Add --catalogue and --watch."""
     group = parser.add_argument_group("the catalogues")
-    group.add_argument(
-        "--config", type=Path, metavar="FILE",
-        help="configuration (default: SIGCAT_CONFIG, or sigcat.toml in this folder, if it is there)",
-    )  # fmt: skip
     group.add_argument(
         "--catalogue", action="append", default=[], metavar="ID=TREE[,OVERLAY...]",
         help="host this tree, before the shipped ones (pages open with the first): a .vspec file, a folder, or a pulled "
@@ -35,44 +32,38 @@ def add_catalogue_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def chosen_configuration(arguments: argparse.Namespace) -> "Configuration":
-    """The configuration, with `sources` as all catalogues that are to be hosted, the default one first.
+def hosted_sources(arguments: argparse.Namespace, project: "Project") -> "tuple[Source, ...]":
+    """Return the catalogues to host, the default one first: those of the options, of the project, shipped and pulled ones.
 
-    Those of the command line stand before those of the file; shipped ones and pulled releases stand last.
+    Raises UsageError if there is none.
     """
-    from sigcat.catalogue.hosting.configuration import Configuration, read_configuration
     from sigcat.catalogue.hosting.sources import pulled_sources, shipped_sources, source_from_option, sources_in_order
+    from sigcat.project.chosen_tree import with_additions
 
-    file = _file(arguments.config)
-    configuration = read_configuration(file, _readers(arguments)) if file is not None else Configuration()
-    named = tuple(source_from_option(text) for text in arguments.catalogue)
-    declared = tuple(s for s in configuration.sources if s.id not in {source.id for source in named})
-    shipped = (*shipped_sources(), *pulled_sources()) if configuration.has_shipped else ()
+    named = tuple(with_additions(source_from_option(text), project) for text in arguments.catalogue)
+    declared = tuple(s for s in project.catalogues if s.id not in {source.id for source in named})
+    shipped = (*shipped_sources(), *pulled_sources()) if project.has_shipped_catalogues else ()
+    if not project.catalogues:
+        shipped = tuple(with_additions(source, project) for source in shipped)
     sources = sources_in_order((*named, *declared), shipped)
     if not sources:
-        raise UsageError(f"{file}: no catalogue is left to host; declare one, or set shipped = true")
-    watching = configuration.is_watching if arguments.watch is None else arguments.watch
-    return configuration._replace(sources=sources, is_watching=watching)
+        raise UsageError(f"{project.file}: no catalogue is left to host; declare one, or set shipped = true")
+    return sources
 
 
-def chosen_settings(arguments: argparse.Namespace) -> "tuple[Configuration, Settings]":
-    """The catalogues to host and the settings: of the command line, before the environment, before the file.
+def served_project(arguments: argparse.Namespace) -> "tuple[Project, Settings]":
+    """Return the project and the settings of the service: of the options, before the environment, before the file.
 
     Raises UsageError if there is anything wrong with them; the findings are printed.
     """
+    project = project_of(arguments, readers={SETTINGS: lambda table, file: _settings(table, file, arguments)})
+    if arguments.watch is not None:
+        project = project._replace(is_watching=arguments.watch)
     try:
-        configuration = chosen_configuration(arguments)
-        settings = configuration.tables.get(SETTINGS) or _settings({}, None, arguments)
+        settings = project.tables.get(SETTINGS) or _settings({}, None, arguments)
     except InputRefused as error:
         raise could_not_run(error) from None
-    return configuration, settings
-
-
-def _readers(arguments: argparse.Namespace) -> "Mapping[str, TableReader]":
-    """Who reads the tables of the file: what is wrong with them is told with all else that is wrong with it."""
-    from sigcat.rules.linting.configuration import options_of
-
-    return {SETTINGS: lambda table, file: _settings(table, file, arguments), "lint": options_of}
+    return project, settings
 
 
 def _settings(table: "Mapping[str, Any]", file: Path | None, arguments: argparse.Namespace) -> "Settings":
@@ -80,13 +71,3 @@ def _settings(table: "Mapping[str, Any]", file: Path | None, arguments: argparse
 
     named = {name: getattr(arguments, name, None) for name in ("host", "port")}
     return read_settings(table, file=file, options={name: value for name, value in named.items() if value is not None})
-
-
-def _file(given: Path | None) -> Path | None:
-    from sigcat.catalogue.hosting.configuration import FILE_NAME
-
-    if given is not None:
-        return given
-    if named := os.environ.get("SIGCAT_CONFIG"):
-        return Path(named)
-    return Path(FILE_NAME) if Path(FILE_NAME).is_file() else None

@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING
 
 from sigcat.cli.command_parser import positive
 from sigcat.cli.ended_by_signals import ended_by_signals
+from sigcat.cli.function_options import deployment_of, project_functions
 from sigcat.cli.output import make_folder, write_bytes, write_text
 from sigcat.cli.output_options import add_outputs
+from sigcat.cli.project_options import project_of
 from sigcat.cli.tree_options import add_dbc, add_tree_options, read_tree
 from sigcat.errors import InputRefused, UsageError, existing_file
 from sigcat.names import did_you_mean
@@ -48,9 +50,9 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument(
         "functions",
         type=Path,
-        nargs="+",
+        nargs="*",
         metavar="SET",
-        help="folder with a compare.yaml, or function.yaml, or Function JSON",
+        help="folder with a compare.yaml, or function.yaml, or Function JSON (default: the functions of the project)",
     )
     parser.add_argument(
         "--platforms", metavar="P,P", help="which, separated by commas (default: all that are installed)"
@@ -63,7 +65,10 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     )
     add_dbc(parser, "CAN database (DBC) of such a log")
     parser.add_argument(
-        "--deployment", type=Path, metavar="FILE", help="what differs from the defaults of the platforms"
+        "--deployment",
+        type=Path,
+        metavar="FILE",
+        help="what differs from the defaults of the platforms (default: that of the set, or of the project)",
     )
     faults = parser.add_mutually_exclusive_group()
     faults.add_argument("--faults", type=Path, metavar="FILE", help="faults to inject (default: those of compare.yaml)")
@@ -141,7 +146,7 @@ def _asked(arguments: argparse.Namespace, folder: Path) -> "Asked":
     from sigcat.runs.recording.times import NANOSECONDS
 
     platforms = _platforms(arguments.platforms)
-    compared = read_compared(arguments.functions)
+    compared = read_compared(arguments.functions or project_functions(arguments))
     trace = arguments.trace or compared.trace
     if trace is None:
         raise UsageError("say with --trace TRACE what is played to the functions")
@@ -179,7 +184,13 @@ def _carried(
             raise UsageError(f"--dbc is for a log of CAN, and {trace} is none")
         return None
     _tell(f"Gateway: {trace}")
-    carried = carry(trace, [existing_file(path) for path in arguments.dbc], tree, compared.trace, folder)
+    carried = carry(
+        trace,
+        [existing_file(path) for path in arguments.dbc or project_of(arguments).dbc],
+        tree,
+        compared.trace,
+        folder,
+    )
     _print(carried.findings)
     for line in carried.counts:
         _tell(line)
@@ -224,8 +235,8 @@ def _subject(arguments: argparse.Namespace, compared: "ComparedSet", tree: "Cata
     functions = tuple(sorted(read, key=lambda function: function.name))  # as on platforms: by name, not by file
     prepared = prepare(functions)
     _print((*findings, *prepared.findings))
-    path = arguments.deployment or compared.deployment
-    deployment = read_deployment(existing_file(path).read_bytes(), str(path)) if path else DEFAULT_DEPLOYMENT
+    path = deployment_of(arguments, compared.deployment)
+    deployment = read_deployment(path.read_bytes(), str(path)) if path else DEFAULT_DEPLOYMENT
     return Subject(functions, prepared, deployment)
 
 

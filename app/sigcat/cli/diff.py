@@ -7,14 +7,15 @@ from typing import TYPE_CHECKING
 
 from sigcat.cli.output import write_bytes
 from sigcat.cli.output_options import add_output, refuse_overwriting
-from sigcat.cli.tree_options import add_many, add_vocabulary_options
+from sigcat.cli.project_options import add_project_options, project_of
+from sigcat.cli.tree_options import add_many, add_vocabulary_options, tree_options
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from sigcat.catalogue.comparing.changes import Change
     from sigcat.catalogue.comparing.sides import Side
-    from sigcat.catalogue.model.catalogue import Catalogue
+    from sigcat.project.project import Project
 
 _CLASSES = (
     "breaking",
@@ -23,6 +24,7 @@ _CLASSES = (
     "text",
 )  # sigcat.catalogue.comparing.changes has them; it is loaded when it is needed
 _SIDES = """A side is
+  a catalogue               of the project, by its id
   a folder                  the tree in or below it
   a .vspec file             the tree of which it is the root
   a .json file              an exported tree
@@ -68,6 +70,7 @@ def _add_options_of_both(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("for both sides")
     add_many(group, "-l", "--overlays", "overlay, applied in the order given, after those of the side")
     add_vocabulary_options(group)
+    add_project_options(group)
 
 
 def diff(arguments: argparse.Namespace) -> int:
@@ -75,8 +78,9 @@ def diff(arguments: argparse.Namespace) -> int:
     from sigcat.catalogue.comparing.changes import at_least
     from sigcat.catalogue.comparing.diff import compare
 
-    old, new = _sides(arguments)
-    refuse_overwriting(arguments, (*_files(arguments.old, old), *_files(arguments.new, new)))
+    project = project_of(arguments)
+    old, new = _sides(arguments, project)
+    refuse_overwriting(arguments, (*project.files, *_files(arguments.old, old), *_files(arguments.new, new)))
     changes = compare(old.catalogue, new.catalogue, old.unknown | new.unknown)
     shown = [change for change in changes if not arguments.only or change.compatibility in arguments.only]
     report = _report(shown, len(changes) - len(shown), old.title, new.title, arguments)
@@ -85,17 +89,20 @@ def diff(arguments: argparse.Namespace) -> int:
     return int(bound is not None and any(at_least(change.compatibility, bound) for change in changes))
 
 
-def _sides(arguments: argparse.Namespace) -> "tuple[Side, Side]":
+def _sides(arguments: argparse.Namespace, project: "Project") -> "tuple[Side, Side]":
     from sigcat.catalogue.comparing.sides import Options, read_sides
+    from sigcat.catalogue.hosting.sources import release_source
 
+    given = tree_options(arguments)
     options = Options(
-        tuple(arguments.overlays),
-        tuple(arguments.include_dirs),
-        tuple(arguments.units),
-        tuple(arguments.quantities),
-        tuple(arguments.types),
+        given.overlays,
+        (*project.include_dirs, *given.include_dirs),
+        (*project.units, *given.units),
+        (*project.quantities, *given.quantities),
+        (*project.types, *given.types),
+        {source.id: source for source in project.catalogues},
     )
-    return read_sides(arguments.old, arguments.new, release, options)
+    return read_sides(arguments.old, arguments.new, release_source, options)
 
 
 def _files(name: str, side: "Side") -> "Iterator[str]":
@@ -104,15 +111,6 @@ def _files(name: str, side: "Side") -> "Iterator[str]":
 
     yield from split_paths(name, "+")
     yield from (file.name for file in side.catalogue.files)
-
-
-def release(name: str) -> "Catalogue":
-    """A pulled release, or a catalogue that sigcat ships. Raises NotFound."""
-    from sigcat.catalogue.hosting.source import load
-    from sigcat.catalogue.hosting.sources import release_source, shipped_sources
-
-    shipped = {source.id: source for source in shipped_sources()}
-    return load(shipped.get(name) or release_source(name))
 
 
 def _report(changes: "Sequence[Change]", hidden: int, old: str, new: str, arguments: argparse.Namespace) -> str:

@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
+from sigcat.cli.function_options import add_function, add_functions, functions_of, one_function
 from sigcat.cli.output import write_text
 from sigcat.cli.output_options import add_output
 from sigcat.cli.tree_options import add_tree_options, read_tree
@@ -91,7 +92,7 @@ def _add_update(actions: Actions) -> None:
             "What was written by hand stays, comments too; paths, units, ranges and times are kept."
         ),
     )
-    updating.add_argument("file", type=Path, metavar="FILE", help="function.yaml")
+    add_function(updating)
     _add_code_options(updating)
     add_tree_options(updating)
     updating.set_defaults(run=update)
@@ -110,7 +111,7 @@ def _add_overlay(actions: Actions) -> None:
 
 
 def _add_file_and_output(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("file", type=Path, metavar="FILE", help="function.yaml")
+    add_function(parser)
     add_output(parser, "-o", "--output", metavar="FILE", help="write here instead of to standard output")
 
 
@@ -123,7 +124,7 @@ def _add_validate(actions: Actions) -> None:
             "one set: who provides what to whom, and what does not fit."
         ),
     )
-    validating.add_argument("files", type=Path, nargs="+", metavar="FILE", help="Function JSON, or function.yaml")
+    add_functions(validating)
     validating.add_argument("--format", choices=("text", "json"), default="text", help="form of the report")
     add_tree_options(validating)
     validating.set_defaults(run=validate)
@@ -135,8 +136,8 @@ def build(arguments: argparse.Namespace) -> int:
     from sigcat.function.function_file import build_function
     from sigcat.function.function_json.model import to_json
 
-    data = arguments.file.read_bytes()
-    function, findings = build_function(data, str(arguments.file), read_tree(arguments), is_there=is_on_disk)
+    file = one_function(arguments)
+    function, findings = build_function(file.read_bytes(), str(file), read_tree(arguments), is_there=is_on_disk)
     for finding in findings:
         print(finding.line_of_text, file=sys.stderr)
     write_text(to_json(function).decode("utf-8"), arguments.output)
@@ -194,10 +195,11 @@ def update(arguments: argparse.Namespace) -> int:
 
     if not arguments.from_c:
         raise UsageError("name the folder of the C code with --from-c")
-    data = arguments.file.read_bytes()
+    file = one_function(arguments)
+    data = file.read_bytes()
     merged = merge_code(
         data,
-        arguments.file,
+        file,
         arguments.from_c,
         read_tree(arguments),
         arguments.model or "",
@@ -209,7 +211,7 @@ def update(arguments: argparse.Namespace) -> int:
     for line in merged.report:
         print(line)
     if merged.text.encode() != data.removeprefix(b"\xef\xbb\xbf"):
-        write_text(merged.text, arguments.file)
+        write_text(merged.text, file)
     elif not merged.report:
         print("nothing changed")
     return 0
@@ -219,7 +221,8 @@ def overlay(arguments: argparse.Namespace) -> int:
     """Write the overlay; warnings go to standard error. Raises InputRefused if there are errors."""
     from sigcat.function.extension.overlay import overlay_of
 
-    made = overlay_of(arguments.file.read_bytes(), str(arguments.file), read_tree(arguments))
+    file = one_function(arguments)
+    made = overlay_of(file.read_bytes(), str(file), read_tree(arguments))
     if made.types and arguments.types_output is None:
         raise UsageError("struct types stand in a file of their own: name it with --types-output FILE")
     for finding in made.findings:
@@ -236,7 +239,7 @@ def validate(arguments: argparse.Namespace) -> int:
     from sigcat.function.code_files import is_on_disk
     from sigcat.function.sets.check_set import check_functions
 
-    files = [(file.read_bytes(), str(file)) for file in arguments.files]
+    files = [(file.read_bytes(), str(file)) for file in functions_of(arguments)]
     findings = check_functions(files, read_tree(arguments), is_whole=len(files) > 1, is_there=is_on_disk)
     _print(findings, arguments.format)
     return int(has_errors(findings))

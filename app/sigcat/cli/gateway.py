@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from sigcat.cli.command_parser import positive
 from sigcat.cli.output import make_folder, write_lines, write_text
 from sigcat.cli.output_options import FORMATS, add_output
+from sigcat.cli.project_options import project_of
 from sigcat.cli.tree_options import add_dbc, add_tree_options, read_tree
 from sigcat.errors import InputRefused, UsageError, existing_file
 
@@ -142,8 +143,8 @@ def _gateway(arguments: argparse.Namespace, found: "list[Finding]") -> int:
 
 def _check(arguments: argparse.Namespace) -> None:
     """Raises UsageError for options that do not belong together."""
-    if not arguments.dbc:
-        raise UsageError("name the CAN database: --dbc FILE")
+    if not (arguments.dbc or project_of(arguments).dbc):
+        raise UsageError("name the CAN database: --dbc FILE, or `dbc` in the project file")
     if arguments.format is not None and arguments.report is None:
         raise UsageError("--format is for --report: name its file")
     if arguments.to is None:
@@ -159,7 +160,7 @@ def _check(arguments: argparse.Namespace) -> None:
 def _databases(arguments: argparse.Namespace) -> "list[Path | tuple[str, Path]]":
     """Files of databases, or channels with them."""
     found: list[Path | tuple[str, Path]] = []
-    for path in arguments.dbc:
+    for path in arguments.dbc or project_of(arguments).dbc:
         channel, equals, file = str(path).partition("=")
         is_of_channel = bool(equals and channel and "/" not in channel and not path.exists())
         found.append((channel, existing_file(file)) if is_of_channel else existing_file(path))

@@ -2,12 +2,11 @@
 
 import argparse
 import sys
-from pathlib import Path
 
+from sigcat.cli.function_options import add_functions, functions_of
 from sigcat.cli.generated_folder import add_folder, paths_in, write_generated
 from sigcat.cli.output_options import refuse_overwriting
 from sigcat.cli.tree_options import add_tree_options, read_tree
-from sigcat.errors import existing_file
 
 
 def add_kind(kinds: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -20,7 +19,7 @@ def add_kind(kinds: "argparse._SubParsersAction[argparse.ArgumentParser]") -> No
             "sent, independent of any platform."
         ),
     )
-    one.add_argument("functions", type=Path, nargs="+", metavar="FUNCTION", help="function.yaml or Function JSON")
+    add_functions(one)
     add_folder(one)
     add_tree_options(one)
     one.set_defaults(run=run)
@@ -31,7 +30,7 @@ def run(arguments: argparse.Namespace) -> int:
     from sigcat.adapter.core.cores import cores
     from sigcat.integration.reading import read_functions
 
-    sources = [(existing_file(path).read_bytes(), str(path)) for path in arguments.functions]
+    sources = [(path.read_bytes(), str(path)) for path in functions_of(arguments)]
     functions, findings = read_functions(sources, read_tree(arguments))
     files, warnings = cores(functions)
     for finding in (*findings, *warnings):

@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from sigcat.cli.function_options import add_functions, deployment_of, functions_of
 from sigcat.cli.output import write_bytes
 from sigcat.cli.output_options import add_output
 from sigcat.cli.tree_options import add_tree_options, read_tree
@@ -29,8 +30,13 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
             help=f"for {platform.title}",
             description=f"Derive the Integration JSON for {platform.title} of one function, or of a set of functions.",
         )
-        one.add_argument("functions", type=Path, nargs="+", metavar="FUNCTION", help="function.yaml or Function JSON")
-        one.add_argument("--deployment", type=Path, metavar="FILE", help="what differs from the defaults")
+        add_functions(one)
+        one.add_argument(
+            "--deployment",
+            type=Path,
+            metavar="FILE",
+            help="what differs from the defaults (default: that of the project)",
+        )
         add_output(one, "-o", "--output", metavar="OUT", help="write here instead of to standard output")
         add_output(one, "--report", metavar="FILE", help="where each field went: .json, or else a Markdown table")
         if platform.with_identifiers is not None:
@@ -70,7 +76,7 @@ def run(arguments: argparse.Namespace) -> int:
 def _functions(arguments: argparse.Namespace) -> "tuple[ResolvedFunction, ...]":
     from sigcat.integration.reading import read_functions
 
-    files = [(existing_file(path).read_bytes(), str(path)) for path in arguments.functions]
+    files = [(path.read_bytes(), str(path)) for path in functions_of(arguments)]
     functions, findings = read_functions(files, read_tree(arguments))
     _print(findings)
     return functions
@@ -81,8 +87,8 @@ def _deployment(arguments: argparse.Namespace) -> "Deployment":
     from sigcat.limits import DEFAULT_LIMITS
     from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
 
-    path, with_identifiers = arguments.deployment, arguments.platform.with_identifiers
-    deployment = DEFAULT_DEPLOYMENT if path is None else read_deployment(existing_file(path).read_bytes(), str(path))
+    path, with_identifiers = deployment_of(arguments), arguments.platform.with_identifiers
+    deployment = DEFAULT_DEPLOYMENT if path is None else read_deployment(path.read_bytes(), str(path))
     files = [(existing_file(each).read_bytes(), str(each)) for each in getattr(arguments, "identifiers", ())]
     return with_identifiers(deployment, files, DEFAULT_LIMITS) if files else deployment
 

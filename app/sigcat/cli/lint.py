@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 
 from sigcat.cli.output import could_not_run, discard_output, write_text
 from sigcat.cli.output_options import FORMATS, add_output, refuse_overwriting
-from sigcat.cli.tree_options import add_dbc, add_many
+from sigcat.cli.project_options import add_project_options, project_of
+from sigcat.cli.tree_options import add_dbc, add_many, tree_options
 from sigcat.errors import InputRefused, UsageError, existing_file
 
 if TYPE_CHECKING:
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
     from sigcat.catalogue.hosting.source import Source
     from sigcat.catalogue.model.catalogue import Catalogue
     from sigcat.findings import Finding
+    from sigcat.project.linting import ChosenLint
+    from sigcat.project.project import Project
     from sigcat.rules.linting.options import CheckedFunctions, LintOptions, LintResult
 
 _INPUT, _INPUT_NAME = Path("-"), "standard input"
@@ -32,7 +35,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         help="check trees, overlays, function files and rule files",
         description=(
             "Check files and folders: trees, overlays (over the tree near them, or the shipped one), function files and "
-            "rule files. Settings are in [tool.sigcat.lint] of a pyproject.toml or [lint] of a sigcat.toml."
+            "rule files. Settings are in [lint] of the project file."
         ),
     )
     parser.add_argument(
@@ -62,16 +65,17 @@ def _add_context(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("what the files are checked against")
     group.add_argument(
         "-s", "--vspec", type=Path, metavar="TREE",
-        help="tree that overlays and functions are made for: root .vspec file, a folder with one, or a pulled release "
-        "(default: of overlays the one near them, or the shipped one; of functions the shipped one)",
+        help="tree that overlays and functions are made for: catalogue of the project, root .vspec file, a folder with one, "
+        "or a pulled release (default: the first catalogue of the project; without one, of overlays the tree near them or "
+        "the shipped one, of functions the shipped one)",
     )  # fmt: skip
     add_many(group, "-l", "--overlays", "overlay that applies below those that are checked, and below functions")
     add_many(group, "-I", "--include-dirs", "folder in which included files are looked for too", "FOLDER")
-    add_many(group, "-u", "--units", "units beside those of the tree")
-    add_many(group, "-q", "--quantities", "quantities beside those of the tree")
+    add_many(group, "-u", "--units", "units, added to those of the tree")
+    add_many(group, "-q", "--quantities", "quantities, added to those of the tree")
     add_many(group, "-t", "--types", "struct types")
     add_dbc(group, "CAN database (DBC) that mappings are held against")
-    group.add_argument("--config", type=Path, metavar="FILE", help="configuration (default: the nearest one upwards)")
+    add_project_options(group)
 
 
 def _add_result(parser: argparse.ArgumentParser) -> None:
@@ -111,9 +115,10 @@ def _lint(arguments: argparse.Namespace) -> int:
     from sigcat.rules.linting.lint import lint_paths
 
     paths = arguments.paths or [Path()]
-    options = _options(arguments, paths)
-    result = _lint_input(paths, options, arguments) if _INPUT in paths else lint_paths(paths, options)
-    refuse_overwriting(arguments, (*result.files, *result.beside, *_configured(options)))
+    project = project_of(arguments, paths[0] if paths[0].is_dir() else paths[0].parent)
+    options = _chosen(arguments, project).options
+    result = _lint_input(paths, project, arguments) if _INPUT in paths else lint_paths(paths, options)
+    refuse_overwriting(arguments, (*result.files, *result.beside, *project.files, *_configured(options)))
     if arguments.write_baseline is not None:
         return _write_baseline(result, options, paths, arguments.write_baseline)
     if arguments.diff or arguments.fix:
@@ -129,7 +134,7 @@ def _lint(arguments: argparse.Namespace) -> int:
     return int(result.fails)
 
 
-def _lint_input(paths: "Sequence[Path]", options: "LintOptions", arguments: argparse.Namespace) -> "LintResult":
+def _lint_input(paths: "Sequence[Path]", project: "Project", arguments: argparse.Namespace) -> "LintResult":
     """Lint standard input: functions, a tree of its own, or an overlay as it would be in this folder."""
     from sigcat.catalogue.hosting.source import load
     from sigcat.file_kind import holds_function, root_branch, root_name
@@ -140,45 +145,41 @@ def _lint_input(paths: "Sequence[Path]", options: "LintOptions", arguments: argp
     from sigcat.rules.linting.selection import rules_for, selected
     from sigcat.rules.rule_set import RuleSet
 
+    options, tree = _chosen(arguments, project)
     needs_files = arguments.fix or arguments.diff or options.baseline or arguments.write_baseline
     if len(paths) > 1 or needs_files:
         raise UsageError("- is linted by itself, without --fix, --diff and baselines: name a file for these")
     text = sys.stdin.buffer.read()
     if holds_function(text):
-        findings, beside = _check_functions(options, [(text, _INPUT_NAME)], is_whole=False, is_on_disk=False)
+        findings, beside = _check_functions(tree, [(text, _INPUT_NAME)], is_whole=False, is_on_disk=False)
     else:
         every_rule = rules_for(options)
         rules, known = RuleSet(selected(every_rule, options)), frozenset(rule.id for rule in every_rule)
-        options = _with_tree(options.base or tree_near(root_name(text), _INPUT.absolute()), options)
+        if options.base is None:
+            options, tree = _chosen(arguments, project, tree_near(root_name(text), _INPUT.absolute()))
         is_tree = bool(own := root_branch(text)) and is_other_root(own, options.base)
-        tree = load(_tree(options))
-        findings = lint_text(text, _INPUT_NAME, tree, rules, is_tree=is_tree, options=options, known=known)
-        beside = _names(tree)
+        catalogue = load(tree)
+        findings = lint_text(text, _INPUT_NAME, catalogue, rules, is_tree=is_tree, options=options, known=known)
+        beside = _names(catalogue)
     return LintResult(tuple(findings), (), beside)
 
 
-def _options(arguments: argparse.Namespace, paths: "Sequence[Path]") -> "LintOptions":
-    """The configuration with the command line laid over it."""
-    from sigcat.rules.linting.configuration import find_configuration, read_configuration
-    from sigcat.rules.linting.options import LintOptions
+def _chosen(arguments: argparse.Namespace, project: "Project", near: Path | None = None) -> "ChosenLint":
+    """Return the options with the command line laid over the project; `near` is the tree where neither names one."""
+    from sigcat.project.linting import ChosenLint, chosen_lint
 
-    start = paths[0] if paths[0].is_dir() else paths[0].parent
-    file = arguments.config or find_configuration(start)
-    configured = read_configuration(file) if file is not None else LintOptions()
-    options = _with_tree(arguments.vspec, configured)
+    given = tree_options(arguments)
+    chosen = chosen_lint(project, given._replace(tree=str(near)) if near is not None else given)
+    options = chosen.options
     options = options._replace(
         select=_codes(arguments.select) or options.select,
         ignore=options.ignore + _codes(arguments.ignore),
         extend_select=options.extend_select + _codes(arguments.extend_select),
-        overlays=(*options.overlays, *arguments.overlays),
-        include_dirs=(*options.include_dirs, *arguments.include_dirs),
-        units=(*options.units, *arguments.units),
-        quantities=(*options.quantities, *arguments.quantities),
-        types=(*options.types, *arguments.types),
         dbc=(*options.dbc, *map(existing_file, arguments.dbc)),
         baseline=arguments.baseline or (None if arguments.write_baseline else options.baseline),
+        check_functions=partial(_check_functions, chosen.tree),
     )
-    return options._replace(check_functions=partial(_check_functions, options))
+    return ChosenLint(options, chosen.tree)
 
 
 def _configured(options: "LintOptions") -> "Iterator[Path]":
@@ -194,52 +195,26 @@ def _configured(options: "LintOptions") -> "Iterator[Path]":
     )
 
 
-def _with_tree(tree: Path | None, options: "LintOptions") -> "LintOptions":
-    """The options with the tree that `-s` names. Raises UsageError, or NotFound with near names."""
-    if tree is None:
-        return options
-    from sigcat.catalogue.hosting.sources import source_of_tree
-
-    source = source_of_tree(str(tree))
-    overlays, types = (*source.overlays, *options.overlays), (*source.types, *options.types)
-    return options._replace(base=source.spec, overlays=overlays, types=types)
-
-
 def _codes(given: list[str]) -> tuple[str, ...]:
     return tuple(code.strip() for part in given for code in part.split(",") if code.strip())
 
 
 def _check_functions(
-    options: "LintOptions", files: "Sequence[tuple[bytes, str]]", is_whole: bool, *, is_on_disk: bool = True
+    tree: "Source", files: "Sequence[tuple[bytes, str]]", is_whole: bool, *, is_on_disk: bool = True
 ) -> "CheckedFunctions":
-    """Check function files against the tree with the overlays of the options; loaded only when there are any."""
+    """Check function files against a tree; loaded only when there are any."""
     from sigcat.catalogue.hosting.source import load
     from sigcat.function import code_files
     from sigcat.function.sets.check_set import check_functions
     from sigcat.rules.linting.options import CheckedFunctions
 
     is_there = code_files.is_on_disk if is_on_disk else None
-    tree = load(_tree(options))
-    return CheckedFunctions(check_functions(files, tree, is_whole=is_whole, is_there=is_there), _names(tree))
+    catalogue = load(tree)
+    return CheckedFunctions(check_functions(files, catalogue, is_whole=is_whole, is_there=is_there), _names(catalogue))
 
 
 def _names(tree: "Catalogue") -> tuple[str, ...]:
     return tuple(file.name for file in tree.files)
-
-
-def _tree(options: "LintOptions") -> "Source":
-    """The tree with the overlays of the options, or else the shipped one."""
-    from sigcat.catalogue.hosting.source import Source
-    from sigcat.catalogue.hosting.sources import shipped_sources
-
-    tree = shipped_sources()[0] if options.base is None else Source(options.base.stem, "", options.base)
-    return tree._replace(
-        overlays=(*tree.overlays, *options.overlays),
-        units=(*tree.units, *options.units),
-        quantities=options.quantities,
-        types=options.types,
-        include_dirs=options.include_dirs,
-    )
 
 
 def _write_baseline(result: "LintResult", options: "LintOptions", paths: "Sequence[Path]", file: Path) -> int:

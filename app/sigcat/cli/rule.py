@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.output import could_not_run
+from sigcat.cli.project_options import add_project_options, project_of
 from sigcat.data import INTERFACE_RULES
 from sigcat.errors import InputRefused, NotFound
 from sigcat.names import nearest
@@ -21,18 +22,18 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "rule",
         help="list the rules, or explain one",
         description=(
-            "List all rules, or say what one checks and why, with good and bad examples. Rules of the configuration are "
+            "List all rules, or say what one checks and why, with good and bad examples. Rules of the project are "
             "among them."
         ),
     )
     parser.add_argument("code", nargs="?", metavar="CODE", help="code or name of a rule, such as V101")
-    parser.add_argument("--config", type=Path, metavar="FILE", help="configuration (default: the nearest one upwards)")
+    add_project_options(parser)
     parser.set_defaults(run=show_rule)
 
 
 def show_rule(arguments: argparse.Namespace) -> int:
     """Print the rules. Raises NotFound with the nearest codes and names."""
-    rules = _rules(arguments.config)
+    rules = _rules(arguments)
     if arguments.code is None:
         for rule in rules:
             print(_line(rule))
@@ -41,15 +42,12 @@ def show_rule(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _rules(config: Path | None) -> "Sequence[Rule]":
-    """The shipped rules and those of the configuration. Raises UsageError where the latter cannot be used."""
-    from sigcat.rules.linting.configuration import find_configuration, read_configuration
-    from sigcat.rules.linting.options import LintOptions
+def _rules(arguments: argparse.Namespace) -> "Sequence[Rule]":
+    """The shipped rules and those of the project. Raises UsageError where the latter cannot be used."""
     from sigcat.rules.linting.selection import rules_for
 
-    file = config or find_configuration(Path())
     try:
-        return rules_for(read_configuration(file) if file is not None else LintOptions())
+        return rules_for(project_of(arguments).lint)
     except InputRefused as error:
         raise could_not_run(error) from None
 

@@ -5,12 +5,18 @@ import atexit
 from contextlib import ExitStack, nullcontext
 from typing import TYPE_CHECKING
 
-from sigcat.cli.catalogue_options import add_catalogue_options, chosen_settings
-from sigcat.cli.tree_options import add_tree_options, tree_source
-from sigcat.errors import UsageError
+from sigcat.cli.catalogue_options import add_catalogue_options, hosted_sources, served_project
+from sigcat.cli.project_options import add_project_options
+from sigcat.cli.tree_options import add_tree_options, tree_options
+from sigcat.errors import UsageError, without_signals
+from sigcat.findings import has_errors
 
 if TYPE_CHECKING:
     from fastapi import FastAPI
+
+    from sigcat.catalogue.hosting.library import Library
+    from sigcat.catalogue.hosting.source import Source
+    from sigcat.project.project import Project
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -44,16 +50,38 @@ def serve(arguments: argparse.Namespace) -> int:
 
     with temporary_folder("sigcat-serve-"):
         pass  # better told now than with the first export
-    configuration, settings = chosen_settings(arguments)
-    sources = configuration.sources
-    if arguments.vspec is not None or arguments.overlays:
-        source = tree_source(arguments)
-        sources = (source._replace(id="local", title=source.spec.stem), *sources)
+    project, settings = served_project(arguments)
+    sources = _with_local(hosted_sources(arguments, project), arguments, project)
     library = Library(sources)
-    functions = FunctionLibrary(configuration.functions, has_shipped=configuration.has_shipped, catalogues=library)
-    with Watch(library, functions) if configuration.is_watching else nullcontext():
+    _refuse_without_signals(library, project)
+    functions = FunctionLibrary(project.functions, has_shipped=project.has_shipped_functions, catalogues=library)
+    with Watch(library, functions) if project.is_watching else nullcontext():
         run(create_site(library, settings, functions), settings)
     return 0
+
+
+def _refuse_without_signals(library: "Library", project: "Project") -> None:
+    """Raise UsageError for a catalogue of the project that has nothing to show; one with errors is hosted, and says so."""
+    for hosted in filter(None, (library.find(source.id) for source in project.catalogues)):
+        catalogue = hosted.catalogue
+        if not catalogue.has_signals and not has_errors(catalogue.findings):
+            raise UsageError(f"catalogue {hosted.source.id!r}: {without_signals(hosted.source.spec)}")
+
+
+def _with_local(
+    sources: "tuple[Source, ...]", arguments: argparse.Namespace, project: "Project"
+) -> "tuple[Source, ...]":
+    """Return the sources with the tree that the options name in front: of the project by its id, any other as `local`."""
+    from sigcat.catalogue.hosting.sources import sources_in_order
+    from sigcat.project.chosen_tree import TreeOptions, chosen_tree
+
+    given = tree_options(arguments)
+    if given == TreeOptions():
+        return sources
+    source = chosen_tree(project, given)
+    if source not in project.catalogues:
+        source = source._replace(id="local", title=source.spec.stem)
+    return sources_in_order((source,), sources)
 
 
 def application() -> "FastAPI":
@@ -67,12 +95,15 @@ def application() -> "FastAPI":
     ignore_hangup()
     parser = argparse.ArgumentParser()
     add_catalogue_options(parser)
-    configuration, settings = chosen_settings(parser.parse_args([]))
-    library = Library(configuration.sources)
-    functions = FunctionLibrary(configuration.functions, has_shipped=configuration.has_shipped, catalogues=library)
+    add_project_options(parser)
+    arguments = parser.parse_args([])
+    project, settings = served_project(arguments)
+    library = Library(hosted_sources(arguments, project))
+    _refuse_without_signals(library, project)
+    functions = FunctionLibrary(project.functions, has_shipped=project.has_shipped_functions, catalogues=library)
     service = create_site(library, settings, functions)
     prepare(service, settings)
-    if configuration.is_watching:
+    if project.is_watching:
         watching = ExitStack()
         watching.enter_context(Watch(library, functions))
         atexit.register(watching.close)

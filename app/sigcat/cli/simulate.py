@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from sigcat.cli.command_parser import positive
 from sigcat.cli.ended_by_signals import ended_by_signals
+from sigcat.cli.function_options import add_functions, functions_of
 from sigcat.cli.output import make_folder, opened, write_text
 from sigcat.cli.output_options import FORMATS, add_output, add_outputs
 from sigcat.cli.tree_options import add_tree_options, read_tree
@@ -38,7 +39,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
             "and write what they send. It takes gcc, clang, or the compiler of the package ziglang."
         ),
     )
-    parser.add_argument("functions", type=Path, nargs="+", metavar="FUNCTION", help="function.yaml or Function JSON")
+    add_functions(parser)
     parser.add_argument("--trace", type=Path, metavar="TRACE", help="what the functions receive, as CSV or MCAP")
     add_outputs(
         parser, "-o", "--output", metavar="OUT",
@@ -228,8 +229,8 @@ def _prepared(
     from sigcat.runs.prepare import prepare
     from sigcat.runs.recording.traces import open_trace
 
+    sources = [(path.read_bytes(), str(path)) for path in functions_of(arguments)]
     catalogue = read_tree(arguments)
-    sources = [(existing_file(path).read_bytes(), str(path)) for path in arguments.functions]
     functions, findings = read_functions(sources, catalogue)
     _told(findings, found)
     prepared = prepare(functions)

@@ -6,34 +6,36 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.output_options import refuse_overwriting
-from sigcat.errors import InputRefused, existing_file
+from sigcat.cli.project_options import add_project_options, project_of
+from sigcat.errors import InputRefused, UsageError, existing_file, without_signals
 from sigcat.findings import has_errors
 
 if TYPE_CHECKING:
-    from sigcat.catalogue.hosting.source import Source
     from sigcat.catalogue.model.catalogue import Catalogue
+    from sigcat.project.chosen_tree import TreeOptions
 
 
 def add_tree_options(parser: argparse.ArgumentParser) -> None:
-    """Add -s, -l, -I, -u, -q and -t. Without -s, the tree that sigcat ships is meant."""
+    """Add -s, -l, -I, -u, -q and -t, and the options of the project. Without -s, its first catalogue is meant, or the shipped one."""
     group = parser.add_argument_group("the tree")
     group.add_argument(
         "-s",
         "--vspec",
         type=Path,
         metavar="TREE",
-        help="root .vspec file, a folder with one, a pulled release such as v5.0, or vss: the shipped tree alone "
-        "(default: the shipped tree with its overlays)",
+        help="catalogue of the project, root .vspec file, a folder with one, a pulled release such as v5.0, or vss: the "
+        "shipped tree alone (default: the first catalogue of the project, or the shipped tree with its overlays)",
     )
-    add_many(group, "-l", "--overlays", "overlay, applied in the order given")
+    add_many(group, "-l", "--overlays", "overlay, applied in the order given, after those of the catalogue")
     add_vocabulary_options(group)
+    add_project_options(group)
 
 
 def add_vocabulary_options(group: argparse._ArgumentGroup) -> None:
     """Add -I, -u, -q and -t: what a tree refers to."""
     add_many(group, "-I", "--include-dirs", "folder in which included files are looked for too", "FOLDER")
-    add_many(group, "-u", "--units", "units (default: units.yaml beside the tree)")
-    add_many(group, "-q", "--quantities", "quantities (default: quantities.yaml beside the tree)")
+    add_many(group, "-u", "--units", "units, added to those of the tree")
+    add_many(group, "-q", "--quantities", "quantities, added to those of the tree")
     add_many(group, "-t", "--types", "struct types (default: those beside the tree, where a folder is named)")
 
 
@@ -56,29 +58,35 @@ def read_tree(arguments: argparse.Namespace, *, expanded: bool = True, for_expor
     """
     from sigcat.catalogue.exporting.stopping import with_exported_errors_as_warnings
     from sigcat.catalogue.hosting.source import load
+    from sigcat.project.chosen_tree import chosen_tree
 
-    catalogue = load(tree_source(arguments), expanded=expanded)
-    refuse_overwriting(arguments, (file.name for file in catalogue.files))
+    project = project_of(arguments)
+    source = chosen_tree(project, tree_options(arguments))
+    is_of_project = source.id in (each.id for each in project.catalogues)
+    catalogue = load(source if is_of_project else source._replace(id=source.spec.stem), expanded=expanded)
+    refuse_overwriting(arguments, (*project.files, *(file.name for file in catalogue.files)))
     catalogue = with_exported_errors_as_warnings(catalogue) if for_export else catalogue
     if has_errors(catalogue.findings):
         raise InputRefused("the tree has errors; nothing was done", catalogue.findings)
+    if is_of_project and not catalogue.has_signals:
+        raise UsageError(without_signals(source.spec))
     for finding in catalogue.findings:
         print(finding.line_of_text, file=sys.stderr)
     return catalogue
 
 
-def tree_source(arguments: argparse.Namespace) -> "Source":
-    """The tree that the options name, or the one that sigcat ships; `release` is set where -s names one."""
-    from sigcat.catalogue.hosting.sources import shipped_sources, source_of_tree
+def tree_options(arguments: argparse.Namespace) -> "TreeOptions":
+    """The tree and the files that the options name. Raises UsageError where a file does not exist."""
+    from sigcat.project.chosen_tree import TreeOptions
 
     for path in (*arguments.overlays, *arguments.units, *arguments.quantities, *arguments.types):
         existing_file(path)
-    source = source_of_tree(str(arguments.vspec)) if arguments.vspec is not None else shipped_sources()[0]
-    return source._replace(
-        id=source.spec.stem,
-        overlays=(*source.overlays, *arguments.overlays),
-        units=(*source.units, *arguments.units),
-        quantities=tuple(arguments.quantities),
-        types=tuple(arguments.types) or source.types,
-        include_dirs=tuple(arguments.include_dirs),
+    tree = getattr(arguments, "vspec", None)
+    return TreeOptions(
+        None if tree is None else str(tree),
+        tuple(arguments.overlays),
+        tuple(arguments.include_dirs),
+        tuple(arguments.units),
+        tuple(arguments.quantities),
+        tuple(arguments.types),
     )

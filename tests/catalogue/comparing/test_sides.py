@@ -11,6 +11,7 @@ from sigcat.catalogue.comparing.exported_json import UNKNOWN, catalogue_from_exp
 from sigcat.catalogue.comparing.sides import NO_OPTIONS, Options, read_side
 from sigcat.catalogue.composing.compose import read_catalogue, unexpanded
 from sigcat.catalogue.exporting.export_json import tree_data, tree_json
+from sigcat.catalogue.hosting.source import Source
 from sigcat.catalogue.reading.root_file import root_file, types_beside
 from sigcat.data import ROOT_FILE
 from sigcat.errors import InputRefused, NotFound, UsageError
@@ -164,7 +165,8 @@ def test_a_tree_with_errors_is_not_compared(tmp_path):
 
 def test_another_name_is_that_of_a_release(tmp_path):
     (tmp_path / "one.vspec").write_text(signal("Vehicle.New"))
-    releases = {"v1.0": catalogue_of(ROOT)}
+    (tmp_path / "tree.vspec").write_text(ROOT)
+    releases = {"v1.0": Source("v1.0", "VSS 1.0", tmp_path / "tree.vspec", release="v1.0")}
     assert paths("v1.0", releases.__getitem__) == ["Vehicle"]
     assert paths(f"v1.0+{tmp_path}/one.vspec", releases.__getitem__) == ["Vehicle", "Vehicle.New"]
     with pytest.raises(NotFound):

@@ -132,3 +132,18 @@ def test_the_shipped_tree(name, tmp_path):
 def test_an_official_release_with_its_overlay(name, tmp_path):
     expected = judged(EXPORTERS[name], ["-s", str(V5), "-l", str(DOORS)], tmp_path / "judge")
     assert {file.name: file.data for file in export(official(), name)} == expected
+
+
+@judged_by("vss-tools", "Every export has the same bytes")
+def test_units_that_are_given(tmp_path):
+    """vss-tools lists the units that it was given alone; where these suffice, sigcat does so too."""
+    tree = tree_without_structs(tmp_path)
+    units = tmp_path / "given.yaml"
+    more = "ppm:\n  definition: Parts per million.\n  unit: parts per million\n  quantity: relation\n  allowed-datatypes: ['numeric']\n"
+    units.write_text(f"{(TREE / 'units.yaml').read_text()}\n{more}")
+    quantities = tmp_path / "given_quantities.yaml"
+    quantities.write_text(f"{(TREE / 'quantities.yaml').read_text()}\nsmell:\n  definition: How much it smells.\n")
+    arguments = ["-s", str(tree), "-u", str(units), "-q", str(quantities)]
+    expected = judged(EXPORTERS["s2dm"], arguments, tmp_path / "judge")
+    catalogue = read_catalogue(tree, units=[units], quantities=[quantities])
+    assert {file.name: file.data for file in export(catalogue, "s2dm")} == expected

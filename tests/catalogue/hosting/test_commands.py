@@ -11,9 +11,10 @@ import sys
 import pytest
 
 from sigcat.cli import pull, releases
-from sigcat.cli.catalogue_options import add_catalogue_options, chosen_configuration
+from sigcat.cli.catalogue_options import add_catalogue_options, hosted_sources
 from sigcat.cli.pull import bar_text
 from sigcat.errors import SigcatError
+from sigcat.project.project import Project
 from tests.catalogue.hosting.archives import saved, zip_bytes
 from tests.catalogue.hosting.server import GOOD
 
@@ -34,7 +35,7 @@ def test_a_pulled_release_is_served_beside_the_shipped_trees(server, data, tmp_p
     parser = argparse.ArgumentParser()
     add_catalogue_options(parser)
     assert run("pull", "5.0", "--from", f"{server}/good", "--allow-private") == 0
-    sources = chosen_configuration(parser.parse_args([])).sources
+    sources = hosted_sources(parser.parse_args([]), Project())
     assert [source.id for source in sources] == ["interfaces", "vss", "v5.0"]
 
 

@@ -127,10 +127,14 @@ def test_an_overlay_of_ones_own_stays_under_todays_checks():
     assert [(f.rule, f.severity) for f in findings if "overlay.vspec" in f.file] == [("V006", "error")]
 
 
-def test_a_tree_of_ones_own_without_units_is_an_error_as_ever(tmp_path):
+def test_a_tree_without_units_has_those_of_vss_unless_it_says_otherwise(tmp_path):
     tree = tmp_path / "tree.vspec"
     tree.write_text("Vehicle:\n  type: branch\nVehicle.Speed:\n  type: sensor\n  datatype: float\n  unit: km/h\n")
-    assert [f.rule for f in load(Source("own", "Own", tree)).findings if f.severity == "error"] == ["U007"]
+    source = Source("own", "Own", tree)
+    assert load(source).nodes["Vehicle.Speed"].values["unit"] == "km/h"
+    assert not has_errors(load(source).findings)
+    without = load(source._replace(has_standard_units=False))
+    assert [f.rule for f in without.findings if f.severity == "error"] == ["U007"]
 
 
 def test_errors_of_an_official_release_are_warnings_and_those_of_a_tree_of_ones_own_are_errors(tmp_path):

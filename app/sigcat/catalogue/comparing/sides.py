@@ -1,17 +1,17 @@
 """The sides of a comparison: whatever names a tree, read into a catalogue.
 
-A side is a folder, a root file, an exported JSON, `git:REVISION` or `git:REVISION:PATH`, or the name of a release;
-each may be followed by overlays, `+OVERLAY+OVERLAY`. Files and folders that exist win over names of releases.
+A side is a catalogue of the project, a folder, a root file, an exported JSON, `git:REVISION` or `git:REVISION:PATH`, or
+the name of a release; each may be followed by overlays, `+OVERLAY+OVERLAY`. The first of these that exists counts.
 """
 
 import os
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import NamedTuple
 
 from sigcat.catalogue.comparing.exported_json import NOTHING_LOST, UNKNOWN, Lost, lost_in_exports, read_export
-from sigcat.catalogue.composing.add_overlays import with_overlays
 from sigcat.catalogue.hosting.source import Source, load
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.reading.git_revision import unpack_revision
@@ -22,16 +22,16 @@ from sigcat.errors import InputRefused, UsageError
 from sigcat.file_kind import ending_of
 from sigcat.findings import Finding, has_errors
 from sigcat.limits import DEFAULT_LIMITS, Limits
-from sigcat.real_path import real_path
+from sigcat.real_path import each_once, real_path
 
-Release = Callable[[str], Catalogue]
-"""The catalogue of a release by its name. Raises NotFound."""
+Release = Callable[[str], Source]
+"""The source of a release by its name. Raises NotFound."""
 
 _GIT = "git:"
 
 
 class Options(NamedTuple):
-    """Options for both sides; they mean what those of `vspec export` mean."""
+    """Options for both sides."""
 
     overlays: tuple[Path, ...] = ()
     """Applied after the overlays of the side itself."""
@@ -39,6 +39,8 @@ class Options(NamedTuple):
     units: tuple[Path, ...] = ()
     quantities: tuple[Path, ...] = ()
     types: tuple[Path, ...] = ()
+    named: Mapping[str, Source] = MappingProxyType({})
+    """The catalogues of the project by id."""
     limits: Limits = DEFAULT_LIMITS
     lost: Lost = NOTHING_LOST
     """Of an exported JSON: what it lacks, and the other side has."""
@@ -87,7 +89,11 @@ def read_side(name: str, release: Release, options: Options = NO_OPTIONS) -> Sid
         base, overlays = _parts(name)
         if not base:
             raise UsageError(f"{name!r}: there is no such file or folder")
-        side = _file_side(name, Path(base), overlays, options) or _release_side(name, base, overlays, release, options)
+        side = (
+            _named_side(name, base, overlays, options)
+            or _file_side(name, Path(base), overlays, options)
+            or _release_side(name, base, overlays, release, options)
+        )
     if has_errors(side.catalogue.findings):
         raise InputRefused(f"{name}: the tree has errors; nothing was compared", side.catalogue.findings)
     return side
@@ -99,6 +105,23 @@ def _parts(name: str, folder: Path = Path()) -> tuple[str, tuple[Path, ...]]:
     return base, tuple(folder / overlay for overlay in overlays)
 
 
+def _named_side(title: str, base: str, overlays: tuple[Path, ...], options: Options) -> Side | None:
+    """The side that a catalogue of the project is; None if it has none of this id."""
+    source = options.named.get(base)
+    return _side_of(title, source, overlays, options) if source is not None else None
+
+
+def _side_of(title: str, source: Source, overlays: tuple[Path, ...], options: Options) -> Side:
+    added = source._replace(
+        overlays=each_once((*source.overlays, *_existing((*overlays, *options.overlays)))),
+        units=each_once((*source.units, *options.units)),
+        quantities=each_once((*source.quantities, *options.quantities)),
+        types=each_once((*source.types, *options.types)),
+        include_dirs=each_once((*source.include_dirs, *options.include_dirs)),
+    )
+    return Side(title, load(added, options.limits))
+
+
 def _file_side(title: str, path: Path, overlays: tuple[Path, ...], options: Options) -> Side | None:
     """The side that a file or folder is; None if it does not exist."""
     if not path.exists():
@@ -106,16 +129,14 @@ def _file_side(title: str, path: Path, overlays: tuple[Path, ...], options: Opti
     if ending_of(path.name) == ".json" and path.is_file():
         return Side(title, read_export(path, _layers(overlays, options), options.limits, options.lost), UNKNOWN)
     spec = root_file(path, options.limits) if path.is_dir() else path
-    types = options.types or (types_beside(spec, options.limits) if path.is_dir() else ())
-    chosen = (options.units, options.quantities, types, options.include_dirs)
-    source = Source(spec.stem, spec.stem, spec, _existing((*overlays, *options.overlays)), *chosen)
-    return Side(title, load(source, options.limits))
+    types = types_beside(spec, options.limits) if path.is_dir() and not options.types else ()
+    return _side_of(title, Source(spec.stem, spec.stem, spec, types=types), overlays, options)
 
 
 def _release_side(title: str, base: str, overlays: tuple[Path, ...], release: Release, options: Options) -> Side:
     if "/" in base or base.endswith((".vspec", ".json")):
         raise UsageError(f"{base}: there is no such file or folder")
-    return Side(title, with_overlays(release(base), _layers(overlays, options), options.limits))
+    return _side_of(title, release(base), overlays, options)
 
 
 def _layers(overlays: tuple[Path, ...], options: Options) -> list[Layer]:

@@ -18,6 +18,7 @@ from sigcat.catalogue.model.datatypes import (
     values_in_words,
 )
 from sigcat.catalogue.model.definition import Definition, Problem, Scope
+from sigcat.catalogue.model.near_units import advice
 from sigcat.findings import RuleCode, shown
 from sigcat.names import did_you_mean, screaming_snake_case
 
@@ -38,8 +39,7 @@ def unit_problems(values: Mapping[str, Any], scope: Scope) -> Iterator[Problem]:
     """The unit is not known. Needs no datatype. Where no unit is known, there is one finding for the tree."""
     name = values.get("unit")
     if name is not None and scope.vocabulary.units and scope.vocabulary.unit(name) is None:
-        known = dict.fromkeys(unit.key for unit in scope.vocabulary.distinct_units)
-        yield Problem(codes.UNIT_UNKNOWN, "unit", f"{name!r} is not a unit.", did_you_mean(name, known))
+        yield Problem(codes.UNIT_UNKNOWN, "unit", f"Unknown unit {name!r}.", advice(name, scope.vocabulary))
 
 
 def quote_it(value: Any) -> str:

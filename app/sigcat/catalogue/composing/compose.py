@@ -35,13 +35,16 @@ def read_catalogue(
     expanded: bool = True,
     limits: Limits = DEFAULT_LIMITS,
     is_release: bool = False,
+    has_standard_units: bool = True,
 ) -> Catalogue:
-    """Read a tree from files and compose it. Options mean what those of `vspec export` mean.
+    """Read a tree from files and compose it. Units and quantities add to those beside the tree and its overlays.
 
     `is_release`: the tree is an official one; its own errors become warnings, as in every tree from before VSS 5.0.
     """
     with collector_paused():
-        vocabulary, is_older = read_units(spec, units, quantities, limits)
+        vocabulary, is_older = read_units(
+            spec, units, quantities, limits, overlays=overlays, has_standard=has_standard_units
+        )
         base = read_layer(spec, include_dirs, limits=limits)
         if is_older:
             base = with_present_spellings(base)

@@ -22,15 +22,24 @@ from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.datatypes import DATATYPES, PRIMITIVES
 from sigcat.catalogue.model.definition import TYPES
-from sigcat.catalogue.model.vocabulary import Quantity, Unit, Vocabulary, default_files, read_vocabulary, shared_name
+from sigcat.catalogue.model.vocabulary import (
+    STANDARD_QUANTITIES,
+    STANDARD_UNITS,
+    Quantity,
+    Unit,
+    Vocabulary,
+    files_beside,
+    read_vocabulary,
+    shared_name,
+)
 from sigcat.catalogue.reading.layers import Layer
 from sigcat.catalogue.reading.statement import Origin, SourceFile, Statement
 from sigcat.catalogue.reading.vspec_file import VspecFile, parse_vspec
-from sigcat.data import VSPEC
 from sigcat.digest import digest_of
 from sigcat.file_kind import QUANTITY_NAMES, ROOT_NAME, UNIT_NAMES
 from sigcat.findings import Finding, in_order
 from sigcat.limits import DEFAULT_LIMITS, Limits
+from sigcat.real_path import each_once
 
 _PRESENT_NAMES = {"description": "definition", "label": "unit", "units": "unit", "domain": "quantity"}
 """Fields of a unit by their names before 4.1 (`units` is a slip in 4.1 itself)."""
@@ -83,22 +92,49 @@ class _OlderFile(NamedTuple):
 
 
 def read_units(
-    spec: Path, units: Sequence[Path] = (), quantities: Sequence[Path] = (), limits: Limits = DEFAULT_LIMITS
+    spec: Path,
+    units: Sequence[Path] = (),
+    quantities: Sequence[Path] = (),
+    limits: Limits = DEFAULT_LIMITS,
+    *,
+    overlays: Sequence[Path] = (),
+    has_standard: bool = True,
 ) -> Units:
-    """The vocabulary of a tree of any age: from the files given, or from those beside `spec`.
+    """The vocabulary of a tree of any age: the files beside the tree, then those beside its overlays, then those given.
 
-    An official tree without units is one of 3.0, whose units were in the tools: it gets the shipped ones.
+    A tree without units has those of VSS, unless `has_standard` is false. An official one is of 3.0, if none are given:
+    its units were in the tools.
     """
-    unit_files = default_files(spec, units, UNIT_NAMES[0])
-    quantity_files = default_files(spec, quantities, QUANTITY_NAMES[0])
-    if not unit_files and spec.name == ROOT_NAME and spec.is_file():
-        return Units(_units_of_tools(spec, limits), is_older=True)
+    if not units and not files_beside([spec], UNIT_NAMES) and spec.name == ROOT_NAME and spec.is_file():
+        more = read_vocabulary(files_beside(overlays, UNIT_NAMES), (), limits)
+        return Units(_joined(_units_of_tools(spec, limits), more), is_older=True)
+    unit_files = unit_files_of(spec, overlays, units, has_standard=has_standard)
+    quantity_files = each_once((*files_beside([spec, *overlays], QUANTITY_NAMES), *quantities))
     older = [file for path in unit_files if (file := _older_file(path, limits)) is not None]
     names = {file.source.name for file in older}
-    vocabulary = read_vocabulary([path for path in unit_files if str(path) not in names], quantity_files, limits)
+    present = [path for path in unit_files if str(path) not in names]
+    vocabulary = read_vocabulary(present, quantity_files, limits, has_standard=has_standard)
     for file in older:
         vocabulary = _with_older(vocabulary, file)
-    return Units(vocabulary, bool(older))
+    given = frozenset(map(str, (*units, *quantities)))
+    return Units(vocabulary._replace(given=given), bool(older))
+
+
+def unit_files_of(
+    spec: Path, overlays: Sequence[Path], units: Sequence[Path], *, has_standard: bool = True
+) -> tuple[Path, ...]:
+    """The files of units of a tree: those beside it, or else those of VSS; those beside its overlays; those given."""
+    own = files_beside([spec], UNIT_NAMES) or ((STANDARD_UNITS,) if has_standard else ())
+    return each_once((*own, *files_beside(overlays, UNIT_NAMES), *units))
+
+
+def _joined(first: Vocabulary, second: Vocabulary) -> Vocabulary:
+    return Vocabulary(
+        {**first.units, **second.units},
+        {**first.quantities, **second.quantities},
+        (*first.files, *second.files),
+        (*first.findings, *second.findings),
+    )
 
 
 def _older_file(path: Path, limits: Limits) -> _OlderFile | None:
@@ -169,7 +205,7 @@ def _older_form(entries: Sequence[_Entry]) -> Finding:
 
 def _units_of_tools(spec: Path, limits: Limits) -> Vocabulary:
     """The shipped units, for any datatype, and those that only the tools of 3.0 knew, with a warning."""
-    shipped = read_vocabulary([VSPEC / "units.yaml"], [VSPEC / "quantities.yaml"], limits)
+    shipped = read_vocabulary([STANDARD_UNITS], [STANDARD_QUANTITIES], limits)
     units = {name: _unit_of_tools(unit) for name, unit in shipped.units.items()}
     nowhere = Origin(str(spec), 0, 0)
     for key, definition, quantity in _UNITS_OF_TOOLS:

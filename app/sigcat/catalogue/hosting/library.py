@@ -208,7 +208,8 @@ def _files(catalogue: Catalogue) -> frozenset[tuple[str, str]]:
 
 def _named_files(source: Source) -> frozenset[Path]:
     """The files that a source names, and those that would be read if they stood beside its tree."""
-    beside = (source.spec.with_name(name) for name in (UNIT_NAMES[0], QUANTITY_NAMES[0]))
+    names = (*UNIT_NAMES, *QUANTITY_NAMES)
+    beside = (path.with_name(name) for path in (source.spec, *source.overlays) for name in names)
     return frozenset((source.spec, *source.overlays, *source.units, *source.quantities, *source.types, *beside))
 
 

@@ -22,6 +22,8 @@ class Source(NamedTuple):
     include_dirs: tuple[Path, ...] = ()
     release: str = ""
     """Name of the official release that the tree is; its own errors are warnings. Empty: a tree of one's own."""
+    has_standard_units: bool = True
+    """Whether a tree without a file of units has those of VSS, and units may measure the quantities of VSS."""
 
 
 def load(source: Source, limits: Limits = DEFAULT_LIMITS, *, expanded: bool = True) -> Catalogue:
@@ -37,4 +39,5 @@ def load(source: Source, limits: Limits = DEFAULT_LIMITS, *, expanded: bool = Tr
         name=source.id,
         limits=limits,
         is_release=bool(source.release),
+        has_standard_units=source.has_standard_units,
     )

@@ -6,31 +6,30 @@ from pathlib import Path
 from sigcat.catalogue.hosting.source import Source
 from sigcat.catalogue.reading.joined_paths import split_paths
 from sigcat.catalogue.reading.root_file import root_file, types_beside
-from sigcat.data import OVERLAYS, ROOT_FILE, VSPEC
+from sigcat.data import OVERLAYS, ROOT_FILE
 from sigcat.errors import UsageError, existing_file
 from sigcat.file_kind import TREE_ENDINGS, ending_of
 
 SHIPPED = "shipped"
 """Name that stands for the tree that sigcat ships, where a release is needed."""
-SHIPPED_UNITS = (VSPEC / "units.yaml", OVERLAYS / "units.yaml")
 
 
 def shipped_sources() -> tuple[Source, ...]:
     """The trees that sigcat ships: the standard tree alone, and with the interface overlays."""
-    units = tuple(path for path in SHIPPED_UNITS if path.is_file())
     overlays = tuple(
         OVERLAYS / f"{name}.vspec" for name in ("ecocontrol", "error", "safety_reaction", "mode", "scheduling")
     )
     return (
-        Source("interfaces", "VSS 6.0 with function interfaces", ROOT_FILE, overlays, units),
+        Source("interfaces", "VSS 6.0 with function interfaces", ROOT_FILE, overlays),
         Source("vss", "VSS 6.0", ROOT_FILE),
     )
 
 
 def release_source(name: str) -> Source:
-    """The source of a pulled release, or of the shipped tree. Raises NotFound, which says how to pull it."""
-    if name == SHIPPED:
-        return Source("vss", "VSS 6.0", ROOT_FILE)
+    """The source of a pulled release, or of a shipped tree. Raises NotFound, which says how to pull it."""
+    for source in shipped_sources():
+        if name == source.id or (name == SHIPPED and not source.overlays):
+            return source
     from sigcat.catalogue.hosting.releases import find_release
 
     release = find_release(name)
@@ -73,8 +72,7 @@ def source_of_tree(tree: str) -> Source:
         return Source(path.name, path.name, root, types=types_beside(root))
     if ending_of(path.name) in TREE_ENDINGS or len(path.parts) > 1:
         raise UsageError(f"{tree}: there is no such file")
-    shipped = {source.id: source for source in shipped_sources()}
-    return shipped.get(tree) or release_source(tree)
+    return release_source(tree)
 
 
 def sources_in_order(chosen: Iterable[Source], shipped: Iterable[Source]) -> tuple[Source, ...]:

@@ -6,7 +6,7 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import Any, NamedTuple, TypeVar
 
-from sigcat.catalogue.model.definition import BRANCH, Definition
+from sigcat.catalogue.model.definition import BRANCH, SIGNALS, Definition
 from sigcat.catalogue.model.interfaces import category_of, interface_name
 from sigcat.catalogue.model.vocabulary import Unit, Vocabulary
 from sigcat.catalogue.reading.layers import Layer
@@ -109,6 +109,11 @@ class Catalogue:
     def files(self) -> tuple[SourceFile, ...]:
         """Every file that was read: those of the layers, of units and of quantities."""
         return (*(file for layer in self.layers for file in layer.files), *self.vocabulary.files)
+
+    @property
+    def has_signals(self) -> bool:
+        """Whether there is a sensor, an actuator or an attribute."""
+        return any(definition.type in SIGNALS for definition in self.definitions.values())
 
     def with_findings(self, findings: tuple[Finding, ...]) -> "Catalogue":
         """The same catalogue with other findings."""

@@ -3,7 +3,8 @@
 A vocabulary is a value: two catalogues with different units live in one process.
 """
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -11,7 +12,9 @@ from sigcat import codes
 from sigcat.catalogue.model.datatypes import DATATYPES
 from sigcat.catalogue.reading.statement import Origin, SourceFile, Statement
 from sigcat.catalogue.reading.vspec_file import parse_vspec
+from sigcat.data import VSPEC
 from sigcat.digest import digest_of
+from sigcat.file_kind import QUANTITY_NAMES, UNIT_NAMES
 from sigcat.findings import Finding, RuleCode, shown
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.names import did_you_mean
@@ -50,6 +53,8 @@ class Vocabulary(NamedTuple):
     quantities: Mapping[str, Quantity]
     files: tuple[SourceFile, ...]
     findings: tuple[Finding, ...]
+    given: frozenset[str] = frozenset()
+    """Names of the files that were given, and not found beside the tree: vss-tools would read these alone."""
 
     def unit(self, name: str) -> Unit | None:
         """The unit with this key or name, in any case."""
@@ -67,22 +72,32 @@ _UNIT_FIELDS = frozenset(
 """The fields of a unit, those of older releases included."""
 _QUANTITY_FIELDS = frozenset(("definition", "comment", "remark"))
 EMPTY = Vocabulary({}, {}, (), ())
+STANDARD_UNITS, STANDARD_QUANTITIES = VSPEC / UNIT_NAMES[0], VSPEC / QUANTITY_NAMES[0]
+"""The files of VSS, in the words of this project."""
 
 
 def read_vocabulary(
-    unit_files: Sequence[Path], quantity_files: Sequence[Path], limits: Limits = DEFAULT_LIMITS
+    unit_files: Sequence[Path],
+    quantity_files: Sequence[Path],
+    limits: Limits = DEFAULT_LIMITS,
+    *,
+    has_standard: bool = True,
 ) -> Vocabulary:
-    """Read units and quantities. An entry with an error is a finding, and is left out."""
+    """Read units and quantities. An entry with an error is a finding, and is skipped.
+
+    `has_standard`: units may measure the quantities of VSS, whether the files define these or not.
+    """
     findings: list[Finding] = []
     sources: list[SourceFile] = []
     quantities = {
         key: _quantity(entry, findings)
         for key, entry in _entries(quantity_files, "Quantity", limits, sources, findings)
     }
+    known = {**(standard_quantities() if has_standard and unit_files else {}), **quantities}
     units: dict[str, Unit] = {}
     names: dict[str, Unit] = {}
     for key, entry in _entries(unit_files, "Unit", limits, sources, findings):
-        unit = _unit(entry, quantities, findings)
+        unit = _unit(entry, known, findings)
         if unit is None:
             continue
         if unit.name in names and names[unit.name].key.lower() != key:
@@ -91,22 +106,31 @@ def read_vocabulary(
             names[unit.name] = unit
             units[unit.name] = unit
         units[key] = unit
-    if units and not quantity_files:
+    if units and not known:
         findings.append(_quantities_missing(unit_files[0]))
-    return Vocabulary(units, quantities, tuple(sources), tuple(findings))
+    measured = {unit.quantity.lower() for unit in units.values()} & known.keys()
+    return Vocabulary(units, {**{key: known[key] for key in measured}, **quantities}, tuple(sources), tuple(findings))
+
+
+@lru_cache(maxsize=1)
+def standard_quantities() -> Mapping[str, Quantity]:
+    """The quantities of VSS by key."""
+    return {
+        key: _quantity(entry, []) for key, entry in _entries([STANDARD_QUANTITIES], "Quantity", DEFAULT_LIMITS, [], [])
+    }
 
 
 def _quantities_missing(units: Path) -> Finding:
     """One finding, not one for every unit."""
-    message = f"There is no file of quantities for the units of {str(units)!r}."
-    fix = "Put quantities.yaml beside the tree, or name it with -q."
+    message = f"{str(units)!r} uses quantities that are not defined."
+    fix = "Add a quantities.yaml, or pass one with -q."
     return codes.QUANTITIES_MISSING.finding(message, str(units), fix=fix)
 
 
-def default_files(spec: Path, given: Sequence[Path], name: str) -> tuple[Path, ...]:
-    """The files given, or else the file of this name beside the tree, if there is one."""
-    beside = spec.parent / name
-    return tuple(given) or ((beside,) if beside.is_file() else ())
+def files_beside(paths: Iterable[Path], names: Sequence[str]) -> tuple[Path, ...]:
+    """The files with one of these names in the folders of `paths`."""
+    folders = dict.fromkeys(path.parent for path in paths)
+    return tuple(folder / name for folder in folders for name in names if (folder / name).is_file())
 
 
 def _entries(
@@ -126,10 +150,26 @@ def _entries(
         findings.extend(file.findings)
         for statement in file.statements:
             key = statement.path.lower()
-            if key in entries:
+            if key in entries and not _means_the_same(statement, entries[key]):
                 findings.append(_replaced(statement, entries[key], what))
             entries[key] = statement
     return list(entries.items())
+
+
+def _means_the_same(entry: Statement, earlier: Statement) -> bool:
+    """Whether an entry of another file says what the earlier one says. Texts of the shipped files are this project's own words."""
+    places = {entry.origin().file, earlier.origin().file}
+    if entry.path != earlier.path or len(places) == 1:
+        return False
+    has_own_words = not places.isdisjoint((str(STANDARD_UNITS), str(STANDARD_QUANTITIES)))
+    return _meaning(entry.values, has_own_words=has_own_words) == _meaning(earlier.values, has_own_words=has_own_words)
+
+
+def _meaning(values: Mapping[str, Any], *, has_own_words: bool) -> tuple[Any, ...]:
+    allowed = values.get("allowed-datatypes")
+    datatypes = frozenset(map(str, allowed)) if isinstance(allowed, list) else allowed
+    definition = "" if has_own_words else values.get("definition")
+    return values.get("unit") or values.get("label"), _quantity_of(values), datatypes, definition
 
 
 def _replaced(entry: Statement, earlier: Statement, what: str) -> Finding:
@@ -156,7 +196,7 @@ def _unit(entry: Statement, quantities: Mapping[str, Quantity], findings: list[F
     findings.extend(_unknown_fields(entry, "Unit", _UNIT_FIELDS))
     quantity = _quantity_of(values)
     if quantities and quantity.lower() not in quantities:
-        hint = did_you_mean(quantity, quantities)
+        hint = did_you_mean(quantity, quantities) or "Define it in a quantities.yaml, or pass one with -q."
         message = f"Unit {entry.path!r} has the unknown quantity {shown(quantity)}."
         findings.append(_about(entry, codes.QUANTITY_UNKNOWN, message, "quantity", hint))
         return None

@@ -77,6 +77,12 @@ def between(source: str, target: str) -> Linear | None:
     return None
 
 
+def base_of(unit: str) -> str | None:
+    """Key of the unit that factors of this kind lead to; None if there are none."""
+    kind = next((units for units in _TO_BASE.values() if unit.lower() in units), {})
+    return next((key for key, linear in kind.items() if linear == IDENTITY), None)
+
+
 def same_kind(unit: str) -> tuple[str, ...]:
     """Keys of the units that `unit` can be converted to, itself left out."""
     key = unit.lower()

@@ -2,6 +2,7 @@
 
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import element_of
+from sigcat.catalogue.model.near_units import advice
 from sigcat.function.declaration.declaration import ArgumentItem, MethodItem
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem
@@ -44,7 +45,7 @@ def _argument(item: ArgumentItem, at: Pointer, context: Context) -> Resolving[Pa
         return Part(None, Origin(at))
     vocabulary = context.catalogue.vocabulary
     if item.unit is not None and vocabulary.unit(item.unit) is None:
-        fix = did_you_mean(item.unit, [unit.key for unit in vocabulary.distinct_units])
+        fix = advice(item.unit, vocabulary)
         yield Problem(codes.UNIT_NOT_CONVERTIBLE, (*at, "unit"), f"Unknown unit {item.unit!r}.", fix)
     made = Argument(
         name=item.name,

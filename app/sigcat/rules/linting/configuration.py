@@ -1,62 +1,16 @@
-"""Configuration: `[tool.sigcat.lint]` of a pyproject.toml, or `[lint]` of a sigcat.toml, found upwards.
-
-Paths in it are relative to its folder. The command line lays its options over it.
-"""
+"""The settings of the linter: the table `[lint]` of a project file. Paths in it are relative to the folder of the file."""
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from sigcat import codes
-from sigcat.catalogue.reading.toml_lines import Lines
 from sigcat.errors import InputRefused
-from sigcat.findings import SEVERITIES, Finding, in_order, shown
+from sigcat.findings import SEVERITIES, Finding, shown
 from sigcat.names import did_you_mean
-from sigcat.real_path import real_path
+from sigcat.real_path import near_path
 from sigcat.rules.linting.options import LintOptions, PerFile
 from sigcat.rules.linting.severity import OFF
-
-FILES = ("sigcat.toml", "pyproject.toml")
-
-
-def find_configuration(start: Path) -> Path | None:
-    """The nearest configuration in `start` or above it; a pyproject.toml counts only with a table for sigcat."""
-    for folder in (real_path(start), *real_path(start).parents):
-        for name in FILES:
-            path = folder / name
-            if path.is_file() and (name == FILES[0] or b"tool.sigcat" in path.read_bytes()):
-                return path
-    return None
-
-
-def read_configuration(path: Path) -> LintOptions:
-    """The options of a configuration file. Raises InputRefused, with every field that is wrong."""
-    import tomllib  # only where there is a configuration: it takes time at start-up
-
-    try:
-        text = path.read_bytes().decode("utf-8-sig")
-        data = tomllib.loads(text)
-    except OSError as error:
-        raise InputRefused(f"The configuration {str(path)!r} cannot be read: {error.strerror}.") from None
-    except (ValueError, RecursionError) as error:
-        raise InputRefused(f"The configuration {str(path)!r} is not valid TOML: {error}") from None
-    name = "lint" if path.name != FILES[1] else "tool.sigcat.lint"
-    table = _table_in(data) if path.name == FILES[1] else data.get("lint", {})
-    if not isinstance(table, dict):
-        raise InputRefused(f"`lint` in {str(path)!r} must be a table.")
-    try:
-        return options_of(table, path)
-    except InputRefused as error:
-        lines = Lines(text)
-        placed = [finding._replace(line=lines.line_below(name, finding.path)) for finding in error.findings]
-        raise InputRefused(str(error), in_order(placed)) from None
-
-
-def _table_in(data: Mapping[str, Any]) -> Any:
-    found: Any = data
-    for name in ("tool", "sigcat", "lint"):
-        found = found.get(name, {}) if isinstance(found, dict) else {}
-    return found
 
 
 class _Faults(NamedTuple):
@@ -74,9 +28,9 @@ def options_of(table: Mapping[str, Any], path: Path) -> LintOptions:
     read: dict[str, Any] = {}
     faults = _Faults([], path)
     for key, value in table.items():
-        known = _FIELDS.get(key.replace("_", "-"))
+        known = FIELDS.get(key.replace("_", "-"))
         if known is None:
-            faults.add(key, f"Unknown setting `{key}`. {did_you_mean(key, _FIELDS)}")
+            faults.add(key, f"Unknown setting `{key}`. {did_you_mean(key, FIELDS)}")
         else:
             field, convert = known
             read[field] = convert(key, value, faults)
@@ -99,7 +53,7 @@ def _path(key: str, value: Any, faults: _Faults) -> Path | None:
     elif not (folder / value).exists():
         faults.add(key, f"`{key}` names {value!r}, which does not exist in {str(folder)!r}.")
     else:
-        return _near(folder / value)
+        return near_path(folder / value)
     return None
 
 
@@ -107,18 +61,10 @@ def _paths(key: str, value: Any, faults: _Faults) -> tuple[Path, ...]:
     found: list[Path | None] = []
     for text in _texts(key, value, faults):
         if "*" in text:
-            found.extend(_near(match) for match in sorted(faults.file.parent.glob(text)))
+            found.extend(near_path(match) for match in sorted(faults.file.parent.glob(text)))
         else:
             found.append(_path(key, text, faults))
     return tuple(dict.fromkeys(path for path in found if path is not None))
-
-
-def _near(path: Path) -> Path:
-    """The path as a user names it: relative to the working folder, where it lies below it."""
-    try:
-        return real_path(path).relative_to(Path.cwd())
-    except ValueError:
-        return path
 
 
 def _severities(key: str, value: Any, faults: _Faults) -> dict[str, str]:
@@ -151,7 +97,7 @@ def _rule_options(key: str, value: Any, faults: _Faults) -> dict[str, dict[str, 
     return value
 
 
-_FIELDS: Mapping[str, tuple[str, Callable[[str, Any, _Faults], Any]]] = {
+FIELDS: Mapping[str, tuple[str, Callable[[str, Any, _Faults], Any]]] = {
     "select": ("select", _texts),
     "ignore": ("ignore", _texts),
     "extend-select": ("extend_select", _texts),

@@ -8,10 +8,10 @@ from sigcat.catalogue.composing.compose import compose
 from sigcat.catalogue.composing.older_releases import Units, read_units, with_present_spellings
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.definition import Definition
-from sigcat.catalogue.model.vocabulary import Vocabulary, default_files, read_vocabulary
+from sigcat.catalogue.model.vocabulary import Vocabulary, files_beside, read_vocabulary
 from sigcat.catalogue.reading.layers import Layer, read_layer
 from sigcat.data import OVERLAYS, ROOT_FILE
-from sigcat.file_kind import QUANTITY_NAMES, SHIPPED_ROOT, UNIT_NAMES, root_name
+from sigcat.file_kind import SHIPPED_ROOT, UNIT_NAMES, root_name
 from sigcat.findings import in_order
 from sigcat.real_path import real_path
 from sigcat.rules.linting.discovery import Source
@@ -57,26 +57,13 @@ def units_of(root: Path, tree: Layer, overlays: Sequence[Path], options: LintOpt
 
     Without any, an official tree that uses units is one of 3.0; the age of one that uses none does not matter.
     """
-    units = default_files(root, (), UNIT_NAMES[0])
-    quantities = default_files(root, (), QUANTITY_NAMES[0])
-    for folder in dict.fromkeys(path.parent for path in overlays):
-        units += tuple(folder / name for name in UNIT_NAMES if (folder / name).is_file())
-        quantities += tuple(folder / name for name in QUANTITY_NAMES if (folder / name).is_file())
-    if overlays and root == ROOT_FILE and not options.units and units == default_files(root, (), UNIT_NAMES[0]):
-        units += (OVERLAYS / UNIT_NAMES[0],)  # the shipped tree has them for functions, too
-    units, quantities = (*units, *options.units), (*quantities, *options.quantities)
-    units, quantities = _each_once(units), _each_once(quantities)
-    if not units and not any("unit" in statement.values for statement in tree.statements):
-        return Units(read_vocabulary((), quantities), is_older=False)
-    return read_units(root, units, quantities)
-
-
-def _each_once(files: Iterable[Path]) -> tuple[Path, ...]:
-    """The files in order, each by the first of its names: one may be named by two paths."""
-    by_place: dict[Path, Path] = {}
-    for file in files:
-        by_place.setdefault(real_path(file), file)
-    return tuple(by_place.values())
+    units = options.units
+    if overlays and root == ROOT_FILE and options.base is None:
+        units = (OVERLAYS / UNIT_NAMES[0], *units)  # the shipped tree has them for functions, too
+    has_any = units or files_beside((root, *overlays), UNIT_NAMES)
+    if not has_any and not any("unit" in statement.values for statement in tree.statements):
+        return Units(read_vocabulary((), options.quantities), is_older=False)
+    return read_units(root, units, options.quantities, overlays=overlays, has_standard=options.has_standard_units)
 
 
 def base_of(overlay: Path, roots: Sequence[Path], options: LintOptions) -> Path:

@@ -61,16 +61,16 @@ class Source(NamedTuple):
 
 
 def discover(
-    paths: Sequence[Path], overlays: Iterable[Path] = (), types: Iterable[Path] = (), base: Path | None = None
+    paths: Sequence[Path], overlays: Iterable[Path] = (), types: Iterable[Path] = (), trees: Sequence[Path] = ()
 ) -> tuple[Source, ...]:
-    """The files to lint in `paths`, each once. `overlays`, `types` and the tree `base` are known to be such. Raises NotFound."""
+    """The files to lint in `paths`, each once. `overlays`, `types` and `trees` are known to be such. Raises NotFound."""
     found = _files_in(paths)
     includes = {path: includes_of(path) for path in found if ending_of(path.name) == ".vspec"}
     parts = included_parts(includes)
-    known: dict[Path, Kind] = {real_path(base): "tree"} if base is not None else {}
+    known: dict[Path, Kind] = {real_path(path): "tree" for path in trees}
     known.update({real_path(path): "overlay" for path in overlays})
     known.update({real_path(path): "types" for path in types})
-    look = _Look(includes, base)
+    look = _Look(includes, next(iter(trees), None))
     sources = []
     for path, named in found.items():
         kind = known.get(real_path(path)) if known else None

@@ -5,6 +5,7 @@ alone, or with those that the options say it stacks with. A part of a tree that 
 by itself, below the branch where its tree includes it. Only the named files have findings.
 """
 
+import os
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
@@ -18,13 +19,14 @@ from sigcat.catalogue.model.vocabulary import read_vocabulary
 from sigcat.catalogue.reading.layers import Layer, layer_from_text, read_layer
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.data import ROOT_FILE
-from sigcat.errors import UsageError
-from sigcat.file_kind import QUANTITY_NAMES, UNIT_NAMES
+from sigcat.errors import UsageError, without_signals
+from sigcat.file_kind import UNIT_NAMES
 from sigcat.findings import Finding, has_errors, in_order
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.names import bounded_proposals
 from sigcat.real_path import real_path
 from sigcat.rules.engine import Found, found_in, lint_lines
+from sigcat.rules.linting.catalogues import all_overlays, all_trees, all_types, by_catalogue, of_tree, of_types
 from sigcat.rules.linting.context import (
     base_of,
     compose_tree,
@@ -102,14 +104,11 @@ def lint_paths(paths: Sequence[Path], options: LintOptions | None = None) -> Lin
 
 def _lint_paths(paths: Sequence[Path], options: LintOptions) -> LintResult:
     every_rule = rules_for(options)
-    sources = [
-        s for s in discover(paths, options.overlays, options.types, options.base) if not _is_excluded(s.path, options)
-    ]
+    discovered = discover(paths, all_overlays(options), all_types(options), all_trees(options))
+    sources = [source for source in discovered if not _is_excluded(source.path, options)]
     options = options._replace(types=type_files(sources, options))
     lint = _Lint(options, RuleSet(selected(every_rule, options)))
-    if not any(source.kind != "other" for source in sources) and any(path.is_dir() for path in paths):
-        named = ", ".join(map(str, paths))
-        raise UsageError(f"Nothing to check: {named} has no .vspec, units, function or rule file. Name another folder.")
+    _refuse_empty(paths, discovered)
     trees = _lint_trees([s.path for s in sources if s.kind == "tree"], lint)
     _lint_overlays([s.path for s in sources if s.kind == "overlay"], trees, lint)
     for source in sources:
@@ -122,6 +121,15 @@ def _lint_paths(paths: Sequence[Path], options: LintOptions) -> LintResult:
     return _result(lint, every_rule, paths if is_complete else ())
 
 
+def _refuse_empty(paths: Sequence[Path], sources: Sequence[Source]) -> None:
+    """Raise UsageError for a folder without a file that is checked: a typing error would pass."""
+    found = {parent for source in sources if source.kind != "other" for parent in source.path.absolute().parents}
+    for path in paths:
+        if path.is_dir() and Path(os.path.abspath(path)) not in found:  # noqa: PTH100 — without `..`
+            fix = "Name another folder."
+            raise UsageError(f"Nothing to check: {path} has no .vspec, units, function or rule file. {fix}")
+
+
 def _is_excluded(path: Path, options: LintOptions) -> bool:
     return any(matches(str(path), glob, options.root) for glob in options.exclude)
 
@@ -132,26 +140,29 @@ def _is_excluded(path: Path, options: LintOptions) -> bool:
 def _lint_trees(roots: Sequence[Path], lint: _Lint) -> list[Path]:
     """Lint whole trees; the roots, as what overlays may be made for."""
     for root in roots:
-        catalogue = compose_tree(root, lint.options)
+        options = of_tree(root, lint.options)
+        catalogue = compose_tree(root, options)
+        _refuse_without_signals(catalogue, root, options)
         lint.add(found_in(catalogue, lint.rules, attributes=lint.options.attributes, can=lint.can))
         lint.look_at([*(file.name for file in catalogue.files), str(root)])
     return list(roots)
 
 
 def _lint_overlays(overlays: Sequence[Path], trees: Sequence[Path], lint: _Lint) -> None:
-    groups: dict[Path, list[Path]] = {}
-    for overlay in overlays:
-        groups.setdefault(base_of(overlay, trees, lint.options), []).append(overlay)
-    for base, group in groups.items():
-        for stack in stacks_of(group, lint.options):
-            _lint_stack(base, stack, {str(path) for path in group}, lint)
+    for options, listed in by_catalogue(overlays, lint.options):
+        groups: dict[Path, list[Path]] = {}
+        for overlay in listed:
+            groups.setdefault(base_of(overlay, trees, options), []).append(overlay)
+        for base, group in groups.items():
+            for stack in stacks_of(group, options):
+                _lint_stack(base, stack, {str(path) for path in group}, options, lint)
 
 
-def _lint_stack(base: Path, stack: Sequence[Path], named: Collection[str], lint: _Lint) -> None:
+def _lint_stack(base: Path, stack: Sequence[Path], named: Collection[str], options: LintOptions, lint: _Lint) -> None:
     """Overlays over one tree, the last on top; findings in the named ones only."""
-    options = lint.options
     layers = [read_layer(path, options.include_dirs, is_overlay=True) for path in stack]
     catalogue, expanded = _composed_over(base, layers, stack, options)
+    _refuse_without_signals(catalogue, base, options)
     judged_layers = [layer for layer in layers if layer.name in named]
     files = {file.name for layer in judged_layers for file in layer.files} | {layer.name for layer in judged_layers}
     folders = {Path(layer.name).parent for layer in judged_layers}
@@ -166,6 +177,12 @@ def _lint_stack(base: Path, stack: Sequence[Path], named: Collection[str], lint:
     lint.add(found, files | (beside - set(lint.files)))
     lint.look_at([*files, *beside])
     lint.beside.update(file.name for file in catalogue.files)
+
+
+def _refuse_without_signals(catalogue: Catalogue, base: Path, options: LintOptions) -> None:
+    """Raise UsageError if the tree that was named has no signals; one with errors has findings."""
+    if base == options.base and not catalogue.has_signals and not has_errors(catalogue.findings):
+        raise UsageError(without_signals(base))
 
 
 def _composed_over(
@@ -183,7 +200,7 @@ def _composed_over(
 
 def _lint_types(path: Path, trees: Sequence[Path], lint: _Lint) -> None:
     """A tree of struct types by itself, with the units of the tree that uses them."""
-    options = lint.options
+    options = of_types(path, lint.options)
     layer = read_layer(path, options.include_dirs)
     vocabulary, _ = units_of(base_of(path, trees, options), layer, [path], options)
     others = [read_layer(other, options.include_dirs) for other in options.types if real_path(other) != real_path(path)]
@@ -205,7 +222,7 @@ def _lint_part(source: Source, lint: _Lint) -> None:
         statements = tuple(statement.placed(source.prefix) for statement in layer.statements)
         layer = Layer(layer.name, False, layer.files, statements, layer.findings)
     lint.beside.add(str(source.tree))
-    vocabulary, is_older = units_of(source.tree, layer, (), lint.options)
+    vocabulary, is_older = units_of(source.tree, layer, (), of_tree(source.tree, lint.options))
     catalogue = compose([with_present_spellings(layer) if is_older else layer], vocabulary, expanded=False)
     found = found_in(catalogue, lint.rules.for_parts, attributes=lint.options.attributes, can=lint.can)
     lint.add((each for each in found if each[0].rule not in lint.rules.of_whole_trees), {name})
@@ -239,9 +256,10 @@ def _lint_vocabulary(source: Source, lint: _Lint) -> None:
     path, name = source.path, str(source.path)
     if name in lint.files:
         return
-    beside = tuple(path.parent / name for name in QUANTITY_NAMES if (path.parent / name).is_file())
     is_units = path.name in UNIT_NAMES
-    vocabulary = read_units(path, (path,), beside).vocabulary if is_units else read_vocabulary((), (path,))
+    vocabulary = (
+        read_units(path, quantities=lint.options.quantities).vocabulary if is_units else read_vocabulary((), (path,))
+    )
     lint.add(((finding, None) for finding in vocabulary.findings), {name})
     lint.look_at([name])
 

@@ -5,6 +5,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
+from sigcat.catalogue.hosting.source import Source
 from sigcat.data import INTERFACE_RULES
 from sigcat.findings import Finding
 from sigcat.rules.problem import Repair
@@ -53,10 +54,14 @@ class LintOptions(NamedTuple):
     """The tree that overlays are checked against. Without it: one of the paths, or found near the overlay, or shipped."""
     overlays: tuple[Path, ...] = ()
     """Overlays that stack, in the order in which they apply; any other is linted on top of them, alone."""
+    catalogues: tuple[Source, ...] = ()
+    """The catalogues of the project. Their trees and overlays are linted with what belongs to them."""
     include_dirs: tuple[Path, ...] = ()
     units: tuple[Path, ...] = ()
     quantities: tuple[Path, ...] = ()
     types: tuple[Path, ...] = ()
+    has_standard_units: bool = True
+    """Whether a tree without a file of units has those of VSS."""
     dbc: tuple[Path, ...] = ()
     """The CAN database that mappings are held against."""
     attributes: tuple[str, ...] = ()
@@ -68,6 +73,18 @@ class LintOptions(NamedTuple):
     """Options of checks by the code of the rule, over those of the rule's record."""
     baseline: Path | None = None
     check_functions: FunctionCheck | None = None
+
+    def over(self, source: Source) -> "LintOptions":
+        """The options with the tree, the overlays and the vocabulary of a catalogue."""
+        return self._replace(
+            base=source.spec,
+            overlays=source.overlays,
+            include_dirs=source.include_dirs,
+            units=source.units,
+            quantities=source.quantities,
+            types=source.types,
+            has_standard_units=source.has_standard_units,
+        )
 
 
 Identity = tuple[str, str, int, int, str]

@@ -6,6 +6,7 @@ gets no chance to stumble over layouts of other releases, or over two units with
 
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -44,7 +45,8 @@ def write_catalogue(catalogue: Catalogue, folder: Path, *, copy_unit_files: bool
         _write(folder / f"types{number}.vspec", type_statements(root))
         for number, root in enumerate(catalogue.roots[1:], 1)
     )
-    units, quantities = _unit_files(catalogue.vocabulary, folder, copy=copy_unit_files)
+    vocabulary = catalogue.vocabulary
+    units, quantities = (copy_unit_files and _copied(catalogue, folder)) or _unit_files(vocabulary, folder)
     return Files(tree, overlays, types, units, quantities)
 
 
@@ -157,22 +159,40 @@ def _own_name(unit: Unit, same_name: Sequence[Unit]) -> str | None:
     return f"{unit.name} (deprecated)" if deprecated == [unit] else f"{unit.name} ({unit.key})"
 
 
-def _unit_files(vocabulary: Vocabulary, folder: Path, *, copy: bool) -> tuple[tuple[Path, ...], tuple[Path, ...]]:
-    if copy and not vocabulary.findings:
-        units = _copies({unit.origin.file for unit in vocabulary.units.values()}, vocabulary, folder)
-        quantities = _copies({quantity.origin.file for quantity in vocabulary.quantities.values()}, vocabulary, folder)
-        if units and quantities:
-            return units, quantities
+def _unit_files(vocabulary: Vocabulary, folder: Path) -> tuple[tuple[Path, ...], tuple[Path, ...]]:
     return (
         (_write(folder / "units.yaml", unit_entries(vocabulary)),) if vocabulary.units else (),
         (_write(folder / "quantities.yaml", quantity_entries(vocabulary)),) if vocabulary.units else (),
     )
 
 
+def _copied(catalogue: Catalogue, folder: Path) -> tuple[tuple[Path, ...], tuple[Path, ...]] | None:
+    """Copies of the files of units and quantities; None where vss-tools does not take them, or they do not suffice."""
+    vocabulary = catalogue.vocabulary
+    if vocabulary.findings:
+        return None
+    named = (node.values.get("unit") for node in catalogue.nodes.values())
+    used = {unit.origin.file for name in named if isinstance(name, str) and (unit := vocabulary.unit(name))}
+    units = _as_given({unit.origin.file for unit in vocabulary.units.values()}, used, vocabulary)
+    measured = {unit.quantity.lower() for unit in vocabulary.units.values() if unit.origin.file in units}
+    needed = {vocabulary.quantities[key].origin.file for key in measured if key in vocabulary.quantities}
+    quantities = _as_given({each.origin.file for each in vocabulary.quantities.values()}, needed, vocabulary)
+    copies = _copies(units, vocabulary, folder), _copies(quantities, vocabulary, folder)
+    return copies if all(copies) else None
+
+
+def _as_given(files: AbstractSet[str], needed: AbstractSet[str], vocabulary: Vocabulary) -> AbstractSet[str]:
+    """The files that vss-tools reads with the same options: those given alone, where the tree needs no others."""
+    given = files & vocabulary.given
+    return given if given and needed <= given else files
+
+
 def _copies(names: Iterable[str], vocabulary: Vocabulary, folder: Path) -> tuple[Path, ...]:
     """Copies of the files with these names, or nothing if one of them is no longer what was read."""
     wanted = set(names)
     copies: list[Path] = []
+    if not wanted <= {source.name for source in vocabulary.files}:
+        return ()
     for number, source in enumerate(vocabulary.files, 1):
         if source.name not in wanted:
             continue

@@ -1,18 +1,19 @@
-"""The configuration of a lint: where it is found, and what is wrong with it."""
+"""The table `[lint]`: where it is found, and its faults by line."""
 
 from pathlib import Path
 
 import pytest
 
 from sigcat.errors import InputRefused
-from sigcat.rules.linting.configuration import find_configuration, read_configuration
+from sigcat.project.find_project import find_project
+from sigcat.project.read_project import read_project
 from sigcat.rules.linting.lint import lint_paths
 
 
 def test_the_configuration_is_found_upwards_and_its_paths_are_relative_to_it(tree):
     (tree / "pyproject.toml").write_text('[tool.sigcat.lint]\nbase = "vspec/VehicleSignalSpecification.vspec"\n'
                                          'ignore = ["V105"]\n[tool.sigcat.lint.severity]\nV106 = "error"\n')  # fmt: skip
-    options = read_configuration(find_configuration(tree / "vspec") or Path())
+    options = read_project(find_project(tree / "vspec") or Path()).lint
     assert options.base is not None
     assert options.base.resolve() == (tree / "vspec" / "VehicleSignalSpecification.vspec").resolve()
     assert [(f.rule, f.severity) for f in lint_paths([tree / "vspec"], options).findings] == [("V106", "error")]
@@ -24,7 +25,7 @@ def test_every_severity_that_is_wrong_is_told(tmp_path):
         '[lint.severity]\nV101 = "bad"\nV102 = "eror"\nV103 = "off"\n[lint.per-file]\na.V1 = "x"\nb.V2 = 1\nc = 5\n'
     )
     with pytest.raises(InputRefused) as refused:
-        read_configuration(path)
+        read_project(path)
     assert [(finding.line, finding.message.partition(". ")[0]) for finding in refused.value.findings] == [
         (2, "`severity.V101` must be error, warning, info or off, not 'bad'."),
         (3, "`severity.V102` must be error, warning, info or off, not 'eror'"),
@@ -49,7 +50,7 @@ def test_each_fault_has_the_line_of_its_key_however_the_tables_are_written(tmp_p
     path = tmp_path / name
     path.write_text(text)
     with pytest.raises(InputRefused) as refused:
-        read_configuration(path)
+        read_project(path)
     assert [finding.line for finding in refused.value.findings] == lines
 
 
@@ -57,7 +58,7 @@ def test_everything_wrong_with_a_configuration_is_told_at_once(tmp_path):
     path = tmp_path / "sigcat.toml"
     path.write_text('[lint]\nignroe = []\nbase = "no.vspec"\nselect = 5\n[lint.severity]\nV1 = "fatal"\n')
     with pytest.raises(InputRefused) as refused:
-        read_configuration(path)
+        read_project(path)
     assert len(refused.value.findings) == 4
     assert [finding.line for finding in refused.value.findings] == [2, 3, 4, 6]
     assert "Did you mean 'ignore'?" in refused.value.findings[0].message

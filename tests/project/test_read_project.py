@@ -1,4 +1,4 @@
-"""`sigcat.toml`, and the catalogues of the command line: what they say, and what is wrong with them, by line."""
+"""`sigcat.toml` and the catalogues of the command line: values, and faults by line."""
 
 import argparse
 from collections.abc import Mapping
@@ -6,13 +6,15 @@ from pathlib import Path
 
 import pytest
 
-from sigcat.catalogue.hosting.configuration import Configuration, TableReader, read_configuration
 from sigcat.catalogue.hosting.releases import pull
 from sigcat.catalogue.hosting.source import load
 from sigcat.catalogue.hosting.sources import shipped_sources, source_from_option
-from sigcat.cli.catalogue_options import add_catalogue_options, chosen_configuration
+from sigcat.cli.catalogue_options import add_catalogue_options, hosted_sources
+from sigcat.cli.project_options import add_project_options, project_of
 from sigcat.data import ROOT_FILE
 from sigcat.errors import InputRefused, NotFound, UsageError
+from sigcat.project.project import Project
+from sigcat.project.read_project import TableReader, read_project
 
 TREE = "Vehicle:\n  type: branch\n  description: A vehicle.\n"
 
@@ -25,10 +27,10 @@ def folder(tmp_path):
     return tmp_path
 
 
-def configuration(folder: Path, text: str, tables: Mapping[str, TableReader] | None = None) -> Configuration:
+def configuration(folder: Path, text: str, tables: Mapping[str, TableReader] | None = None) -> Project:
     file = folder / "sigcat.toml"
     file.write_text(text)
-    return read_configuration(file, tables)
+    return read_project(file, tables)
 
 
 def findings(folder: Path, text: str) -> list[tuple[str, int, str, str]]:
@@ -60,20 +62,20 @@ def test_catalogues_are_declared_in_order_with_their_overlays_in_order(folder, s
         release = "shipped"
         """,
     )
-    own, official, base = found.sources
+    own, official, base = found.catalogues
     assert (own.id, own.title, own.spec) == ("own", "Our own", folder / "tree.vspec")
     assert own.overlays == (folder / "overlays/second.vspec", folder / "overlays/first.vspec")
     assert (own.units, own.include_dirs) == ((folder / "units.yaml",), (folder / "overlays",))
     assert (official.id, official.title, official.release) == ("official", "VSS 5.0", "v5.0")
     assert len(load(official).nodes) == 2
     assert base.spec == ROOT_FILE
-    assert (found.is_watching, found.has_shipped) == (True, False)
+    assert (found.is_watching, found.shipped) == (True, False)
     assert found.functions == (folder / "overlays",)
 
 
 def test_an_empty_file_says_nothing(folder):
     found = configuration(folder, "")
-    assert (found.sources, found.is_watching, found.has_shipped, found.functions) == ((), False, True, ())
+    assert (found.catalogues, found.is_watching, found.shipped, found.functions) == ((), False, None, ())
 
 
 def test_unknown_settings_are_refused_with_the_line_and_the_nearest_name(folder):
@@ -140,23 +142,22 @@ def test_a_release_that_was_not_pulled_is_told_with_how_to_pull_it(folder, data)
     assert findings(folder, text) == [("C005", 3, "Release v4.0 is not pulled. Run `sigcat pull v4.0`.", "")]
 
 
-def test_tables_of_others_are_read_by_them_and_else_refused(folder):
+def test_a_table_of_others_is_checked_by_its_reader(folder):
     text = "[service]\nport = 80\n"
-    tables = {"service": lambda table, _file: table["port"]}
-    assert configuration(folder, text, tables=tables).tables == {"service": 80}
-    assert [finding[:2] for finding in findings(folder, text)] == [("C002", 1)]
+    assert configuration(folder, text, {"service": lambda table, _file: table["port"]}).tables == {"service": 80}
+    assert configuration(folder, text).tables == {}
 
 
 def test_what_is_no_text_is_refused(folder):
     (folder / "sigcat.toml").write_bytes(b"# one\n\xff\n")
     with pytest.raises(InputRefused) as refused:
-        read_configuration(folder / "sigcat.toml")
+        read_project(folder / "sigcat.toml")
     assert [(f.rule, f.line) for f in refused.value.findings] == [("C001", 2)]
 
 
 def test_a_missing_file_is_an_error_of_usage(folder):
     with pytest.raises(UsageError, match="No such file"):
-        read_configuration(folder / "none.toml")
+        read_project(folder / "none.toml")
 
 
 def test_an_option_names_a_file_a_folder_or_a_release_with_overlays(folder, server, data):
@@ -185,36 +186,36 @@ def test_an_option_that_names_no_catalogue_is_refused(folder, monkeypatch, data,
         source_from_option(text)
 
 
-def chosen(*argv: str) -> Configuration:
+def hosted(*argv: str) -> list[str]:
+    """The ids of the catalogues that a service hosts."""
     parser = argparse.ArgumentParser()
     add_catalogue_options(parser)
-    return chosen_configuration(parser.parse_args(argv))
+    add_project_options(parser)
+    arguments = parser.parse_args(argv)
+    return [source.id for source in hosted_sources(arguments, project_of(arguments))]
 
 
 def test_the_command_line_comes_before_the_file_and_the_shipped_ones_last(folder, monkeypatch):
     monkeypatch.chdir(folder)
-    assert [source.id for source in chosen().sources] == [source.id for source in shipped_sources()]
-    Path("sigcat.toml").write_text('watch = true\n[[catalogue]]\nid = "vss"\nspec = "tree.vspec"\n')
-    found = chosen("--catalogue", "mine=tree.vspec")
-    assert [source.id for source in found.sources] == ["mine", "vss", "interfaces"]
-    assert found.sources[1].spec.resolve() == folder / "tree.vspec"
-    assert found.is_watching
-    assert not chosen("--no-watch").is_watching
+    assert hosted() == [source.id for source in shipped_sources()]
+    Path("sigcat.toml").write_text('[[catalogue]]\nid = "vss"\nspec = "tree.vspec"\n')
+    assert hosted("--catalogue", "mine=tree.vspec") == ["mine", "vss", "interfaces"]
 
 
 def test_the_configuration_is_named_by_option_or_environment(folder, monkeypatch, tmp_path):
     other = tmp_path / "other.toml"
     other.write_text('shipped = false\n[[catalogue]]\nid = "only"\nspec = "tree.vspec"\n')
-    assert [source.id for source in chosen("--config", str(other)).sources] == ["only"]
+    assert hosted("--config", str(other)) == ["only"]
     monkeypatch.setenv("SIGCAT_CONFIG", str(other))
-    assert [source.id for source in chosen().sources] == ["only"]
+    assert hosted() == ["only"]
+    assert hosted("--isolated") == [source.id for source in shipped_sources()]
 
 
 def test_nothing_to_host_is_an_error_of_usage(folder, monkeypatch):
     monkeypatch.chdir(folder)
     Path("sigcat.toml").write_text("shipped = false\n")
     with pytest.raises(UsageError, match="no catalogue is left"):
-        chosen()
+        hosted()
 
 
 def test_a_folder_is_answered_as_one_and_a_misspelled_key_has_one_finding(folder):
@@ -229,7 +230,7 @@ def test_a_folder_is_answered_as_one_and_a_misspelled_key_has_one_finding(folder
 def test_one_file_configures_the_service_and_the_linter(folder, monkeypatch):
     (folder / "sigcat.toml").write_text('[lint]\nignore = ["V110"]\n[[catalogue]]\nid = "own"\nspec = "tree.vspec"\n')
     monkeypatch.chdir(folder)
-    assert chosen().sources[0].id == "own"
+    assert hosted()[0] == "own"
 
 
 @pytest.mark.parametrize(

@@ -1,15 +1,15 @@
-"""`sigcat.toml`: which catalogues and functions a service hosts, declared in one file.
+"""Read a project: `sigcat.toml`, or `[tool.sigcat]` of a pyproject.toml with the same keys.
 
 ```toml
-watch = true                          # read files again when they change
-shipped = false                       # leave out what sigcat brings along
 functions = ["functions"]             # folders of function.yaml and Function JSON
+rules = ["our-rules.yaml"]
+units = ["units.yaml"]                # of every catalogue of the project
 
 [[catalogue]]
 id = "body"
 title = "Body domain"
 release = "v5.0"                      # or: spec = "trees/Body.vspec"
-overlays = ["overlays/body.vspec"]    # in the order in which they apply
+overlays = ["overlays/*.vspec"]       # in the order in which they apply
 ```
 
 Paths are relative to the file. Everything wrong with it is reported at once, with lines.
@@ -19,9 +19,8 @@ import re
 import sys
 import tomllib
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 from sigcat import codes
 from sigcat.catalogue.hosting.source import Source
@@ -31,14 +30,24 @@ from sigcat.errors import InputRefused, NotFound, UsageError
 from sigcat.findings import Finding, RuleCode, in_order
 from sigcat.limits import CONFIGURATION_BYTES
 from sigcat.names import did_you_mean
+from sigcat.project.chosen_tree import with_additions
+from sigcat.project.project import Project
+from sigcat.real_path import near_path
+from sigcat.rules.linting.configuration import options_of
+from sigcat.rules.linting.options import LintOptions
 
-FILE_NAME = "sigcat.toml"
-PATH_LISTS = ("overlays", "units", "quantities", "types", "include_dirs")
+_OF_CATALOGUES = ("units", "quantities", "types", "include-dirs")
+"""Lists that a catalogue may have, and the project for all of its catalogues."""
 CATALOGUE_KEYS: Mapping[str, type] = {
-    "id": str, "title": str, "spec": str, "release": str, **dict.fromkeys(PATH_LISTS, list)
+    "id": str, "title": str, "spec": str, "release": str, "standard-units": bool,
+    **dict.fromkeys(("overlays", *_OF_CATALOGUES), list),
 }  # fmt: skip
-TOP_KEYS: Mapping[str, type] = {"watch": bool, "shipped": bool, "functions": list, "catalogue": list}
-_OF_FOLDERS = frozenset(("include_dirs", "functions"))
+TOP_KEYS: Mapping[str, type] = {
+    "watch": bool, "shipped": bool, "deployment": str, "catalogue": list,
+    **dict.fromkeys(("functions", "rules", *_OF_CATALOGUES, "dbc"), list),
+    **dict.fromkeys(("lint", "service"), dict),
+}  # fmt: skip
+_OF_FOLDERS = frozenset(("include-dirs", "functions"))
 """Lists that name folders; all others name files."""
 
 _ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}")
@@ -46,66 +55,76 @@ _POSITION = re.compile(r"\s*\(at line (\d+), column (\d+)\)|\s*\(at end of docum
 """How tomllib ends its messages. Its errors have attributes from Python 3.14 on; before, its words no longer change."""
 _KINDS = {str: "text", bool: "true or false", list: "a list"}
 
-
-class Configuration(NamedTuple):
-    """What the file says. Without a file: the shipped catalogues, not watched."""
-
-    file: Path | None = None
-    sources: tuple[Source, ...] = ()
-    """Declared catalogues, in order."""
-    functions: tuple[Path, ...] = ()
-    """Folders of functions."""
-    is_watching: bool = False
-    has_shipped: bool = True
-    tables: Mapping[str, Any] = {}
-    """What others made of their tables."""
-
-
 TableReader = Callable[[Mapping[str, Any], Path], Any]
 """Reads a table of others, which is empty where the file does not have it. Raises InputRefused with all findings."""
 
 
-def read_configuration(file: Path, tables: Mapping[str, TableReader] | None = None) -> Configuration:
-    """Read the file. `tables` are further tables, by name. Raises InputRefused with all findings, those of tables too."""
+def read_project(file: Path, readers: Mapping[str, TableReader] | None = None) -> Project:
+    """Read the file. `readers` check tables that are otherwise kept as they are. Raises InputRefused with all findings."""
     text = _text(file)
     try:
         data = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise _refused(file, [_syntax_error(error, file, text)]) from None
     reading = _Reading(file, Lines(text))
-    others = tables or {}
-    reading.check(data, {**TOP_KEYS, **dict.fromkeys(others, dict)}, "")
-    read = {name: reading.table(name, data.get(name, {}), reader) for name, reader in others.items()}
-    functions = _paths(data, "functions", "", 0, reading)
-    sources = tuple(_sources(data.get("catalogue"), reading))
+    project = _project(reading.own_part(data), reading, readers or {})
     if reading.findings:
         raise _refused(file, reading.findings)
-    return Configuration(
-        file,
-        sources,
-        functions,
-        bool(data.get("watch", False)),
-        bool(data.get("shipped", True)),
-        read,
+    return project
+
+
+def _project(data: Mapping[str, Any], reading: "_Reading", readers: Mapping[str, TableReader]) -> Project:
+    reading.check(data, TOP_KEYS, "")
+    read: dict[str, Any] = {name: reading.table(name, data, reader) for name, reader in readers.items()}
+    lists: dict[str, Any] = {
+        name.replace("-", "_"): _paths(data, name, "", 0, reading)
+        for name in ("functions", "rules", *_OF_CATALOGUES, "dbc")
+    }
+    lint = reading.table("lint", data, options_of) or LintOptions()
+    project = Project(
+        reading.file,
+        deployment=_deployment(data, reading),
+        is_watching=bool(data.get("watch", False)),
+        shipped=data.get("shipped"),
+        lint=lint._replace(rule_files=(*lists["rules"], *lint.rule_files), dbc=(*lists["dbc"], *lint.dbc)),
+        tables=read,
+        lines=reading.lines,
+        **lists,
     )
+    catalogues = _catalogues(data.get("catalogue"), reading)
+    return project._replace(catalogues=tuple(with_additions(source, project) for source in catalogues))
 
 
-@dataclass
 class _Reading:
-    """The file while it is read, with the findings so far."""
+    """The file while it is read, with the findings so far. Not a dataclass: loading that module takes time at each start."""
 
-    file: Path
-    lines: Lines
-    findings: list[Finding] = field(default_factory=list)
+    def __init__(self, file: Path, lines: Lines) -> None:
+        self.file = file
+        self.lines = lines
+        self.findings: list[Finding] = []
+        self._prefix = "" if file.name != "pyproject.toml" else "tool.sigcat"
+
+    def own_part(self, data: Mapping[str, Any]) -> Mapping[str, Any]:
+        """The keys of the project: the whole file, or the table of a pyproject.toml."""
+        for name in filter(None, self._prefix.split(".")):
+            data = data.get(name, {})
+            if not isinstance(data, dict):
+                self.report(codes.SETTING_UNFIT, f"`{name}` must be a table, not {repr(data)[:60]}.", "", 0)
+                return {}
+        return data
+
+    def place(self, table: str) -> str:
+        """The name of a table in the file."""
+        return ".".join(filter(None, (self._prefix, table)))
 
     def report(self, rule: RuleCode, message: str, table: str, number: int, key: str = "", fix: str = "") -> None:
-        line = self.lines.line(table, number, key)
+        line = self.lines.line(self.place(table), number, key)
         self.findings.append(rule.finding(message, str(self.file), line, pointer=key, fix=fix))
 
     def check(self, values: Mapping[str, Any], known: Mapping[str, type], table: str, number: int = 0) -> None:
         """Report unknown keys, and values of the wrong kind."""
         for key, value in values.items():
-            kind = known.get(key) or known.get(key.replace("-", "_"))
+            kind = known.get(key.replace("_", "-"))
             if kind is None:
                 fix = did_you_mean(key, known) or f"Known are {', '.join(known)}."
                 self.report(codes.SETTING_UNKNOWN, f"Unknown setting {key!r}.", table, number, key, fix)
@@ -113,14 +132,15 @@ class _Reading:
                 message = f"`{key}` must be {_KINDS.get(kind, 'a table')}, not {repr(value)[:60]}."
                 self.report(codes.SETTING_UNFIT, message, table, number, key)
 
-    def table(self, name: str, values: Any, reader: TableReader) -> Any:
-        """What a reader makes of its table; its findings get lines."""
+    def table(self, name: str, data: Mapping[str, Any], reader: TableReader) -> Any:
+        """The value that a reader makes of its table; its findings get lines."""
+        values = data.get(name, {})
         if not isinstance(values, dict):
             return None  # it has its finding
         try:
             return reader(values, self.file)
         except InputRefused as error:
-            self.findings += [self._placed(finding, name) for finding in error.findings]
+            self.findings += [self._placed(finding, self.place(name)) for finding in error.findings]
             return None
 
     def _placed(self, finding: Finding, table: str) -> Finding:
@@ -129,7 +149,7 @@ class _Reading:
         return finding._replace(line=self.lines.line_below(table, finding.pointer or finding.path))
 
     def path(self, text: str) -> Path:
-        return self.file.parent / Path(text).expanduser()
+        return near_path(self.file.parent / Path(text).expanduser())
 
 
 def _text(file: Path) -> str:
@@ -151,7 +171,10 @@ def _refused(file: Path, findings: list[Finding]) -> InputRefused:
     return InputRefused(f"{file} cannot be used", in_order(findings))
 
 
-def _syntax_error(error: tomllib.TOMLDecodeError, file: Path, text: str) -> Finding:
+def _syntax_error(error: Exception, file: Path, text: str) -> Finding:
+    if isinstance(error, RecursionError):
+        return codes.NOT_TOML.finding("Values are nested too deeply.", str(file), 1)
+    assert isinstance(error, tomllib.TOMLDecodeError)
     message, line, column = _message_and_position(error, text)
     return codes.NOT_TOML.finding(f"Not valid TOML: {message}.", str(file), line, column)
 
@@ -165,7 +188,7 @@ def _message_and_position(error: tomllib.TOMLDecodeError, text: str) -> tuple[st
     return _POSITION.sub("", message), line, column
 
 
-def _sources(listed: Any, reading: _Reading) -> Iterator[Source]:
+def _catalogues(listed: Any, reading: _Reading) -> Iterator[Source]:
     known: set[str] = set()
     for number, values in enumerate(listed if isinstance(listed, list) else []):
         if not isinstance(values, dict):
@@ -174,11 +197,20 @@ def _sources(listed: Any, reading: _Reading) -> Iterator[Source]:
         before = len(reading.findings)
         reading.check(values, CATALOGUE_KEYS, "catalogue", number)
         _check_id(values, number, known, reading)
-        lists: dict[str, Any] = {name: _paths(values, name, "catalogue", number, reading) for name in PATH_LISTS}
+        overlays = _paths(values, "overlays", "catalogue", number, reading)
+        lists = {name.replace("-", "_"): _paths(values, name, "catalogue", number, reading) for name in _OF_CATALOGUES}
         source = _base(values, number, reading)
         if source is not None and len(reading.findings) == before:
             title = values.get("title") or (source.title if source.release else values["id"])
-            yield source._replace(id=values["id"], title=title, **lists)
+            has_standard = bool(values.get(_key(values, "standard-units"), True))
+            added: dict[str, Any] = {name: (*getattr(source, name), *paths) for name, paths in lists.items()}
+            yield source._replace(
+                id=values["id"],
+                title=title,
+                overlays=(*source.overlays, *overlays),
+                has_standard_units=has_standard,
+                **added,
+            )
 
 
 def _check_id(values: Mapping[str, Any], number: int, known: set[str], reading: _Reading) -> None:
@@ -197,7 +229,7 @@ def _check_id(values: Mapping[str, Any], number: int, known: set[str], reading: 
 def _base(values: Mapping[str, Any], number: int, reading: _Reading) -> Source | None:
     """The source that `spec` or `release` names, without what is laid over it."""
     spec, release = values.get("spec"), values.get("release")
-    if spec is None and release is None and not values.keys() <= CATALOGUE_KEYS.keys():
+    if spec is None and release is None and not {key.replace("_", "-") for key in values} <= CATALOGUE_KEYS.keys():
         return None  # a misspelled key has its finding
     if (spec is None) == (release is None):
         fault = "neither `spec` nor `release`" if spec is None else "both `spec` and `release`"
@@ -209,14 +241,8 @@ def _base(values: Mapping[str, Any], number: int, reading: _Reading) -> Source |
         path = reading.path(spec)
         if path.is_dir():
             fix = "Name the root .vspec file in it."
-            reading.report(
-                codes.FILE_MISSING,
-                f"`spec` must be a file, not the folder {str(path)!r}.",
-                "catalogue",
-                number,
-                "spec",
-                fix,
-            )
+            message = f"`spec` must be a file, not the folder {str(path)!r}."
+            reading.report(codes.FILE_MISSING, message, "catalogue", number, "spec", fix)
         elif not path.is_file():
             reading.report(codes.FILE_MISSING, f"There is no file {str(path)!r}.", "catalogue", number, "spec")
         return Source("", "", path)
@@ -228,15 +254,44 @@ def _base(values: Mapping[str, Any], number: int, reading: _Reading) -> Source |
         return None
 
 
+def _deployment(data: Mapping[str, Any], reading: _Reading) -> Path | None:
+    text = data.get("deployment")
+    if not isinstance(text, str):
+        return None
+    path = reading.path(text)
+    if not path.is_file():
+        reading.report(codes.FILE_MISSING, f"There is no file {str(path)!r}.", "", 0, "deployment")
+    return path
+
+
 def _paths(values: Mapping[str, Any], name: str, table: str, number: int, reading: _Reading) -> tuple[Path, ...]:
-    listed = values.get(name.replace("_", "-"), values.get(name, []))
+    """The paths of a list; one with a wildcard names every file that matches, in order."""
+    key = _key(values, name)
+    listed = values.get(key, [])
     if not isinstance(listed, list) or not all(isinstance(item, str) for item in listed):
         if isinstance(listed, list):
-            reading.report(codes.SETTING_UNFIT, f"`{name}` must be a list of texts.", table, number, name)
+            reading.report(codes.SETTING_UNFIT, f"`{name}` must be a list of texts.", table, number, key)
         return ()
-    paths = tuple(reading.path(item) for item in listed)
-    for path in paths:
-        if not (path.is_dir() if name in _OF_FOLDERS else path.is_file()):
-            kind = "folder" if name in _OF_FOLDERS else "file"
-            reading.report(codes.FILE_MISSING, f"There is no {kind} {str(path)!r}.", table, number, name)
-    return paths
+    kind, is_there = ("folder", Path.is_dir) if name in _OF_FOLDERS else ("file", Path.is_file)
+    found: list[Path] = []
+    for item in listed:
+        matches = [path for path in _matches(item, reading) if is_there(path)]
+        if not matches:
+            shown = item if "*" in item else str(reading.path(item))
+            reading.report(codes.FILE_MISSING, f"There is no {kind} {shown!r}.", table, number, key)
+        found += matches
+    return tuple(dict.fromkeys(found))
+
+
+def _matches(text: str, reading: _Reading) -> Iterator[Path]:
+    if "*" not in text:
+        yield reading.path(text)
+        return
+    path = reading.file.parent / Path(text).expanduser()
+    folder = Path(path.anchor)
+    yield from map(near_path, sorted(folder.glob(str(path.relative_to(folder)))))
+
+
+def _key(values: Mapping[str, Any], name: str) -> str:
+    """A key as it is written: with underscores, too."""
+    return name if name in values else name.replace("-", "_")

@@ -1,0 +1,63 @@
+"""The tree that a command works with: that of the options, else that of the project, else the shipped one."""
+
+from pathlib import Path
+from typing import NamedTuple
+
+from sigcat.catalogue.hosting.source import Source
+from sigcat.catalogue.hosting.sources import shipped_sources, source_of_tree
+from sigcat.errors import NotFound
+from sigcat.names import nearest
+from sigcat.project.project import Project
+from sigcat.real_path import each_once
+
+
+class TreeOptions(NamedTuple):
+    """The tree that options name, and what they add to it."""
+
+    tree: str | None = None
+    """Id of a catalogue of the project, a file, a folder or a release."""
+    overlays: tuple[Path, ...] = ()
+    include_dirs: tuple[Path, ...] = ()
+    units: tuple[Path, ...] = ()
+    quantities: tuple[Path, ...] = ()
+    types: tuple[Path, ...] = ()
+
+
+def chosen_tree(project: Project, options: TreeOptions) -> Source:
+    """The tree, with what the options add. Raises UsageError, or NotFound with near names."""
+    source = named_tree(project, options) or with_additions(shipped_sources()[0], project)
+    return source._replace(
+        overlays=each_once((*source.overlays, *options.overlays)),
+        include_dirs=each_once((*source.include_dirs, *options.include_dirs)),
+        units=each_once((*source.units, *options.units)),
+        quantities=each_once((*source.quantities, *options.quantities)),
+        types=each_once((*source.types, *options.types)),
+    )
+
+
+def named_tree(project: Project, options: TreeOptions) -> Source | None:
+    """The tree that the options name, or the default one of the project; None if there is none.
+
+    Struct types beside a tree that is not of the project count only where the options name none, as for vss-tools.
+    """
+    if options.tree is None:
+        return project.catalogues[0] if project.catalogues else None
+    for source in project.catalogues:
+        if source.id == options.tree:
+            return source
+    try:
+        source = source_of_tree(options.tree)
+    except NotFound as error:
+        near = nearest(options.tree, [each.id for each in project.catalogues])
+        raise NotFound(f"{error} Did you mean {near[0]}?", near) if near else error from None
+    return with_additions(source._replace(types=()) if options.types else source, project)
+
+
+def with_additions(source: Source, project: Project) -> Source:
+    """A source with the units, quantities, types and include folders of the project."""
+    return source._replace(
+        units=each_once((*project.units, *source.units)),
+        quantities=each_once((*project.quantities, *source.quantities)),
+        types=each_once((*project.types, *source.types)),
+        include_dirs=each_once((*source.include_dirs, *project.include_dirs)),
+    )

@@ -1,0 +1,58 @@
+"""A project: what one `sigcat.toml` says, as a frozen value."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+from sigcat.catalogue.hosting.source import Source
+from sigcat.catalogue.reading.toml_lines import Lines
+from sigcat.rules.linting.options import LintOptions
+
+FILE_NAME = "sigcat.toml"
+
+
+class Project(NamedTuple):
+    """The values of the file; without a file, the defaults. Paths are relative to the current folder, or absolute."""
+
+    file: Path | None = None
+    catalogues: tuple[Source, ...] = ()
+    """In order, the default one first. Each has the units, quantities, types and include folders of the project."""
+    functions: tuple[Path, ...] = ()
+    """Folders of functions."""
+    rules: tuple[Path, ...] = ()
+    units: tuple[Path, ...] = ()
+    quantities: tuple[Path, ...] = ()
+    types: tuple[Path, ...] = ()
+    include_dirs: tuple[Path, ...] = ()
+    dbc: tuple[Path, ...] = ()
+    deployment: Path | None = None
+    is_watching: bool = False
+    shipped: bool | None = None
+    """Whether to host what sigcat ships; None: the catalogues, and the functions unless the project has its own."""
+    lint: LintOptions = LintOptions()
+    tables: Mapping[str, Any] = MappingProxyType({})
+    """The values that others made of their tables."""
+    lines: Lines = Lines("")
+    """Lines of the keys in the file."""
+
+    @property
+    def has_shipped_catalogues(self) -> bool:
+        """Whether the catalogues that sigcat ships, and pulled releases, are hosted too."""
+        return self.shipped is not False
+
+    @property
+    def has_shipped_functions(self) -> bool:
+        """Whether the examples are hosted too. They do not fit the catalogue of a company."""
+        return not (self.catalogues and self.functions) if self.shipped is None else self.shipped
+
+    def line(self, table: str, number: int = 0, key: str = "") -> str:
+        """The place of a key of a table: FILE:LINE."""
+        prefix = "tool.sigcat" if self.file is not None and self.file.name == "pyproject.toml" else ""
+        return f"{self.file}:{self.lines.line('.'.join(filter(None, (prefix, table))), number, key)}"
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """The project file and the files that it names: no command writes over them."""
+        named = (self.file, self.deployment)
+        return (*(path for path in named if path is not None), *self.rules, *self.units, *self.quantities, *self.dbc)

@@ -1,0 +1,127 @@
+"""Every command in a project works with its catalogue, its units and its functions, and finds the same, without an option."""
+
+from pathlib import Path
+
+import pytest
+
+from sigcat.catalogue.hosting import library, source
+from sigcat.cli import main
+from sigcat.data import ROOT_FILE
+from sigcat.errors import SigcatError
+from tests.project.company import write_company
+
+GAS = "Vehicle.Cabin.AcmeGas"
+FINDING = "U006 Unit 'ppm' has the unknown field 'symbol', which is ignored."
+COMMANDS = (
+    ["lint"],
+    ["show", GAS],
+    ["search", "AcmeGas"],
+    ["try", "overlays/acme.vspec"],
+    ["export", "csv"],
+    ["function", "build"],
+    ["function", "overlay"],
+    ["function", "validate"],
+    ["function", "update", "--from-c", "functions"],
+    ["function", "new", "Other", "--from-c", "functions"],
+    ["integrate", "autosar-adaptive"],
+    ["integrate", "autosar-classic"],
+    ["integrate", "ros2"],
+    ["generate", "core", "-o", "out"],
+    ["simulate", "--trace", "trace.csv"],
+    ["compare", "--trace", "trace.csv"],
+    ["gateway", "log.asc"],
+    ["units"],
+    ["serve"],
+)
+"""Every command that has a tree; diff compares several."""
+READING = [command for command in COMMANDS if command[0] not in ("simulate", "compare", "gateway", "serve")]
+READING = [command for command in READING if "--from-c" not in command]
+
+
+class Loaded(SigcatError):
+    """The source was asked for: the command has done enough."""
+
+
+@pytest.fixture
+def company(tmp_path, monkeypatch):
+    monkeypatch.chdir(write_company(tmp_path))
+    return tmp_path
+
+
+@pytest.mark.parametrize("folder", [".", "functions/cabin_air"])
+@pytest.mark.parametrize("command", COMMANDS, ids=" ".join)
+def test_the_tree_is_that_of_the_project(company, monkeypatch, capsys, command, folder):
+    loaded: list[source.Source] = []
+
+    def load(wanted, *_arguments, **_options):
+        loaded.append(wanted)
+        raise Loaded
+
+    monkeypatch.setattr(source, "load", load)
+    monkeypatch.setattr(library, "load", load)
+    arguments = [str(company / each) if (company / each).is_file() or each == "functions" else each for each in command]
+    monkeypatch.chdir(company / folder)
+    assert main(arguments) == 2
+    first = loaded[0]
+    assert (first.id, first.spec) == ("acme", ROOT_FILE)
+    assert [path.resolve() for path in first.overlays] == [company / "overlays" / "acme.vspec"]
+    assert [path.resolve() for path in first.units] == [company / "units.yaml"]
+
+
+@pytest.mark.parametrize("command", READING, ids=" ".join)
+def test_the_findings_are_the_same(company, capsys, command):
+    status = main(command)
+    output = capsys.readouterr()
+    told = [line for line in (output.out + output.err).splitlines() if " U0" in line or " V0" in line]
+    assert [line.partition("warning ")[2].partition(" Remove")[0] for line in told] == [FINDING]
+    assert status == (1 if command == ["lint"] else 0)
+
+
+def test_a_side_of_a_comparison_is_a_catalogue_of_the_project(company, capsys):
+    assert main(["diff", "vss", "acme"]) == 0
+    assert "+ AcmeGas" in capsys.readouterr().out
+
+
+def test_options_come_before_the_project_and_no_project_before_it_is_found(company, capsys):
+    assert main(["show", GAS, "-s", "vss"]) == 2
+    assert main(["show", GAS, "-s", "acme"]) == 0
+    assert main(["show", GAS, "--isolated"]) == 2
+    Path("empty.toml").write_text("")
+    assert main(["show", GAS, "--config", "empty.toml"]) == 2
+    assert main(["show", GAS, "--isolated", "-l", "overlays/acme.vspec", "-u", "units.yaml"]) == 0
+
+
+@pytest.mark.parametrize("platform", ["autosar-adaptive", "autosar-classic", "ros2"])
+def test_the_deployment_is_that_of_the_project(company, capsys, platform):
+    Path("deployment.yaml").write_text("unheard: 1\n")
+    assert main(["integrate", platform]) == 1
+    assert "deployment.yaml:1:1: error" in capsys.readouterr().err
+
+
+def test_one_of_several_functions_has_to_be_named(company, capsys):
+    text = Path("functions/cabin_air/function.yaml").read_text()
+    other = company / "functions" / "other" / "function.yaml"
+    other.parent.mkdir()
+    other.write_text(text.replace("CabinAir", "Other"))
+    assert main(["function", "build"]) == 2
+    told = "name one of the functions of the project: functions/cabin_air/function.yaml, functions/other/function.yaml"
+    assert told in capsys.readouterr().err
+    assert main(["function", "build", str(other)]) == 0
+
+
+def test_function_json_of_a_declared_function_is_not_a_second_one(company, capsys):
+    assert main(["function", "build", "-o", "functions/cabin_air/CabinAir.json"]) == 0
+    assert main(["function", "validate"]) == 0
+    assert main(["function", "build"]) == 0
+
+
+def test_a_command_without_functions_says_where_to_name_them(company, capsys):
+    assert main(["function", "validate", "--isolated"]) == 2
+    assert "name a function.yaml: there is no `functions` in a project file" in capsys.readouterr().err
+
+
+def test_the_project_is_not_written_over(company, capsys):
+    for file in ("sigcat.toml", "units.yaml", "functions/cabin_air/function.yaml", "overlays/acme.vspec"):
+        before = Path(file).read_text()
+        assert main(["function", "build", "-o", file]) == 2
+        assert Path(file).read_text() == before
