@@ -36,6 +36,7 @@ COMMANDS = (
     "releases",
     "config",
     "serve",
+    "lsp",
 )
 """Names of the commands; each stands in the module of its name."""
 _MODULES = {"try": "try_overlay"}

@@ -203,14 +203,9 @@ def _check_functions(
     tree: "Source", files: "Sequence[tuple[bytes, str]]", is_whole: bool, *, is_on_disk: bool = True
 ) -> "CheckedFunctions":
     """Check function files against a tree; loaded only when there are any."""
-    from sigcat.catalogue.hosting.source import load
-    from sigcat.function import code_files
-    from sigcat.function.sets.check_set import check_functions
-    from sigcat.rules.linting.options import CheckedFunctions
+    from sigcat.function.linting import checked_functions
 
-    is_there = code_files.is_on_disk if is_on_disk else None
-    catalogue = load(tree)
-    return CheckedFunctions(check_functions(files, catalogue, is_whole=is_whole, is_there=is_there), _names(catalogue))
+    return checked_functions(tree, files, is_whole, is_on_disk=is_on_disk)
 
 
 def _names(tree: "Catalogue") -> tuple[str, ...]:
