@@ -2,6 +2,7 @@
 
 import argparse
 import logging
+import os
 
 from sigcat.errors import UsageError
 
@@ -28,5 +29,7 @@ def run(_: argparse.Namespace) -> int:
             raise
         raise UsageError("the language server needs pygls: `pip install 'sigcat[lsp]'`") from None
     logging.getLogger("pygls").setLevel(logging.ERROR)  # standard error is shown to users by editors
-    make_server().start_io()
+    with os.fdopen(os.dup(0), "rb") as requests, os.fdopen(os.dup(1), "wb") as answers:
+        os.dup2(2, 1)  # what is printed is no message of the protocol
+        make_server().start_io(requests, answers)
     return 0

@@ -100,9 +100,8 @@ class SigcatServer(LanguageServer):
     def _lint(self, path: Path) -> LintResult:
         try:
             return self.project.lint(path)
-        except SigcatError as error:  # the project cannot be used: the editor shows why
-            self.window_show_message(types.ShowMessageParams(types.MessageType.Error, str(error)))
-            return LintResult((), (str(path),))
+        except SigcatError as error:  # nothing could be linted
+            return LintResult((Finding("", "error", str(error), str(path), 1),), (str(path),))
 
     def place(self, uri: str, position: types.Position) -> tuple[Path, list[str], int, int]:
         """Return the file, the lines, the line and the column of a position."""
@@ -153,7 +152,7 @@ def _diagnostic(finding: Finding, document: TextDocument) -> types.Diagnostic:
         _range(lines, document.position_codec, place),
         f"{finding.message}{advice}",
         severity=_SEVERITIES[finding.severity],
-        code=finding.rule,
+        code=finding.rule or None,
         source="sigcat",
     )
 
