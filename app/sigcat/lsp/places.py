@@ -16,7 +16,7 @@ from sigcat.open_files import made_once, read_bytes
 from sigcat.real_path import real_path
 from sigcat.rules.tree import Tree
 
-_WORD = re.compile(r"[\w.*/\[\]-]+")
+_WORD = re.compile(r"[\w.*/%^°-]+")
 _KEY = re.compile(r"^\s*(?:- )?[\"']?([\w.-]+)[\"']?\s*:")
 
 
@@ -49,7 +49,7 @@ def word_at(line: str, column: int) -> Word:
     """Return the word around a column; an empty one if there is none."""
     for match in _WORD.finditer(line):
         if match.start() <= column <= match.end():
-            text = match[0].strip(".-/[]")
+            text = match[0].strip(".-/")
             start = match.start() + match[0].index(text)
             return Word(text, start, start + len(text))
     return Word("", column, column)

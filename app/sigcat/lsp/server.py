@@ -64,7 +64,15 @@ class SigcatServer(LanguageServer):
 
     async def work(self, function: Callable[..., Result], *arguments: Any) -> Result:
         """Return what a function returns, with the texts of the editor in place of files."""
-        with_texts = self.project.with_texts
+        return await self._in_worker(self.project.with_texts, function, arguments)
+
+    async def look_up(self, function: Callable[..., Result], *arguments: Any) -> Result:
+        """Return what a function returns, with the texts of the editor as they could be read last."""
+        return await self._in_worker(self.project.with_sound_texts, function, arguments)
+
+    async def _in_worker(
+        self, with_texts: Callable[[Callable[[], Result]], Result], function: Callable[..., Result], arguments: Any
+    ) -> Result:
         loop = asyncio.get_running_loop()
         return await loop.run_in_executor(self._worker, lambda: with_texts(lambda: function(*arguments)))
 
@@ -229,16 +237,16 @@ def _answer_look_ups(server: SigcatServer) -> None:
     async def hover(params: types.HoverParams) -> types.Hover | None:
         path, lines, line, column = server.place(params.text_document.uri, params.position)
         word = word_at(lines[line], column)
-        text = await server.work(_or_nothing, "", hover_text, server.project, path, lines, line, word)
+        text = await server.look_up(_or_nothing, "", hover_text, server.project, path, lines, line, word)
         return types.Hover(types.MarkupContent(types.MarkupKind.Markdown, text)) if text else None
 
     @server.feature(types.TEXT_DOCUMENT_DEFINITION)
     async def definition(params: types.DefinitionParams) -> list[types.Location]:
-        return await server.work(_locations, server, params, definition_places)
+        return await server.look_up(_locations, server, params, definition_places)
 
     @server.feature(types.TEXT_DOCUMENT_REFERENCES)
     async def references(params: types.ReferenceParams) -> list[types.Location]:
-        return await server.work(_locations, server, params, reference_places)
+        return await server.look_up(_locations, server, params, reference_places)
 
     triggers = types.CompletionOptions(trigger_characters=[".", ":", " ", "[", '"'])
 
@@ -246,7 +254,7 @@ def _answer_look_ups(server: SigcatServer) -> None:
     async def completion(params: types.CompletionParams) -> types.CompletionList:
         path, lines, line, column = server.place(params.text_document.uri, params.position)
         none: list[Proposal] = []
-        found = await server.work(_or_nothing, none, proposals_at, server.project, path, lines, line, column)
+        found = await server.look_up(_or_nothing, none, proposals_at, server.project, path, lines, line, column)
         codec = server.workspace.position_codec
         items = [_item(each, _range(lines, codec, Place(path, line, each.start, column))) for each in found]
         return types.CompletionList(is_incomplete=True, items=items)

@@ -6,6 +6,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
+from sigcat import codes
 from sigcat.catalogue.hosting.file_marks import Marks, marks_of
 from sigcat.catalogue.hosting.source import Source, load
 from sigcat.catalogue.model.catalogue import Catalogue
@@ -33,6 +34,10 @@ from sigcat.rules.tree import Tree
 Result = TypeVar("Result")
 _FUNCTION_FILES = 500
 """Function files of a folder without a project that are searched for uses of a signal."""
+_UNREADABLE = frozenset(
+    rule.id for rule in (codes.NOT_YAML, codes.NOT_A_MAPPING, codes.NOT_UTF_8, codes.NESTING_TOO_DEEP, codes.NOT_TOML)
+)
+"""Rules that a text breaks of which nothing is read."""
 
 
 class _Loaded(NamedTuple):
@@ -47,6 +52,10 @@ class WarmProject:
     def __init__(self, root: Path) -> None:
         self.root = root
         self._texts: dict[str, bytes] = {}
+        self._sound: dict[str, bytes] = {}
+        """The last texts that could be read, for look-ups: what is being written is often not YAML."""
+        self._projects: dict[Path, Project] = {}
+        """Project files as they could be read last."""
         self._made: dict[Hashable, tuple[object, Any]] = {}
         self._catalogues: dict[tuple[Source, bool], _Loaded] = {}
         self._trees: dict[int, Tree] = {}
@@ -59,14 +68,28 @@ class WarmProject:
         """Read a file from the disk again."""
         closed = _names_of(path)
         self._texts = {name: text for name, text in self._texts.items() if name not in closed}
+        self._sound = {name: text for name, text in self._sound.items() if name not in closed}
 
     def with_texts(self, work: Callable[[], Result]) -> Result:
         """Return what `work` returns when it reads open texts in place of files."""
         with open_files(self._texts, self._made), bounded_proposals():
             return work()
 
+    def with_sound_texts(self, work: Callable[[], Result]) -> Result:
+        """Return what `work` returns when it reads those open texts that can be read, else what they were before."""
+        texts = {name: self._sound.get(name, text) for name, text in self._texts.items()}
+        with open_files(texts, self._made), bounded_proposals():
+            return work()
+
     def lint(self, path: Path) -> LintResult:
         """Lint a file as `sigcat lint FILE` does in the folder of the project."""
+        text = open_text(path)
+        result = self._lint(path)
+        if text is not None and not any(each.rule in _UNREADABLE for each in result.findings):
+            self._sound.update(dict.fromkeys(_names_of(path), text))
+        return result
+
+    def _lint(self, path: Path) -> LintResult:
         if path.name in FILES:
             return LintResult(self._project_findings(path), (str(path),))
         try:
@@ -81,9 +104,16 @@ class WarmProject:
         return chosen_lint(self.project(path), TreeOptions())
 
     def project(self, path: Path) -> Project:
-        """Return the project of a file. Raises InputRefused, UsageError."""
+        """Return the project of a file, as it could be read last. Raises InputRefused, UsageError."""
         file = find_project(path.parent)
-        return read_project(file) if file is not None else Project()
+        if file is None:
+            return Project()
+        try:
+            self._projects[file] = read_project(file)
+        except SigcatError:
+            if file not in self._projects:
+                raise
+        return self._projects[file]
 
     def load(self, source: Source, *, expanded: bool = True) -> Catalogue:
         """Load a catalogue, again only if a file of it changed."""
