@@ -15,6 +15,7 @@ from bench import (
     core,
     cycles,
     gateway,
+    language_server,
     lint,
     ros2,
     rows,
@@ -27,7 +28,7 @@ from bench import (
 from bench.rows import Bench, Missing, Row
 
 ROWS = {
-    **rows.ROWS, **lint.ROWS, **core.ROWS, **stored_run.ROWS, **simulation.ROWS, **gateway.ROWS, **comparison.ROWS, **transport.ROWS, **cycles.ROWS, **ros2.ROWS,
+    **rows.ROWS, **lint.ROWS, **language_server.ROWS, **core.ROWS, **stored_run.ROWS, **simulation.ROWS, **gateway.ROWS, **comparison.ROWS, **transport.ROWS, **cycles.ROWS, **ros2.ROWS,
     **browser.ROWS,
 }  # fmt: skip
 SERVICE = {"service"}

@@ -39,6 +39,7 @@ COMMANDS = (
     "completion",
     "serve",
     "mcp",
+    "lsp",
 )
 """Names of the commands; each stands in the module of its name."""
 _MODULES = {"try": "try_overlay", "version-bump": "version_bump"}

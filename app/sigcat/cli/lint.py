@@ -204,14 +204,9 @@ def _check_functions(
 ) -> "CheckedFunctions":
     """Check function files against a tree; loaded only when there are any."""
     from sigcat.adapter.core.clashes import code_problems
-    from sigcat.catalogue.hosting.source import load
-    from sigcat.function.sets.check_set import check_functions
-    from sigcat.rules.linting.options import CheckedFunctions
+    from sigcat.function.linting import checked_functions
 
-    check_code = code_problems if is_on_disk else None
-    catalogue = load(tree)
-    checked = check_functions(files, catalogue, is_whole=is_whole, check_code=check_code)
-    return CheckedFunctions(checked, _names(catalogue))
+    return checked_functions(tree, files, is_whole, check_code=code_problems if is_on_disk else None)
 
 
 def _names(tree: "Catalogue") -> tuple[str, ...]:

@@ -1,4 +1,4 @@
-"""JSON Schemas of every file format that sigcat reads or writes for functions, by name."""
+"""JSON Schemas of every file format that sigcat reads or writes, by name."""
 
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -26,10 +26,31 @@ def _declaration() -> dict[str, Any]:
     return declaration_schema()
 
 
+def _project() -> dict[str, Any]:
+    from sigcat.platforms.project_schemas import project_schema
+
+    return project_schema()
+
+
+def _overlay() -> dict[str, Any]:
+    from sigcat.platforms.project_schemas import overlay_schema
+
+    return overlay_schema()
+
+
+def _rules() -> dict[str, Any]:
+    from sigcat.platforms.project_schemas import rules_schema
+
+    return rules_schema()
+
+
 SCHEMAS: Mapping[str, Callable[[], dict[str, Any]]] = {
     "deployment": _deployment,
     "function": _function,
     "function-declaration": _declaration,
+    "overlay": _overlay,
+    "project": _project,
+    "rules": _rules,
     **{f"integration-{platform.name}": platform.schema for platform in PLATFORMS.values()},
 }
 """Each imports its models when it is called, so that their names cost nothing."""

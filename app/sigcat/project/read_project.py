@@ -30,6 +30,7 @@ from sigcat.errors import InputRefused, NotFound, UsageError
 from sigcat.findings import Finding, RuleCode, in_order
 from sigcat.limits import CONFIGURATION_BYTES
 from sigcat.names import did_you_mean
+from sigcat.open_files import read_bytes, size_of
 from sigcat.project.chosen_tree import with_additions
 from sigcat.project.project import Project
 from sigcat.real_path import near_path
@@ -170,7 +171,7 @@ class _Reading:
 
 def _text(file: Path) -> str:
     try:
-        data = file.read_bytes() if file.stat().st_size <= CONFIGURATION_BYTES else None
+        data = read_bytes(file) if size_of(file) <= CONFIGURATION_BYTES else None
     except OSError as error:
         raise UsageError(f"{file}: {error.strerror or error}") from None
     if data is None:

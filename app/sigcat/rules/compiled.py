@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from sigcat.catalogue.reading import yaml_document
-from sigcat.compiled_values import read_values, stamp_of, write_values
+from sigcat.compiled_values import Stamp, read_values, stamp_of, write_values
+from sigcat.open_files import made_once
 from sigcat.rules import record
 from sigcat.rules.record import Nodes, Rule, load_rule_files
 
@@ -21,6 +22,10 @@ def compiled_rules(folder: Path) -> tuple[Rule, ...]:
     """What `load_rules` gives, without reading the files again. Raises InputRefused with all findings."""
     files = sorted(folder.glob("*.yaml"))
     stamp = stamp_of((*files, *CODE))
+    return made_once(("rules", folder), stamp, lambda: _compiled_rules(folder, files, stamp))
+
+
+def _compiled_rules(folder: Path, files: Sequence[Path], stamp: Stamp) -> tuple[Rule, ...]:
     records = read_values(folder, "rules", stamp)
     if records is not None:
         return tuple(map(_rule, records))

@@ -18,6 +18,7 @@ from sigcat.catalogue.reading.yaml_document import (
 )
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, Severity, in_order
+from sigcat.open_files import read_bytes
 from sigcat.rules.record_faults import REQUIRED, Scope, faults_of
 
 MAKERS = frozenset((
@@ -120,7 +121,7 @@ def parse_rules(data: bytes, name: str, *, trusted: bool) -> RuleFile:
 
 def _read(path: Path, *, trusted: bool) -> RuleFile:
     try:
-        data = path.read_bytes()
+        data = read_bytes(path)
     except OSError as error:
         message = f"The rules in {str(path)!r} cannot be read: {error.strerror}."
         return RuleFile((), (codes.RULE_UNUSABLE.finding(message, str(path)),))

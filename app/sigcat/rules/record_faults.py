@@ -17,7 +17,7 @@ REQUIRED = ("name", "title", "severity", "why", "check", "source")
 
 _CODE = r"[A-Z]+[0-9]{3}"
 _NAME = r"[a-z0-9]+(-[a-z0-9]+)*"
-_KEYS = (*REQUIRED, "category", "default", "scope", "nodes", "options", "message", "fix", "good", "bad", "example")
+KEYS = (*REQUIRED, "category", "default", "scope", "nodes", "options", "message", "fix", "good", "bad", "example")
 _KINDS: Mapping[str, type] = {"message": str, "fix": str, "category": str, "default": bool, "options": dict}
 _KIND_NAMES: Mapping[type, str] = {str: "a text", bool: "true or false", dict: "a mapping"}
 _NODE_NAMES: Mapping[str, Collection[str]] = {
@@ -51,8 +51,8 @@ def faults_of(code: str, values: Any, *, trusted: bool) -> Iterator[Fault]:
 
 def _of_keys(code: str, values: dict[str, Any]) -> Iterator[Fault]:
     for key in values:
-        if key not in _KEYS:
-            yield Fault(f"Unknown field {key!r} of rule {code}.", key, did_you_mean(str(key), _KEYS))
+        if key not in KEYS:
+            yield Fault(f"Unknown field {key!r} of rule {code}.", key, did_you_mean(str(key), KEYS))
     for key in REQUIRED:
         if not _is_text(values.get(key)):
             yield Fault(f"Rule {code} must have a text as `{key}`.", key)

@@ -39,6 +39,7 @@ from sigcat.digest import digest_of
 from sigcat.file_kind import QUANTITY_NAMES, ROOT_NAME, UNIT_NAMES
 from sigcat.findings import Finding, in_order
 from sigcat.limits import DEFAULT_LIMITS, Limits
+from sigcat.open_files import read_bytes, size_of
 from sigcat.real_path import each_once
 
 _PRESENT_NAMES = {"description": "definition", "label": "unit", "units": "unit", "domain": "quantity"}
@@ -140,7 +141,7 @@ def _joined(first: Vocabulary, second: Vocabulary) -> Vocabulary:
 def _older_file(path: Path, limits: Limits) -> _OlderFile | None:
     """A units file in an older form; None for one in the present form and for one that cannot be read."""
     try:
-        data = path.read_bytes() if path.stat().st_size <= limits.file_bytes else b""
+        data = read_bytes(path) if size_of(path) <= limits.file_bytes else b""
     except OSError:
         return None
     if not _OLD_NAME.search(data):

@@ -19,6 +19,7 @@ from sigcat.file_kind import QUANTITY_NAMES, UNIT_NAMES
 from sigcat.findings import Finding, RuleCode, shown
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.names import did_you_mean
+from sigcat.open_files import read_bytes
 
 
 class Quantity(NamedTuple):
@@ -161,7 +162,7 @@ def _entries(
     entries: dict[str, Statement] = {}
     for path in paths:
         try:
-            data = path.read_bytes()
+            data = read_bytes(path)
         except OSError as error:
             reason = error.strerror or str(error)
             findings.append(codes.FILE_UNREADABLE.finding(f"{str(path)!r} cannot be read: {reason}.", str(path)))

@@ -15,6 +15,7 @@ from sigcat.digest import digest_of
 from sigcat.file_kind import TREE_ENDINGS
 from sigcat.findings import Finding
 from sigcat.limits import DEFAULT_LIMITS, REFUSED_INCLUDES, Limits
+from sigcat.open_files import made_once, open_text
 from sigcat.real_path import real_path
 
 
@@ -189,11 +190,7 @@ def _read_file(path: Path, reading: _Reading, asked_at: Origin) -> VspecFile | N
     if path in reading.files:
         return reading.files[path]
     try:
-        status = path.stat()
-        if not stat.S_ISREG(status.st_mode):
-            raise OSError(errno.EINVAL, "it is not a file")  # a pipe would be waited for
-        size = status.st_size
-        data = path.read_bytes() if size <= reading.limits.file_bytes else None
+        data, size = _bytes_of(path, reading.limits)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         message = f"{str(path)!r} cannot be read: {reason}."
@@ -205,6 +202,21 @@ def _read_file(path: Path, reading: _Reading, asked_at: Origin) -> VspecFile | N
         return None
     overlay = reading.name if reading.is_overlay else ""
     source = SourceFile(str(path), overlay, digest_of(data))
-    file = compiled_file(source, reading.compiled) or parse_vspec(data, source, reading.limits)
+    file = made_once(
+        ("vspec", source.name, overlay),
+        (source.digest, reading.limits),
+        lambda: compiled_file(source, reading.compiled) or parse_vspec(data, source, reading.limits),
+    )
     reading.files[path] = file
     return file
+
+
+def _bytes_of(path: Path, limits: Limits) -> tuple[bytes | None, int]:
+    """The bytes of a file, None beyond the limit, and its size. Raises OSError."""
+    text = open_text(path)
+    if text is not None:
+        return text if len(text) <= limits.file_bytes else None, len(text)
+    status = path.stat()
+    if not stat.S_ISREG(status.st_mode):
+        raise OSError(errno.EINVAL, "it is not a file")  # a pipe would be waited for
+    return path.read_bytes() if status.st_size <= limits.file_bytes else None, status.st_size

@@ -24,6 +24,7 @@ from sigcat.file_kind import (
     root_branch,
 )
 from sigcat.names import nearest
+from sigcat.open_files import is_file
 from sigcat.real_path import real_path
 from sigcat.rules.linting.includes import Includes, first_bytes, included_parts, includes_of, topmost
 from sigcat.rules.linting.nearby_trees import bytes_with_root, default_tree, has_units, is_of_types, root_of, tree_of
@@ -83,7 +84,7 @@ def _files_in(paths: Sequence[Path]) -> dict[Path, bool]:
     found: dict[Path, bool] = {}
     names: dict[str, Path] = {}
     for path in paths:
-        if not path.is_dir() and not path.is_file():
+        if not path.is_dir() and not is_file(path):
             raise NotFound(
                 f"{path} must be a regular file" if path.exists() else f"{path}: there is no such file or folder"
             )

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from sigcat.file_kind import TREE_ENDINGS, ending_of
 from sigcat.limits import RECOGNITION_BYTES
+from sigcat.open_files import open_text
 
 _INCLUDE = rb"^[ \t]*#include[ \t]+(\S+)(?:[ \t]+(\S+))?"
 Includes = Mapping[Path, tuple[tuple[str, str], ...]]
@@ -49,8 +50,9 @@ def first_bytes(path: Path) -> bytes:
 
     A pipe is not opened: reading would wait for it.
     """
-    if not path.is_file():
-        return b""
+    text = open_text(path)
+    if text is not None or not path.is_file():
+        return (text or b"")[:RECOGNITION_BYTES]
     try:
         with path.open("rb") as file:
             return file.read(RECOGNITION_BYTES)

@@ -24,6 +24,7 @@ from sigcat.file_kind import QUANTITY_NAMES, UNIT_NAMES
 from sigcat.findings import Finding, has_errors, in_order
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.names import bounded_proposals
+from sigcat.open_files import made_once, read_bytes, size_of
 from sigcat.real_path import real_path
 from sigcat.rules.engine import Found, found_in, lint_lines
 from sigcat.rules.linting.catalogues import all_overlays, all_trees, all_types, by_catalogue, of_tree, of_types
@@ -110,7 +111,8 @@ def _lint_paths(paths: Sequence[Path], options: LintOptions) -> LintResult:
     sources = [source for source in discovered if not _is_excluded(source.path, options)]
     named = [source.path for source in sources if source.named and source.kind == "vocabulary"]
     options = _with_units(options._replace(types=type_files(sources, options)), named)
-    lint = _Lint(options, RuleSet(selected(every_rule, options)), frozenset(map(str, named)))
+    rules = selected(every_rule, options)
+    lint = _Lint(options, made_once("rule set", rules, lambda: RuleSet(rules)), frozenset(map(str, named)))
     _refuse_empty(paths, discovered)
     trees = _lint_trees([s.path for s in sources if s.kind == "tree"], lint)
     _lint_overlays([s.path for s in sources if s.kind == "overlay"], trees, lint)
@@ -286,9 +288,9 @@ _LINT_FILE: Mapping[str, Callable[[Source, _Lint], None]] = {
 def _bytes_of(path: Path, lint: _Lint) -> bytes:
     """The bytes of a file; nothing and a finding if it cannot be read, or is beyond the limit."""
     try:
-        size = path.stat().st_size
+        size = size_of(path)
         if size <= DEFAULT_LIMITS.file_bytes:
-            return path.read_bytes()
+            return read_bytes(path)
         message = f"The file has {size:,} bytes; the limit is {DEFAULT_LIMITS.file_bytes:,}."
         finding = codes.FILE_TOO_LARGE.finding(message, str(path))
     except OSError as error:
