@@ -203,9 +203,10 @@ def _check_functions(
     tree: "Source", files: "Sequence[tuple[bytes, str]]", is_whole: bool, *, is_on_disk: bool = True
 ) -> "CheckedFunctions":
     """Check function files against a tree; loaded only when there are any."""
+    from sigcat.catalogue.hosting.source import load
     from sigcat.function.linting import checked_functions
 
-    return checked_functions(tree, files, is_whole, is_on_disk=is_on_disk)
+    return checked_functions(tree, files, is_whole, load_tree=load, is_on_disk=is_on_disk)
 
 
 def _names(tree: "Catalogue") -> tuple[str, ...]:

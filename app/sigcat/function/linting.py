@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 
-from sigcat.catalogue.hosting.source import Source, load
+from sigcat.catalogue.hosting.source import Source
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.function import code_files
 from sigcat.function.sets.check_set import check_functions
@@ -14,10 +14,10 @@ def checked_functions(
     files: Sequence[tuple[bytes, str]],
     is_whole: bool,
     *,
+    load_tree: Callable[[Source], Catalogue],
     is_on_disk: bool = True,
-    load_tree: Callable[[Source], Catalogue] = load,
 ) -> CheckedFunctions:
-    """Check function files against a tree. The tree is loaded only when it is called."""
+    """Check function files against a tree. `load_tree` loads it: an editor keeps it loaded."""
     is_there = code_files.is_on_disk if is_on_disk else None
     catalogue = load_tree(tree)
     findings = check_functions(files, catalogue, is_whole=is_whole, is_there=is_there)
