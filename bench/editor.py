@@ -43,6 +43,11 @@ class Editor:
         self.tell("textDocument/didChange", {"textDocument": document, "contentChanges": [{"text": text}]})
         return self._published(path)
 
+    def close(self, path: Path) -> None:
+        """Close a file, with what was not saved."""
+        del self.texts[path]
+        self.tell("textDocument/didClose", {"textDocument": {"uri": path.as_uri()}})
+
     def at(self, path: Path, text: str, offset: int = 0) -> Json:
         """The place of a text in an open file."""
         index = self.texts[path].index(text) + offset

@@ -8,7 +8,7 @@ from time import perf_counter
 
 from bench.editor import Editor, editor
 from bench.rows import Bench, Row
-from sigcat.data import OVERLAYS, ROOT_FILE, VSPEC
+from sigcat.data import EXAMPLES, OVERLAYS, ROOT_FILE, VSPEC
 
 _KEY_PRESSES = 40
 _FIRST, _EACH = 0.5, 0.1
@@ -28,6 +28,11 @@ def key_press_in_part(bench: Bench) -> Row:
 def key_press_in_root(bench: Bench) -> Row:
     """The root file, for which the whole tree is checked."""
     return _key_presses("the root of the tree", _project(bench) / "vspec" / ROOT_FILE.name)
+
+
+def key_press_in_function(bench: Bench) -> Row:
+    """A function of the example, over the standard tree with its overlays."""
+    return _key_presses("a function.yaml", _project(bench) / "functions" / "core_acc" / "function.yaml")
 
 
 def first_diagnostics(bench: Bench) -> Row:
@@ -66,6 +71,7 @@ def _project(bench: Bench) -> Path:
     if not folder.is_dir():
         shutil.copytree(VSPEC, folder / "vspec")
         shutil.copytree(OVERLAYS, folder / "overlays")
+        shutil.copytree(EXAMPLES / "core_acc", folder / "functions" / "core_acc")
         text = f'[[catalogue]]\nid = "vss"\nspec = "vspec/{ROOT_FILE.name}"\noverlays = ["overlays/*.vspec"]\n'
         (folder / "sigcat.toml").write_text(text, encoding="utf-8")
     return folder
@@ -77,6 +83,6 @@ def _row(work: str, seconds: float, target: float) -> Row:
 
 
 ROWS: Mapping[str, Callable[[Bench], Row]] = {
-    "lsp-overlay": key_press_in_overlay, "lsp-part": key_press_in_part, "lsp-root": key_press_in_root,
+    "lsp-overlay": key_press_in_overlay, "lsp-part": key_press_in_part, "lsp-root": key_press_in_root, "lsp-function": key_press_in_function,
     "lsp-first": first_diagnostics,
 }  # fmt: skip

@@ -1,6 +1,6 @@
 """Texts that are open in an editor: they are read in place of their files. A command has none.
 
-What is made of a file is kept from one lint of an editor to the next, and is used again while the file stays as it is.
+Parsed files are kept from one lint of an editor to the next, and are used again until the file changes.
 """
 
 import os
@@ -47,7 +47,7 @@ def read_bytes(path: Path) -> bytes:
 
 
 def size_of(path: Path) -> int:
-    """Return the size of what `read_bytes` returns. Raises OSError."""
+    """Return the number of bytes that `read_bytes` returns. Raises OSError."""
     text = open_text(path)
     return path.stat().st_size if text is None else len(text)
 

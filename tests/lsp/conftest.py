@@ -1,6 +1,5 @@
 """A project of 5,000 signals with overlays that stack and a function, and an editor in it."""
 
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -114,9 +113,16 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="session")
-def client(project: Path) -> Iterator[Editor]:
+def running(project: Path) -> Iterator[Editor]:
     """An editor with a server for the project."""
     pytest.importorskip("pygls")
-    assert sys.executable
     with editor(project) as found:
         yield found
+
+
+@pytest.fixture
+def client(running: Editor) -> Iterator[Editor]:
+    """The editor without open files."""
+    yield running
+    for path in tuple(running.texts):
+        running.close(path)

@@ -47,7 +47,7 @@ def test_unsaved_texts_have_the_findings_of_a_saved_file(
     monkeypatch.chdir(copy)
     client.open(project / name)
     found = client.change(project / name, text)
-    client.tell("textDocument/didClose", {"textDocument": {"uri": (project / name).as_uri()}})
+    client.close(project / name)
     assert _found(found) == _of_command(name, capsys)
     assert found
 
@@ -71,7 +71,6 @@ def test_ranges_count_utf_16_code_units(client: Editor, project: Path) -> None:
     start = len(text[: text.index("flaot")].encode("utf-16-le")) // 2
     assert wrong["range"]["start"] == {"line": 0, "character": start}
     assert wrong["range"]["end"] == {"line": 0, "character": start + 5}
-    client.change(path, CABIN)
 
 
 def test_quick_fixes_are_the_repairs_of_fix(client: Editor, project: Path) -> None:
@@ -88,14 +87,13 @@ def test_quick_fixes_are_the_repairs_of_fix(client: Editor, project: Path) -> No
     assert kinds == {"quickfix", "source.fixAll.sigcat"}
     (all_fixes,) = [each for each in actions if each["kind"] != "quickfix"]
     assert _edited(text, all_fixes["edit"]["changes"][path.as_uri()]) == CABIN
-    client.change(path, CABIN)
 
 
 def test_what_stops_the_command_is_a_diagnostic(client: Editor, project: Path) -> None:
     """A tree without signals."""
     (found,) = client.open(project / "tree/Acme.vspec", "Vehicle:\n  type: branch\n  description: A car.\n")
     assert "no signals" in found["message"]
-    client.tell("textDocument/didClose", {"textDocument": {"uri": (project / "tree/Acme.vspec").as_uri()}})
+    client.close(project / "tree/Acme.vspec")
 
 
 def test_a_project_file_that_cannot_be_read_does_not_end_the_server(client: Editor, project: Path) -> None:
@@ -103,9 +101,8 @@ def test_a_project_file_that_cannot_be_read_does_not_end_the_server(client: Edit
     path = project / "sigcat.toml"
     client.open(path, "catalogue = [")
     assert client.open(project / "overlays/limits.vspec") == []
-    client.tell("textDocument/didClose", {"textDocument": {"uri": path.as_uri()}})
+    client.close(path)
     assert client.open(project / "overlays/limits.vspec", LIMITS.replace("50", "slow"))
-    client.change(project / "overlays/limits.vspec", LIMITS)
 
 
 def _edited(text: str, edits: list[Any]) -> str:

@@ -90,7 +90,6 @@ def test_completion_of_rules_in_the_project_file(client: Editor, project: Path) 
     text = path.read_text() + '\n[lint]\nignore = ["V'
     client.open(path, text)
     assert "V006" in _proposed(client, path, len(text))
-    client.tell("textDocument/didClose", {"textDocument": {"uri": path.as_uri()}})
 
 
 def test_definition_leads_to_tree_overlays_units_and_code(client: Editor, overlay: Path, function: Path) -> None:

@@ -204,9 +204,11 @@ def _check_functions(
 ) -> "CheckedFunctions":
     """Check function files against a tree; loaded only when there are any."""
     from sigcat.adapter.core.clashes import code_problems
+    from sigcat.catalogue.hosting.source import load
     from sigcat.function.linting import checked_functions
 
-    return checked_functions(tree, files, is_whole, check_code=code_problems if is_on_disk else None)
+    check_code = code_problems if is_on_disk else None
+    return checked_functions(tree, files, is_whole, load_tree=load, check_code=check_code)
 
 
 def _names(tree: "Catalogue") -> tuple[str, ...]:

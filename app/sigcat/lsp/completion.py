@@ -51,7 +51,7 @@ _VALUES: Mapping[str, list[Proposal]] = {
     "type": [Proposal(name, name, "value") for name in TYPES],
     "datatype": [Proposal(name, name, "datatype") for name in sorted(DATATYPES)],
 }
-"""What may be written behind a key, whatever else is in the file."""
+"""Values of a key that do not depend on the file."""
 
 
 def proposals_at(project: WarmProject, path: Path, lines: list[str], line: int, column: int) -> list[Proposal]:

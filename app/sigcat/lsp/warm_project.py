@@ -54,7 +54,7 @@ class WarmProject:
         self.root = root
         self._texts: dict[str, bytes] = {}
         self._sound: dict[str, bytes] = {}
-        """The last texts that could be read, for look-ups: what is being written is often not YAML."""
+        """The last texts that could be read, for look-ups: an unfinished line is often invalid YAML."""
         self._projects: dict[Path, Project] = {}
         """Project files as they could be read last."""
         self._made: dict[Hashable, tuple[object, Any]] = {}
@@ -135,7 +135,7 @@ class WarmProject:
         return self._trees[id(catalogue)]
 
     def functions(self, path: Path) -> tuple[Path, ...]:
-        """Return the function files of the project, or of the folder if there is no project."""
+        """Return the function files of the project, else those of the folder."""
         try:
             project = self.project(path)
         except SigcatError:

@@ -1,4 +1,4 @@
-"""JSON Schemas of what people write for a project: sigcat.toml, trees and overlays, rules. Editors use them without a server."""
+"""JSON Schemas of sigcat.toml, of trees and overlays and of rules. Editors use them without a server."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, get_args

@@ -17,6 +17,7 @@ from sigcat.findings import Finding
 from sigcat.function.c_project.declarations import CompilerError, Declarations, declarations_from
 from sigcat.function.c_project.files import CodeFiles
 from sigcat.limits import CODE_MEGABYTES, CODE_SECONDS
+from sigcat.open_files import made_once
 
 _WORKER = "sigcat.function.c_project.libclang.worker"
 _TARGETS = {
@@ -102,7 +103,10 @@ def _answer(
         "seconds": ceil(CODE_SECONDS),
         "declarations": declarations,
     }
-    return declarations_from(_run(json.dumps(request), end - time.monotonic()))
+    text = json.dumps(request)
+    return made_once(
+        ("C code", tuple(paths), target), text, lambda: declarations_from(_run(text, end - time.monotonic()))
+    )
 
 
 def _run(request: str, seconds: float) -> Mapping[str, Any]:
