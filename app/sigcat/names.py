@@ -12,7 +12,7 @@ from sigcat.limits import COMPARED_NAMES
 IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,127}")
 """What AUTOSAR takes for the name of an element."""
 _MUCH_FARTHER = 12.0
-_SHORT, _LEAST_OF_PARTS = 5, 60.0
+_SHORT, _LEAST_OF_PARTS = 4, 50.0
 _CAMEL_WORD = r"[A-Z]+(?=[A-Z][a-z])|[A-Z]?[a-z]+|[A-Z]+|[0-9]+"
 
 
@@ -84,11 +84,13 @@ def nearest(name: str, candidates: Iterable[str], limit: int = 3, cutoff: float 
 
 
 def _differ_little(name: str, candidate: str) -> bool:
-    """Whether the parts of two dotted names that differ are alike; of short ones, all but one letter."""
+    """Whether two dotted names end alike, or the parts that differ are alike; of short ones, all but one letter."""
     from rapidfuzz import fuzz
     from rapidfuzz.distance import OSA
 
-    part, other = _without_shared(name.split("."), candidate.split("."))
+    if "." in name and last_name(name) == last_name(candidate):
+        return True
+    part, other = _without_shared_beginning(name.split("."), candidate.split("."))
     if not part or not other or part in other:
         return True
     if max(len(part), len(other)) <= _SHORT:
@@ -96,13 +98,10 @@ def _differ_little(name: str, candidate: str) -> bool:
     return fuzz.ratio(part, other) >= _LEAST_OF_PARTS
 
 
-def _without_shared(parts: list[str], others: list[str]) -> tuple[str, str]:
-    """Both names without the parts that they begin and end with alike."""
+def _without_shared_beginning(parts: list[str], others: list[str]) -> tuple[str, str]:
+    """Both names without the parts that they begin with alike."""
     start = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(parts, others, strict=False)))
-    parts, others = parts[start:], others[start:]
-    reversed_pairs = zip(reversed(parts), reversed(others), strict=False)
-    end = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], reversed_pairs))
-    return ".".join(parts[: len(parts) - end]), ".".join(others[: len(others) - end])
+    return ".".join(parts[start:]), ".".join(others[start:])
 
 
 class _Budget:

@@ -124,6 +124,7 @@ def test_the_commands_run(page, block, environment, service, folder):
         pytest.skip("curl: install it")
     address, token = service
     for name, text in TITLED.findall((ROOT / page).read_text("utf-8")):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(text, encoding="utf-8")
     done = subprocess.run(
         ["bash", "-c", PRELUDE + block.replace(SHOWN_AT, address)],

@@ -42,7 +42,7 @@ def test_catalogues_stand_side_by_side_each_with_its_overlays(library):
 
 def test_a_name_that_is_not_there_is_told_with_near_ones(library):
     with pytest.raises(NotFound) as missing:
-        library.get("bear")
+        library.get("baer")
     assert missing.value.nearest == ("bare",)
 
 

@@ -197,7 +197,7 @@ def test_a_folder_that_is_none_is_told(tmp_path):
 def test_without_libclang_the_command_says_what_it_needs(folder, monkeypatch, capsys):
     monkeypatch.setattr(parsing, "find_spec", lambda _name: None)
     assert main(["function", "new", "Washing", "--from-c", str(folder)]) == 2
-    assert "libclang" in capsys.readouterr().err
+    assert "pip install 'sigcat[c]'" in capsys.readouterr().err
     assert not (folder / "function.yaml").exists()
 
 

@@ -1,1 +1,4 @@
-"""What a project starts with: a folder in; the texts of its files out."""
+"""The files that a project starts with: a folder in; texts by path out.
+
+A new project is one that passes; for an existing repository only the project file is made.
+"""

@@ -20,7 +20,7 @@ from sigcat.rules.linting.selection import rules_for
 
 
 class Found(NamedTuple):
-    """What a folder has for a project."""
+    """The files of a folder that a project uses."""
 
     trees: tuple[Path, ...]
     overlays: tuple[Path, ...]

@@ -14,7 +14,7 @@ _PLACES = {
     "cabin.vspec": "overlays/cabin.vspec",
     **{name: f"{FUNCTION}/{name}" for name in ("function.yaml", "CabinAir.h", "CabinAir.c", "trace.csv")},
 }
-"""Where each file goes."""
+"""Paths in the project by name."""
 
 
 def starting_files(folder: Path) -> Mapping[str, str]:
