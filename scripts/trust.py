@@ -30,8 +30,8 @@ A judgement is one comparison: an export, a file, a page, a request. What no tes
 yet is [said where it ends](why-sigcat.md#where-it-ends). `make test` and `make real` ask the same judges, with fewer
 repetitions, before each change.
 
-Documents as attacks: a function.yaml, a deployment file, Function JSON and the three Integration JSON have 1,877 fields with strings.
-Each is tried with 24 payloads in the files of every generator: 84,648 combinations of field, payload and generator. A payload is refused
+Documents as attacks: a function.yaml, a deployment file, Function JSON and the three Integration JSON have 1,885 fields with strings.
+Each is tried with 24 payloads in the files of every generator: 84,840 combinations of field, payload and generator. A payload is refused
 with a finding at its field, or it is free text, in which libclang, CMake, Python, expat, a reader of YAML and rosidl find no code. In the
 JSON documents, fields with a type also have the most dangerous values that the type accepts, with the same result. The models are walked,
 so a new field is included. `.venv/bin/pytest tests/adapter/hostile tests/adapter/test_hostile_text.py` runs all of them, as a part of `make real`.

@@ -18,10 +18,16 @@ DEPLOYMENT: dict[str, Any] = {
         "units": {"furlong": {"factor": 0.00497}},
         "identifiers": {"DemoService": 100}, "versions": {"DemoService": "2.1"}, "identifierCatalogue": {"OldService": 200},
         "e2e": {"events": {"DemoService.In": {"profile": "none"}}},
+        "transport": {
+            "DemoService": {
+                "multicast": {"threshold": 2, "address": "239.0.0.1", "port": 30500}, "eventGroups": {"Fast": ["In"]},
+            }
+        },
     },
     "autosarClassic": {
         "package": "Demo", "ecu": "DemoEcu",
         "signals": {"Vehicle.Demo.In": {"signal": "In", "message": "Status", "database": "can.dbc"}},
+        "e2e": {"elements": {"Vehicle.Demo.In": {"valid": {"windowSize": 4}}}},
     },
     "ros2": {
         "namespace": "/demo", "messagePackage": "demo_messages", "maintainer": "Team", "email": "team@example.com", "license": "Proprietary",

@@ -218,6 +218,11 @@ NumberText = Annotated[str, NUMBER_TEXT]
 QUANTITY = _matching("a number", rf"\s?{_NUMBER} ?[A-Za-zµ]{{0,10}}\s?|[A-Za-z ]{{0,30}}", "", 1_000)
 Quantity = Annotated[str, QUANTITY]
 """A number, with a unit where a document writes one; or a word such as none."""
+_BYTE = "(?:25[0-5]|2[0-4][0-9]|1[0-9][0-9]|[1-9]?[0-9])"
+MULTICAST_ADDRESS = _matching(
+    "an IPv4 address of a multicast group, such as 239.0.0.1", rf"(?:22[4-9]|23[0-9])(?:\.{_BYTE}){{3}}"
+)
+MulticastAddress = Annotated[str, MULTICAST_ADDRESS]
 E_MAIL = _matching("a mail address", r"[A-Za-z0-9.!%*+/=?^_|~-]+@[A-Za-z0-9.-]+", "", 200)
 Email = Annotated[str, E_MAIL]
 

@@ -1,21 +1,14 @@
 """Transport of the messages of a service, in a deployment and in the Integration JSON."""
 
-from ipaddress import IPv4Address
 from typing import Annotated, Literal
 
-from pydantic import AfterValidator, Field
+from pydantic import Field
 
 from sigcat.function.declaration.form import DeclarationModel
-from sigcat.function.document.field_types import Name, ShortName
+from sigcat.function.document.field_types import MulticastAddress, Name, ShortName
 from sigcat.function.function_json.wire import Integer
 
 Protocol = Literal["UDP", "TCP"]
-
-
-def _multicast(address: str) -> str:
-    if not address.replace(".", "").isdigit() or not IPv4Address(address).is_multicast:
-        raise ValueError(f"must be an IPv4 address of a multicast group, such as 239.0.0.1, not {address!r}")
-    return address
 
 
 class MulticastSettings(DeclarationModel):
@@ -24,7 +17,7 @@ class MulticastSettings(DeclarationModel):
     threshold: Annotated[Integer, Field(ge=1, le=0xFFFF)] = Field(
         description="Number of subscribers from which an event group is sent by multicast."
     )
-    address: Annotated[str, AfterValidator(_multicast)] = Field(description="IPv4 address of the multicast group.")
+    address: MulticastAddress = Field(description="IPv4 address of the multicast group.")
     port: Annotated[Integer, Field(ge=1, le=0xFFFF)] = Field(description="UDP port of the multicast group.")
 
 
