@@ -94,7 +94,7 @@ def test_its_departures_are_found(findings):
     [
         ("/Datatypes/3/cDef", ("F081", "warning", 222)),
         ("/Datatypes/2/cDef", ("F082", "warning", 217)),
-        ("/ComponentList/0/functionList/1/AsilLevel", ("F090", "warning", 27)),
+        ("/ComponentList/0/functionList/1/AsilLevel", ("F090", "warning", 44)),
         ("/ComponentList/0/functionList/1/funcContractList/0/SignalList/0/Units", ("F093", "warning", 68)),
         ("/ComponentList/0/functionList/1/funcContractList/0/SignalList/4/Units", ("F094", "warning", 136)),
     ],
