@@ -16,6 +16,7 @@ PERMITTED = frozenset((
 _PINNED = re.compile(r"([a-z0-9.-]+)==(\S+)(?: ; .+)? \\")
 _NEEDED_BY = re.compile(r"    #\s+(?:via )?([a-z0-9.-]+)(?: \(pyproject\.toml\))?")
 _READ_FROM_THE_FILE = {
+    "argcomplete": "Apache-2.0",
     "autosar-data": "MIT OR Apache-2.0",
     "case-converter": "MIT",
     "ddmodl": "MPL-2.0",

@@ -41,7 +41,7 @@ def test_the_targets_ask_for_both():
     targets = (ROOT / "Makefile").read_text(encoding="utf-8")
     assert f'-m "{USUAL}"\n' in targets
     assert f"-m {REAL}\n" in targets
-    assert "make test\nmake real\n" in (ROOT / ".ci" / "run").read_text(encoding="utf-8")
+    assert "make test\nmake package\nmake real\n" in (ROOT / ".ci" / "run").read_text(encoding="utf-8")
 
 
 def test_the_line_at_the_end_says_what_was_left_out():

@@ -1,6 +1,5 @@
 """Shortcuts, the cache and the layers that are skipped change nothing: not the answers, the log or the metrics."""
 
-import asyncio
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import product
 from typing import Any, NamedTuple
@@ -14,6 +13,7 @@ from sigcat.api.middleware.request_notes import Note
 from sigcat.api.routes.shortcuts import Shortcuts
 from sigcat.catalogue.hosting.library import Library
 from tests.api.conftest import SETTINGS
+from tests.own_loop import run
 
 CATALOGUES = "/api/v1/catalogues"
 NODES = f"{CATALOGUES}/small/nodes"
@@ -72,7 +72,7 @@ def exchanged(app: Service, asked: Iterable[Request]) -> list[Exchanged]:
             answers = [await client.request(method, address, headers=dict(given)) for method, address, given in asked]
         return [_without_chance(answer, note) for answer, note in zip(answers, notes, strict=True)]
 
-    return asyncio.run(send())
+    return run(send())
 
 
 def _without_chance(answer: httpx.Response, note: Note) -> Exchanged:

@@ -25,7 +25,7 @@ COMMANDS = {
         "-o",
         "report",
     ),
-    "lsp": ("pygls", "lsp"),
+    "lsp": ("lsp", "lsp"),
     "simulate": ("mcap", "simulate", _FUNCTION, "--trace", _ROWS, "-o", "run.mcap"),
 }
 

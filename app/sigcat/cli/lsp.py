@@ -27,7 +27,7 @@ def run(_: argparse.Namespace) -> int:
     except ModuleNotFoundError as error:
         if error.name is None or error.name.partition(".")[0] not in ("pygls", "lsprotocol"):
             raise
-        raise UsageError("the language server needs pygls: run `pip install pygls`") from None
+        raise UsageError("the language server needs the extra `lsp`: run `pip install 'sigcat[lsp]'`") from None
     logging.getLogger("pygls").setLevel(logging.ERROR)  # standard error is shown to users by editors
     with os.fdopen(os.dup(0), "rb") as requests, os.fdopen(os.dup(1), "wb") as answers:
         os.dup2(2, 1)  # what is printed is no message of the protocol
