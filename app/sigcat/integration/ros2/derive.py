@@ -269,4 +269,5 @@ def _message_packages(exchanged: Sequence[Communication]) -> set[str]:
 
 def _maintainer(app: Application, settings: Ros2Settings) -> Text:
     responsible = joined(each.function.info.function_responsible for each in app.functions)
-    return Text(" ".join((settings.maintainer or responsible.raw or "unknown").split()))
+    given = settings.maintainer or responsible.raw or "unknown"
+    return Text(" ".join("".join(each if each.isprintable() else " " for each in given).split()) or "unknown")

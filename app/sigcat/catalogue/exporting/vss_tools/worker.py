@@ -188,6 +188,7 @@ def keep(_: bytes) -> None:
 
 def prepare(kind: str) -> None:
     """Import the exporter of which the next child is one."""
+    sys.modules.setdefault("pyarrow", None)  # type: ignore[arg-type] # pandas would load it, and a process with threads must not fork
     with suppress(Exception):  # the child finds the same, and tells of it
         _exporter(kind)
 
