@@ -15,18 +15,20 @@ from tests.project.company import PROJECT, write_company
     ("line", "catalogues", "functions"),
     [("", True, False), ("shipped = true\n", True, True), ("shipped = false\n", False, False)],
 )
-def test_shipped_examples_are_hidden_beside_own_functions(tmp_path, line, catalogues, functions):
+def test_shipped_examples_are_hidden_beside_an_own_catalogue(tmp_path, line, catalogues, functions):
     file = write_company(tmp_path) / "sigcat.toml"
     file.write_text(line + PROJECT)
     project = read_project(file)
     assert (project.has_shipped_catalogues, project.has_shipped_functions) == (catalogues, functions)
 
 
-def test_a_project_without_its_own_catalogue_or_functions_shows_the_examples(tmp_path):
+@pytest.mark.parametrize(
+    ("text", "has_examples"), [("", True), ('[[catalogue]]\nid = "a"\nrelease = "shipped"\n', False)]
+)
+def test_examples_are_shown_where_no_catalogue_of_the_project_makes_them_errors(tmp_path, text, has_examples):
     file = tmp_path / "sigcat.toml"
-    for text in ("", '[[catalogue]]\nid = "a"\nrelease = "shipped"\n'):
-        file.write_text(text)
-        assert read_project(file).has_shipped_functions
+    file.write_text(text)
+    assert read_project(file).has_shipped_functions is has_examples
 
 
 def test_the_service_has_the_units_and_functions_of_the_project(tmp_path, monkeypatch):

@@ -29,7 +29,7 @@ class Project(NamedTuple):
     deployment: Path | None = None
     is_watching: bool = False
     shipped: bool | None = None
-    """Whether to host what sigcat ships; None: the catalogues, and the functions unless the project has its own."""
+    """Whether to host what sigcat ships; None: the catalogues, and the functions unless the project has catalogues."""
     lint: LintOptions = LintOptions()
     tables: Mapping[str, Any] = MappingProxyType({})
     """The values that others made of their tables."""
@@ -43,8 +43,8 @@ class Project(NamedTuple):
 
     @property
     def has_shipped_functions(self) -> bool:
-        """Whether the examples are hosted too. They do not fit the catalogue of a company."""
-        return not (self.catalogues and self.functions) if self.shipped is None else self.shipped
+        """Whether the examples are hosted too. Beside the catalogue of a company they would be errors."""
+        return not self.catalogues if self.shipped is None else self.shipped
 
     def line(self, table: str, number: int = 0, key: str = "") -> str:
         """The place of a key of a table: FILE:LINE."""
