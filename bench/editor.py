@@ -43,6 +43,12 @@ class Editor:
         self.tell("textDocument/didChange", {"textDocument": document, "contentChanges": [{"text": text}]})
         return self._published(path)
 
+    def edit(self, path: Path, changes: list[Json]) -> list[Json]:
+        """Change parts of an open file, each in the text after those before; its diagnostics."""
+        document = {"uri": path.as_uri(), "version": self._next()}
+        self.tell("textDocument/didChange", {"textDocument": document, "contentChanges": changes})
+        return self._published(path)
+
     def close(self, path: Path) -> None:
         """Close a file, with what was not saved."""
         del self.texts[path]

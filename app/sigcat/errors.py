@@ -62,6 +62,14 @@ def existing_file(path: str | os.PathLike[str]) -> Path:
     return file
 
 
+def existing_folder(path: str | os.PathLike[str]) -> Path:
+    """The path of a folder that a user named. Raises UsageError."""
+    folder = Path(path)
+    if not folder.is_dir():
+        raise UsageError(f"{path} must be a folder" if folder.exists() else f"{path}: there is no such folder")
+    return folder
+
+
 def without_signals(tree: str | os.PathLike[str]) -> str:
     """What is said of a tree that has nothing to work with."""
     return f"{tree}: the catalogue has no signals; name the root .vspec file of a tree"

@@ -40,11 +40,11 @@ def project(tmp_path):
     return folder
 
 
-def session(project: Path, *calls, between=lambda _: None, errors=None):
+def session(project: Path, *calls, between=lambda _: None, errors=None, options=()):
     """Answers of a server to calls of tools; `between` is called before each with its number."""
 
     async def talk(log):
-        command = ["-m", "sigcat.cli", "mcp", str(project)]
+        command = ["-m", "sigcat.cli", "mcp", str(project), *options]
         parameters = StdioServerParameters(command=sys.executable, args=command, env=dict(os.environ))
         async with Client(stdio_client(parameters, errlog=log)) as client:
             answers = []
@@ -152,14 +152,16 @@ def test_answers_are_bounded(project):
     assert lint["omitted"] > 0
 
 
-def test_it_says_what_to_install(tmp_path):
-    code = "import sys; sys.modules['mcp'] = None; from sigcat.cli import main; sys.exit(main(['mcp']))"
-    ended = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=False)
-    assert (ended.returncode, ended.stdout) == (2, "")
-    assert ended.stderr == "sigcat: this needs the package `mcp`: run `pip install mcp`\n"
-
-
 def test_a_folder_that_is_not_there_is_an_error(tmp_path):
     command = [sys.executable, "-m", "sigcat.cli", "mcp", "no/such"]
     ended = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False, stdin=subprocess.DEVNULL)
     assert (ended.returncode, ended.stderr) == (2, "sigcat: no/such: there is no such folder\n")
+
+
+def test_another_project_file_is_named_and_none_is_used(project, tmp_path):
+    (project / "other.toml").write_text('[[catalogue]]\nid = "other"\nrelease = "shipped"\n')
+    show = ("show", {"path": "Vehicle.CabinNoise"})
+    _, (named,) = session(project, show, options=("--config", str(project / "other.toml")))
+    _, (isolated,) = session(project, show, options=("--isolated",))
+    _, (found,) = session(project, show)
+    assert (named.is_error, isolated.is_error, found.is_error) == (True, True, False)

@@ -26,6 +26,7 @@ COMMANDS = {
         "report",
     ),
     "lsp": ("lsp", "lsp"),
+    "mcp": ("mcp", "mcp"),
     "simulate": ("mcap", "simulate", _FUNCTION, "--trace", _ROWS, "-o", "run.mcap"),
 }
 
@@ -34,7 +35,7 @@ COMMANDS = {
 def test_it_says_what_to_install(command, tmp_path):
     extra, *arguments = COMMANDS[command]
     (tmp_path / "overlay.vspec").write_text("Vehicle.Speed: {type: sensor, datatype: float, description: The speed.}\n")
-    code = _WITHOUT.format(packages=("can", "cantools", "mcap", "pygls", "pygls.lsp", "lsprotocol"))
+    code = _WITHOUT.format(packages=("can", "cantools", "mcap", "pygls", "pygls.lsp", "lsprotocol", "mcp"))
     ended = subprocess.run(
         [sys.executable, "-c", code, *map(str, arguments)], cwd=tmp_path, capture_output=True, text=True, check=False
     )

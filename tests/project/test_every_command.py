@@ -4,10 +4,13 @@ from pathlib import Path
 
 import pytest
 
+from bench.editor import editor
+from sigcat import cli
 from sigcat.catalogue.hosting import library, source
 from sigcat.cli import main
 from sigcat.data import ROOT_FILE
 from sigcat.errors import SigcatError
+from tests.assistants.test_server import session
 from tests.project.company import write_company
 
 GAS = "Vehicle.Cabin.AcmeGas"
@@ -33,7 +36,21 @@ COMMANDS = (
     ["units"],
     ["serve"],
 )
-"""Every command that has a tree; diff compares several."""
+"""Every command that has one tree."""
+OTHERS = {
+    "diff": "several trees: below, and test_git_sides.py",
+    "version-bump": "the same",
+    "rule": "rules of the project, no tree: below",
+    "config": "test_shown_project.py",
+    "completion": "test_completion.py",
+    "init": "writes a project: below",
+    "lsp": "over standard input: below",
+    "mcp": "the same",
+    "schema": "no project",
+    "pull": "no project",
+    "releases": "no project",
+}
+"""Where each other command is tested, and why it differs."""
 READING = [command for command in COMMANDS if command[0] not in ("simulate", "compare", "gateway", "serve")]
 READING = [command for command in READING if "--from-c" not in command]
 
@@ -75,6 +92,57 @@ def test_the_findings_are_the_same(company, capsys, command):
     told = [line for line in (output.out + output.err).splitlines() if " U0" in line or " V0" in line]
     assert [line.partition("warning ")[2].partition(" Remove")[0] for line in told] == [FINDING]
     assert status == (1 if command == ["lint"] else 0)
+
+
+def test_every_command_is_tested():
+    assert sorted({command[0] for command in COMMANDS} | OTHERS.keys()) == sorted(cli.COMMANDS)
+    (functions,) = (
+        each
+        for each in cli.parser_of("function")._subparsers._group_actions[0].choices["function"]._actions
+        if each.choices
+    )
+    assert {command[1] for command in COMMANDS if command[0] == "function"} == set(functions.choices)
+
+
+def test_an_editor_has_the_same_findings(company):
+    pytest.importorskip("pygls")
+    with editor(company) as client:
+        found = client.open(company / "units.yaml")
+        assert [f"{each['code']} {each['message'].partition(' Remove')[0]}" for each in found] == [FINDING]
+        assert client.open(company / "overlays" / "acme.vspec") == []
+        assert client.open(company / "functions" / "cabin_air" / "function.yaml") == []
+
+
+def test_an_assistant_has_the_same_catalogue_and_rules(company):
+    draft = (
+        (company / "overlays" / "acme.vspec")
+        .read_text()
+        .replace("  owner: Air team\n", "")
+        .replace("AcmeGas", "AcmeAir")
+        .replace("Carbon", "Nitrogen")
+    )
+    _, (shown, linted) = session(company, ("show", {"path": GAS}), ("lint", {"text": draft, "name": "draft.vspec"}))
+    assert shown.structured_content["attributes"]["unit"]["value"] == "ppm"
+    assert [each["rule"] for each in linted.structured_content["findings"]] == ["ACME001"]
+
+
+def test_a_rule_is_that_of_the_project(company, capsys):
+    assert main(["rule", "ACME001"]) == 0
+    assert main(["rule", "ACME001", "--isolated"]) == 2
+
+
+def test_a_version_is_that_of_catalogues_of_the_project(company, capsys):
+    assert main(["version-bump", "vss", "acme"]) == 0
+    assert capsys.readouterr().out == "minor\n"
+
+
+def test_a_project_file_for_what_is_there_gives_the_same_findings(company, capsys):
+    Path("sigcat.toml").unlink()
+    assert main(["init", "--from", "."]) == 0
+    capsys.readouterr()
+    main(["lint"])
+    assert FINDING in capsys.readouterr().out
+    assert main(["show", GAS]) == 0
 
 
 def test_a_side_of_a_comparison_is_a_catalogue_of_the_project(company, capsys):

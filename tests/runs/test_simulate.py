@@ -377,7 +377,10 @@ def test_it_runs_as_long_as_one_says(case):
 
 def test_a_trace_of_nothing_has_no_length(case):
     Path("trace.csv").write_text("time,Vehicle.Speed,Filter_Mode_In\n")
-    assert case() == (2, ["sigcat: there is no row in the trace: say with --duration how long to run"])
+    assert case() == (
+        2,
+        ["sigcat: no inputs: pass --trace FILE with a row, or --duration SECONDS to run without inputs"],
+    )
     assert case("--duration", "0.1") == (0, [])
 
 

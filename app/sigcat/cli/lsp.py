@@ -3,8 +3,11 @@
 import argparse
 import logging
 import os
+from collections.abc import Callable
+from pathlib import Path
 
-from sigcat.errors import UsageError
+from sigcat.cli.project_options import add_project_options
+from sigcat.errors import UsageError, existing_file
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -17,10 +20,11 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument(
         "--stdio", action="store_true", help="use standard input and output, as always; editors pass it"
     )
+    add_project_options(parser)
     parser.set_defaults(run=run)
 
 
-def run(_: argparse.Namespace) -> int:
+def run(arguments: argparse.Namespace) -> int:
     """Serve until the editor ends. Raises UsageError without the package that it needs."""
     try:
         from sigcat.lsp.server import make_server
@@ -31,5 +35,17 @@ def run(_: argparse.Namespace) -> int:
     logging.getLogger("pygls").setLevel(logging.ERROR)  # standard error is shown to users by editors
     with os.fdopen(os.dup(0), "rb") as requests, os.fdopen(os.dup(1), "wb") as answers:
         os.dup2(2, 1)  # what is printed is no message of the protocol
-        make_server().start_io(requests, answers)
+        make_server(_finder(arguments)).start_io(requests, answers)
     return 0
+
+
+def _finder(arguments: argparse.Namespace) -> "Callable[[Path], Path | None]":
+    """Return what finds the project file of a folder."""
+    from sigcat.project.find_project import find_project
+
+    if arguments.isolated:
+        return lambda _: None
+    named = (
+        arguments.config and existing_file(arguments.config).absolute()
+    )  # the editor says later which folder it is in
+    return (lambda _: named) if named else find_project

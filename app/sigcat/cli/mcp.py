@@ -4,7 +4,8 @@ import argparse
 import os
 from pathlib import Path
 
-from sigcat.errors import UsageError
+from sigcat.cli.project_options import add_project_options, project_of
+from sigcat.errors import UsageError, existing_folder
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -23,6 +24,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         metavar="FOLDER",
         help="folder of the project (default: this one)",
     )
+    add_project_options(parser)
     parser.set_defaults(run=mcp)
 
 
@@ -33,10 +35,11 @@ def mcp(arguments: argparse.Namespace) -> int:
     except ModuleNotFoundError as error:
         if (error.name or "").partition(".")[0] not in ("mcp", "mcp_types"):
             raise
-        raise UsageError("this needs the package `mcp`: run `pip install mcp`") from None
-    from sigcat.python_api.project import open_project
+        raise UsageError("the server for assistants needs the extra `mcp`: run `pip install 'sigcat[mcp]'`") from None
+    from sigcat.python_api.project import Project
 
-    project = open_project(arguments.folder)
-    os.chdir(arguments.folder)  # names of files in questions are relative to it
+    folder = existing_folder(arguments.folder)
+    project = Project(project_of(arguments, folder), folder)
+    os.chdir(folder)  # names of files in questions are relative to it
     serve(project, project.root)
     return 0

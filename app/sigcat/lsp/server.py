@@ -21,7 +21,7 @@ from sigcat.lsp.hover import hover_text
 from sigcat.lsp.places import Place, Word, word_at
 from sigcat.lsp.quick_fixes import QuickFix, every_fix, quick_fixes
 from sigcat.lsp.rename import renamed
-from sigcat.lsp.warm_project import WarmProject
+from sigcat.lsp.warm_project import FindProject, WarmProject
 from sigcat.names import last_name
 from sigcat.open_files import read_bytes
 from sigcat.real_path import near_path
@@ -49,9 +49,10 @@ _FIX_ALL = f"{types.CodeActionKind.SourceFixAll.value}.sigcat"
 class SigcatServer(LanguageServer):
     """A server for one folder. One thread does all work, so that a project needs no locks."""
 
-    def __init__(self) -> None:
+    def __init__(self, find_project: FindProject) -> None:
         super().__init__("sigcat", __version__)
-        self.project = WarmProject(Path.cwd())
+        self._find_project = find_project
+        self.project = WarmProject(Path.cwd(), find_project)
         self.results: dict[str, tuple[int | None, LintResult]] = {}
         """The version and the result of the last lint of each document."""
         self._running: set[str] = set()
@@ -60,7 +61,7 @@ class SigcatServer(LanguageServer):
     def use_folder(self, folder: Path) -> None:
         """Work in a folder, as a command that is started there does."""
         os.chdir(folder)
-        self.project = WarmProject(folder)
+        self.project = WarmProject(folder, self._find_project)
 
     async def work(self, function: Callable[..., Result], *arguments: Any) -> Result:
         """Return what a function returns, with the texts of the editor in place of files."""
@@ -188,9 +189,9 @@ def _position_at(document: TextDocument, offset: int) -> types.Position:
     return document.position_codec.position_to_client_units(lines, ServerTextPosition(len(before) - 1, len(before[-1])))
 
 
-def make_server() -> SigcatServer:
+def make_server(find_project: FindProject) -> SigcatServer:
     """Return a server with all that it answers."""
-    server = SigcatServer()
+    server = SigcatServer(find_project)
     _answer_documents(server)
     _answer_look_ups(server)
     _answer_edits(server)

@@ -33,6 +33,8 @@ from sigcat.rules.linting.options import LintResult
 from sigcat.rules.tree import Tree
 
 Result = TypeVar("Result")
+FindProject = Callable[[Path], Path | None]
+"""What finds the project file of a folder."""
 _FUNCTION_FILES = 500
 """Function files of a folder without a project that are searched for uses of a signal."""
 _UNREADABLE = frozenset(
@@ -50,8 +52,9 @@ class _Loaded(NamedTuple):
 class WarmProject:
     """The project of a folder. Its functions run one at a time, within `with_texts`."""
 
-    def __init__(self, root: Path) -> None:
+    def __init__(self, root: Path, find_project: FindProject = find_project) -> None:
         self.root = root
+        self._find_project = find_project
         self._texts: dict[str, bytes] = {}
         self._sound: dict[str, bytes] = {}
         """The last texts that could be read, for look-ups: an unfinished line is often invalid YAML."""
@@ -106,7 +109,7 @@ class WarmProject:
 
     def project(self, path: Path) -> Project:
         """Return the project of a file, as it could be read last. Raises InputRefused, UsageError."""
-        file = find_project(path.parent)
+        file = self._find_project(path.parent)
         if file is None:
             return Project()
         try:

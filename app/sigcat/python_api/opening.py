@@ -2,52 +2,42 @@
 
 from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 if TYPE_CHECKING:
     from sigcat.catalogue.hosting.source import Source
-    from sigcat.rules.linting.options import LintOptions
+    from sigcat.project.project import Project
 
 PathLike = str | Path
 Value = TypeVar("Value")
 
 
-class Opened(NamedTuple):
-    """What a project says."""
-
-    sources: "tuple[Source, ...]"
-    """Its catalogues, the default one first."""
-    functions: tuple[Path, ...]
-    """Folders of functions."""
-    has_shipped_functions: bool
-    lint: "LintOptions"
-    root: Path
-    """The folder of the project."""
-
-
-def project_of(folder: Path) -> Opened:
+def read_project_of(folder: Path) -> "Project":
     """Return the project of the nearest sigcat.toml in `folder` or above it; without one, what sigcat ships.
 
     Raises InputRefused with everything that is wrong with the file.
     """
-    from sigcat.project.chosen_tree import TreeOptions, chosen_tree
     from sigcat.project.find_project import find_project
     from sigcat.project.project import Project
     from sigcat.project.read_project import read_project
 
     file = find_project(folder)
-    project = read_project(file) if file is not None else Project()
-    sources = project.catalogues or (chosen_tree(project, TreeOptions()),)
-    root = folder if file is None else file.parent
-    return _absolute(Opened(sources, project.functions, project.has_shipped_functions, project.lint, root))
+    return Project() if file is None else read_project(file)
 
 
-def _absolute(value: Value) -> Value:
+def sources_of(project: "Project") -> "tuple[Source, ...]":
+    """Return the catalogues of a project, the default one first; without any, the one that commands use."""
+    from sigcat.project.chosen_tree import TreeOptions, chosen_tree
+
+    return project.catalogues or (chosen_tree(project, TreeOptions()),)
+
+
+def absolute(value: Value) -> Value:
     """Return a value with absolute paths: a notebook may change the current folder."""
     if isinstance(value, Path):
         return value.absolute()
     if isinstance(value, tuple):
-        items = map(_absolute, value)
+        items = map(absolute, value)
         return type(value)(*items) if hasattr(value, "_fields") else type(value)(items)
     return value
 

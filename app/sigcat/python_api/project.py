@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.python_api.catalogue import Catalogue, changes_between, sound
-from sigcat.python_api.opening import Opened, PathLike, project_of
+from sigcat.python_api.opening import PathLike, absolute, read_project_of, sources_of
 
 if TYPE_CHECKING:
     from sigcat.catalogue.comparing.changes import Change
@@ -15,23 +15,26 @@ if TYPE_CHECKING:
     from sigcat.findings import Finding
     from sigcat.function.hosting import FunctionLibrary, HostedFunction
     from sigcat.function.node_uses import NodeUse
+    from sigcat.project import project as read
 
 
 class Project:
     """The catalogues and functions of a project. Files are read when they are needed, and again by `reload`."""
 
-    def __init__(self, opened: Opened) -> None:
-        self._opened = opened
+    def __init__(self, project: "read.Project", folder: Path) -> None:
+        self._project = absolute(project)
+        self._sources = absolute(sources_of(project))
+        self._folder = folder.absolute()
 
     @property
     def catalogues(self) -> tuple[str, ...]:
         """Ids of the catalogues, the default one first."""
-        return tuple(source.id for source in self._opened.sources)
+        return tuple(source.id for source in self._sources)
 
     @property
     def root(self) -> Path:
         """Folder of the `sigcat.toml`, else the folder that was opened."""
-        return self._opened.root
+        return self._project.file.parent if self._project.file else self._folder
 
     @property
     def functions(self) -> tuple[Path, ...]:
@@ -44,7 +47,7 @@ class Project:
         Raises NotFound with near ids, InputRefused with every finding if its files have errors.
         """
         hosted = self._library.get(name or self.catalogues[0])
-        return sound(hosted.catalogue, hosted.source.title, self._opened.lint, hosted.rejected)
+        return sound(hosted.catalogue, hosted.source.title, self._project.lint, hosted.rejected)
 
     def users(self, path: str, catalogue: str = "") -> "tuple[NodeUse, ...]":
         """Return the uses of a node, or of any node below a branch, by the functions of the project.
@@ -79,14 +82,14 @@ class Project:
     def _library(self) -> "Library":
         from sigcat.catalogue.hosting.library import Library
 
-        return Library(self._opened.sources)
+        return Library(self._sources)
 
     @cached_property
     def _functions(self) -> "FunctionLibrary":
         from sigcat.function.hosting import FunctionLibrary
 
-        opened = self._opened
-        return FunctionLibrary(opened.functions, has_shipped=opened.has_shipped_functions, catalogues=self._library)
+        project = self._project
+        return FunctionLibrary(project.functions, has_shipped=project.has_shipped_functions, catalogues=self._library)
 
     def _built(self, composed: "model.Catalogue") -> "tuple[HostedFunction, ...]":
         from sigcat.function.hosting import buildable, functions_over
@@ -99,7 +102,7 @@ class Project:
     def _named(self, name: str) -> "Source":
         from sigcat.catalogue.hosting.sources import source_of_tree
 
-        declared = (source for source in self._opened.sources if source.id == name)
+        declared = (source for source in self._sources if source.id == name)
         return next(declared, None) or source_of_tree(name)
 
     def __repr__(self) -> str:
@@ -111,8 +114,7 @@ def open_project(folder: PathLike = ".") -> Project:
 
     Raises InputRefused with everything that is wrong with the file, UsageError if there is no such folder.
     """
-    from sigcat.errors import UsageError
+    from sigcat.errors import existing_folder
 
-    if not Path(folder).is_dir():
-        raise UsageError(f"{folder}: there is no such folder")
-    return Project(project_of(Path(folder).absolute()))
+    found = existing_folder(folder)
+    return Project(read_project_of(found.absolute()), found)

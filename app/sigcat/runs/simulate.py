@@ -184,7 +184,7 @@ def _times(span: Span, settings: Settings) -> tuple[int, int]:
     if settings.duration is not None:
         return start, start + settings.duration
     if span.last is None:
-        raise UsageError("there is no row in the trace: say with --duration how long to run")
+        raise UsageError("no inputs: pass --trace FILE with a row, or --duration SECONDS to run without inputs")
     return start, span.last
 
 
