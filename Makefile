@@ -84,7 +84,7 @@ package: .venv/dev  ## build the source archive and the wheel into dist/, and ch
 audit: .venv/dev  ## look for known vulnerabilities in what is shipped; needs the network
 	$(BIN)/python -m scripts.audit
 
-COMPILE := pip-compile --quiet --strip-extras --no-header --no-emit-index-url --no-emit-find-links --generate-hashes --allow-unsafe
+COMPILE := pip-compile --quiet --strip-extras --no-header --no-emit-index-url --no-emit-find-links --generate-hashes --no-reuse-hashes --allow-unsafe
 
 lock:  ## pin the newest versions that pyproject.toml allows, with their hashes
 	$(PYTHON) -m venv .venv-lock && .venv-lock/bin/pip --quiet install pip-tools

@@ -1,6 +1,7 @@
 """Every command in a project works with its catalogue, its units and its functions, and finds the same, without an option."""
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -96,11 +97,8 @@ def test_the_findings_are_the_same(company, capsys, command):
 
 def test_every_command_is_tested():
     assert sorted({command[0] for command in COMMANDS} | OTHERS.keys()) == sorted(cli.COMMANDS)
-    (functions,) = (
-        each
-        for each in cli.parser_of("function")._subparsers._group_actions[0].choices["function"]._actions
-        if each.choices
-    )
+    parser: Any = cli.parser_of("function")
+    (functions,) = (each for each in parser._subparsers._group_actions[0].choices["function"]._actions if each.choices)
     assert {command[1] for command in COMMANDS if command[0] == "function"} == set(functions.choices)
 
 
