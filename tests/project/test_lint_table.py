@@ -62,3 +62,20 @@ def test_everything_wrong_with_a_configuration_is_told_at_once(tmp_path):
     assert len(refused.value.findings) == 4
     assert [finding.line for finding in refused.value.findings] == [2, 3, 4, 6]
     assert "Did you mean 'ignore'?" in refused.value.findings[0].message
+
+
+@pytest.mark.parametrize("key", ["base", "overlays", "units", "quantities", "types", "include-dirs", "include_dirs"])
+def test_a_tree_of_the_linter_beside_a_catalogue_is_refused_with_the_place_for_it(tmp_path, key):
+    value = '"some.vspec"' if key == "base" else '["folder"]' if key.startswith("include") else '["some.vspec"]'
+    (tmp_path / "some.vspec").touch()
+    (tmp_path / "folder").mkdir()
+    file = tmp_path / "sigcat.toml"
+    text = f"[lint]\n{key} = {value}\n"
+    file.write_text(text)
+    read_project(file)
+    file.write_text(f'{text}[[catalogue]]\nid = "acme"\nrelease = "shipped"\n')
+    with pytest.raises(InputRefused) as refused:
+        read_project(file)
+    (finding,) = refused.value.findings
+    assert (finding.line, finding.message) == (2, f"`{key}` in [lint] cannot be used beside [[catalogue]].")
+    assert "[[catalogue]]" in finding.fix

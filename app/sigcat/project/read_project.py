@@ -48,6 +48,15 @@ TOP_KEYS: Mapping[str, type] = {
     **dict.fromkeys(("functions", "rules", *_OF_CATALOGUES, "dbc"), list),
     **dict.fromkeys(("lint", "service"), dict),
 }  # fmt: skip
+_ADVICE = {
+    "base": "Write it as `spec` of a [[catalogue]].",
+    "overlays": "Write it in a [[catalogue]].",
+    **{
+        name: f"Write `{name}` before the tables, for every catalogue, or in a [[catalogue]]."
+        for name in _OF_CATALOGUES
+    },
+}
+"""Where the settings of a tree belong in a project with catalogues."""
 _OF_TREES = frozenset(("catalogue", *_OF_CATALOGUES))
 """Keys that a catalogue is made of."""
 _OF_FOLDERS = frozenset(("include-dirs", "functions"))
@@ -108,8 +117,21 @@ def _project(data: Mapping[str, Any], reading: "_Reading", readers: Mapping[str,
         lines=reading.lines,
         **lists,
     )
+    _check_one_tree(data, reading)
     catalogues = _catalogues(data.get("catalogue"), reading)
     return project._replace(catalogues=tuple(with_additions(source, project) for source in catalogues))
+
+
+def _check_one_tree(data: Mapping[str, Any], reading: "_Reading") -> None:
+    """Report a tree of the linter, or what is added to it, beside catalogues: all commands check the same."""
+    lint = data.get("lint")
+    if not data.get("catalogue") or not isinstance(lint, dict):
+        return
+    for key in lint:
+        name = key.replace("_", "-")
+        if fix := _ADVICE.get(name):
+            message = f"`{key}` in [lint] cannot be used beside [[catalogue]]."
+            reading.report(codes.SETTING_UNFIT, message, "lint", 0, key, fix)
 
 
 class _Reading:
