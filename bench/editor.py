@@ -122,9 +122,9 @@ class Editor:
 
 
 @contextmanager
-def editor(folder: Path) -> Iterator[Editor]:
+def editor(folder: Path, *options: str) -> Iterator[Editor]:
     """An editor with a server for a folder."""
-    command = [sys.executable, "-m", "sigcat.cli", "lsp", "--stdio"]
+    command = [sys.executable, "-m", "sigcat.cli", "lsp", "--stdio", *options]
     with subprocess.Popen(command, cwd=folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
         client = Editor(process, folder)
         client.start()

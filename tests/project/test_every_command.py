@@ -111,6 +111,15 @@ def test_an_editor_has_the_same_findings(company):
         assert client.open(company / "functions" / "cabin_air" / "function.yaml") == []
 
 
+@pytest.mark.parametrize("options", [("--isolated",), ("--config", "empty.toml")])
+def test_an_editor_has_the_project_that_is_named(company, options):
+    pytest.importorskip("pygls")
+    Path("empty.toml").write_text("")
+    with editor(company, *options) as client:
+        found = client.open(company / "overlays" / "acme.vspec")
+    assert any("ppm" in each["message"] for each in found)
+
+
 def test_an_assistant_has_the_same_catalogue_and_rules(company):
     draft = (
         (company / "overlays" / "acme.vspec")
