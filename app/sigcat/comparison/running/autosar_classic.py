@@ -56,6 +56,7 @@ def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
         loads,
         last_words=outcome.last_words,
         play_s=outcome.seconds,
+        supervised=marked.supervised,
     )
 
 

@@ -12,7 +12,7 @@
 #include <stddef.h>
 #include <string.h>
 
-/* Points of measurement: 0 SetInput begins, 1 the call begins, 2 it has ended, 3 GetOutput ends. */
+/* Points of measurement: 0 SetInput begins, 1 the call begins, 2 it has ended, 3 GetOutput ends, 4 Supervise. */
 #ifndef CORE_ACC_ADAPTER_MARK
 #define CORE_ACC_ADAPTER_MARK(self, point, call) ((void)0)
 #endif
@@ -831,6 +831,7 @@ void CoreAcc_Adapter_Supervise(CoreAcc_Adapter *self, uint64_t t)
 {
     if (self->is_started) {
         const uint64_t now = CoreAcc_Adapter_Now(self, t);
+        CORE_ACC_ADAPTER_MARK(self, 4, CORE_ACC_ADAPTER_NO_CALL);
         CoreAcc_Adapter_CloseWindows(self, now);
         if (CoreAcc_Adapter_Runs_Step(self->mode.now)) {
             CoreAcc_Adapter_Evaluate_AliveError(self, now);

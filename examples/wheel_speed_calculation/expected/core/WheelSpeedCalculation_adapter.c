@@ -12,7 +12,7 @@
 #include <stddef.h>
 #include <string.h>
 
-/* Points of measurement: 0 SetInput begins, 1 the call begins, 2 it has ended, 3 GetOutput ends. */
+/* Points of measurement: 0 SetInput begins, 1 the call begins, 2 it has ended, 3 GetOutput ends, 4 Supervise. */
 #ifndef WHEEL_SPEED_CALCULATION_ADAPTER_MARK
 #define WHEEL_SPEED_CALCULATION_ADAPTER_MARK(self, point, call) ((void)0)
 #endif
@@ -845,6 +845,7 @@ void WheelSpeedCalculation_Adapter_Supervise(WheelSpeedCalculation_Adapter *self
 {
     if (self->is_started) {
         const uint64_t now = WheelSpeedCalculation_Adapter_Now(self, t);
+        WHEEL_SPEED_CALCULATION_ADAPTER_MARK(self, 4, WHEEL_SPEED_CALCULATION_ADAPTER_NO_CALL);
         WheelSpeedCalculation_Adapter_CloseWindows(self, now);
         if (self->Step.is_running && ((now - self->Step.begun) > UINT64_C(5000000))) {
             self->Step.deadline = WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT;
