@@ -88,12 +88,14 @@ static inline uint64_t sigcat_preemptions(void)
 #endif
 }
 
-/* The time is taken last where time to be measured begins, and first where it ends. */
+/* The time is taken last where time to be measured begins, and first where it ends. Points 1 and 2 are outside of the lock of
+   the core, and have no time of the platform. */
 static inline void sigcat_mark(sigcat_measured *one, uint64_t now, unsigned point)
 {
     if (point == 0U) {
         one->preemptions = sigcat_preemptions();
-    } else if ((point == 1U) || (point == SIGCAT_SUPERVISE)) {
+    }
+    if ((point == 0U) || (point == SIGCAT_SUPERVISE)) {
         one->record.now = now;
     }
     one->record.at[point % SIGCAT_SUPERVISE] = sigcat_clock();
@@ -120,7 +122,7 @@ static sigcat_measured sigcat_calls_{function}[SIGCAT_CALLS] __attribute__((unus
 #define {macro}(self, point, call) \\
     do {{ \\
         sigcat_measured *const sigcat_one = &sigcat_calls_{function}[(unsigned)(call) % SIGCAT_CALLS]; \\
-        sigcat_mark(sigcat_one, (self)->now, (point)); \\
+        sigcat_mark(sigcat_one, (((point) == 0) || ((point) == 4)) ? (self)->now : 0U, (point)); \\
         if ((point) >= 3) {{ \\
             sigcat_write({text}, &sigcat_file_{function}, sigcat_one, \\
                          ((point) == SIGCAT_SUPERVISE) ? SIGCAT_NO_CALL : (uint32_t)(call), {reactions}); \\

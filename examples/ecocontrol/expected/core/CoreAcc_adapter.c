@@ -756,8 +756,9 @@ uint64_t CoreAcc_Adapter_NextTime(const CoreAcc_Adapter *self)
 
 void CoreAcc_Adapter_SetInput_Step(CoreAcc_Adapter *self, uint64_t t)
 {
-    CORE_ACC_ADAPTER_MARK(self, 0, CORE_ACC_ADAPTER_CALL_STEP);
     const uint64_t now = CoreAcc_Adapter_Now(self, t);
+
+    CORE_ACC_ADAPTER_MARK(self, 0, CORE_ACC_ADAPTER_CALL_STEP);
     CoreAcc_Adapter_CloseWindows(self, now);
     core_inputs.bus_ACCIn.Bus_Sts.ModeReq = self->mode.now; /* Vehicle.Function.CoreAcc.Mode.In */
     CoreAcc_Adapter_Judge(&self->Step.in.BrkCylP.clock, &self->received.BrkCylP.reception, self->Step.entered,

@@ -611,8 +611,9 @@ uint64_t EcoControlMpc_Adapter_NextTime(const EcoControlMpc_Adapter *self)
 
 void EcoControlMpc_Adapter_SetInput_Step(EcoControlMpc_Adapter *self, uint64_t t)
 {
-    ECO_CONTROL_MPC_ADAPTER_MARK(self, 0, ECO_CONTROL_MPC_ADAPTER_CALL_STEP);
     const uint64_t now = EcoControlMpc_Adapter_Now(self, t);
+
+    ECO_CONTROL_MPC_ADAPTER_MARK(self, 0, ECO_CONTROL_MPC_ADAPTER_CALL_STEP);
     self->code.mpc_inputs.ModeReq = self->mode.now; /* Vehicle.Function.EcoControlMpc.Mode.In */
     EcoControlMpc_Adapter_Judge(&self->Step.in.HorizonAlt.clock, &self->received.HorizonAlt.reception,
         self->Step.entered, UINT64_C(2000000000), 1U, false, now);

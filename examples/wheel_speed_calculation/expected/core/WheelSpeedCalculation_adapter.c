@@ -769,8 +769,9 @@ uint64_t WheelSpeedCalculation_Adapter_NextTime(const WheelSpeedCalculation_Adap
 
 void WheelSpeedCalculation_Adapter_SetInput_Step(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
-    WHEEL_SPEED_CALCULATION_ADAPTER_MARK(self, 0, WHEEL_SPEED_CALCULATION_ADAPTER_CALL_STEP);
     const uint64_t now = WheelSpeedCalculation_Adapter_Now(self, t);
+
+    WHEEL_SPEED_CALCULATION_ADAPTER_MARK(self, 0, WHEEL_SPEED_CALCULATION_ADAPTER_CALL_STEP);
     WheelSpeedCalculation_Adapter_CloseWindows(self, now);
     WheelSpeedCalculation_Adapter_Report_Step(self);
     whl_in.ModeReq = self->mode.now; /* Vehicle.Function.WheelSpeedCalculation.Mode.In */
