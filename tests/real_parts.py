@@ -5,6 +5,7 @@ Whatever stands at the places of a kind is marked `real`, but for its representa
 """
 
 from collections.abc import Iterable, Sequence
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -283,12 +284,13 @@ def has_none(path: Path, wanted: str) -> bool:
 
 def missing(items: Iterable[pytest.Item]) -> Sequence[str]:
     """Representatives that are not among the tests of their files, which were collected whole."""
-    names = [item.nodeid for item in items]
-    files = {name.partition("::")[0] for name in names}
+    files: dict[str, list[str]] = {}
+    for item in items:
+        files.setdefault(_file(item.nodeid), []).append(item.nodeid)
     return [
         each
         for each in _representatives()
-        if each.partition("::")[0] in files and not any(is_at(name, [each]) for name in names)
+        if _file(each) in files and not any(is_at(name, (each,)) for name in files[_file(each)])
     ]
 
 
@@ -297,24 +299,35 @@ def left_out(wanted: str) -> str:
     return f"left out: {', '.join(kind.title for kind in KINDS)}; `make real` runs these" if wanted == USUAL else ""
 
 
-def _places() -> list[str]:
-    return [place for kind in KINDS for place in kind.places]
+@cache
+def _places() -> tuple[str, ...]:
+    return tuple(place for kind in KINDS for place in kind.places)
 
 
-def _representatives() -> list[str]:
-    return [each for kind in KINDS for each in kind.representatives]
+@cache
+def _representatives() -> tuple[str, ...]:
+    return tuple(each for kind in KINDS for each in kind.representatives)
 
 
-def is_at(name: str, places: Iterable[str]) -> bool:
+def _file(name: str) -> str:
+    return name.partition("::")[0]
+
+
+def is_at(name: str, places: tuple[str, ...]) -> bool:
     """Whether something is one of some places, or below it."""
-    return any(name == place or name.startswith(_beginnings(place)) for place in places)
+    return name in places or name.startswith(_beginnings(places))
 
 
-def _beginnings(place: str) -> tuple[str, ...]:
-    """Beginnings of names below a place."""
+@cache
+def _beginnings(places: tuple[str, ...]) -> tuple[str, ...]:
+    """Beginnings of names below places; every test is compared with them."""
+    return tuple(each for place in places for each in _beginnings_of(place))
+
+
+def _beginnings_of(place: str) -> tuple[str, ...]:
     return (place[:-1],) if place.endswith("*") else (f"{place}/", f"{place}::", f"{place}[")
 
 
 def _are_below(name: str, places: Iterable[str]) -> bool:
     """Whether any place is what has the name, or below that."""
-    return any(is_at(place, [name]) for place in places)
+    return any(is_at(place, (name,)) for place in places)

@@ -89,7 +89,7 @@ def _classic(folder: Path, subjects: Sequence[Subject]) -> None:
     )
     _syntax([path for path in sources if path.parts[0] != "test_rte" or path.name.startswith("Rte")], folder, *options)
     (folder / "trace.csv").write_text(_drive(subjects))
-    _run((folder / "program", "lock", "trace.csv", "sent.csv", "told.csv", 10**9), folder)
+    _run((folder / "program", "lock", "trace.csv", "recorded.csv", "services.csv", 10**9), folder)
     return None
 
 

@@ -216,3 +216,19 @@ def test_an_overlay_that_cannot_be_read_does_not_differ_from_nothing(tmp_path, m
     Path("broken.vspec").write_text("Vehicle.Speed: {comment: [}\n")
     assert main(["try", "broken.vspec"]) == 1
     assert "No differences" not in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("path", "code", "message"),
+    [("Car.Rpm", 0, ""), ("Train.Rpm", 1, "'Train.Rpm' is outside of the tree, whose root is 'Car'")],
+)
+def test_lint_and_export_take_the_tree_near_an_overlay(tmp_path, path, code, message):
+    (tmp_path / "vspec").mkdir()
+    (tmp_path / "vspec/VehicleSignalSpecification.vspec").write_text("Car:\n  type: branch\n  description: A car.\n")
+    overlay = tmp_path / "rpm.vspec"
+    overlay.write_text(f"{path}:\n  type: sensor\n  datatype: float\n  description: Turns of the engine.\n")
+    lint = sigcat("lint", "rpm.vspec", folder=tmp_path)
+    export = sigcat("export", "json", "-l", "rpm.vspec", folder=tmp_path)
+    assert (lint.returncode, bool(export.returncode)) == (code, bool(code))
+    assert message in lint.stdout
+    assert message in export.stderr

@@ -62,7 +62,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "--trace",
         type=Path,
         metavar="TRACE",
-        help="the drive, as CSV, MCAP or a log of CAN (default: that of compare.yaml)",
+        help="the drive, as CSV, MCAP, a bag of ROS 2 or a log of CAN (default: that of compare.yaml)",
     )
     add_dbc(parser, "CAN database (DBC) of such a log")
     parser.add_argument(
@@ -144,6 +144,7 @@ def _asked(arguments: argparse.Namespace, folder: Path) -> "Asked":
     from sigcat.comparison.compare import Asked
     from sigcat.comparison.compared_set import read_compared
     from sigcat.runs.recording.mcap_trace import as_csv
+    from sigcat.runs.recording.ros2_bag import is_bag
     from sigcat.runs.recording.times import NANOSECONDS
 
     platforms = _platforms(arguments.platforms)
@@ -153,6 +154,8 @@ def _asked(arguments: argparse.Namespace, folder: Path) -> "Asked":
         raise UsageError("say with --trace TRACE what is played to the functions")
     tree = read_tree(arguments)
     subject = _subject(arguments, compared, tree)
+    if is_bag(trace):
+        trace = _converted_bag(trace, folder, subject)
     carried = _carried(arguments, compared, existing_file(trace), tree, folder)
     trace = carried.trace if carried else as_csv(trace, folder)
     first, last = _span(existing_file(trace), subject)
@@ -163,6 +166,17 @@ def _asked(arguments: argparse.Namespace, folder: Path) -> "Asked":
     scenarios, notes = tuple(each for each in named if each.end <= end), tuple(_beyond(named, end))
     translation = carried.translation_ns if carried else ()
     return Asked(compared, subject, trace.absolute(), end, platforms, free, folder, scenarios, translation, notes)
+
+
+def _converted_bag(bag: Path, folder: Path, subject: "Subject") -> Path:
+    """Return a bag of ROS 2 as a drive in CSV."""
+    from sigcat.runs.bag_columns import bag_columns
+    from sigcat.runs.recording.ros2_bag import bag_as_csv
+
+    drive, mapped = folder / f"{bag.name}.csv", bag_columns(subject.deployment, subject.prepared.connections)
+    for note in bag_as_csv(bag, drive, subject.prepared.known_in_drive, mapped):
+        _tell(note.line_of_text)
+    return drive
 
 
 def _beyond(scenarios: "Iterable[Scenario]", end: int) -> "Iterator[str]":

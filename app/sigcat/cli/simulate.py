@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from sigcat.cli.command_parser import positive
 from sigcat.cli.ended_by_signals import ended_by_signals
-from sigcat.cli.function_options import add_functions, functions_of
+from sigcat.cli.function_options import add_functions, deployment_of, functions_of
 from sigcat.cli.output import make_folder, opened, write_text
 from sigcat.cli.output_options import FORMATS, add_output, add_outputs
 from sigcat.cli.tree_options import add_tree_options, read_tree
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from sigcat.findings import Finding
     from sigcat.runs.expecting.expect import Expected
     from sigcat.runs.prepare import Prepared
+    from sigcat.runs.recording.ros2_bag import BagColumns
     from sigcat.runs.recording.trace_file import Trace
     from sigcat.runs.running.rows import Block
     from sigcat.runs.simulate import Settings
@@ -40,7 +41,13 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         ),
     )
     add_functions(parser)
-    parser.add_argument("--trace", type=Path, metavar="TRACE", help="what the functions receive, as CSV or MCAP")
+    parser.add_argument(
+        "--trace", type=Path, metavar="TRACE", help="what the functions receive: CSV, MCAP, or a bag of ROS 2"
+    )
+    parser.add_argument(
+        "--deployment", type=Path, metavar="FILE",
+        help="deployment file that maps existing messages of a bag (default: that of the project)",
+    )  # fmt: skip
     add_outputs(
         parser, "-o", "--output", metavar="OUT",
         help="write here instead of CSV to standard output: .csv, .mcap, or .svg by its ending; may be repeated",
@@ -239,9 +246,21 @@ def _prepared(
     if arguments.trace is None:
         return prepared, None, paths
     known = prepared.known_columns(paths)
-    trace = open_trace(existing_file(arguments.trace), known)
+    trace = open_trace(arguments.trace, known, _mapped(arguments, prepared))
     _told(trace.findings, found)
     return prepared, trace, paths
+
+
+def _mapped(arguments: argparse.Namespace, prepared: "Prepared") -> "BagColumns":
+    """Return the columns of existing messages of a bag of ROS 2, as the deployment file maps them."""
+    from sigcat.platforms.deployment_file import read_deployment
+    from sigcat.runs.bag_columns import bag_columns
+    from sigcat.runs.recording.ros2_bag import is_bag
+
+    path = deployment_of(arguments) if is_bag(arguments.trace) else None
+    if path is None:
+        return {}
+    return bag_columns(read_deployment(path.read_bytes(), str(path)), prepared.connections)
 
 
 def _told(findings: "Iterable[Finding]", found: "list[Finding]") -> None:

@@ -24,7 +24,7 @@ def add_tree_options(parser: argparse.ArgumentParser) -> None:
         type=Path,
         metavar="TREE",
         help="catalogue of the project, root .vspec file, a tree in JSON, a folder with one, a pulled release such as v5.0, "
-        "or vss: the shipped tree alone (default: the first catalogue of the project, or the shipped tree with its overlays)",
+        "or vss: the shipped tree alone (default: the first catalogue of the project, the tree near the overlays of -l, or the shipped tree with its overlays)",
     )
     add_many(group, "-l", "--overlays", "overlay, applied in the order given, after those of the catalogue")
     add_vocabulary_options(group)

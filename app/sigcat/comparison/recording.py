@@ -39,6 +39,17 @@ class CallTime(NamedTuple):
         return self.t_exec_ns - self.t_logic_ns
 
 
+class Supervised(NamedTuple):
+    """Times between calls of `Supervise` of a function on a platform, in ns of the platform's time."""
+
+    function: str
+    call: str
+    """The interface of the call while which they were measured, because it took longer than its deadline; empty: any time."""
+    period_ns: int
+    """The longest one that the core allows (docs/reference/adapter.md, §10)."""
+    gaps_ns: tuple[int, ...]
+
+
 class ProcessLoad(NamedTuple):
     """What a process took from its start to its end."""
 
@@ -84,3 +95,4 @@ class Recording(NamedTuple):
     fields: tuple[str, ...] = ()
     """Columns that have a value from the beginning, as a service is offered with the values of its fields (SWS_CM). What depends on
     the first one may have its own first value earlier than where a first value has to come."""
+    supervised: tuple[Supervised, ...] = ()

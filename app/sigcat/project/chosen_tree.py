@@ -1,14 +1,19 @@
-"""The tree that a command works with: that of the options, else that of the project, else the shipped one."""
+"""The tree of a command: that of the options, else that of the project, else the one near its overlays, else the shipped one."""
 
+from filecmp import cmp
 from pathlib import Path
 from typing import NamedTuple
 
 from sigcat.catalogue.hosting.source import Source
 from sigcat.catalogue.hosting.sources import shipped_sources, source_of_tree
+from sigcat.data import ROOT_FILE, VSPEC
 from sigcat.errors import NotFound
+from sigcat.file_kind import root_name
 from sigcat.names import nearest
 from sigcat.project.project import Project
-from sigcat.real_path import each_once
+from sigcat.real_path import each_once, real_path
+from sigcat.rules.linting.context import tree_near
+from sigcat.rules.linting.includes import first_bytes
 
 
 class TreeOptions(NamedTuple):
@@ -25,7 +30,8 @@ class TreeOptions(NamedTuple):
 
 def chosen_tree(project: Project, options: TreeOptions) -> Source:
     """The tree, with what the options add. Raises UsageError, or NotFound with near names."""
-    source = named_tree(project, options) or with_additions(shipped_sources()[0], project)
+    source = named_tree(project, options) or _tree_near_overlay(project, options)
+    source = source or with_additions(shipped_sources()[0], project)
     return source._replace(
         overlays=each_once((*source.overlays, *options.overlays)),
         include_dirs=each_once((*source.include_dirs, *options.include_dirs)),
@@ -51,6 +57,23 @@ def named_tree(project: Project, options: TreeOptions) -> Source | None:
         near = nearest(options.tree, [each.id for each in project.catalogues])
         raise NotFound(f"{error} Did you mean {near[0]}?", near) if near else error from None
     return with_additions(source._replace(types=()) if options.types else source, project)
+
+
+def _tree_near_overlay(project: Project, options: TreeOptions) -> Source | None:
+    """Return the tree near the first overlay, over which a lint checks it; None where that is the shipped tree."""
+    near = tree_near(root_name(first_bytes(options.overlays[0])), options.overlays[0]) if options.overlays else None
+    if near is None or _is_shipped(near):
+        return None
+    here = real_path(Path.cwd())
+    shown = near.relative_to(here) if near.is_relative_to(here) else near
+    return named_tree(project, options._replace(tree=str(shown)))
+
+
+def _is_shipped(tree: Path) -> bool:
+    """Return whether a tree is the shipped one, or a copy of it, as in a checkout of sigcat."""
+    files = (ROOT_FILE, *sorted(VSPEC.rglob("*.vspec")))
+    copies = ((file, tree.parent / file.relative_to(VSPEC)) for file in files)
+    return tree == ROOT_FILE or all(copy.is_file() and cmp(file, copy, shallow=False) for file, copy in copies)
 
 
 def with_additions(source: Source, project: Project) -> Source:

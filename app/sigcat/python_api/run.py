@@ -87,7 +87,6 @@ def simulate(
     `duration` is in seconds, by default to the end of the trace. The other arguments are the options of
     `sigcat simulate`. What the functions print is discarded. Raises InputRefused with findings, or UsageError.
     """
-    from sigcat.errors import existing_file
     from sigcat.runs.prepare import prepare
     from sigcat.runs.recording.times import NANOSECONDS
     from sigcat.runs.recording.traces import open_trace
@@ -98,7 +97,7 @@ def simulate(
         check_sandbox()
     prepared = prepare([function._resolved for function in functions])
     known = prepared.known_columns({path for function in functions for path in function._known})
-    opened = open_trace(existing_file(trace), known) if trace is not None else None
+    opened = open_trace(Path(trace), known) if trace is not None else None
     nanoseconds = None if duration is None else round(duration * NANOSECONDS)
     printed = Path(os.devnull)
     settings = Settings(nanoseconds, ignition_cycle, step_limit, prints=printed, is_sandboxed=sandbox)

@@ -99,23 +99,23 @@ def play(program: Path, trace: Path | str, length: int, *options: str) -> Played
         if isinstance(trace, str):
             (folder / "trace.csv").write_text(trace)
             trace = folder / "trace.csv"
-        command = [program, "lock", trace, folder / "sent.csv", folder / "told.csv", length, *options]
+        command = [program, "lock", trace, folder / "recorded.csv", folder / "services.csv", length, *options]
         done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stderr
-        return Played(_sent(folder / "sent.csv"), _told(folder / "told.csv"))
+        return Played(_sent(folder / "recorded.csv"), _told(folder / "services.csv"))
 
 
 def _sent(path: Path) -> Mapping[str, list[tuple[int, str]]]:
     found: defaultdict[str, list[tuple[int, str]]] = defaultdict(list)
     with path.open(newline="") as file:
-        for time, name, value in csv.reader(file):
-            found[name].append((int(time), value))
+        for row in csv.DictReader(file):
+            found[row["name"]].append((int(row["time"]), row["value"]))
     return found
 
 
 def _told(path: Path) -> list[tuple[int, str, str, str]]:
     with path.open(newline="") as file:
-        return [(int(time), service, name, value) for time, service, name, value in csv.reader(file)]
+        return [(int(row["time"]), row["service"], row["name"], row["value"]) for row in csv.DictReader(file)]
 
 
 def subject(paths: Sequence[Path]) -> Subject:

@@ -378,18 +378,30 @@ def test_a_trace_that_is_wrong_is_refused_before_anything_is_written(name, ecoco
     text, said = TRACES[name]
     (tmp_path / "trace.csv").write_bytes(text.encode())
     done = _run(
-        ecocontrol, tmp_path, "lock", tmp_path / "trace.csv", tmp_path / "sent.csv", tmp_path / "told.csv", SECOND
+        ecocontrol,
+        tmp_path,
+        "lock",
+        tmp_path / "trace.csv",
+        tmp_path / "recorded.csv",
+        tmp_path / "services.csv",
+        SECOND,
     )
     assert (done.returncode, len(done.stderr.splitlines())) == (2, 1)
     assert done.stderr.startswith("test_rte: ")
     assert said in done.stderr
-    assert not (tmp_path / "sent.csv").exists()
+    assert not (tmp_path / "recorded.csv").exists()
 
 
 def test_a_column_that_no_component_receives_is_named(ecocontrol, tmp_path):
     (tmp_path / "trace.csv").write_text("time,Vehicle.Spede,call\n0,1,\n")
     done = _run(
-        ecocontrol, tmp_path, "lock", tmp_path / "trace.csv", tmp_path / "sent.csv", tmp_path / "told.csv", SECOND
+        ecocontrol,
+        tmp_path,
+        "lock",
+        tmp_path / "trace.csv",
+        tmp_path / "recorded.csv",
+        tmp_path / "services.csv",
+        SECOND,
     )
     assert done.returncode == 0
     assert done.stderr.splitlines() == [

@@ -17,6 +17,7 @@ pytestmark = needs.c_compiler
 MAIN = """
 #include <sched.h>
 #include <signal.h>
+#include <stdlib.h>
 #include <sys/resource.h>
 #include <unistd.h>
 #include "CoreAcc_adapter.h"
@@ -60,11 +61,14 @@ int main(int argc, char **argv)
     CoreAcc_Adapter_Start(self, 0);
     for (uint64_t t = 0; t < 3000000000U; t += 50000000U) {
         CoreAcc_Adapter_Receive_Mode_In(self, 2, t);
+        if ((argc > 2) && ((t % (uint64_t)strtoul(argv[2], NULL, 10)) == 0U)) {
+            CoreAcc_Adapter_Supervise(self, t);
+        }
         while (CoreAcc_Adapter_NextCall(self, t) != CORE_ACC_ADAPTER_NO_CALL) {
             CoreAcc_Adapter_SetInput_Step(self, t);
             CoreAcc_Adapter_Begin_Step(self, t);
             CoreAcc_Adapter_Run_Step(self);
-            if ((argc > 1) && (argv[1] != NULL) && (t == 50000000U)) {
+            if ((argc > 1) && (argv[1][0] == 'p') && (t == 50000000U)) {
                 be_preempted();
             }
             CoreAcc_Adapter_GetOutput_Step(self, t);
@@ -135,6 +139,17 @@ def test_reactions_have_the_time_of_the_drive_whatever_the_clock_of_the_platform
         for clock in (0, 1000)
     )
     assert in_drive == as_marked - 1000
+
+
+@pytest.mark.parametrize(("period_ms", "longest_ms"), [(50, 50), (100, 100), (1000, 1000), (100_000, 2950)])
+def test_times_between_calls_of_supervise_are_those_of_the_host(program, tmp_path, period_ms, longest_ms):
+    command = [program, "-", str(period_ms * 1_000_000)]
+    subprocess.run(command, check=True, env={**os.environ, FOLDER: str(tmp_path)})
+    marked = read_marks(subject().prepared.connections, tmp_path, 0)
+    (found,) = [each for each in marked.supervised if each.function == "CoreAcc"]
+    assert (found.call, found.period_ns) == ("", 50_000_000)
+    assert max(found.gaps_ns) == longest_ms * 1_000_000
+    assert {each.call for each in marked.calls} == {"CoreAcc_Step"}
 
 
 def test_without_a_folder_nothing_is_measured(program, tmp_path):

@@ -145,6 +145,8 @@ def test_in_free_run_calls_come_at_their_cycle_and_with_the_time_of_a_clock(play
     times = [time for time, _ in recording.sent["Vehicle.ADAS.EcoControl.Status"]]
     assert 40 <= len(times) <= 65  # from 5 s on, when the mode is STANDBY, every 50 ms
     assert all(4.5 * SECOND < each < 9 * SECOND for each in times)
+    for each in recording.supervised:  # whether all are in time depends on the machine: `compare` reports it
+        assert each.call or len(each.gaps_ns) >= 7 * SECOND // each.period_ns
 
 
 @pytest.mark.parametrize("name", PLATFORMS)

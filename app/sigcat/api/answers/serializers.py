@@ -56,8 +56,17 @@ def origin_schema(origin: Origin) -> schemas.Place:
 
 
 def _place(origin: Origin) -> dict[str, Any]:
-    file, overlay = shown_file(origin.file), overlay_name(origin.overlay)
-    return {"file": file, "line": origin.line or None, "column": origin.column or None, "overlay": overlay or None}
+    file, line, column, overlay = origin
+    return {
+        "file": shown_file(file),
+        "line": line or None,
+        "column": column or None,
+        "overlay": _shown_overlay(overlay),
+    }
+
+
+def _shown_overlay(overlay: str) -> str | None:
+    return overlay_name(overlay) if overlay else None
 
 
 @lru_cache(1024)
@@ -148,9 +157,14 @@ def _attributes(node: Node) -> list[dict[str, Any]]:
     """Attributes of a node with their origin and history, in the order in which they were written."""
     histories: dict[str, list[dict[str, Any]]] = {}
     for statement in node.definition.statements:
-        for name, origin in statement.origins():
-            written = {"value": plain(statement.values[name]), "origin": _place(origin)}
-            histories.setdefault(name, []).append(written)
+        values, file, overlay = (
+            statement.values,
+            shown_file(statement.file.name),
+            _shown_overlay(statement.file.overlay),
+        )
+        for name, line, column in statement.value_positions():
+            origin = {"file": file, "line": line or None, "column": column or None, "overlay": overlay}
+            histories.setdefault(name, []).append({"value": plain(values[name]), "origin": origin})
     return [_attribute(node, name, value, histories.get(name, [])) for name, value in node.values.items()]
 
 
@@ -175,7 +189,8 @@ def unit_schema(unit: Unit) -> schemas.Unit:
     return schemas.Unit(**_unit_fields(unit))
 
 
-def _unit_fields(unit: Unit) -> dict[str, Any]:
+@lru_cache(1024)
+def _unit_fields(unit: Unit) -> Mapping[str, Any]:
     lists = {"allowed_datatypes": list(unit.allowed_datatypes), "origin": _place(unit.origin)}
     return {**_present(unit._asdict()), **lists}
 

@@ -68,18 +68,14 @@ class Statement:
 
     def origin(self, attribute: str = "") -> Origin:
         """Position of the value of `attribute`; of the node's key if the attribute is empty or not here."""
-        mark = self._mark(attribute)
-        line_of_key, _, lines_between, column = unpacked_mark(mark)
-        return Origin(self.file.name, line_of_key + lines_between + 1, column + 1, self.file.overlay)
+        return Origin(self.file.name, *_value_position(self._mark(attribute)), self.file.overlay)
 
-    def origins(self) -> Iterator[tuple[str, Origin]]:
-        """Each attribute with the position of its value."""
-        if not self._marks:  # positions are known elsewhere
-            yield from ((name, self.origin(name)) for name in self.values)
-        file, overlay = self.file.name, self.file.overlay
+    def value_positions(self) -> Iterator[tuple[str, int, int]]:
+        """Each attribute with the line and the column of its value."""
+        if not self._marks:  # a subclass knows the positions
+            yield from ((name, *self.origin(name)[1:3]) for name in self.values)
         for name, mark in zip(self.values, self._marks, strict=False):
-            line_of_key, _, lines_between, column = unpacked_mark(mark)
-            yield name, Origin(file, line_of_key + lines_between + 1, column + 1, overlay)
+            yield name, *_value_position(mark)
 
     def origin_of_key(self, attribute: str) -> Origin:
         """Position of the name of an attribute."""
@@ -210,6 +206,11 @@ def unpacked_mark(mark: int) -> tuple[int, int, int, int]:
     lines_between = mark & _MOST_LINES
     mark >>= _LINES_BETWEEN_BITS
     return mark >> _COLUMN_BITS, mark & _MOST_COLUMNS, lines_between, value_column
+
+
+def _value_position(mark: int) -> tuple[int, int]:
+    """Line and column of the value, from 1."""
+    return (mark >> _LINE) + (mark >> _COLUMN_BITS & _MOST_LINES) + 1, (mark & _MOST_COLUMNS) + 1
 
 
 def marks_of_items(node: Node, value: Any) -> Iterator[int]:

@@ -196,6 +196,21 @@ class Timing(Part):
         return self.t_adapter_alone or self.t_adapter
 
 
+class Supervision(Part):
+    """Times between calls of `Supervise` of a function, beside the longest period that its core allows."""
+
+    platform: str
+    mode: str
+    function: str
+    call: str = ""
+    """Where set, only while this call ran longer than its deadline."""
+    period: Count
+    gaps: Count
+    over: Count
+    """Those longer than the period and 1 ms."""
+    longest: Count
+
+
 class Measured(Part):
     """A duration that is of no call: from one end to the other, a translation."""
 
@@ -278,6 +293,7 @@ class Report(Part):
     traces: tuple[Trace, ...] = ()
     faults: tuple[Fault, ...] = ()
     timing: tuple[Timing, ...] = ()
+    supervision: tuple[Supervision, ...] = ()
     measured: tuple[Measured, ...] = ()
     processes: tuple[Process, ...] = ()
     effort: tuple[Lines, ...] = ()

@@ -249,6 +249,15 @@ def _timing(report: Report) -> Section:
         _cells(each.name, report.title_of(each.platform), each.description, *_numbers(each.durations))
         for each in report.measured
     ]
+    supervised = [
+        _cells(
+            report.title_of(each.platform), each.mode, each.function, each.call,
+            duration(each.period), f"{each.gaps:,}", f"{each.over:,}", duration(each.longest),
+        )
+        for each in report.supervision
+    ]  # fmt: skip
+    head = "platform|run|function|while this call is late|allowed|times between calls|longer|longest"
+    parts += _table("Calls of Supervise", head, supervised, is_folded=True)
     parts += _table("Other durations", "what|platform|from, to|number|median|p99|worst", measured)
     lead = (
         "A call has four points of measurement: t_exec is from the begin of SetInput to the end of GetOutput, t_logic the function "

@@ -82,6 +82,7 @@ def _recording(built: Built, subject: Subject, drive: Drive, outcome: Outcome, r
         silent=tuple(marked.reactions),
         end_to_end=read_end_to_end(times, drive.trace, prepared, marked.calls),
         fields=_fields(prepared.connections),
+        supervised=marked.supervised,
     )
 
 

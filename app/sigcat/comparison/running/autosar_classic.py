@@ -37,9 +37,9 @@ def _build(subject: Subject, folder: Path, tools: Toolchain) -> Built:
 
 def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
     run = fresh_run(built, drive)
-    program, sent = built.folder / "build/test_rte", run / "sent.csv"
+    program, sent = built.folder / "build/test_rte", run / "recorded.csv"
     kills = [f"{each.function}@{each.time_ns}" for each in drive.kills]
-    files = (str(drive.trace.absolute()), str(sent), str(run / "told.csv"))
+    files = (str(drive.trace.absolute()), str(sent), str(run / "services.csv"))
     command = (str(program), _WORDS[drive.mode], *files, str(drive.end_ns), *kills)
     environment = {**os.environ, **durations(drive, subject.prepared), marks.FOLDER: str(run / marks.NAME)}
     patience = drive.step_limit_s if drive.mode == "lock step" else drive.end_ns / 1e9 + drive.step_limit_s
@@ -56,6 +56,7 @@ def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
         loads,
         last_words=outcome.last_words,
         play_s=outcome.seconds,
+        supervised=marked.supervised,
     )
 
 

@@ -1,4 +1,4 @@
-"""How long each call took: the points of measurement of the cores (docs/reference/adapter.md, §13), written to a file.
+"""Duration of each call, and times of `Supervise`: the points of measurement of cores (docs/reference/adapter.md, §13), in a file.
 
 A header defines them while cores are compiled. A production build has none of it: there the points are empty.
 """
@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.comparison.recording import CallTime, Sent
+from sigcat.comparison.recording import CallTime, Sent, Supervised
+from sigcat.comparison.running.supervised import Moment, supervised_periods
 from sigcat.errors import UsageError
 from sigcat.function.document.text_filters import c_string
 from sigcat.runs.connections import Connections, Member
@@ -21,6 +22,8 @@ FOLDER = "SIGCAT_MARKS"
 _HEADER = "sigcat_marks.h"
 _RECORD = struct.Struct("=QQQQQII")
 _PREEMPTED = 1 << 31
+_NO_CALL = 1 << 30
+"""The number of `Supervise` in a record."""
 _BITS = 32
 _TEXTS = {False: "INACTIVE", True: "ACTIVE"}
 
@@ -43,7 +46,7 @@ _TEXT = """\
 typedef struct {
     uint64_t now; /* when the call began, in the time of the platform */
     uint64_t at[4];
-    uint32_t call;      /* with SIGCAT_PREEMPTED, if the processor was taken from its thread meanwhile */
+    uint32_t call;      /* SIGCAT_NO_CALL: Supervise; with SIGCAT_PREEMPTED, if the processor was taken from its thread meanwhile */
     uint32_t reactions; /* that are active after it, a bit for each */
 } sigcat_record;
 
@@ -52,8 +55,9 @@ typedef struct {
     uint64_t preemptions; /* of the thread, before the call */
 } sigcat_measured;
 
-enum { SIGCAT_CALLS = 64 };
+enum { SIGCAT_CALLS = 64, SIGCAT_SUPERVISE = 4 };
 #define SIGCAT_PREEMPTED 0x80000000U
+#define SIGCAT_NO_CALL 0x40000000U
 
 static inline uint64_t sigcat_clock(void)
 {
@@ -84,15 +88,17 @@ static inline uint64_t sigcat_preemptions(void)
 #endif
 }
 
-/* The time is taken last where time to be measured begins, and first where it ends. */
+/* The time is taken last where time to be measured begins, and first where it ends. Points 1 and 2 are outside of the lock of
+   the core, and have no time of the platform. */
 static inline void sigcat_mark(sigcat_measured *one, uint64_t now, unsigned point)
 {
     if (point == 0U) {
         one->preemptions = sigcat_preemptions();
-    } else if (point == 1U) {
+    }
+    if ((point == 0U) || (point == SIGCAT_SUPERVISE)) {
         one->record.now = now;
     }
-    one->record.at[point] = sigcat_clock();
+    one->record.at[point % SIGCAT_SUPERVISE] = sigcat_clock();
 }
 
 static inline void sigcat_write(
@@ -116,9 +122,10 @@ static sigcat_measured sigcat_calls_{function}[SIGCAT_CALLS] __attribute__((unus
 #define {macro}(self, point, call) \\
     do {{ \\
         sigcat_measured *const sigcat_one = &sigcat_calls_{function}[(unsigned)(call) % SIGCAT_CALLS]; \\
-        sigcat_mark(sigcat_one, (self)->now, (point)); \\
-        if ((point) == 3) {{ \\
-            sigcat_write({text}, &sigcat_file_{function}, sigcat_one, (uint32_t)(call), {reactions}); \\
+        sigcat_mark(sigcat_one, (((point) == 0) || ((point) == 4)) ? (self)->now : 0U, (point)); \\
+        if ((point) >= 3) {{ \\
+            sigcat_write({text}, &sigcat_file_{function}, sigcat_one, \\
+                         ((point) == SIGCAT_SUPERVISE) ? SIGCAT_NO_CALL : (uint32_t)(call), {reactions}); \\
         }} \\
     }} while (0)
 """
@@ -130,6 +137,7 @@ class Marked(NamedTuple):
     calls: tuple[CallTime, ...]
     reactions: Mapping[str, tuple[Sent, ...]]
     """Safety reactions by their interfaces, with every change of what the core has."""
+    supervised: tuple[Supervised, ...] = ()
 
 
 def write_header(members: Iterable[Member], folder: Path) -> Path:
@@ -169,13 +177,16 @@ def read_marks(connections: Connections, folder: Path, start: int, clock: int = 
     """
     calls: list[CallTime] = []
     reactions: dict[str, tuple[Sent, ...]] = {}
+    supervised: list[Supervised] = []
     for index, member in enumerate(connections.members):
-        records = [record for path in sorted(folder.glob(f"{member.name}.*")) for record in _records(path)]
+        processes = [[*_records(path)] for path in sorted(folder.glob(f"{member.name}.*"))]
+        records = [record for process in processes for record in process]
         names = [step.interface for step in member.plan.steps]
-        calls += [_call_time(member.name, names, record) for record in records]
+        calls += [_call_time(member.name, names, record) for record in records if _number(record) != _NO_CALL]
+        supervised += supervised_periods(member.plan, [[_moment(each) for each in process] for process in processes])
         columns = {each.field: each.name for each in connections.exits if each.member == index}
         reactions.update(_reactions(member, columns, records, start, clock))
-    return Marked(tuple(calls), reactions)
+    return Marked(tuple(calls), reactions, tuple(supervised))
 
 
 def _records(path: Path) -> Iterator[tuple[int, ...]]:
@@ -183,9 +194,20 @@ def _records(path: Path) -> Iterator[tuple[int, ...]]:
     return _RECORD.iter_unpack(data[: len(data) // _RECORD.size * _RECORD.size])
 
 
+def _number(record: tuple[int, ...]) -> int:
+    """Return the number of the call."""
+    return record[-2] & ~_PREEMPTED
+
+
+def _moment(record: tuple[int, ...]) -> Moment:
+    now, begins, *_, ends, _, _ = record
+    number = _number(record)
+    return Moment(0, now, now) if number == _NO_CALL else Moment(number, now, now + ends - begins)
+
+
 def _call_time(function: str, names: Sequence[str], record: tuple[int, ...]) -> CallTime:
     now, begins, called, returned, ends, call, _ = record
-    number, is_preempted = call & ~_PREEMPTED, bool(call & _PREEMPTED)
+    number, is_preempted = _number(record), bool(call & _PREEMPTED)
     if not 1 <= number <= len(names):
         raise UsageError(f"what was measured of {function} names its call {number}; it has calls 1 to {len(names)}")
     return CallTime(function, names[number - 1], now, ends - begins, returned - called, begins, is_preempted)

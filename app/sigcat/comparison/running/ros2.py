@@ -119,7 +119,7 @@ def play_nodes(built: Built, subject: Subject, drive: Drive, files: Files) -> Re
     ages = read_end_to_end(recorded.with_name(f"{recorded.name}.times"), drive.trace, subject.prepared, marked.calls)
     return Recording(
         built.platform, drive.mode, built, sent, marked.calls, outcome.loads,
-        last_words=outcome.last_words, play_s=outcome.seconds, end_to_end=ages,
+        last_words=outcome.last_words, play_s=outcome.seconds, end_to_end=ages, supervised=marked.supervised,
     )  # fmt: skip
 
 

@@ -60,6 +60,7 @@ def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
         marked.calls,
         last_words=_last_words(simulated.stop, prints),
         play_s=time.monotonic() - begin,
+        supervised=marked.supervised,
     )
 
 

@@ -8,6 +8,9 @@ from sigcat.comparison.report import model
 from sigcat.comparison.telling.material import Material
 from sigcat.comparison.timing import Distribution, distribution
 
+SUPERVISION_TOLERANCE_NS = 1_000_000
+"""Added to the longest period of `Supervise` (docs/reference/adapter.md, §10)."""
+
 
 def timings(material: Material) -> Iterator[model.Timing]:
     """Each call of each platform, in each run."""
@@ -39,6 +42,24 @@ def _timing(recording: Recording, times: Sequence[CallTime]) -> Iterator[model.T
 
 def _durations(found: Distribution) -> model.Durations:
     return model.Durations(**found._asdict())
+
+
+def supervisions(material: Material) -> Iterator[model.Supervision]:
+    """Times between calls of `Supervise`, on each platform, in each run."""
+    for played in material.platforms:
+        for recording in played.recordings:
+            for each in recording.supervised:
+                if each.gaps_ns:
+                    yield model.Supervision(
+                        platform=played.name,
+                        mode=recording.mode,
+                        function=each.function,
+                        call=each.call,
+                        period=each.period_ns,
+                        gaps=len(each.gaps_ns),
+                        over=sum(gap > each.period_ns + SUPERVISION_TOLERANCE_NS for gap in each.gaps_ns),
+                        longest=max(each.gaps_ns),
+                    )
 
 
 def translations(material: Material) -> Iterator[model.Measured]:

@@ -6,7 +6,7 @@ from sigcat import __version__
 from sigcat.comparison.report import model
 from sigcat.comparison.telling.behaviours import behaviours, faults, free_runs, traces
 from sigcat.comparison.telling.beside_paper import beside_paper
-from sigcat.comparison.telling.figures import effort, ends_to_ends, processes, timings, translations
+from sigcat.comparison.telling.figures import effort, ends_to_ends, processes, supervisions, timings, translations
 from sigcat.comparison.telling.material import Material, Played
 from sigcat.comparison.telling.targets import other_work, targets
 
@@ -28,6 +28,7 @@ def report_of(material: Material) -> model.Report:
         traces=tuple(traces(material)),
         faults=tuple(faults(material)),
         timing=tuple(timings(material)),
+        supervision=tuple(supervisions(material)),
         measured=(*translations(material), *ends_to_ends(material)),
         processes=tuple(processes(material)),
         effort=tuple(effort(material)),

@@ -44,6 +44,9 @@ def targets(told: model.Report) -> Iterator[model.Target]:
     for name in compiled:
         if name.startswith("ros2"):
             yield _overhead(told, name)
+    for each in told.platforms:
+        if told.supervision and not (each.left_out or each.is_by_hand or each.name == told.reference):
+            yield _supervision(told, each.name)
     yield _by_hand(told)
     yield _seconds(told)
 
@@ -158,6 +161,24 @@ def _preempted(each: model.Timing, floor: model.Durations) -> str:
         f"{each.preempted:,} of {counted(each.t_adapter.total, 'call')} in {each.mode} were preempted and are not judged: "
         f"with them, p99 is {duration(each.t_adapter.p99 - floor.p99)}"
     )
+
+
+def _supervision(told: model.Report, platform: str) -> model.Target:
+    """Return whether a platform calls `Supervise` as often as the core needs. A machine that does other work may be late once in a while."""
+    rows = [each for each in told.supervision if each.platform == platform]
+    return model.Target(
+        what=f"period of `Supervise` on {told.title_of(platform)}",
+        wanted="99 % at most the shortest cycle, or the deadline of a call that runs, and 1 ms",
+        measured="; ".join(f"{_supervised(each)}: {each.over:,} of {each.gaps:,} longer" for each in rows),
+        holds=all(each.over * 100 <= each.gaps for each in rows) if rows else None,
+        note="; ".join(
+            f"{_supervised(each)}: longest {duration(each.longest)}, allowed {duration(each.period)}" for each in rows
+        ),
+    )
+
+
+def _supervised(each: model.Supervision) -> str:
+    return f"{f'{each.call} beyond its deadline' if each.call else each.function}, {each.mode}"
 
 
 def _overhead(told: model.Report, platform: str) -> model.Target:

@@ -216,7 +216,8 @@ class RunnableItem(DeclarationModel):
     overrun_error: Text | None = Field(None, description="Error that missed activations set: interface name or path.")
     contract: Text | None = Field(None, description="How data is handed over, such as: Global variables.")
     parallel: bool | None = Field(
-        None, description="Whether the call may run at the same time as others; yes if absent."
+        None,
+        description="Whether the call may run at the same time as others; yes if absent. AUTOSAR adaptive needs `true` of both calls that share variables, objects or the mode.",
     )
     events: list[Text] = Field(
         [],

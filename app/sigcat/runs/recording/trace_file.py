@@ -6,6 +6,7 @@ import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import islice
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import BinaryIO, NamedTuple
 
 from sigcat import codes
@@ -66,6 +67,8 @@ class Trace(NamedTuple):
     """Whether a row without a line break at its end was cut."""
     known: Known | None = None
     """Known topics of a file in MCAP; None: it is CSV."""
+    folder: "TemporaryDirectory[str] | None" = None
+    """The folder of a converted file, which is removed with the trace."""
 
 
 class _Row(NamedTuple):

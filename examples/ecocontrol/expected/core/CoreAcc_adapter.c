@@ -12,7 +12,7 @@
 #include <stddef.h>
 #include <string.h>
 
-/* Points of measurement: 0 SetInput begins, 1 the call begins, 2 it has ended, 3 GetOutput ends. */
+/* Points of measurement: 0 SetInput begins, 1 the call begins, 2 it has ended, 3 GetOutput ends, 4 Supervise. */
 #ifndef CORE_ACC_ADAPTER_MARK
 #define CORE_ACC_ADAPTER_MARK(self, point, call) ((void)0)
 #endif
@@ -756,8 +756,9 @@ uint64_t CoreAcc_Adapter_NextTime(const CoreAcc_Adapter *self)
 
 void CoreAcc_Adapter_SetInput_Step(CoreAcc_Adapter *self, uint64_t t)
 {
-    CORE_ACC_ADAPTER_MARK(self, 0, CORE_ACC_ADAPTER_CALL_STEP);
     const uint64_t now = CoreAcc_Adapter_Now(self, t);
+
+    CORE_ACC_ADAPTER_MARK(self, 0, CORE_ACC_ADAPTER_CALL_STEP);
     CoreAcc_Adapter_CloseWindows(self, now);
     core_inputs.bus_ACCIn.Bus_Sts.ModeReq = self->mode.now; /* Vehicle.Function.CoreAcc.Mode.In */
     CoreAcc_Adapter_Judge(&self->Step.in.BrkCylP.clock, &self->received.BrkCylP.reception, self->Step.entered,
@@ -831,6 +832,7 @@ void CoreAcc_Adapter_Supervise(CoreAcc_Adapter *self, uint64_t t)
 {
     if (self->is_started) {
         const uint64_t now = CoreAcc_Adapter_Now(self, t);
+        CORE_ACC_ADAPTER_MARK(self, 4, CORE_ACC_ADAPTER_NO_CALL);
         CoreAcc_Adapter_CloseWindows(self, now);
         if (CoreAcc_Adapter_Runs_Step(self->mode.now)) {
             CoreAcc_Adapter_Evaluate_AliveError(self, now);

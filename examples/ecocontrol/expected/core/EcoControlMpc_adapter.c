@@ -12,7 +12,7 @@
 #include <stddef.h>
 #include <string.h>
 
-/* Points of measurement: 0 SetInput begins, 1 the call begins, 2 it has ended, 3 GetOutput ends. */
+/* Points of measurement: 0 SetInput begins, 1 the call begins, 2 it has ended, 3 GetOutput ends, 4 Supervise. */
 #ifndef ECO_CONTROL_MPC_ADAPTER_MARK
 #define ECO_CONTROL_MPC_ADAPTER_MARK(self, point, call) ((void)0)
 #endif
@@ -611,8 +611,9 @@ uint64_t EcoControlMpc_Adapter_NextTime(const EcoControlMpc_Adapter *self)
 
 void EcoControlMpc_Adapter_SetInput_Step(EcoControlMpc_Adapter *self, uint64_t t)
 {
-    ECO_CONTROL_MPC_ADAPTER_MARK(self, 0, ECO_CONTROL_MPC_ADAPTER_CALL_STEP);
     const uint64_t now = EcoControlMpc_Adapter_Now(self, t);
+
+    ECO_CONTROL_MPC_ADAPTER_MARK(self, 0, ECO_CONTROL_MPC_ADAPTER_CALL_STEP);
     self->code.mpc_inputs.ModeReq = self->mode.now; /* Vehicle.Function.EcoControlMpc.Mode.In */
     EcoControlMpc_Adapter_Judge(&self->Step.in.HorizonAlt.clock, &self->received.HorizonAlt.reception,
         self->Step.entered, UINT64_C(2000000000), 1U, false, now);
@@ -672,6 +673,7 @@ void EcoControlMpc_Adapter_Supervise(EcoControlMpc_Adapter *self, uint64_t t)
 {
     if (self->is_started) {
         const uint64_t now = EcoControlMpc_Adapter_Now(self, t);
+        ECO_CONTROL_MPC_ADAPTER_MARK(self, 4, ECO_CONTROL_MPC_ADAPTER_NO_CALL);
         if (self->Step.is_running && ((now - self->Step.begun) > UINT64_C(400000000))) {
             self->Step.deadline = ECO_CONTROL_MPC_ADAPTER_PRESENT;
         }

@@ -12,7 +12,7 @@
 #include <stddef.h>
 #include <string.h>
 
-/* Points of measurement: 0 SetInput begins, 1 the call begins, 2 it has ended, 3 GetOutput ends. */
+/* Points of measurement: 0 SetInput begins, 1 the call begins, 2 it has ended, 3 GetOutput ends, 4 Supervise. */
 #ifndef WHEEL_SPEED_CALCULATION_ADAPTER_MARK
 #define WHEEL_SPEED_CALCULATION_ADAPTER_MARK(self, point, call) ((void)0)
 #endif
@@ -769,8 +769,9 @@ uint64_t WheelSpeedCalculation_Adapter_NextTime(const WheelSpeedCalculation_Adap
 
 void WheelSpeedCalculation_Adapter_SetInput_Step(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
-    WHEEL_SPEED_CALCULATION_ADAPTER_MARK(self, 0, WHEEL_SPEED_CALCULATION_ADAPTER_CALL_STEP);
     const uint64_t now = WheelSpeedCalculation_Adapter_Now(self, t);
+
+    WHEEL_SPEED_CALCULATION_ADAPTER_MARK(self, 0, WHEEL_SPEED_CALCULATION_ADAPTER_CALL_STEP);
     WheelSpeedCalculation_Adapter_CloseWindows(self, now);
     WheelSpeedCalculation_Adapter_Report_Step(self);
     whl_in.ModeReq = self->mode.now; /* Vehicle.Function.WheelSpeedCalculation.Mode.In */
@@ -845,6 +846,7 @@ void WheelSpeedCalculation_Adapter_Supervise(WheelSpeedCalculation_Adapter *self
 {
     if (self->is_started) {
         const uint64_t now = WheelSpeedCalculation_Adapter_Now(self, t);
+        WHEEL_SPEED_CALCULATION_ADAPTER_MARK(self, 4, WHEEL_SPEED_CALCULATION_ADAPTER_NO_CALL);
         WheelSpeedCalculation_Adapter_CloseWindows(self, now);
         if (self->Step.is_running && ((now - self->Step.begun) > UINT64_C(5000000))) {
             self->Step.deadline = WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT;

@@ -26,10 +26,10 @@ inhibition manager (`FiM`), the watchdog manager (`WdgM`, which judges nothing: 
 Preemption, protection of memory, COM, and the checks of a vendor's RTE are not there.
 
 ```sh
-build/test_rte lock TRACE.csv sent.csv told.csv LENGTH_NS
+build/test_rte lock TRACE.csv recorded.csv services.csv LENGTH_NS
 ```
 
-The trace is one of `sigcat simulate`. `sent.csv` has times in ns, names and values of what components sent; `told.csv`
-times, modules, names and values of what services were told. Members of structs in the trace have the order of their
+The trace is one of `sigcat simulate`. `recorded.csv` has the values that components sent: `time,name,value`, with the time
+in ns. `services.csv` has the calls of services: `time,service,name,value`. Members of structs in the trace have the order of their
 declaration. A column `<signal>:e2e` has error codes of end-to-end protection, for signals with an `e2eError`.
 """

@@ -163,8 +163,9 @@ def _mark(point: int, call: Call, scope: Scope) -> Lines:
 
 def _set_input(call: Call, scope: Scope) -> Lines:
     p, plan = scope.prefix, scope.plan
-    before = [lines("uint32_t i;") if methods.takes_arrays(call, scope) else (), _mark(0, call, scope)]
+    index = lines("uint32_t i;") if methods.takes_arrays(call, scope) else ()
     body = [
+        _mark(0, call, scope),
         supervision.closed(scope),
         supervision.reported(call, scope),
         modes.written(scope),
@@ -177,7 +178,7 @@ def _set_input(call: Call, scope: Scope) -> Lines:
         methods.taken(call, scope),
     ]
     head = f"void {p}_SetInput_{call.name}({scope.self_argument}, uint64_t t)"
-    return function(head, [*before, at_now(body, p)])
+    return function(head, [index, at_now(body, p)])
 
 
 def _begin(call: Call, scope: Scope) -> Lines:

@@ -54,7 +54,7 @@ def _includes(text: str, header_name: str, *, is_cpp: bool, has_checks: bool) ->
 def _mark(scope: Scope) -> Lines:
     macro = scope.constant("MARK")
     return lines(f"""
-        /* Points of measurement: 0 SetInput begins, 1 the call begins, 2 it has ended, 3 GetOutput ends. */
+        /* Points of measurement: 0 SetInput begins, 1 the call begins, 2 it has ended, 3 GetOutput ends, 4 Supervise. */
         #ifndef {macro}
         #define {macro}(self, point, call) ((void)0)
         #endif

@@ -114,7 +114,9 @@ def ended(call: Call, scope: Scope) -> Lines:
 def supervise_function(scope: Scope) -> Lines:
     """The function that finds calls that hang or never come."""
     supervised = [error for error in scope.plan.errors if error.is_supervised and error.call]
+    is_measured = any(call.alive or call.deadline for call in scope.plan.steps)
     body = [
+        lines(f"{scope.constant('MARK')}(self, 4, {scope.constant('NO_CALL')});") if is_measured else (),
         closed(scope),
         *(_hangs(call, scope) for call in scope.plan.steps if call.deadline),
         *(_evaluated(error, scope) for error in supervised),

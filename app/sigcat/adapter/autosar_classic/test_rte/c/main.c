@@ -1,7 +1,7 @@
 /*
  * Plays a trace to the test RTE, and records what the components send, and what services are told:
  *
- *     test_rte MODE TRACE SENT TOLD LENGTH_NS [-n FOLDER] [-i CYCLE] [FUNCTION@TIME_NS...]
+ *     test_rte MODE TRACE RECORDED SERVICES LENGTH_NS [-n FOLDER] [-i CYCLE] [FUNCTION@TIME_NS...]
  *
  * Time begins with the first row, and ends LENGTH_NS after it. MODE is `lock` (as fast as it goes) or `free` (in real
  * time). FOLDER is where blocks are kept, CYCLE the number of the ignition cycle. From its time on, nothing of a function
@@ -102,7 +102,7 @@ static request asked_for(int count, char **arguments)
 {
     request asked = {0};
     if (count < FIRST_OPTION) {
-        (void)fprintf(stderr, "usage: test_rte MODE TRACE SENT TOLD LENGTH_NS [-n FOLDER] [-i CYCLE] [FUNCTION@TIME_NS...]\n");
+        (void)fprintf(stderr, "usage: test_rte MODE TRACE RECORDED SERVICES LENGTH_NS [-n FOLDER] [-i CYCLE] [FUNCTION@TIME_NS...]\n");
         exit(TEST_RTE_REFUSED);
     }
     asked.is_free = (strcmp(arguments[1], "free") == 0) ? TRUE : FALSE;
@@ -113,7 +113,7 @@ static request asked_for(int count, char **arguments)
     asked.sent = arguments[3];
     asked.told = arguments[4];
     if (strcmp(asked.sent, asked.trace) == 0 || strcmp(asked.told, asked.trace) == 0 || strcmp(asked.sent, asked.told) == 0) {
-        refuse("TRACE, SENT and TOLD must be three files", asked.told);
+        refuse("TRACE, RECORDED and SERVICES must be three files", asked.told);
     }
     asked.length = number_of(arguments[5], INT64_MAX, "LENGTH_NS must be a whole number of ns");
     asked.ends = calloc(TestRte_ComponentCount + 1U, sizeof(*asked.ends));

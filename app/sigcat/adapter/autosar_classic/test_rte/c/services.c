@@ -49,6 +49,8 @@ void TestRte_OpenRecords(const char *sent, const char *told)
         fail(told);
     }
     (void)setvbuf(sent_file, NULL, _IOLBF, BUFSIZ); /* what was sent before a component crashes is there */
+    (void)fputs("time,name,value\n", sent_file);
+    (void)fputs("time,service,name,value\n", told_file);
 }
 
 static void write_tellings(void)

@@ -1,0 +1,231 @@
+"""Bags of ROS 2 as traces: written in CDR by the package of MCAP's authors, with the definitions that sigcat generates."""
+
+import csv
+import json
+from functools import cache
+from pathlib import Path
+
+import pytest
+from mcap_ros2.writer import Writer
+
+from sigcat.adapter.ros2.generate import generate
+from sigcat.cli import main
+from sigcat.function.function_json.conversion import IDENTITY, between
+from sigcat.limits import DEFAULT_LIMITS
+from sigcat.platforms.integrate import integrate
+from sigcat.platforms.table import PLATFORMS
+from sigcat.runs.recording.ros2_bag import Column, bag_as_csv, is_bag
+from sigcat.runs.recording.shapes import Array, Number, Record
+from sigcat.runs.recording.trace_file import Known
+from tests.comparison.ecocontrol import EXAMPLES, subject
+
+START = 1_764_000_000_000_000_000
+SECOND = 10**9
+FUNCTIONS = [str(EXAMPLES / name / "function.yaml") for name in ("core_acc", "eco_control_mpc")]
+TIME = f"\n{'=' * 80}\nMSG: builtin_interfaces/Time\nint32 sec\nuint32 nanosec\n"
+SPEED = f"builtin_interfaces/Time stamp\n\n# Speed.\n# Vehicle.Speed [km/h]\nfloat32 speed{TIME}"
+TWIST = (
+    f"geometry_msgs/Vector3 linear\nuint8 gear\n{'=' * 80}\nMSG: geometry_msgs/Vector3\n"
+    "float64 x\nfloat64 y\nfloat64 z\n"
+)
+STATUS = f"uint8 FAILED=1\nbuiltin_interfaces/Time stamp\n\n# PASSED or FAILED.\nuint8 status{TIME}"
+KNOWN = Known(
+    {
+        "Vehicle.Speed": Number("float"),
+        "Vehicle.Gear": Number("uint8", (("PARK", 0), ("DRIVE", 1))),
+        "Hmi_LampFault_ErrorSts": Number("uint8", (("PASSED", 0), ("FAILED", 1))),
+        "Vehicle.Pose": Record((("X", Number("float")), ("Marks", Array(Number("uint8"), 2)))),
+    },
+    None,
+)
+
+
+def bag(path, *messages, schemas):
+    """Write messages of topic, time in s and content."""
+    with path.open("wb") as file:
+        writer = Writer(file)
+        known = {name: writer.register_msgdef(f"x_interfaces/msg/{name}", text) for name, text in schemas.items()}
+        for topic, kind, time, content in messages:
+            at = START + round(time * SECOND)
+            writer.write_message(topic, known[kind], content, log_time=at, publish_time=at)
+        writer.finish()
+    return path
+
+
+def stamped(**content):
+    return {"stamp": {"sec": 0, "nanosec": 0}, **content}
+
+
+def rows(path, tmp_path, known=KNOWN, **mapped):
+    target = tmp_path / "bag.csv"
+    notes = bag_as_csv(path, target, known, mapped)
+    return target.read_text(), [note.message for note in notes]
+
+
+def test_a_field_whose_comment_has_a_path_is_a_column_and_times_begin_with_the_first_message(tmp_path):
+    path = bag(
+        tmp_path / "a.mcap",
+        ("/vehicle/speed", "Speed", 0, stamped(speed=36.5)),
+        ("/rosout", "Other", 0.5, {"text": "hello"}),
+        ("/vehicle/speed", "Speed", 1.25, stamped(speed=0.1)),
+        schemas={"Speed": SPEED, "Other": "string text\n"},
+    )
+    assert is_bag(path)
+    text, notes = rows(path, tmp_path)
+    assert text == "time,Vehicle.Speed\n0.000000000,36.5\n1.250000000,0.1\n"
+    assert notes == ["Topics without signals of the functions are skipped: /rosout."]
+
+
+def test_the_status_of_an_error_has_its_name_in_the_topic_in_any_namespace(tmp_path):
+    path = bag(
+        tmp_path / "a.mcap", ("/car/hmi/lamp_fault", "ErrorStatus", 0, stamped(status=1)),
+        ("/car/hmi/other_fault", "ErrorStatus", 0, stamped(status=1)), schemas={"ErrorStatus": STATUS},
+    )  # fmt: skip
+    text, notes = rows(path, tmp_path)
+    assert text == "time,Hmi_LampFault_ErrorSts\n0.000000000,FAILED\n"
+    assert "other_fault" in notes[0]
+
+
+def test_members_of_a_struct_are_taken_in_their_order(tmp_path):
+    pose = f"# Vehicle.Pose\nx_interfaces/Pose pose\n{'=' * 80}\nMSG: x_interfaces/Pose\nfloat32 x\nuint8[2] marks\n"
+    content = {"pose": {"x": 1.5, "marks": [3, 4]}}
+    text, _ = rows(bag(tmp_path / "a.mcap", ("/pose", "Holder", 0, content), schemas={"Holder": pose}), tmp_path)
+    assert list(csv.reader(text.splitlines()))[1] == ["0.000000000", '{"X":1.5,"Marks":[3,4]}']
+
+
+def test_existing_messages_are_mapped_with_their_unit_and_their_numbers(tmp_path):
+    columns = (
+        Column("linear.x", "Vehicle.Speed", between("m/s", "km/h") or IDENTITY),
+        Column("gear", "Vehicle.Gear", symbols={22: "DRIVE"}),
+    )
+    content = {"linear": {"x": 10.0, "y": 0.0, "z": 0.0}, "gear": 22}
+    path = bag(tmp_path / "a.mcap", ("/odom", "Twist", 0, content), schemas={"Twist": TWIST})
+    text, _ = rows(path, tmp_path, **{"/odom": columns})
+    assert text == "time,Vehicle.Speed,Vehicle.Gear\n0.000000000,36.0,DRIVE\n"
+
+
+def test_a_field_that_the_messages_lack_is_reported(tmp_path, capsys):
+    deployment = tmp_path / "deployment.yaml"
+    deployment.write_text(
+        "ros2:\n  messages:\n    /odom:\n      type: geometry_msgs/Twist\n"
+        "      fields: {linear.q: {signal: Vehicle.Speed, unit: m/s}}\n"
+    )
+    content = {"linear": {"x": 10.0, "y": 0.0, "z": 0.0}, "gear": 22}
+    path = bag(tmp_path / "a.mcap", ("/odom", "Twist", 0, content), schemas={"Twist": TWIST})
+    assert (
+        main(
+            [
+                "simulate",
+                *FUNCTIONS,
+                "--trace",
+                str(path),
+                "--deployment",
+                str(deployment),
+                "-o",
+                str(tmp_path / "o.csv"),
+            ]
+        )
+        == 1
+    )
+    assert "The messages of /odom must have the field linear.q" in capsys.readouterr().err
+    assert not (tmp_path / "o.csv").exists()
+
+
+@pytest.fixture(scope="module")
+def drive(tmp_path_factory):
+    """Eight seconds of EcoControl's drive as CSV, and as a bag in two files with the generated definitions."""
+    folder = tmp_path_factory.mktemp("bag")
+    lines = (EXAMPLES / "ecocontrol/drive.csv").read_text().splitlines()
+    kept = [line for line in lines[1:] if float(line.partition(",")[0]) <= 8]
+    (folder / "drive.csv").write_text("\n".join([lines[0], *kept, ""]))
+    topics = _generated_topics()
+    messages = []
+    for row in csv.DictReader([lines[0], *kept]):
+        for path, text in row.items():
+            if text and path in topics:
+                topic, kind, field = topics[path]
+                messages.append((topic, kind, float(row["time"]), stamped(**_content(kind, field, text))))
+    schemas = {kind: text for _, kind, _ in topics.values() for text in [_definitions()[kind]]}
+    (folder / "record").mkdir()
+    half = len(messages) // 2
+    bag(folder / "record/record_0.mcap", *messages[:half], schemas=schemas)
+    bag(folder / "record/record_1.mcap", *messages[half:], schemas=schemas)
+    (folder / "record/metadata.yaml").write_text(json.dumps({"rosbag2_bagfile_information": {
+        "version": 9, "storage_identifier": "mcap", "relative_file_paths": ["record_0.mcap", "record_1.mcap"],
+    }}))  # fmt: skip
+    return folder
+
+
+@cache
+def _definitions():
+    found = subject()
+    document = integrate(PLATFORMS["ros2"], found.functions, found.deployment).document
+    files = {Path(file.name): file.data.decode() for file in generate(document, "ros2.json", DEFAULT_LIMITS, None)}
+    return {path.stem: text + TIME for path, text in files.items() if path.suffix == ".msg"}
+
+
+def test_a_bag_gives_the_same_bits_as_the_drive(drive, tmp_path):
+    outputs = {}
+    for trace, seconds in (("drive.csv", 8), ("record", 8), ("record/record_0.mcap", 1)):
+        out = tmp_path / "out.csv"
+        assert (
+            main(["simulate", *FUNCTIONS, "--trace", str(drive / trace), "--duration", str(seconds), "-o", str(out)])
+            == 0
+        )
+        outputs[trace] = out.read_bytes()
+    assert outputs["drive.csv"] == outputs["record"]
+    assert outputs["drive.csv"].count(b"CoreAcc_Step") > 50
+
+
+@pytest.mark.parametrize("cut", [10, 200, 1000, -5])
+def test_a_damaged_bag_is_reported_and_nothing_is_written(drive, tmp_path, cut, capsys):
+    data = (drive / "record/record_0.mcap").read_bytes()
+    (tmp_path / "record").mkdir()
+    (tmp_path / "record/record_0.mcap").write_bytes(data[:cut])
+    metadata = {"storage_identifier": "mcap", "relative_file_paths": ["record_0.mcap"]}
+    (tmp_path / "record/metadata.yaml").write_text(json.dumps({"rosbag2_bagfile_information": metadata}))
+    assert main(["simulate", *FUNCTIONS, "--trace", str(tmp_path / "record"), "-o", str(tmp_path / "o.csv")]) == 1
+    assert "T001" in capsys.readouterr().err
+    assert not (tmp_path / "o.csv").exists()
+
+
+@pytest.mark.parametrize(
+    ("metadata", "status", "said"),
+    [
+        ("a: [", 1, "must be that of a bag"),
+        ("rosbag2_bagfile_information: 3", 1, "must be that of a bag"),
+        ("rosbag2_bagfile_information: {storage_identifier: sqlite3, relative_file_paths: []}", 2, "ros2 bag convert"),
+        ("rosbag2_bagfile_information: {storage_identifier: mcap, relative_file_paths: [x]}", 2, "does not exist"),
+    ],
+)  # fmt: skip
+def test_metadata_that_cannot_be_used_is_reported(tmp_path, metadata, status, said, capsys):
+    (tmp_path / "metadata.yaml").write_text(metadata)
+    assert main(["simulate", *FUNCTIONS, "--trace", str(tmp_path)]) == status
+    assert said in capsys.readouterr().err
+
+
+def _generated_topics():
+    """Topic, message and field of each column of the drive."""
+    from sigcat.runs.recording.ros2_bag import _fields
+
+    aliases = {name: each.names for each in subject().prepared.connections.entries for name in each.names}
+    found = {}
+    for kind, text in _definitions().items():
+        for field, path in _fields(text):
+            for name in aliases.get(path, ()) if path else ():
+                found[name] = (f"/{kind.lower()}", kind, field)
+    return found
+
+
+def _content(kind, field, text):
+    definition = _definitions()[kind]
+    constants = dict(
+        line.removeprefix("uint8 ").split("=")
+        for line in definition.splitlines()
+        if line.startswith("uint8 ") and "=" in line
+    )
+    if f"string {field}" in definition:
+        return {field: text, f"{field}_number": int(constants[text])}
+    if text in constants:
+        return {field: int(constants[text])}
+    return {field: text == "true" if text in ("true", "false") else json.loads(text)}
