@@ -8,6 +8,7 @@ import itertools
 import os
 import re
 import signal
+import socket
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -26,11 +27,13 @@ from sigcat.api.work.queue import WorkQueue
 from sigcat.api.work.references import Work, pickled, unpickled
 from sigcat.api.work.refusals import BeyondShare, Busy, WorkFailed
 from sigcat.api.work.turns import Turns
+from sigcat.api.work.warm_zygote import WarmZygote
 from sigcat.catalogue.hosting.library import Library
 from sigcat.catalogue.hosting.variants import expanded_of, find_hosted
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
+from sigcat.zygote import Zygote
 from tests.api.conftest import SOURCES
 from tests.own_loop import run
 from tests.processes import PROC, is_running
@@ -376,6 +379,40 @@ def test_a_catalogue_that_nobody_holds_is_forgotten(queue: WorkQueue) -> None:
     gc.collect()
     queue.close()
     assert done(queue, kept_in_worker) < before
+
+
+def test_a_worker_knows_nothing_that_was_told_after_it_was_forked(monkeypatch: pytest.MonkeyPatch) -> None:
+    warm, fork = WarmZygote(), Zygote.child
+
+    def told_meanwhile(zygote: Zygote, kind: str = "") -> socket.socket:
+        connection = fork(zygote, kind)
+        warm._tell((), {7: "told once the worker was forked"})
+        return connection
+
+    monkeypatch.setattr(Zygote, "child", told_meanwhile)
+    connection, known = warm.child("")
+    with connection:
+        assert 7 not in known
+    with warm.child("")[0]:
+        assert 7 in warm.child("")[1]
+
+
+def test_work_is_done_where_the_fork_server_ends_before_the_worker_is_forked(
+    queue: WorkQueue, library: Library, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    fork = WarmZygote.child
+    ended: list[int] = []
+
+    def ended_once(warm: WarmZygote, kind: str) -> tuple[socket.socket, frozenset[int | str]]:
+        if not ended and warm._last is not None:
+            ended.append(warm._last.zygote._process.pid)
+            os.kill(ended[0], signal.SIGKILL)
+            wait_until(lambda: warm._last is None or warm._last.zygote.has_ended, "the fork server ends")
+        return fork(warm, kind)
+
+    monkeypatch.setattr(WarmZygote, "child", ended_once)
+    assert done(queue, digest_of, library.default.catalogue) == library.default.catalogue.digest
+    assert ended
 
 
 def test_equal_work_under_way_is_done_once_for_all(queue: WorkQueue, tmp_path: Path) -> None:

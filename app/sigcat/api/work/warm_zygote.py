@@ -30,37 +30,39 @@ class ReadyWork(NamedTuple):
     needs: Known
 
 
+class _Started(NamedTuple):
+    """A zygote, and what it was told: of another one nothing is known."""
+
+    zygote: Zygote
+    known: set[int | str]
+
+
 class WarmZygote:
     """Starts when it is first needed, and again where it ended."""
 
     def __init__(self) -> None:
-        self._zygote: Zygote | None = None
-        self._known: set[int | str] = set()
+        self._last: _Started | None = None
+        self._starting = Lock()
         self._telling = Lock()
         self._numbers: weakref.WeakKeyDictionary[object, int] = weakref.WeakKeyDictionary()
         self._following = itertools.count(1)
 
-    @property
-    def known(self) -> Known:
-        """What a worker knows that is forked now."""
-        return frozenset(self._known)
-
-    def child(self, kind: str) -> socket.socket:
-        """A connection to a new worker."""
-        return self._started().child(kind)
+    def child(self, kind: str) -> tuple[socket.socket, Known]:
+        """Return a connection to a new worker, and what it knows at least."""
+        started = self._started()
+        known = frozenset(started.known)  # first: a thread may tell more once the worker is forked
+        return started.zygote.child(kind), known
 
     async def ready(self, work: Work) -> ReadyWork:
         """Work that can be done. What nobody needed before is told to the zygote; the event loop does not wait for that."""
-        self._started()
         data, values = pickled(work, self._number_of)
         modules = {work.function.__module__}
-        if not self._known.issuperset((*modules, *values)):
+        if not self._started().known.issuperset((*modules, *values)):
             await asyncio.to_thread(self._tell, modules, values)
         return ReadyWork(data, frozenset((*modules, *values)))
 
     async def warm(self, modules: Iterable[str], values: Iterable[object], rehearsals: Iterable[Work] = ()) -> None:
         """Let it have what work is going to need, and do once what each worker would do first."""
-        zygote = self._started()
         work = [pickled(each, self._number_of) for each in rehearsals]
         numbered = {self._number_of(value): value for value in values}
         await asyncio.to_thread(
@@ -68,24 +70,26 @@ class WarmZygote:
         )
         if work:
             told = Told(rehearsals=tuple(each.data for each in work))
-            await asyncio.to_thread(zygote.tell, pickle.dumps(told, pickle.HIGHEST_PROTOCOL))
+            await asyncio.to_thread(self._started().zygote.tell, pickle.dumps(told, pickle.HIGHEST_PROTOCOL))
 
-    def _started(self) -> Zygote:
-        if self._zygote is None or self._zygote.has_ended:
-            self._known.clear()
-            self._zygote = Zygote(_CHILD)
-            Thread(target=_log_end, args=(self._zygote,), name="sigcat-fork-server", daemon=True).start()
-        return self._zygote
+    def _started(self) -> _Started:
+        with self._starting:
+            if self._last is None or self._last.zygote.has_ended:
+                zygote = Zygote(_CHILD)
+                self._last = _Started(zygote, set())
+                Thread(target=_log_end, args=(zygote,), name="sigcat-fork-server", daemon=True).start()
+            return self._last
 
     def _tell(self, modules: Iterable[str], values: Mapping[int, object]) -> None:
-        with self._telling:  # who finds a value told can be sure that it was
+        with self._telling:  # a value that is known was told
+            zygote, known = self._started()
             new = Told(
-                tuple(name for name in modules if name not in self._known),
-                {number: value for number, value in values.items() if number not in self._known},
+                tuple(name for name in modules if name not in known),
+                {number: value for number, value in values.items() if number not in known},
             )
             if new != Told():
-                self._started().tell(pickle.dumps(new, pickle.HIGHEST_PROTOCOL))
-                self._known.update((*new.modules, *new.values))
+                zygote.tell(pickle.dumps(new, pickle.HIGHEST_PROTOCOL))
+                known.update((*new.modules, *new.values))
 
     def _number_of(self, value: object) -> int:
         if value not in self._numbers:
@@ -95,10 +99,10 @@ class WarmZygote:
 
     def _forget(self, number: int) -> None:
         """Nobody holds the value any more."""
-        if number in self._known and self._zygote is not None:
-            self._known.discard(number)
+        if self._last is not None and number in self._last.known:
+            self._last.known.discard(number)
             with suppress(OSError):
-                self._zygote.tell(pickle.dumps(Told(forgotten=(number,))))
+                self._last.zygote.tell(pickle.dumps(Told(forgotten=(number,))))
 
 
 def _log_end(zygote: Zygote) -> None:

@@ -36,6 +36,10 @@ class Workers:
         """The result, or the exception, of a piece of work. Cancelled, or out of memory, it ends with its process."""
         ready = await self._zygote.ready(work)
         worker = self._idle_one(ready.needs) or self._forked()
+        while not ready.needs <= worker.known:  # the zygote was started again meanwhile
+            worker.close()
+            ready = await self._zygote.ready(work)
+            worker = self._forked()
         try:
             await worker.begin(ready.data)
             del ready  # it may be large, and is not needed any more
@@ -65,7 +69,7 @@ class Workers:
         return None
 
     def _forked(self) -> "_Worker":
-        return _Worker(self._zygote.child(self._kind), self._zygote.known, self._memory)
+        return _Worker(*self._zygote.child(self._kind), self._memory)
 
 
 class _Worker:
