@@ -3,6 +3,7 @@
 import pytest
 
 from sigcat.comparison.running.recorded import read_recorded
+from sigcat.errors import UsageError
 from sigcat.runs.recording.shapes import Array, Number, Record
 
 FLOAT, DOUBLE, MODE = Number("float", ()), Number("double", ()), Number("uint8", (("OFF", 0), ("ACTIVE", 2)))
@@ -46,3 +47,10 @@ def test_a_row_that_was_cut_off_is_left_out(tmp_path):
 
 def test_nothing_was_recorded_where_there_is_no_file(tmp_path):
     assert read_recorded(tmp_path / "none.csv", {}) == {}
+
+
+def test_a_damaged_row_before_others_is_an_error_at_its_line(tmp_path):
+    file = tmp_path / "recorded.csv"
+    file.write_text('time,name,value\n1,X,"2"\n1,X\n2,X,"1"\n')
+    with pytest.raises(UsageError, match=r"recorded\.csv:3: the row must have time, name, value"):
+        read_recorded(file, {"X": DOUBLE})

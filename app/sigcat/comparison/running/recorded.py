@@ -9,6 +9,7 @@ from pathlib import Path
 from sigcat.comparison.recording import Built, Sent
 from sigcat.comparison.running import marks
 from sigcat.comparison.running.runner import Drive
+from sigcat.errors import UsageError
 from sigcat.runs.prepare import Prepared
 from sigcat.runs.recording.cells import Unfit, cell_of, value_of
 from sigcat.runs.recording.shapes import Shape, packing
@@ -41,14 +42,22 @@ def write_recorded(sent: Mapping[str, Iterable[Sent]], path: Path) -> None:
 
 
 def read_recorded(path: Path, columns: Mapping[str, Shape]) -> Mapping[str, tuple[Sent, ...]]:
-    """Rows of time in ns, name and value, by name. A last row that was cut off is left out."""
+    """Rows of time in ns, name and value, by name. A last row that was cut off is skipped.
+
+    Raises UsageError for any other row that is damaged.
+    """
     found: defaultdict[str, list[Sent]] = defaultdict(list)
     if not path.exists():
         return {}
+    damaged = 0
     with path.open(newline="", encoding="utf-8", errors="replace") as file:
-        for row in csv.reader(file):
+        for line, row in enumerate(csv.reader(file), 1):
+            if damaged:
+                raise UsageError(f"{path}:{damaged}: the row must have {', '.join(_COLUMNS)}, with the time in ns")
             if len(row) == len(_COLUMNS) and row[0].isdigit():
                 found[row[1]].append((int(row[0]), _text(row[2], columns.get(row[1]))))
+            elif line > 1:
+                damaged = line
     return {name: tuple(values) for name, values in found.items()}
 
 
