@@ -107,12 +107,12 @@ def _fields(code: str) -> str:
 def _rules(prefix: str) -> str:
     rules = (rule for rule in load_rules(INTERFACE_RULES) if rule.id.startswith(prefix))
     rows = (f"| [{rule.id}](../reference/rules/{rule.id}.md) | {rule.severity} | {rule.title} |" for rule in rules)
-    return "\n".join(["| rule | severity | what holds where it finds nothing |", "|---|---|---|", *rows])
+    return "\n".join(["| rule | severity | requirement |", "|---|---|---|", *rows])
 
 
 def _checks() -> str:
     """The checks that rules can use, with their options; those that a rule has to give are bold."""
-    lines = ["| check | options | what holds where it finds nothing |", "|---|---|---|"]
+    lines = ["| check | options | requirement |", "|---|---|---|"]
     for name, check in sorted(CHECKS.items()):
         kinds = {each: kind.name for each, kind in check.options.items()}
         options = [f"{f'**`{each}`**' if each in check.required else f'`{each}`'} {kinds[each]}" for each in kinds]

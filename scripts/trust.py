@@ -20,15 +20,13 @@ from tests.judges import JUDGES, Judge
 ROOT = Path(__file__).parents[1]
 _ROS2 = ROOT / "requirements-ros2.txt"
 PAGE = ROOT / "docs" / "explanation" / "trust.md"
-_INTRODUCTION = """# Who says so
+_INTRODUCTION = """# Conformance
 
-Tests that an author writes ask what the author thought of. What sigcat says of trees, functions and ARXML is therefore put before
-judges that others wrote. This page is written by `make trust`, which asks them all, and has what they said in the last run.
+sigcat's output is tested with third-party tools. This page lists them, with the results of the last run of `make trust`, which writes it.
 """
 _LIMITS = """
-A judgement is one comparison: an export, a file, a page, a request. What no test asked is not in the table; what nobody could judge
-yet is [said where it ends](why-sigcat.md#where-it-ends). `make test` and `make real` ask the same judges, with fewer
-repetitions, before each change.
+A check is one comparison: an export, a file, a page, a request. What is not tested yet is listed under
+[Where it ends](why-sigcat.md#where-it-ends). `make test` and `make real` use the same tools, with fewer repetitions, before each change.
 
 Documents as attacks: a function.yaml, a deployment file, Function JSON and the three Integration JSON have 1,885 fields with strings.
 Each is tried with 24 payloads in the files of every generator: 84,840 combinations of field, payload and generator. A payload is refused

@@ -220,8 +220,8 @@ def test_a_catalogue_with_errors_says_so_and_still_shows_its_tree(site: Ask) -> 
 def test_every_page_of_a_catalogue_with_errors_leads_to_them(site: Ask) -> None:
     for address in ("/tree/broken", "/tree/broken/Vehicle.Speed", "/search/broken?q=speed", "/units/broken"):
         page = site(address).text
-        assert "The files of this catalogue have errors." in page
-        assert 'href="/catalogues/broken#findings">What is wrong</a>' in page
+        assert "This catalogue has errors and may be incomplete." in page
+        assert 'href="/catalogues/broken#findings">Show errors</a>' in page
     assert '<h2 id="findings">' in site("/catalogues/broken").text
 
 

@@ -61,7 +61,7 @@ _HEADERS: Mapping[str, Mapping[str, Any]] = {
 _MOVED = {"description": "The address must not end with `/`"}
 _UNCHANGED = {"description": "The client has this state already (`If-None-Match`)"}
 _PAGED = ("list_nodes", "search_nodes")
-_CLOSED = "A token is needed, where the operator closed reading"
+_CLOSED = "Authentication required, if reading is restricted"
 _FROM_CATALOGUE = {"catalogue": "$request.path.catalogue"}
 LINKS: Mapping[str, Mapping[str, Mapping[str, Any]]] = {
     "list_catalogues": {"get_catalogue": {"parameters": {"catalogue": "$response.body#/catalogues/0/id"}}},

@@ -86,7 +86,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         help="a folder for the report in every form, or a file: .md, .json or .html; may be repeated",
     )  # fmt: skip
     parser.add_argument(
-        "--keep", type=Path, metavar="FOLDER", help="build here, and keep it (default: in a folder that goes away)"
+        "--keep", type=Path, metavar="FOLDER", help="keep build files in FOLDER (default: a temporary folder)"
     )
     add_tree_options(parser)
     parser.set_defaults(run=compare)

@@ -32,10 +32,10 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     """Add the command."""
     parser = commands.add_parser(
         "gateway",
-        help="carry CAN into a trace, or to functions that run",
+        help="convert CAN to a trace, or send it to running functions",
         description=(
-            "Decode a log of CAN, or what comes on a bus, and write the signals that the catalogue maps to it as a trace, "
-            "which `sigcat simulate` reads, or send them to functions that run, over SOME/IP or DDS. It takes "
+            "Decode a CAN log, or frames from a bus. Write the signals that the catalogue maps to them as a trace for "
+            "`sigcat simulate`, or send them to running functions over SOME/IP or DDS. This needs "
             "the extra `can`: pip install 'sigcat[can]'."
         ),
     )
@@ -93,7 +93,7 @@ def _add_functions(parser: argparse.ArgumentParser) -> None:
         "--keep",
         type=Path,
         metavar="FOLDER",
-        help="build what sends here, and keep it (default: in a folder that goes away)",
+        help="keep build files of the sender in FOLDER (default: a temporary folder)",
     )
 
 

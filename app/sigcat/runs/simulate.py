@@ -1,4 +1,4 @@
-"""Functions are run with a trace, in simulated time: built in a folder that goes away again, then run to the end."""
+"""Build functions in a temporary folder, and run them with a trace in simulated time."""
 
 import ctypes
 import tempfile

@@ -56,7 +56,7 @@ async def lint(
     ] = "overlay",
     name: FileName = "posted.vspec",
 ) -> Response:
-    """Check a text against the rules that are on by default. Nothing of it is kept."""
+    """Check a text against the rules that are on by default. The text is not stored."""
     report = await queue.run(_report, kind, text, name, hosted.catalogue, rules, settings.limits)
     return Response(report, media_type=JSON)
 

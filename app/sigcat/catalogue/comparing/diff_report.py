@@ -17,8 +17,8 @@ _COLOURS: Mapping[str, str] = {
 _EVIDENCES: Mapping[Evidence, str] = {
     "": "",
     "fka": "its `fka` says so",
-    "deprecation": "its deprecation said so",
-    "same definition": "a guess: the definition is the same",
+    "deprecation": "announced in its deprecation note",
+    "same definition": "guessed: same definition",
 }
 _HEADINGS: Mapping[Class, str] = {
     "breaking": "Breaking", "risky": "Risky", "compatible": "Compatible", "text": "Text only",
@@ -173,7 +173,7 @@ def _details(change: Change) -> Iterator[str]:
     for attribute in change.attributes:
         old, new = _shown_pair(attribute)
         yield f"{printable(attribute.name)}: {old} → {new}"
-    for word, paths in (("came", change.came), ("went", change.went)):
+    for word, paths in (("added", change.came), ("removed", change.went)):
         if paths:
             yield f"{word}: {_listed(paths, printable)}"
 
@@ -191,7 +191,7 @@ def markdown_lines(change: Change) -> Iterator[str]:
     for attribute in change.attributes:
         old, new = (text if text == _ABSENT else _code(text) for text in _shown_pair(attribute))
         yield f"  - {_code(attribute.name)}: {old} → {new} ({_class_in_words(attribute.compatibility)})"
-    for word, paths in (("came", change.came), ("went", change.went)):
+    for word, paths in (("added", change.came), ("removed", change.went)):
         if paths:
             yield f"  - {word}: {_listed(paths, _code)}"
 

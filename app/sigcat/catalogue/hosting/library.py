@@ -166,11 +166,13 @@ def _look_at(watched: Reloading) -> None:
 
 
 def tell_errors(library: Library) -> None:
-    """Log the errors of catalogues that are hosted in spite of them, as there is no earlier state."""
+    """Log the errors of catalogues that are served without an earlier valid version."""
     for hosted in library:
         errors = [finding for finding in hosted.catalogue.findings if finding.severity == "error"]
         if errors:
-            _log.warning("%s: the files have errors, and there is no earlier state", hosted.source.id)
+            _log.warning(
+                "Catalogue %s has errors and no earlier valid version; it is served incomplete", hosted.source.id
+            )
             _log_findings(errors)
 
 

@@ -37,7 +37,7 @@ class _SpoiltForm(DeclarationModel):
 
     fault: Literal["value", "dropped", "delayed", "doubled"] = Field(description="What becomes of its values.")
     signal: Text = Field(description="Path or interface, as in the trace.")
-    start: Duration = Field(description="From when on, in s.", alias="from")
+    start: Duration = Field(description="Start, in s.", alias="from")
     end: Duration = Field(description="Until when, in s.", alias="to")
     value: Cell | None = Field(None, description="What comes instead.")
     by: Duration | None = Field(None, description="How much later it comes, in s.")
@@ -57,7 +57,7 @@ class _SlowForm(DeclarationModel):
 
     fault: Literal["slow"] = Field(description="What happens.")
     call: Text = Field(description="Interface of the call.")
-    start: Duration = Field(description="From when on, in s.", alias="from")
+    start: Duration = Field(description="Start, in s.", alias="from")
     end: Duration = Field(description="Until when, in s.", alias="to")
     takes: Duration = Field(description="How long, in s.")
 
@@ -80,7 +80,7 @@ class _ScenarioForm(DeclarationModel):
     name: Text = Field(description="Short, for files and addresses.")
     title: Text = Field(description="What happens, in a few words.")
     description: str = Field("", description="What the functions have to do.")
-    start: Duration = Field(description="From when on it is watched, in s.", alias="from")
+    start: Duration = Field(description="Start of the observation, in s.", alias="from")
     end: Duration = Field(description="Until when, in s.", alias="to")
     faults: list[_Form] = Field(min_length=1, description="What happens.")
 

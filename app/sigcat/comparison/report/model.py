@@ -251,7 +251,7 @@ class Lines(Part):
 
 
 class Target(Part):
-    """What must hold."""
+    """An acceptance criterion."""
 
     what: str
     wanted: str

@@ -84,11 +84,11 @@ def _table(title: str, head: str, rows: Sequence[tuple[Cell, ...]], *, is_folded
     return (Table(title, tuple(head.split("|")), tuple(rows), is_folded),) if rows else ()
 
 
-_HOLDS = {True: Cell("holds", "good"), False: Cell("does not hold", "bad")}
+_HOLDS = {True: Cell("pass", "good"), False: Cell("fail", "bad")}
 
 
 def _held(target: Target) -> Cell:
-    """Whether a criterion holds; with figures that are too few it is inconclusive."""
+    """Return whether a criterion passes; with too few figures it is inconclusive."""
     if target.holds is not None:
         return _HOLDS[target.holds]
     return Cell("inconclusive" if target.measured else "not measured", "muted")
@@ -96,7 +96,9 @@ def _held(target: Target) -> Cell:
 
 def _targets(report: Report) -> Section:
     rows = [_cells(each.what, each.wanted, each.measured, _held(each), each.note) for each in report.targets]
-    return Section("What must hold", report.notes, _table("What must hold", "what|wanted|measured||remark", rows))
+    return Section(
+        "Acceptance criteria", report.notes, _table("Acceptance criteria", "Criterion|Target|Measured|Pass|Notes", rows)
+    )
 
 
 def _not_built(report: Report) -> Section:
@@ -121,7 +123,7 @@ def _behaviour(report: Report) -> Section:
     titles = {each.name: each.title for each in report.platforms}
     rows = []
     for each in report.behaviour:
-        verdict = Cell("every bit equal", "good") if not each.wrong else Cell(f"{each.wrong:,} differ", "bad")
+        verdict = Cell("identical", "good") if not each.wrong else Cell(f"{each.wrong:,} differ", "bad")
         silent = next((platform.silent for platform in report.platforms if platform.name == each.platform), ())
         rows.append(
             _cells(
@@ -134,9 +136,7 @@ def _behaviour(report: Report) -> Section:
         for each in report.behaviour for output in each.outputs if output.wrong
     ]  # fmt: skip
     drawn = traces(report.traces, titles)
-    caption = (
-        "Where platforms agree, one line lies on the other: the first is the widest, those that follow are thinner."
-    )
+    caption = "Lines overlap where platforms agree; later platforms are drawn thinner so that all stay visible."
     parts = (
         *_table("Outputs in lock step", "platform|drive|calls|values||remark", rows),
         *_table("Outputs that differ", "platform|output|values|first difference", differing),
@@ -167,9 +167,8 @@ def _free_run(report: Report) -> Section:
         for each in report.free_run for row in each.rows
     ]  # fmt: skip
     lead = (
-        "Every process keeps its own time. A call may begin a little before or after an input comes that the reference had on the "
-        "other side: such a value is a call earlier or later, and counted. What is neither is another value: it came of such a "
-        "difference before, in what the function remembers."
+        "In free run every process keeps its own time. A call may see an input one cycle earlier or later than in the reference. "
+        "Those values are counted separately. Other values differ for another reason, usually internal state left by an earlier shift."
     )
     head = "platform|drive|values|equal|a call earlier or later|other|steps"
     parts = (

@@ -65,11 +65,11 @@ def _notes(measured: model.Report, held: Sequence[model.Target]) -> Iterator[str
     failing = [each.what for each in held if each.holds is False]
     unknown = [each.what for each in held if each.holds is None]
     if failing:
-        yield f"Does not hold: {'; '.join(failing)}."
+        yield f"Failed: {'; '.join(failing)}."
     if unknown:
         yield f"Not measured: {'; '.join(unknown)}."
     if not failing and not unknown:
-        yield "Everything that must hold was measured, and holds."
+        yield f"All {len(held)} acceptance criteria were measured and passed."
     doubt = other_work(measured)
     if doubt:
         yield f"Of timing and load the report says little: {doubt}."

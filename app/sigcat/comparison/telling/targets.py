@@ -1,4 +1,4 @@
-"""What must hold, judged: each figure beside what is wanted."""
+"""Acceptance criteria: each figure beside its target."""
 
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple

@@ -158,8 +158,8 @@ def _after(call: Runnable, part: Part, findings: FindingCollector) -> str | None
     before = previous_calls(call)
     for name in before:
         if name not in own:
-            message = f"{call.name} must run after a call of its own node, not after {name}: nodes have no order."
-            fix = "Let a signal of one trigger the other, or use offsets."
+            message = f"{call.name} is ordered after {name}, which runs in another node; ROS 2 cannot order calls across nodes."
+            fix = "Trigger it by a signal, or use offsets."
             findings.report(codes.ORDER_BETWEEN_NODES, message, Subject(call.name, call), fix, key="PrevRunnable")
     return ", ".join(name for name in before if name in own and run_kind(own[name]) != INIT) or None
 
@@ -227,7 +227,7 @@ def _unexpressed(call: Runnable, findings: FindingCollector) -> None:
         fix = "Set it for the process, for instance with `ulimit -s`."
         findings.report(codes.STACK_SIZE_NOT_CARRIED, message, Subject(call.name, call), fix, key="StackSize")
     if call.watchdog and call.watchdog.logical and call.checkpoint is None:
-        message = f"{call.name}: the logical supervision is free text, which no node can check."
+        message = f"{call.name}: the logical supervision is free text and cannot be checked."
         fix = "Give the calls a `checkpoint` each, with the calls that may follow."
         findings.report(codes.LOGICAL_SUPERVISION_IN_WORDS, message, Subject(call.name, call), fix, key="Watchdog")
 

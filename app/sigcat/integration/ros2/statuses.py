@@ -162,8 +162,8 @@ def diagnostics(part: Part, statuses: Statuses, findings: FindingCollector) -> I
     for error in errors_of(part):
         subject = Subject(error.name, error)
         if error.reset_condition and error.reset is None:
-            message = f"{error.name}: the reset condition is free text, which no node can check."
-            fix = "Say it with `reset`, unless it is that the error is no longer present."
+            message = f"{error.name}: `resetCondition` is free text and cannot be checked."
+            fix = "Set `reset` to a signal or `restart`; without it, the error resets when its cause is gone."
             findings.report(codes.RESET_CONDITION_IN_WORDS, message, subject, fix, key="ResetCondition")
         yield Diagnostic(
             name=statuses.status(error.name),

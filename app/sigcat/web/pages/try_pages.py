@@ -118,7 +118,7 @@ async def show_try(
 async def try_text(
     request: Request, rules: TheRules, functions: TheFunctions, queue: TheWorkQueue, body: PostedBody
 ) -> Response:
-    """The page with what was found in the posted text, or a document made of it. Nothing of it is kept."""
+    """The page with what was found in the posted text, or a document made of it. The text is not stored."""
     posted = posted_form(body, request.headers.get("content-type", ""))
     limits = settings_of(request).limits
     return await queue.run(_tried_form, visit_of(request), posted, rules, functions.files, limits)

@@ -23,7 +23,7 @@ def may_be_overlaid(catalogue: Catalogue, node: Node) -> bool:
 
 def changing_draft(node: Node) -> str:
     """An overlay with all that a node says now, to be edited."""
-    return f"# Edit what is to be different; the rest may go.\n{statement_text(node.path, node.values)}"
+    return f"# Change the attributes you need and delete the others.\n{statement_text(node.path, node.values)}"
 
 
 def adding_draft(catalogue: Catalogue, node: Node) -> str:

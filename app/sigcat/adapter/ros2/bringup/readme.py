@@ -214,8 +214,8 @@ Real-time policies (`scheduling_policy: fifo`) need the right to them, as `rtpri
 """
 
 
-_PICTURE = """Topics stand in boxes, services in those with double sides, on a dashed line from who asks to who answers. Who is dashed is
-outside of the set. Errors, safety reactions and modes that no node of the set hears are left out.
+_PICTURE = """Boxes are topics. Double-sided boxes are services, with a dashed line from client to server. Dashed nodes are external. Errors, safety
+reactions and modes that no node of the set subscribes to are omitted.
 """
 _TOPICS = """Names are relative to the namespace of the nodes. Deadlines that are missed, publishers that are gone, offers that do not fit and
 messages that are lost are counted on `/diagnostics`; errors come from the cores alone.
