@@ -1,6 +1,5 @@
 """`sigcat mcp` answers the client of the package `mcp` over standard input and output: look-ups, bounded, read-only."""
 
-import asyncio
 import json
 import os
 import subprocess
@@ -11,6 +10,7 @@ import pytest
 from mcp import Client, StdioServerParameters, stdio_client
 
 from sigcat.limits import ASSISTANT_CHARACTERS, ASSISTANT_ITEMS, ASSISTANT_TEXT
+from tests.own_loop import run
 
 OVERLAY = "Vehicle.CabinNoise:\n  type: sensor\n  datatype: float\n  unit: dB\n  description: {}\n"
 FUNCTION = """\
@@ -54,7 +54,7 @@ def session(project: Path, *calls, between=lambda _: None, errors=None, options=
             return (await client.list_tools()).tools, answers
 
     with Path(errors or os.devnull).open("w") as log:
-        return asyncio.run(talk(log))
+        return run(talk(log))
 
 
 def test_look_ups_over_standard_input_and_output(project, tmp_path):

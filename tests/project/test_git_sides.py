@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -44,6 +45,21 @@ def company(tmp_path, monkeypatch):
     commit("v1.2.0")
     Path("overlays/noise.vspec").write_text(NOISE)
     return folder
+
+
+def test_git_may_write_more_than_the_archive_without_finding_the_pipe_closed(company, tmp_path, monkeypatch, capsys):
+    """git pads an archive; how much of that it has written when the reader is done depends on the machine."""
+    (tmp_path / "bin").mkdir()
+    program = tmp_path / "bin/git"
+    padded = "head -c 1000000 /dev/zero"
+    real = shutil.which("git")
+    program.write_text(
+        f'#!/bin/sh\ncase " $* " in *" archive "*) {real} "$@" && exec {padded};; *) exec {real} "$@";; esac\n'
+    )
+    program.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{program.parent}{os.pathsep}{os.environ['PATH']}")
+    assert main(["diff", "git:v1.2.0", "."]) == 0
+    assert "AcmeNoise" in capsys.readouterr().out
 
 
 def changes(capsys, *arguments):

@@ -14,6 +14,7 @@ from sigcat.limits import DEFAULT_LIMITS, Limits
 
 _READ = (*ENDINGS, ".toml")
 """Endings of the files that are unpacked: trees, units and project files."""
+_BLOCK = 1 << 16
 
 
 def unpack_revision(revision: str, folder: Path, limits: Limits = DEFAULT_LIMITS) -> str:
@@ -32,6 +33,8 @@ def unpack_revision(revision: str, folder: Path, limits: Limits = DEFAULT_LIMITS
             assert process.stdout is not None
             with process.stdout as archive, contextlib.suppress(tarfile.TarError):  # git explains better what is wrong
                 _unpack(archive, folder, limits)
+                while archive.read(_BLOCK):  # the padding behind the end: git must not find the pipe closed
+                    pass
             status = process.wait()
         if status:
             complaints.seek(0)
