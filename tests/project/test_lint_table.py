@@ -4,10 +4,12 @@ from pathlib import Path
 
 import pytest
 
+from sigcat.cli import main
 from sigcat.errors import InputRefused
 from sigcat.project.find_project import find_project
 from sigcat.project.read_project import read_project
 from sigcat.rules.linting.lint import lint_paths
+from tests.project.company import UNITS, write_company
 
 
 def test_the_configuration_is_found_upwards_and_its_paths_are_relative_to_it(tree):
@@ -79,3 +81,16 @@ def test_a_tree_of_the_linter_beside_a_catalogue_is_refused_with_the_place_for_i
     (finding,) = refused.value.findings
     assert (finding.line, finding.message) == (2, f"`{key}` in [lint] cannot be used beside [[catalogue]].")
     assert "[[catalogue]]" in finding.fix
+
+
+@pytest.mark.parametrize("paths", [(), (".",), ("units.yaml", "overlays")])
+def test_a_unit_of_the_project_with_the_name_of_a_standard_one_is_reported(tmp_path, monkeypatch, capsys, paths):
+    monkeypatch.chdir(write_company(tmp_path))
+    named = (
+        UNITS.replace("ppm:", "degC:", 1)
+        .replace("parts per million", "degree Celsius")
+        .replace("relation", "temperature")
+    )
+    (tmp_path / "units.yaml").write_text(UNITS + named)
+    main(["lint", *paths])
+    assert "units.yaml:7:1: warning U001 Units 'Celsius' and 'degC' share the name" in capsys.readouterr().out

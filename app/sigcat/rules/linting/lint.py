@@ -65,11 +65,11 @@ Texts = Literal["vspec", "comments", "nothing"]
 class _Lint:
     """One run, and what it has gathered so far. Not a dataclass: to load that module takes a twentieth of a short run."""
 
-    def __init__(self, options: LintOptions, rules: RuleSet, named_units: frozenset[str]) -> None:
+    def __init__(self, options: LintOptions, rules: RuleSet, units: frozenset[str]) -> None:
         self.options = options
         self.rules = rules
-        self.named_units = named_units
-        """Files of units and quantities that the user named."""
+        self.units = units
+        """Files of units and quantities that are linted."""
         self.found: dict[Finding, Repair | None] = {}
         self.files: dict[str, Texts] = {}
         """The files that were looked at."""
@@ -109,10 +109,12 @@ def _lint_paths(paths: Sequence[Path], options: LintOptions) -> LintResult:
     every_rule = rules_for(options)
     discovered = discover(paths, all_overlays(options), all_types(options), all_trees(options))
     sources = [source for source in discovered if not _is_excluded(source.path, options)]
-    named = [source.path for source in sources if source.named and source.kind == "vocabulary"]
+    units = [source for source in sources if source.kind == "vocabulary"]
+    named = [source.path for source in units if source.named]
     options = _with_units(options._replace(types=type_files(sources, options)), named)
     rules = selected(every_rule, options)
-    lint = _Lint(options, made_once("rule set", rules, lambda: RuleSet(rules)), frozenset(map(str, named)))
+    linted_units = frozenset(str(source.path) for source in units)
+    lint = _Lint(options, made_once("rule set", rules, lambda: RuleSet(rules)), linted_units)
     _refuse_empty(paths, discovered)
     trees = _lint_trees([s.path for s in sources if s.kind == "tree"], lint)
     _lint_overlays([s.path for s in sources if s.kind == "overlay"], trees, lint)
@@ -179,7 +181,7 @@ def _lint_stack(base: Path, stack: Sequence[Path], named: Collection[str], optio
     files = {file.name for layer in judged_layers for file in layer.files} | {layer.name for layer in judged_layers}
     folders = {Path(layer.name).parent for layer in judged_layers}
     vocabulary = [file.name for file in catalogue.vocabulary.files]
-    beside = {name for name in vocabulary if Path(name).parent in folders or name in lint.named_units}
+    beside = {name for name in vocabulary if Path(name).parent in folders or name in lint.units}
     judged = tuple(catalogue.written_in(files))
     rules = lint.rules if options.overlays else lint.rules.without_stacks
     found = found_in(with_instances(catalogue, judged, expanded), rules, judged, options.attributes, lint.can)
