@@ -40,10 +40,18 @@ def _names_twice(function: FunctionJson) -> Problems:
         if key in holders and (item.vss_path is None or item.vss_path != holders[key]):
             message = f"The name {item.name!r} is used twice in one call."
             subject = Subject("data", item.name)
-            yield Problem(codes.NAME_USED_TWICE, (*pointer, "Name"), message, "Rename one.", subject)
+            yield Problem(
+                codes.NAME_USED_TWICE, (*pointer, "Name"), message, "Set another `name` for one of them.", subject
+            )
         elif item.name in statuses:
             message = f"The name {item.name!r} is that of {statuses[item.name]} of the function."
-            yield Problem(codes.NAME_USED_TWICE, (*pointer, "Name"), message, "Rename one.", Subject("data", item.name))
+            yield Problem(
+                codes.NAME_USED_TWICE,
+                (*pointer, "Name"),
+                message,
+                "Set another `name` for it.",
+                Subject("data", item.name),
+            )
         holders.setdefault(key, item.vss_path)
 
 
