@@ -27,7 +27,7 @@ def stamp_of(files: Iterable[Path]) -> Stamp:
 
 
 def read_values(folder: Path, name: str, stamp: Stamp) -> Any:
-    """What was kept in a folder under a name, with this stamp; None if nothing was."""
+    """Return the value that was stored in a folder under a name, with this stamp; None without one."""
     try:
         written, values = marshal.loads(_file(folder, name).read_bytes())  # noqa: S302 — trusted as compiled Python is
     except (OSError, ValueError, TypeError, EOFError):

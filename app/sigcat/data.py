@@ -1,4 +1,4 @@
-"""Where the data that sigcat ships is: beside the package in a checkout, inside it once installed."""
+"""Places of the data that sigcat ships: beside the package in a checkout, inside it once installed."""
 
 from pathlib import Path
 

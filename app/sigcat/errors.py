@@ -71,10 +71,10 @@ def existing_folder(path: str | os.PathLike[str]) -> Path:
 
 
 def without_signals(tree: str | os.PathLike[str]) -> str:
-    """What is said of a tree that has nothing to work with."""
+    """Return the message for a tree without signals."""
     return f"{tree}: the catalogue has no signals; name the root .vspec file of a tree"
 
 
 def must_be_a_file(path: str | os.PathLike[str]) -> str:
-    """What is said of a folder where a file belongs."""
+    """Return the message for a folder in place of a file."""
     return f"{path} must be a file, not a folder"

@@ -1,4 +1,4 @@
-"""What kind of file this is: decided by its name and a first look at its bytes. Nothing is parsed.
+"""Kinds of files, decided by their names and first bytes. Nothing is parsed.
 
 Which of several vspec files is the root of a tree, which an overlay and which a part of a tree depends on the files
 beside them: that is `sigcat.rules.linting.discovery`.
@@ -18,18 +18,18 @@ ROOT_NAME = "VehicleSignalSpecification.vspec"
 SHIPPED_ROOT = "Vehicle"
 """The root of the shipped tree, which an overlay without a tree of its own is made for."""
 TYPES_NAME = "VehicleDataTypes.vspec"
-"""What the Makefile of VSS passes as `--types`: it includes the structs and holds none itself."""
+"""The file that the Makefile of VSS passes as `--types`: it includes the structs and holds none itself."""
 UNIT_NAMES = ("units.yaml", "units.yml")
 QUANTITY_NAMES = ("quantities.yaml", "quantities.yml")
 OVERLAY_FOLDERS = frozenset(("overlay", "overlays"))
 
 TREE_ENDINGS = (".vspec", ".yaml", ".yml")
-"""How the names of trees and overlays end; an include that names none of them means the first."""
+"""Endings of the names of trees and overlays; an include without one means the first."""
 ENDINGS = (*TREE_ENDINGS, ".json")
 
 
 RUN_COLUMNS = ("time", "call")
-"""What the header of a run begins with, as `sigcat simulate` writes it; no trace has the second column by itself."""
+"""First columns of a run, as `sigcat simulate` writes it; a trace does not have the second one."""
 
 
 class DocumentKind(NamedTuple):
@@ -41,7 +41,7 @@ class DocumentKind(NamedTuple):
     title: str
     """In sentences: `a function.yaml`."""
     use: str
-    """What takes it, as an instruction."""
+    """The command that accepts it, as an instruction."""
 
 
 FUNCTION_JSON = DocumentKind(

@@ -26,7 +26,7 @@ class Finding(NamedTuple):
     pointer: str = ""
     """RFC 6901 pointer into a JSON or YAML document, where the input is one."""
     fix: str = ""
-    """What to do, as an instruction; empty if the message already says it."""
+    """The fix, as an instruction; empty if the message already says it."""
 
     @property
     def sort_key(self) -> tuple[str, int, int, str, str]:

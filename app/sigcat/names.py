@@ -10,7 +10,7 @@ from math import inf
 from sigcat.limits import COMPARED_NAMES
 
 IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,127}")
-"""What AUTOSAR takes for the name of an element."""
+"""Names of elements in AUTOSAR."""
 _MUCH_FARTHER = 12.0
 _SHORT, _LEAST_OF_PARTS = 4, 50.0
 _CAMEL_WORD = r"[A-Z]+(?=[A-Z][a-z])|[A-Z]?[a-z]+|[A-Z]+|[0-9]+"

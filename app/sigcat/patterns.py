@@ -52,7 +52,7 @@ class Matching:
 
 
 def _parts(text: str) -> int:
-    """How many parts a compiled expression has at least: the compiler writes the least count of a repetition out."""
+    """Return the least number of parts of a compiled expression: the compiler writes the least count of a repetition out."""
     if len(text) > PATTERN_PARTS:
         return len(text)
     if re.search(_UNUSUAL, text):

@@ -1,4 +1,4 @@
-"""Where a path leads."""
+"""The target of a path."""
 
 import os
 from collections.abc import Iterable

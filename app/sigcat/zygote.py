@@ -21,14 +21,14 @@ from typing import NamedTuple, Protocol, cast
 IS_POSSIBLE = hasattr(os, "fork")
 """Whether this system has zygotes."""
 LENGTH = struct.Struct("!Q")
-"""What stands before each message."""
+"""Length before each message."""
 _NICE = 5
 """Whoever asks for work by a child goes on before it."""
 _REQUEST = struct.Struct("!?31s")
 
 
 class Child(Protocol):
-    """What the module of a zygote has."""
+    """The module of a zygote."""
 
     def keep(self, data: bytes) -> None:
         """Take in what was told to the zygote: all later children have it."""
@@ -37,7 +37,7 @@ class Child(Protocol):
         """Get ready for a child of this kind, in the zygote."""
 
     def serve(self, connection: socket.socket) -> None:
-        """What a child does, until whoever asked for it closes the connection."""
+        """Run a child until the service closes the connection."""
 
 
 class Zygote:
@@ -140,7 +140,7 @@ def _requests(control: socket.socket) -> Iterator[_Request]:
 
 
 def _take_leave(children: set[int]) -> None:
-    """Of the children that have ended, as soon as one does: until then the system keeps a place for each."""
+    """Reap children as soon as one ends: until then the system keeps an entry for each."""
     for process in tuple(children):
         with suppress(ChildProcessError):
             if os.waitpid(process, os.WNOHANG) == (0, 0):

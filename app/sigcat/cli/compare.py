@@ -180,7 +180,7 @@ def _converted_bag(bag: Path, folder: Path, subject: "Subject") -> Path:
 
 
 def _beyond(scenarios: "Iterable[Scenario]", end: int) -> "Iterator[str]":
-    """Which faults are not injected, as the drive ends before them."""
+    """Yield the faults that are not injected, as the drive ends before them."""
     names = [each.name for each in scenarios if each.end > end]
     if names:
         note = f"Faults that are left out, as they end after {end / 1e9:g} s, where the drive does: {', '.join(names)}."
@@ -191,7 +191,7 @@ def _beyond(scenarios: "Iterable[Scenario]", end: int) -> "Iterator[str]":
 def _carried(
     arguments: argparse.Namespace, compared: "ComparedSet", trace: Path, tree: "Catalogue", folder: Path
 ) -> "Carried | None":
-    """What the gateway makes of a log of CAN; what does not come by CAN is that of the trace of the set."""
+    """Return the trace of a CAN log; other columns come from the trace of the set."""
     from sigcat.comparison.can_drive import carry
     from sigcat.gateway.logs.read import is_log
 

@@ -1,4 +1,4 @@
-"""Who ends a command ends the processes that it runs, and its temporary folders."""
+"""Signals that end a command also end its processes, and remove its temporary folders."""
 
 import signal
 from collections.abc import Iterator

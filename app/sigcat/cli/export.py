@@ -157,7 +157,7 @@ def _name(output: Path | None, exporter: Exporter) -> str:
 def _targets(
     files: "tuple[ExportedFile, ...]", exporter: Exporter, output: Path | None, arguments: argparse.Namespace
 ) -> "Iterator[tuple[Path | None, bytes]]":
-    """Where each file goes, with what it holds. Files that an exporter makes beside the first go beside it."""
+    """Yield the target of each file with its content. Files that an exporter makes beside the first are written beside it."""
     main = [file for file in files if not file.option]
     if output is not None and output.suffix == ".zip":
         from sigcat.catalogue.exporting.files import zipped

@@ -230,7 +230,7 @@ def _defaults(
 def _returning(
     arguments: argparse.Namespace, prepared: "Prepared", stack: ExitStack, found: "list[Finding]"
 ) -> "tuple[Sender, Returning | None]":
-    """What sends to CAN what functions send, if that is asked for."""
+    """Return the sender of the functions' values to CAN, if it is asked for."""
     from sigcat.gateway.bus import open_bus
     from sigcat.gateway.returning import Returning
     from sigcat.gateway.sending import Sender

@@ -97,7 +97,7 @@ def _refusal(others: Sequence[Path]) -> str:
 
 
 def _listed(folder: Path) -> Mapping[str, _Entry]:
-    """What is in the list, by name; nothing if there is no list. Names lead nowhere else."""
+    """Return the listed files by name; nothing without a list. Names lead nowhere else."""
     try:
         text = (folder / LIST).read_text("utf-8", errors="replace")
     except OSError:

@@ -84,7 +84,7 @@ def _functions(arguments: argparse.Namespace) -> "tuple[ResolvedFunction, ...]":
 
 
 def _deployment(arguments: argparse.Namespace) -> "Deployment":
-    """What differs from the defaults, with the ids of the files that are named."""
+    """Return the deployment, with the ids of the named files."""
     from sigcat.limits import DEFAULT_LIMITS
     from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, deployment_of_file
 

@@ -125,7 +125,7 @@ def _put_in_place(temporary: Path, target: Path) -> None:
 
 
 def could_not_run(error: InputRefused) -> UsageError:
-    """What a command raises whose configuration or rules cannot be used; the findings are printed."""
+    """Error of a command whose configuration or rules cannot be used; the findings are printed."""
     for finding in error.findings:
         print(finding.line_of_text, file=sys.stderr)
     return UsageError(str(error))

@@ -30,7 +30,7 @@ def name_output(arguments: argparse.Namespace, name: str, path: Path) -> None:
 
 
 def outputs_of(arguments: argparse.Namespace) -> dict[str, Path]:
-    """What is written, by the names of the options."""
+    """Files to write, by the names of the options."""
     outputs: dict[str, Path] = getattr(arguments, "outputs", {})
     return outputs
 
@@ -56,7 +56,7 @@ def refuse_overwriting(
 
 
 class Output(argparse.Action):
-    """What an option does that names a file or a folder to write."""
+    """Action of an option that names a file or a folder to write."""
 
     def __call__(
         self, _parser: argparse.ArgumentParser, arguments: argparse.Namespace, value: Any, _option: str | None = None
@@ -66,7 +66,7 @@ class Output(argparse.Action):
 
 
 class Outputs(argparse.Action):
-    """What an option does that names several files."""
+    """Action of an option that names several files."""
 
     def __call__(
         self, _parser: argparse.ArgumentParser, arguments: argparse.Namespace, value: Any, _option: str | None = None
@@ -85,7 +85,7 @@ def _inputs(arguments: argparse.Namespace, outputs: dict[str, Path]) -> Iterator
 
 
 def _identity(path: Path) -> tuple[int, int] | None:
-    """What a regular file is known by, however it is spelled, and through links; None for all else."""
+    """Return the identity of a regular file, however it is spelled, and through links; None for all else."""
     try:
         status = path.stat()
         return (status.st_dev, status.st_ino) if path.is_file() else None

@@ -270,7 +270,7 @@ def _told(findings: "Iterable[Finding]", found: "list[Finding]") -> None:
 
 
 def _stored(path: Path, prepared: "Prepared") -> "StoredFile":
-    """What functions keep in a file, which need not be there. Raises UsageError."""
+    """Return the stored values of a file, which need not exist. Raises UsageError."""
     from sigcat.runs.stored_file import EMPTY, read_stored
 
     if not path.exists():

@@ -1,4 +1,4 @@
-"""What a platform brings: its section of the deployment file, its Integration JSON, and what is generated from that."""
+"""Parts of a platform: its section of the deployment file, its Integration JSON, and its generators."""
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
@@ -23,10 +23,10 @@ class Integrated(NamedTuple):
 
 
 class Options(NamedTuple):
-    """What is asked of a generator."""
+    """Request to a generator."""
 
     release: str | None = None
-    """Of the platform; for None the default of the generator."""
+    """Release of the platform; for None the default of the generator."""
     bench: bool = False
     """Whether to add what runs the files without the platform."""
 
@@ -41,10 +41,10 @@ class Generator(NamedTuple):
     target: str
     """For what: `AUTOSAR adaptive`."""
     contents: str
-    """What the files hold, for help texts."""
+    """Content of the files, for help texts."""
     media_type: str
     report: "Callable[[bytes, str, Limits], tuple[Entry, ...]]"
-    """Where each field of an Integration JSON goes. Raises InputRefused if it cannot be used."""
+    """Return the target of each field of an Integration JSON. Raises InputRefused if it cannot be used."""
     generate: "Callable[[bytes, str, Limits, Options], tuple[GeneratedFile, ...]]"
     """The files, from the bytes and the name of an Integration JSON. Raises InputRefused if it cannot be used."""
     releases: tuple[str, ...] = ()
@@ -52,7 +52,7 @@ class Generator(NamedTuple):
     default_release: str = ""
     """The one that it takes if none is asked for; if empty that of the Integration JSON."""
     release_word: str = "release"
-    """What the platform calls its releases: `release`, or `distribution`."""
+    """The platform's word for releases: `release`, or `distribution`."""
     has_bench: bool = False
     """Whether it can add what runs the files without the platform."""
     view: str = ""

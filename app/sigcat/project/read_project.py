@@ -56,7 +56,7 @@ _ADVICE = {
         for name in _OF_CATALOGUES
     },
 }
-"""Where the settings of a tree belong in a project with catalogues."""
+"""Places for the settings of a tree in a project with catalogues."""
 _OF_TREES = frozenset(("catalogue", *_OF_CATALOGUES))
 """Keys that a catalogue is made of."""
 _OF_FOLDERS = frozenset(("include-dirs", "functions"))
@@ -64,7 +64,7 @@ _OF_FOLDERS = frozenset(("include-dirs", "functions"))
 
 _ID = r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}"
 _POSITION = r"\s*\(at line (\d+), column (\d+)\)|\s*\(at end of document\)"
-"""How tomllib ends its messages. Its errors have attributes from Python 3.14 on; before, its words no longer change."""
+"""Ends of the messages of tomllib. Its errors have attributes from Python 3.14 on; before, its words no longer change."""
 _KINDS = {str: "text", bool: "true or false", list: "a list"}
 
 TableReader = Callable[[Mapping[str, Any], Path], Any]

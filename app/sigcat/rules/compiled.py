@@ -15,11 +15,11 @@ from sigcat.rules import record
 from sigcat.rules.record import Nodes, Rule, load_rule_files
 
 CODE = (Path(__file__), Path(record.__file__), Path(yaml_document.__file__))
-"""What decides which values a record has."""
+"""Functions that decide which values a record has."""
 
 
 def compiled_rules(folder: Path) -> tuple[Rule, ...]:
-    """What `load_rules` gives, without reading the files again. Raises InputRefused with all findings."""
+    """Return what `load_rules` returns, without reading the files again. Raises InputRefused with all findings."""
     files = sorted(folder.glob("*.yaml"))
     stamp = stamp_of((*files, *CODE))
     return made_once(("rules", folder), stamp, lambda: _compiled_rules(folder, files, stamp))

@@ -90,14 +90,14 @@ def _node_findings(rules: RuleSet, tree: Tree) -> Iterator[Found]:
 
 
 def _brought_by(written: Definition, problems: Iterable[Problem]) -> Iterator[Problem]:
-    """Of the problems of one instance, those that what is written for it brings: the definition has its others itself."""
+    """Return the problems of one instance that come from values written for it: the definition has its others itself."""
     for problem in problems:
         if problem.subject in written.statements or any(problem.attribute in s.values for s in written.statements):
             yield problem
 
 
 def _until_slow(rule: Rule, problems: Iterable[Problem], ended: set[str]) -> Iterator[Found]:
-    """What a rule of others finds in one node; nothing more after the first match that took too long."""
+    """Return the findings of a company's rule in one node; nothing after the first match that took too long."""
     if rule.id not in ended:
         for found in _guarded(rule, problems):
             if found[0].rule == codes.RULE_TOO_SLOW.id:
@@ -165,7 +165,7 @@ def filled(template: str, facts: Mapping[str, Any]) -> str:
 
 
 def _composition(catalogue: Catalogue, tree: Tree, rules: RuleSet) -> Iterator[Found]:
-    """What composing found, less what follows from something else that is reported."""
+    """Return the findings of composing, without those that follow from a reported one."""
     changes_are_reported = any(rule.check == "overlay-unknown-node" for rule in rules.rules)
     for finding in catalogue.findings:
         if finding.rule == codes.BRANCH_UNDEFINED.id and _need_not_be_written(

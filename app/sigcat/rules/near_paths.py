@@ -1,11 +1,11 @@
-"""What a path that leads nowhere was probably meant to be."""
+"""Proposals for a path that leads nowhere."""
 
 from sigcat.names import did_you_mean, last_name, nearest, parent_path
 from sigcat.rules.tree import Tree
 
 
 def near_path(path: str, tree: Tree) -> str:
-    """What was probably meant: a child of the same branch, or else a node of that name, or one with a similar path."""
+    """Return a proposal: a child of the same branch, or else a node of that name, or one with a similar path."""
     by_branch = with_another_branch(path, tree)
     if by_branch:
         return by_branch

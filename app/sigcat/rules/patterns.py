@@ -34,7 +34,7 @@ def compile_pattern(text: str, *, trusted: bool) -> Pattern:
 
 
 def compile_exception(text: str | None, *, trusted: bool) -> Callable[[str], object]:
-    """What finds the texts that a rule leaves to another one; none without an expression. Raises BadPattern."""
+    """Return a pattern for texts that a rule leaves to another one; none without an expression. Raises BadPattern."""
     return compile_pattern(text, trusted=trusted).found if text is not None else lambda _text: None
 
 

@@ -1,4 +1,4 @@
-"""What a check yields: one problem of one node or line, not yet a finding of a rule."""
+"""Problems that checks yield: of one node or line, not yet a finding of a rule."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, Literal, NamedTuple, Protocol
@@ -7,17 +7,17 @@ from sigcat.catalogue.reading.statement import Origin
 
 
 class Subject(Protocol):
-    """What a problem is about: a definition, or a single statement of an overlay."""
+    """Subject of a problem: a definition, or a single statement of an overlay."""
 
     @property
     def path(self) -> str:
         """Path of the node."""
 
     def origin(self, attribute: str = "") -> Origin:
-        """Where an attribute was written, or the node."""
+        """Return the place of an attribute, or of the node."""
 
     def origin_within(self, attribute: str, steps: Sequence[int | str], *, at_key: bool = False) -> Origin | None:
-        """Where an item of a list or mapping was written."""
+        """Return the place of an item of a list or mapping."""
 
 
 class Repair(NamedTuple):
@@ -34,14 +34,14 @@ class Repair(NamedTuple):
     safe: bool = True
 
     def of(self, text: str) -> str:
-        """What it makes of a text."""
+        """Return the changed text."""
         if self.kind == "capitalize":
             return text[:1].upper() + text[1:]
         return f"{text}{self.text}" if self.kind == "append" else self.text
 
 
 class Problem(NamedTuple):
-    """What is wrong with a node. `facts` fill the template of the rule's own message, where it has one."""
+    """A problem of a node. `facts` fill the template of the rule's own message, where it has one."""
 
     subject: Subject
     message: str
@@ -56,7 +56,7 @@ class Problem(NamedTuple):
 
 
 class LineProblem(NamedTuple):
-    """What is wrong with one line of a file, whichever node it belongs to; line and column count from 1."""
+    """A problem of one line of a file, whichever node it belongs to; line and column count from 1."""
 
     line: int
     column: int

@@ -29,7 +29,7 @@ MAKERS = frozenset((
 
 
 class Nodes(NamedTuple):
-    """Which nodes a check sees; an empty field allows all."""
+    """Nodes that a check sees; an empty field allows all."""
 
     types: frozenset[str] = frozenset()
     datatypes: frozenset[str] = frozenset()

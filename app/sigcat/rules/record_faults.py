@@ -1,4 +1,4 @@
-"""What is wrong with the fields of a rule's record: everything, each with the field that it is about."""
+"""Faults in the fields of a rule's record: all of them, each with its field."""
 
 import re
 from collections.abc import Collection, Iterator, Mapping
@@ -11,7 +11,7 @@ from sigcat.findings import SEVERITIES, shown
 from sigcat.names import did_you_mean
 
 Scope = Literal["node", "tree"]
-"""What must be there to judge: the node by itself, or its whole tree, of which a part alone shows nothing."""
+"""Scope that a check needs: the node by itself, or its whole tree, as a part alone shows nothing."""
 
 REQUIRED = ("name", "title", "severity", "why", "check", "source")
 

@@ -1,4 +1,4 @@
-"""What the checks know of the whole tree: instances, children, interfaces by name.
+"""Knowledge of checks about the whole tree: instances, children, interfaces by name.
 
 Everything is computed when it is first asked for: a run in which no rule needs it does not pay for it.
 """
@@ -106,7 +106,7 @@ class Tree:
         return _resolve(path.split("."), self.definitions) if self.is_instance(path) else None
 
     def resolved(self, definition: Definition) -> Definition:
-        """What is written for one instance, with all that the instance has from its definition."""
+        """Return the values that are written for one instance, with all that it has from its definition."""
         if not self.may_hold_instances(parent_path(definition.path)):
             return definition
         other = self.resolve_other(definition.path)

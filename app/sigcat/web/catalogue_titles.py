@@ -1,4 +1,4 @@
-"""What a catalogue is called on pages, where several may have one title."""
+"""Names of catalogues on pages, where several may have one title."""
 
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.catalogue.hosting.variants import choice_of

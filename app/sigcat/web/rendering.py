@@ -25,7 +25,7 @@ from sigcat.web.visits import Visit, visit_of
 TYPE_LETTERS = {
     "branch": "", "sensor": "S", "actuator": "A", "attribute": "P", "struct": "{}", "property": "·",
 }  # fmt: skip
-"""What stands before a name in the tree: an attribute of VSS is a parameter to everyone else."""
+"""Words before a name in the tree: an attribute of VSS is a parameter to all other readers."""
 
 CATEGORY_WORDS = {
     "data": "Data", "error": "Error", "safety_reaction": "Safety reaction", "mode": "Mode", "scheduling": "Scheduling",

@@ -70,7 +70,7 @@ def create_site(
 
 
 def _rehearsals(app: FastAPI, library: Library, settings: Settings) -> Iterator[Work]:
-    """What makes the first pages of workers slow."""
+    """Load the modules that make the first pages of workers slow."""
     yield Work(compile_templates, (), {})
     for hosted in islice(library, 1):  # the one over which most try something
         files: HostedFiles = app.state.functions.files

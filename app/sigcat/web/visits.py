@@ -14,7 +14,7 @@ _PART = "part"
 
 
 class Visit(NamedTuple):
-    """What a page says of the request for it, and of the service."""
+    """Facts of a page about its request and the service."""
 
     library: Library
     method: str
@@ -24,7 +24,7 @@ class Visit(NamedTuple):
     route: str
     """Template of the path; empty if there is no such page."""
     names: Mapping[str, Any]
-    """What the path has in place of the names in that."""
+    """Values of the names in the path."""
     query: tuple[tuple[str, str], ...]
 
     @property

@@ -58,7 +58,7 @@ def exclusive(rule: Rule, _tree: Tree) -> NodeTest:
 
 
 def implied(rule: Rule, _tree: Tree) -> NodeTest:
-    """Where `attribute` has one of `values` (or any value), each of `then` is there, and none of `never`."""
+    """Require each of `then`, and none of `never`, where `attribute` has one of `values` (or any value)."""
     attribute = rule.options["attribute"]
     values = rule.options.get("values")
     then, never = rule.options.get("then", ()), rule.options.get("never", ())
@@ -87,7 +87,7 @@ def implied(rule: Rule, _tree: Tree) -> NodeTest:
 
 
 def backed(rule: Rule, _tree: Tree) -> NodeTest:
-    """Where `attribute` is there, the list or text `by` holds `value`."""
+    """Require the value of `attribute` in the list or text `by`."""
     attribute, by, value = rule.options["attribute"], rule.options["by"], rule.options["value"]
 
     def test(definition: Definition) -> Iterator[Problem]:
@@ -123,7 +123,7 @@ def ordered(rule: Rule, _tree: Tree) -> NodeTest:
 
 
 def default_first(_rule: Rule, _tree: Tree) -> NodeTest:
-    """Where a single value has `allowed` and `default`, the default is the first item; `vspec --strict` asks for it."""
+    """Require the default to be the first item where a single value has `allowed` and `default`, as `vspec --strict` does."""
 
     def test(definition: Definition) -> Iterator[Problem]:
         values = definition.values

@@ -53,7 +53,7 @@ _KEYS: Mapping[str, tuple[str, Callable[[Any], bool]]] = {
     "title": ("a text", _DATATYPES["text"]),
     "repairs": ("a mapping of texts to texts", _is_repairs),
 }
-"""What the record of a field may hold: what each key must be, and whether a value is that."""
+"""Keys of the record of a field, each with the check of its value."""
 
 
 def _check_table(option: str, fields: Any) -> None:
@@ -135,7 +135,7 @@ def field_values(rule: Rule, _tree: Tree) -> NodeTest:
 
 
 class _Wrong(NamedTuple):
-    """What is wrong with a value, and the steps that lead to the wrong part of it."""
+    """Yield the problems of a value, with the steps to the wrong part of it."""
 
     message: str
     fix: str = ""
@@ -197,7 +197,7 @@ def _wrong_inner(
 
 
 def _expected(field: Mapping[str, Any]) -> str:
-    """What a field takes, as a message names it: `a number from 0 to 100 in ms`."""
+    """Return the accepted values of a field for a message: `a number from 0 to 100 in ms`."""
     if "values" in field:
         return either(field["values"])
     datatype = str(field.get("datatype", "value")).replace(" or ", " or a ")

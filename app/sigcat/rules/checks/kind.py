@@ -1,4 +1,4 @@
-"""What a check is: a named function that a rule's options turn into a test of a node, of the tree or of a text."""
+"""Checks: named functions that a rule's options turn into a test of a node, of the tree or of a text."""
 
 from collections.abc import Callable, Collection, Iterable, Mapping
 from math import isfinite
@@ -26,7 +26,7 @@ LineTest = Callable[[str], Iterable[LineProblem]]
 
 
 class Kind(NamedTuple):
-    """What an option holds."""
+    """The type of an option's value."""
 
     name: str
     """As the reference calls it."""

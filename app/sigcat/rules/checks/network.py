@@ -67,7 +67,7 @@ def listed_once(_rule: Rule, _tree: Tree) -> NodeTest:
 
 
 def values_fit(_rule: Rule, _tree: Tree) -> NodeTest:
-    """What a list gives, and a default, is a value of the signal: of its datatype, allowed, and within its range."""
+    """Require that listed values and a default are values of the signal: of its datatype, allowed, and within its range."""
 
     def test(definition: Definition) -> Iterator[Problem]:
         values = definition.values
@@ -124,7 +124,7 @@ def _misfit(value: Any, datatype: str, values: Mapping[str, Any]) -> str:
 
 
 def sent_once(_rule: Rule, tree: Tree) -> TreeTest:
-    """Of several signals, or instances of one, one alone is sent as a signal of the network."""
+    """Require that only one of several signals or instances is sent as a signal of the network."""
 
     def test() -> Iterator[Problem]:
         if not any(KUKSA_TARGET in definition.values for definition in tree.judged):
@@ -234,7 +234,7 @@ def no_value_handled(_rule: Rule, tree: Tree) -> NodeTest:
 
 
 def range_fits(_rule: Rule, tree: Tree) -> NodeTest:
-    """What a signal of the network can be, converted, fits the datatype and the range of the signal."""
+    """Require that every value of the network signal, converted, fits the datatype and the range of the signal."""
 
     def test(definition: Definition) -> Iterator[Problem]:
         datatype = str(definition.values.get("datatype", ""))
@@ -282,7 +282,7 @@ def _impossible_numbers(
 def _sent_misfit(
     mapping: SignalMapping, signals: "Sequence[CanSignal]", values: Mapping[str, Any], datatype: str
 ) -> str:
-    """What of the range of a signal the network cannot hold; empty if it holds all, or no range is stated."""
+    """Return the part of a signal's range that the network cannot hold; empty if it holds all, or without a range."""
     limits = [values.get("min"), values.get("max")]
     if mapping.choices or datatype == "string" or not all(map(is_number, limits)):
         return ""
@@ -302,7 +302,7 @@ def _sent_misfit(
 def _range_misfit(
     mapping: SignalMapping, signals: "Sequence[CanSignal]", values: Mapping[str, Any], datatype: str
 ) -> str:
-    """What does not fit; empty if all does."""
+    """Return the values that do not fit; empty if all do."""
     if mapping.choices:
         return ""
     if mapping.formula is not None and (
@@ -334,7 +334,7 @@ def _span_misfit(
     values: Mapping[str, Any],
     datatype: str,
 ) -> str:
-    """What does not fit of numbers from the least to the greatest. What bits hold beyond a range is no matter, if it never comes."""
+    """Return the numbers from the least to the greatest that do not fit. Bits beyond a range that are never sent do not matter."""
     span = f"{mapping.signal} is from {_short(least)} to {_short(greatest)}{' converted' if mapping.formula else ''}"
     if datatype == "boolean" and not {least, greatest} <= {0, 1}:
         return f"{span}, and the signal is true or false: all but 0 is true. Add a list of values."
@@ -352,7 +352,7 @@ def _span_misfit(
 
 
 def _numbers(mapping: SignalMapping, signal: "CanSignal") -> Iterator[float]:
-    """What comes of the limits of a signal; with a formula, of numbers between them too. Limits count if they are stated."""
+    """Return the converted limits of a signal; with a formula, of numbers between them too. Only stated limits count."""
     if not signal.has_limits and mapping.formula is None and abs(signal.least) > _MOST_UNSTATED:
         return  # a float without limits
     if mapping.formula is None:

@@ -125,7 +125,7 @@ def _deletion(branch: Definition) -> Statement:
 
 
 def keeps_instances(_rule: Rule, tree: Tree) -> NodeTest:
-    """What is below a branch keeps its paths: an overlay takes no instances away, and gives none to a branch without."""
+    """Report paths that an overlay changes below a branch: it must not remove instances, or add them to a branch without."""
 
     def test(definition: Definition) -> Iterator[Problem]:
         if not _in_base(definition) or definition.values.get("delete"):

@@ -46,7 +46,7 @@ def unit_spelling(_rule: Rule, tree: Tree) -> NodeTest:
 
 
 def deprecation_target(_rule: Rule, tree: Tree) -> NodeTest:
-    """Where `deprecation` says that a node has moved, it has moved to a node of the tree.
+    """Require that a node which `deprecation` says has moved is in the tree.
 
     The target may be relative to a branch above, as release 5.0 writes it.
     """
@@ -61,7 +61,7 @@ def deprecation_target(_rule: Rule, tree: Tree) -> NodeTest:
 
 
 def moved_to(definition: Definition) -> str:
-    """Where the deprecation of a node says that it has moved; empty if it says nothing of that."""
+    """Return the path to which the deprecation of a node says that it has moved; empty without one."""
     match = re.search(_TARGET, str(definition.values["deprecation"]))
     return match[1] if match else ""
 

@@ -19,12 +19,12 @@ VERSION = 1
 
 
 class Baseline(NamedTuple):
-    """How many findings of each rule at each path are known."""
+    """Return the number of known findings of each rule at each path."""
 
     file: str
     known: Counter[tuple[str, str]]
     paths: tuple[str, ...] = ()
-    """What was linted when it was written, relative to the root; nothing in a file that does not say."""
+    """Return the paths that were linted when it was written, relative to the root; nothing in a file without them."""
 
 
 class Compared(NamedTuple):

@@ -14,7 +14,7 @@ from sigcat.rules.linting.severity import OFF
 
 
 class _Faults(NamedTuple):
-    """What is wrong with a table, each fault with the key that it is about."""
+    """Faults of a table, each with its key."""
 
     findings: list[Finding]
     file: Path

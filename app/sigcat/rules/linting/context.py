@@ -1,4 +1,4 @@
-"""What a file is linted with: the tree that it belongs to, units, struct types, and the overlays that it stacks with."""
+"""The context of a linted file: its tree, units, struct types, and the overlays that it stacks with."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial

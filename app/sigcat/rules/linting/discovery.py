@@ -1,4 +1,4 @@
-"""What the named files are: trees, overlays, struct types, parts of a tree, function files, rule files.
+"""Kinds of the named files: trees, overlays, struct types, parts of a tree, function files, rule files.
 
 `sigcat.file_kind` distinguishes vspec files from others; here the files beside one decide what it is. A file that another file of
 the same tree includes is a part of that tree. Parts alone are checked by themselves, below the prefix at which their tree
@@ -40,11 +40,11 @@ _KINDS: Mapping[FileKind, Kind] = {
     "function json": "function",
     "rules": "rules",
 }
-"""What is done with data files; those of other kinds are passed over, unless the user names them."""
+"""Kinds of data files by format; other kinds are skipped, unless the user names them."""
 
 
 class _Look(NamedTuple):
-    """What decides about a file beside the file itself: who includes whom, and the tree that the options name."""
+    """Facts that decide about a file beside the file itself: includes, and the tree that the options name."""
 
     includes: Includes
     base: Path | None
@@ -187,7 +187,7 @@ def _is_in_overlay_folder(path: Path) -> bool:
 
 
 def _kind_of_data(path: Path, *, named: bool) -> Kind:
-    """What a YAML or JSON file is. A file that the user named is taken for something, so that it is not passed over."""
+    """Return the kind of a YAML or JSON file. A file that the user named always has one, so that it is not skipped."""
     kind = _KINDS.get(file_kind(first_bytes(path), path.name), "other")
     if kind == "other" and named:
         return "function" if ending_of(path.name) == ".json" else "overlay"

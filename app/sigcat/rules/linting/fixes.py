@@ -101,7 +101,7 @@ def _narrowed(edit: Edit, before: str) -> Edit:
 
 
 def _alike(one: str, other: str) -> int:
-    """How many characters both start with."""
+    """Return the number of characters that both begin with."""
     return next((i for i, (a, b) in enumerate(zip(one, other, strict=False)) if a != b), min(len(one), len(other)))
 
 
@@ -138,7 +138,7 @@ def _rewriting(text: str, repair: Repair, node: ScalarNode, start: int) -> Edit 
 
 
 def _within_block(text: str, start: int, end: int) -> tuple[int, int]:
-    """Where the text of a block scalar starts and ends: its first line says only how it is to be read."""
+    """Return the start and the end of the text of a block scalar, without the indicators in its first line."""
     body = text.find("\n", start, end) + 1 or end
     content = text[body:end]
     return body + len(content) - len(content.lstrip()), body + len(content.rstrip())
@@ -161,7 +161,7 @@ def _removal(text: str, key: ScalarNode, above: MappingNode | None) -> Edit | No
 
 
 def _end(text: str, node: ScalarNode) -> int:
-    """Where a scalar ends; libyaml lets some plain scalars end after the space or line break behind them."""
+    """Return the end of a scalar; libyaml lets some plain scalars end after the space or line break behind them."""
     end: int = node.end_mark.index
     return end if node.style else node.start_mark.index + len(text[node.start_mark.index : end].rstrip())
 

@@ -1,4 +1,4 @@
-"""Which files include which, read from their first bytes alone."""
+"""Includes between files, read from their first bytes alone."""
 
 import os
 import re
@@ -11,11 +11,11 @@ from sigcat.open_files import open_text
 
 _INCLUDE = rb"^[ \t]*#include[ \t]+(\S+)(?:[ \t]+(\S+))?"
 Includes = Mapping[Path, tuple[tuple[str, str], ...]]
-"""What each file includes, as it is written, with the prefix."""
+"""Includes of each file, as they are written, with the prefix."""
 
 
 def includes_of(path: Path) -> tuple[tuple[str, str], ...]:
-    """What a vspec file includes, as it is written, with the prefix."""
+    """Yield the includes of a vspec file, as they are written, with the prefix."""
     data = first_bytes(path)
     if b"include" not in data:
         return ()

@@ -39,7 +39,7 @@ def broken_lines(text: str, root: Node, pairs: Iterable[tuple[Finding, Repair]])
 
 
 def _indent(node: ScalarNode, above: MappingNode, number: int, lines: list[str]) -> int:
-    """How far the rest of a broken line is indented: as the line, or below the name of the attribute; 0: not at all."""
+    """Return the indentation of the rest of a broken line: as the line, or below the name of the attribute; 0: none."""
     own = len(lines[number]) - len(lines[number].lstrip(" "))
     first = node.start_mark.line
     if node.style != ">":

@@ -53,13 +53,13 @@ if TYPE_CHECKING:
     from sigcat.catalogue.network.can_database import CanDatabase
 
 _ABOUT_RULES = frozenset((codes.RULE_UNUSABLE.id, codes.RULE_TOO_SLOW.id))
-"""What is wrong with a rule is reported on every run, whichever files are linted."""
+"""Findings about rules, reported on every run, whichever files are linted."""
 _NOT_READ = frozenset((codes.FILE_TOO_LARGE.id, codes.FILE_UNREADABLE.id))
 _NOT_TEXT = frozenset((codes.NOT_UTF_8.id, codes.FILE_TOO_LARGE.id))
 """A file that is no text has no lines to judge."""
 
 Texts = Literal["vspec", "comments", "nothing"]
-"""What is looked at in the text of a file beside its values: lines and comments, comments, or nothing."""
+"""The checked parts of a file's text beside its values: lines and comments, comments, or nothing."""
 
 
 class _Lint:
@@ -284,7 +284,7 @@ _LINT_FILE: Mapping[str, Callable[[Source, _Lint], None]] = {
     "rules": _lint_rules,
     "vocabulary": _lint_vocabulary,
 }
-"""What is linted file by file."""
+"""Kinds of files that are linted one by one."""
 
 
 def _bytes_of(path: Path, lint: _Lint) -> bytes:
@@ -321,7 +321,7 @@ def _result(lint: _Lint, every_rule: Sequence[Rule], whole: Sequence[Path]) -> L
 
 
 def _judged_texts(lint: _Lint, known: Sequence[str]) -> tuple[dict[Finding, Repair | None], list[Suppressions]]:
-    """What is wrong with lines, and the comments that suppress findings."""
+    """Return the findings in lines, and the comments that suppress findings."""
     lines: dict[Finding, Repair | None] = {}
     suppressions = []
     no_text = {finding.file for finding in lint.found if finding.rule in _NOT_TEXT}

@@ -14,7 +14,7 @@ _NONE: Mapping[str, Any] = MappingProxyType({})
 
 
 class CheckedFunctions(NamedTuple):
-    """What is wrong with function files, and the files of the catalogue that they were checked against."""
+    """Findings in function files, and the files of the catalogue that they were checked against."""
 
     findings: Sequence[Finding]
     beside: tuple[str, ...]
@@ -88,7 +88,7 @@ class LintOptions(NamedTuple):
 
 
 Identity = tuple[str, str, int, int, str]
-"""What identifies a finding, whatever its severity and the instance it was found in: rule, file, line, column, message."""
+"""Identity of a finding, whatever its severity and instance: rule, file, line, column, message."""
 
 
 def identity_of(finding: Finding) -> Identity:

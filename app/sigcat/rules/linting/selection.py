@@ -1,4 +1,4 @@
-"""Which rules run: those that sigcat ships and those of a company, as the options select them."""
+"""Rules that run: those that sigcat ships and those of a company, as the options select them."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any

@@ -1,4 +1,4 @@
-"""How severe findings are: what the records say, and what a configuration says for all files or for some."""
+"""Severities of findings: those of the records, and those that a configuration sets for all files or for some."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from fnmatch import fnmatchcase

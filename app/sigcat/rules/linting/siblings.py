@@ -1,4 +1,4 @@
-"""What the user may have meant otherwise: overlays that stack, of which one has what another lacks, and a tree of its own."""
+"""Other meanings of overlays: they stack, and one has what another lacks; or they have a separate tree."""
 
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator

@@ -152,7 +152,7 @@ def _reach(match: re.Match[str], number: int, lines: Sequence[str], blocks: "_Bl
 
 
 class _Blocks(NamedTuple):
-    """Where blocks begin and end. Lines count from 0; their number is the line after the last one."""
+    """Return the starts and ends of blocks. Lines count from 0; their number is the line after the last one."""
 
     following: Sequence[int]
     """For each line, the first one from it on that says something."""

@@ -78,7 +78,7 @@ def show_reference(request: Request) -> Response:
 
 @router.get("/problems/{kind}")
 def show_problem_kind(request: Request, kind: str) -> Response:
-    """What a kind of problem means: the address in its `type`."""
+    """Return the meaning of a kind of problem: the address in its `type`."""
     known = {name: (status, title) for status, (name, title) in KINDS.items()}
     if kind not in known:
         raise NotFound(f"There is no kind of problem {kind!r}.", tuple(known))

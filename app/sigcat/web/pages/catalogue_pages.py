@@ -216,7 +216,7 @@ def _tree(request: Request, hosted: Hosted, path: str, opened: str, start: int) 
 
 
 def _state(hosted: Hosted, functions: FunctionLibrary) -> str:
-    """What the rows of a tree belong to: the catalogue, and the functions that use it."""
+    """Owner of the rows of a tree: the catalogue, and the functions that use it."""
     return f"{version_of(hosted)}-{functions.digest[:8]}"
 
 

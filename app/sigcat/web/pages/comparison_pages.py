@@ -23,7 +23,7 @@ router = APIRouter()
 async def show_comparison(
     request: Request, hosted: NamedCatalogue, functions: TheFunctions, queue: TheWorkQueue, set_id: str
 ) -> Response:
-    """What platforms did with a set of functions: behaviour, faults, timing, load and effort."""
+    """Show the results of platforms with a set of functions: behaviour, faults, timing, load and effort."""
     chosen = comparison_named(set_id, functions.comparisons)
     return await queue.run(_page, visit_of(request), hosted, functions.files, functions.comparisons, chosen)
 

@@ -184,7 +184,7 @@ def _function(functions: FunctionLibrary, hosted: Hosted, function_id: str) -> H
 
 
 def _needs(functions: FunctionLibrary, hosted: Hosted, library: Library) -> dict[str, Need]:
-    """What each function needs that does not build, by its id."""
+    """Return the needs of each function that does not build, by its id."""
     catalogue = expanded_of(hosted.catalogue)
     found = ((each.id, need_of(each, functions.files, catalogue, library)) for each in _over(functions, hosted))
     return {function_id: need for function_id, need in found if need}

@@ -57,7 +57,7 @@ Chosen = Annotated[list[str] | None, Query(alias="f", description="Ids of functi
 
 
 class Asked(NamedTuple):
-    """What the page is made of beside the functions."""
+    """Inputs of the page beside the functions."""
 
     visit: Visit
     hosted: Hosted
@@ -185,7 +185,7 @@ def _page(
 
 
 def _findings(findings: Sequence[Finding], own: Sequence[PostedFile]) -> dict[str, Any]:
-    """What is wrong, and the lines of posted files where it is."""
+    """Return the findings, and the lines of posted files where they are."""
     return {
         "findings": findings[:PAGE_FINDINGS],
         "finding_total": len(findings),

@@ -79,7 +79,7 @@ Vehicle.Speed:
 
 
 class Asked(NamedTuple):
-    """What the page is made of beside the text."""
+    """Inputs of the page beside the text."""
 
     visit: Visit
     hosted: Hosted
@@ -89,7 +89,7 @@ class Asked(NamedTuple):
 
 
 class Tried(NamedTuple):
-    """What was found in a text, the function that it declares, if it does, and what it does as an overlay."""
+    """Results for a text: findings, the function that it declares, and its effects as an overlay."""
 
     findings: tuple[Finding, ...]
     resolved: ResolvedFunction | None = None
@@ -171,7 +171,7 @@ def _outcome(
 
 
 def tried(data: bytes, kind: Kind, catalogue: Catalogue, rules: ServiceRules, limits: Limits) -> Tried:
-    """What is wrong with a text, and the function that it declares."""
+    """Return the findings in a text, and the function that it declares."""
     if kind != "function":
         is_tree = kind == "tree"
         return Tried(lint_text(data, "posted.vspec", catalogue, rules.active, is_tree=is_tree, limits=limits))

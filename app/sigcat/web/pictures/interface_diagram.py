@@ -13,7 +13,7 @@ from sigcat.web.template_filters import unit as typeset_unit
 BOX_LEFT, BOX_RIGHT = 380, 740
 _LABELS_LEFT, _LABELS_RIGHT = 344, 776
 _CHARACTER = 7.4
-"""Of a label, on average."""
+"""Width of a character of a label, on average."""
 _LEAST_REACH = 120
 """For the headings of the ports."""
 _ROW = 24
@@ -57,17 +57,17 @@ class Call(NamedTuple):
 
 
 class Diagram(NamedTuple):
-    """Where everything stands."""
+    """Positions of all elements."""
 
     name: str
     ports: tuple[Port, ...]
     headings: tuple[Heading, ...]
     calls: tuple[Call, ...]
     top: int
-    """Where the ports begin."""
+    """Left edge of the ports."""
     height: int
     left: int
-    """Where the picture begins: the labels on the left end in one line, and the longest sets how far out they reach."""
+    """Left edge of the picture: labels on the left end in one line, and the longest sets how far out they reach."""
     width: int
 
 
@@ -95,7 +95,7 @@ def interface_diagram(function: FunctionJson) -> Diagram:
 
 
 def _reach(ports: Iterable[Port]) -> int:
-    """How far the labels of ports reach outwards."""
+    """Return the outward width of the labels of ports."""
     return max([_LEAST_REACH, *(math.ceil(_CHARACTER * len(port.outer)) for port in ports)])
 
 

@@ -16,7 +16,7 @@ class Tick(NamedTuple):
     kind: str
     """`limit`, `zero` or `default`."""
     anchor: str
-    """Where the label stands: start, middle or end at `x`."""
+    """Anchor of the label: start, middle or end at `x`."""
 
 
 class RangeBar(NamedTuple):
@@ -49,7 +49,7 @@ def range_bar(values: Mapping[str, Any]) -> RangeBar | None:
 
 
 def _ends(low: float | None, high: float | None) -> tuple[float, float]:
-    """What the ends of the bar stand for; on an open side, as far beyond zero as the limit is before it."""
+    """Return the values at the ends of the bar; an open side is as far beyond zero as the limit is before it."""
     if low is None:
         assert high is not None
         return (-high if high > 0 else 2 * high - 1), high

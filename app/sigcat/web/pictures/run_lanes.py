@@ -40,7 +40,7 @@ class Lane(NamedTuple):
     """One of them."""
 
     y: int
-    """Of its bars; its title stands above."""
+    """Height of its bars; its title is above."""
     title: str
     bars: tuple[Bar, ...]
     keys: tuple[Key, ...]
@@ -52,10 +52,10 @@ class Lanes(NamedTuple):
 
     lanes: tuple[Lane, ...]
     bottom: int
-    """Where the axis of time is."""
+    """Position of the time axis."""
     height: int
     start: int
-    """Where the picture begins: on its left is nothing."""
+    """Left edge of the picture."""
     left: int = LEFT
     width: int = WIDTH
     panel_height: int = HEIGHT
@@ -140,7 +140,7 @@ def _spans(changes: Sequence[Point], end: float, shortest: float) -> Iterator[_S
 
 
 def _tone(values: Sequence[float], column: Column) -> str:
-    """How a bar looks: a mode by its place among the modes, anything else by whether all is well."""
+    """Return the style of a bar: a mode by its index, anything else by whether its state is good."""
     if column.good is not None:
         return "good" if set(values) == {column.good} else "bad"
     if len(set(values)) > 1:

@@ -78,7 +78,7 @@ def sunburst(catalogue: Catalogue) -> Sunburst | None:
 
 
 def _leaves(root: Node) -> dict[str, int]:
-    """How many signals stand at or below each node."""
+    """Return the number of signals at or below each node."""
     counts: dict[str, int] = {}
     for node in reversed(list(root.walk())):
         counts[node.path] = int(node.is_leaf) + sum(counts[child.path] for child in node.children)

@@ -15,7 +15,7 @@ LEFT, WIDTH = 230, 640
 _ROW = 34
 _TOP = 34
 _MOST_MARKS = 50
-"""Of the shortest period; a longer pattern is cut off."""
+"""Multiple of the shortest period; a longer pattern is cut off."""
 _LONGEST_PERIOD = 10**9
 """In ms; a call that is rarer than that is not drawn."""
 
@@ -39,7 +39,7 @@ class Lane(NamedTuple):
 
 
 class TimeLine(NamedTuple):
-    """Where everything stands."""
+    """Positions of all elements."""
 
     lanes: tuple[Lane, ...]
     ticks: tuple[tuple[float, str], ...]

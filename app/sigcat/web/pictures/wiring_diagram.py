@@ -48,7 +48,7 @@ class Wire(NamedTuple):
 
 
 class WiringDiagram(NamedTuple):
-    """Where everything stands."""
+    """Positions of all elements."""
 
     boxes: tuple[Box, ...]
     wires: tuple[Wire, ...]

@@ -1,4 +1,4 @@
-"""What pages show: values of the other rooms in, values for templates out.
+"""Views of pages: values of the other rooms in, values for templates out.
 
 Nothing here knows HTTP.
 """

@@ -19,7 +19,7 @@ def findings_over(
 
 
 def _in_functions(hosted: Hosted, files: HostedFiles, library: Iterable[Hosted]) -> Iterator[Finding]:
-    """What is wrong with functions, but for those that are made for another catalogue."""
+    """Return the findings in functions, without those that are made for another catalogue."""
     catalogue = expanded_of(hosted.catalogue)
     for each in functions_over(buildable(files, catalogue), catalogue):
         if need_of(each, files, catalogue, library) is None:

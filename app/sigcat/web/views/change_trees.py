@@ -51,5 +51,5 @@ def _branch(name: str, path: str, changes: Sequence[tuple[list[str], Change]]) -
 
 
 def place_of(change: Change) -> str:
-    """Where users of the old tree look for what changed."""
+    """Return the places of changes for users of the old tree."""
     return change.former or change.path

@@ -1,4 +1,4 @@
-"""What a page shows of the code of a function: how it is called, and what its adapter does with each variable."""
+"""The code of a function on its page: its calls, and the adapter's use of each variable."""
 
 from collections.abc import Iterator
 from typing import NamedTuple

@@ -13,7 +13,7 @@ from sigcat.data import ROOT_FILE
 
 
 def overlay_commands(hosted: Hosted, file: str = "overlay.vspec") -> tuple[str, str]:
-    """What shows what an overlay does, and what checks it."""
+    """Return the commands that show the effects of an overlay, and that check it."""
     tree = shlex.join(_tree_options(_chosen(hosted)))
     return f"sigcat try {file} {tree}", f"sigcat lint {file} {tree}"
 

@@ -72,7 +72,7 @@ def documents_of(function: ResolvedFunction, view: str = "") -> tuple[GeneratedD
 
 
 def integrations_of(functions: Sequence[ResolvedFunction], name: str, view: str = "") -> tuple[GeneratedDocument, ...]:
-    """What is made from functions for all platforms, and for each, as it is without a deployment file."""
+    """Return the documents of functions for all platforms, and for each, as without a deployment file."""
     platforms = PLATFORMS.values()
     pairs = [(platform, generator) for platform in platforms for generator in platform.generators]
     return (

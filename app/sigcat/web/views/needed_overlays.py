@@ -1,4 +1,4 @@
-"""What a function needs that a catalogue does not have: the overlays of another one over which it builds."""
+"""Overlays of another catalogue that a function needs to build."""
 
 from collections.abc import Iterable
 from functools import lru_cache
@@ -21,7 +21,7 @@ class Need(NamedTuple):
 
 
 def need_of(each: HostedFunction, files: HostedFiles, catalogue: Catalogue, library: Iterable[Hosted]) -> Need | None:
-    """What a function needs that does not build over a catalogue; None if it builds over none of the library."""
+    """Return the needs of a function that does not build over a catalogue; None if it builds over none of the library."""
     if each.function is not None:
         return None
     everything = tuple(library)

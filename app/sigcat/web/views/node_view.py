@@ -1,4 +1,4 @@
-"""What the page of a node shows: the node as the API has it, resolved further for readers."""
+"""The page of a node: the node as the API has it, resolved further for readers."""
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -23,7 +23,7 @@ MOST_CHILDREN = 400
 """Children that a page lists; the tree beside it has them all."""
 
 Names = tuple[tuple[str, str], ...]
-"""What a node is called elsewhere: (where, name)."""
+"""Names of a node elsewhere: (where, name)."""
 
 
 class Crumb(NamedTuple):
@@ -102,7 +102,7 @@ def _crumbs(path: str) -> list[Crumb]:
 
 
 def _ordered(attributes: list[schemas.Attribute]) -> tuple[schemas.Attribute, ...]:
-    """What identifies a signal first, then the rest in the order in which it was written."""
+    """Return identifying attributes first, then the rest in the order in which they were written."""
     rank = {name: position for position, name in enumerate(_ORDER)}
     return tuple(sorted(attributes, key=lambda attribute: rank.get(attribute.name, len(rank))))
 
@@ -118,7 +118,7 @@ def _names(node: Node, detail: schemas.Node, used: Sequence[NodeUse]) -> Names:
 
 
 def _innermost(instances: Sequence[Node]) -> list[Node]:
-    """Of a branch with instances, `Wheel.Left` and `Wheel.Right`, and not the `Wheel` that holds them."""
+    """Return `Wheel.Left` and `Wheel.Right` of a branch with instances, without the `Wheel` that holds them."""
     deepest = max((each.path.count(".") for each in instances), default=0)
     return [each for each in instances if each.path.count(".") == deepest]
 

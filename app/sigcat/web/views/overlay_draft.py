@@ -36,6 +36,6 @@ def adding_draft(catalogue: Catalogue, node: Node) -> str:
 
 
 def _values_beside(node: Node, branch: Node) -> Mapping[str, Any]:
-    """Of an error, a mode or a call, those of one that stands there: it shows which attributes are needed."""
+    """Return attribute values of an existing error, mode or call as a template of the needed attributes."""
     beside = node if node.is_leaf else next((child for child in branch.children if child.is_leaf), branch)
     return _NEW if category_of(beside.path) in (None, "data") else beside.values

@@ -1,4 +1,4 @@
-"""What an overlay does that is tried: nodes, changes by class, and what becomes of the functions that use them."""
+"""Effects of an overlay that is tried: nodes, changes by class, and the functions that use them."""
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
@@ -31,7 +31,7 @@ class AffectedFunction(NamedTuple):
     id: str
     name: str
     paths: tuple[str, ...]
-    """What it uses of the changed nodes."""
+    """Changed nodes that it uses."""
     built_before: bool
     builds: bool
     is_other: bool
@@ -41,20 +41,20 @@ class AffectedFunction(NamedTuple):
 
 
 class OverlayOutcome(NamedTuple):
-    """What an overlay does."""
+    """The effects of an overlay."""
 
     nodes: tuple[TriedNode, ...]
     """The first of them."""
     node_count: int
     trees: Sequence[tuple[str, Branch]]
     classes: tuple[tuple[str, int], ...]
-    """How many changes there are of each class that has some."""
+    """Return the number of changes of each class that has some."""
     change_count: int
     functions: tuple[AffectedFunction, ...]
 
 
 def overlay_outcome(text: bytes, catalogue: Catalogue, files: HostedFiles, limits: Limits) -> OverlayOutcome:
-    """What an overlay given as text does to a catalogue, and to the functions of a service."""
+    """Return the effects of an overlay, given as text, on a catalogue and on the functions of a service."""
     trial = try_overlay(catalogue, text, "posted.vspec", limits)
     nodes = _tried_nodes(trial, catalogue)
     numbers = Counter(change.compatibility for change in trial.changes)
@@ -118,5 +118,5 @@ def _compared(before: HostedFunction, after: HostedFunction, paths: tuple[str, .
 
 
 def _content(each: HostedFunction) -> FunctionJson | None:
-    """What a function says, whatever catalogue it was made from."""
+    """Return the declaration of a function, whatever catalogue it was made from."""
     return each.function.model_copy(update={"provenance": None}) if each.function else None

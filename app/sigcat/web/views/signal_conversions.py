@@ -1,4 +1,4 @@
-"""What happens to the value of a signal between two functions, or between one and the outside."""
+"""Conversions of the value of a signal between two functions, or between one and the outside."""
 
 from fractions import Fraction
 

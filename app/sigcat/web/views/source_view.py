@@ -31,7 +31,7 @@ class SourceView(NamedTuple):
 
 
 def shown_text(data: bytes) -> str:
-    """What a file holds as a field of a form takes it: without byte order mark, and LF at the ends of its lines."""
+    """Return the text of a file for a field of a form: without byte order mark, and with LF at the ends of its lines."""
     return data.decode("utf-8", "replace").removeprefix("\ufeff").replace("\r\n", "\n")
 
 

@@ -24,7 +24,7 @@ class Row(NamedTuple):
 
 
 class OpenBranches:
-    """Which branches are open: those named, those above the selected node, and with `*` all."""
+    """Open branches: those named, those above the selected node, and with `*` all."""
 
     def __init__(self, named: Iterable[str], selected: str) -> None:
         self.named = tuple(dict.fromkeys(path for path in named if path))
@@ -44,7 +44,7 @@ class OpenBranches:
         return ",".join(each for each in self.named if each not in (path, EVERYTHING))
 
     def selected_after_closing(self, path: str) -> str:
-        """What is selected once a branch is closed: the branch, if the selected node stood below it."""
+        """Return the selected node once a branch is closed: the branch, if the selected node was below it."""
         return path if self.selected.startswith(f"{path}.") else self.selected
 
 
