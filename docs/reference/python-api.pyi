@@ -34,7 +34,7 @@ class Change(NamedTuple):
         """By the path that users of the old tree know."""
 
 class Origin(NamedTuple):
-    """Where a value was written: file, line and column (from 1), and the overlay, if it is in one."""
+    """Place of a value: file, line and column (from 1), and the overlay, if it is in one."""
     file: str
     line: int
     column: int

@@ -42,7 +42,7 @@ class Near(NamedTuple):
     beyond_last: int
     """Those of them in the last name."""
     weight: float
-    """How much the words say that are matched: one that few paths have says more."""
+    """Return the weight of the matched words: a word that few paths have weighs more."""
     whole: int
     """Words that stand for whole words of the path, not for their beginnings."""
     shares_word: bool
@@ -55,7 +55,7 @@ class Near(NamedTuple):
 
     @property
     def rank(self) -> tuple[float, int, int, int, int]:
-        """What is least for the best."""
+        """Return the sort key; the best one has the least."""
         return (-self.weight, self.beyond_last, -self.whole, self.beyond, self.node.path.count("."))
 
 
@@ -165,7 +165,7 @@ def _meanings(word: str) -> tuple[str, ...]:
 
 
 class _Match(NamedTuple):
-    """What of a path a word of a name stands for: whole words, or words that begin so."""
+    """Return the words of a path that match a word of a name: whole words, or words that begin so."""
 
     names: tuple[str, ...]
     is_whole: bool

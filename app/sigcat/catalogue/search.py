@@ -44,13 +44,13 @@ class Hit(NamedTuple):
 
 
 class SearchResult(NamedTuple):
-    """What was found, best first, and how many hits have each value of each filter."""
+    """Hits, best first, and the number of hits for each value of each filter."""
 
     hits: tuple[Hit, ...]
     total: int
     facets: Mapping[str, Mapping[str, int]]
     words: tuple[str, ...] = ()
-    """What was searched for, in small letters: the words of the text, and those of generated names in it."""
+    """Words of the search in lower case: those of the text, and those of generated names in it."""
     did_you_mean: tuple[str, ...] = ()
     """Words of the catalogue near a word that is nowhere in it."""
     instead: tuple[str, ...] = ()
@@ -67,7 +67,7 @@ _STATIC_ID = re.compile(r"0x[0-9a-f]{8}", re.IGNORECASE)
 _GENERATED = re.compile(r"[A-Za-z0-9_/:]+")
 """A name that code, a topic or a service may have."""
 _SERVICE = re.compile(r".*::|[A-Za-z0-9_]+Service/(?=[^/]+$)")
-"""What stands before the name of an event: `VehicleChassisServiceProxy::`, `VehicleChassisService/`."""
+"""Prefixes of the name of an event: `VehicleChassisServiceProxy::`, `VehicleChassisService/`."""
 _ADDED = frozenset(("value", "message", "function"))
 """Words that generated names have beside those of the path: `switch_value`."""
 
@@ -330,7 +330,7 @@ _FACET_VALUES: Mapping[str, Callable[[Node], str]] = {
 
 
 def _common(sets: Iterable[Bits], everything: Bits) -> Bits:
-    """What is in every set."""
+    """Return the elements of every set."""
     return reduce(and_, sets, everything)
 
 

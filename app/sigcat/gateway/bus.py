@@ -1,4 +1,4 @@
-"""Where frames go: a bus, at their times, or a log. Both by python-can."""
+"""Targets of frames: a bus, at their times, or a log. Both by python-can."""
 
 import time
 from collections.abc import Iterable

@@ -1,4 +1,4 @@
-"""What became of every frame and of every value: nothing is left out without being counted."""
+"""Counts of every frame and of every value: nothing is skipped without being counted."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -71,7 +71,7 @@ class Counts:
         return 0.0 if self.first is None or self.last is None else (self.last - self.first) / 1e9
 
     def lines(self) -> Iterator[str]:
-        """What there is to tell, in a few lines."""
+        """Return the counts for the user, in a few lines."""
         yield f"{self.frames:,} frames in {self.seconds:,.3f} s: {self.decoded:,} decoded{self._not_decoded()}"
         unfit = sum(self.unfit.values())
         left = f"{self.held_back:,} held back by interval or for being unchanged"

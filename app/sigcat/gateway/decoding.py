@@ -95,7 +95,7 @@ class _Part(NamedTuple):
 
 
 class _Plan:
-    """What is taken of a message."""
+    """Used signals of a message."""
 
     def __init__(self, message: Any, targets: Mapping[str, Sequence[_Target]]) -> None:
         self.name: str = message.name

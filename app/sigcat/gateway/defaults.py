@@ -40,7 +40,7 @@ def _refused(*findings: Finding) -> InputRefused:
 
 
 def _findings(name: str, value: object, database: CanDatabase, path: Path, text: str) -> Iterator[Finding]:
-    """What is wrong with a value, at its line."""
+    """Return the finding for a value, at its line."""
     place = re.search(rf"{re.escape(json.dumps(name))}\s*:", text)
     line = text.count("\n", 0, place.start()) + 1 if place else 1
     if name not in database.signals:

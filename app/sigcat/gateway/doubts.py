@@ -1,4 +1,4 @@
-"""What a run of the gateway leaves to say: whether the log is of the bus of the database, and what was left out of it."""
+"""Doubts of a run of the gateway: whether the log is of the bus of the database, and what was skipped."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -13,7 +13,7 @@ _MOST = 20
 
 
 def doubts(translation: Translation, name: str) -> Iterator[Finding]:
-    """What makes one doubt that the trace is what came on the bus; `name` is what findings call the log."""
+    """Return one doubt that the trace is complete; `name` is the log in findings."""
     counts = translation.counts
     if not counts.sent:
         yield _nothing(translation, name)

@@ -52,7 +52,7 @@ def _outgoing(node: Node) -> Iterator[Outgoing]:
 
 
 class Place(NamedTuple):
-    """Where the values of a signal go: a signal of a message."""
+    """Target of the values of a signal: a signal of a message."""
 
     outgoing: Outgoing
     message: Any
@@ -147,7 +147,7 @@ def _of_profile(value: Value, mapping: SignalMapping) -> str | _Raw:
 
 
 def places(database: CanDatabase, outgoing: Sequence[Outgoing]) -> Mapping[str, tuple[Place, ...]]:
-    """Where signals go, by the names of their columns: into each message that has the signal, unless the mapping names one."""
+    """Return the targets of signals by column: each message that has the signal, unless the mapping names one."""
     messages = {(message.frame_id, message.is_extended_frame): message for message in reversed(database.messages)}
     found: dict[str, list[Place]] = {}
     for each in outgoing:
@@ -168,7 +168,7 @@ def _place(outgoing: Outgoing, message: Any, signal: Any) -> Place:
 
 
 class MessageState:
-    """What a message has in all its signals: what was set last, else a default, else the start value of the database, else 0."""
+    """Return the values of all signals of a message: the last one, else a default, else the start value of the database, else 0."""
 
     def __init__(self, message: Any, defaults: Mapping[str, float | str]) -> None:
         self._message = message

@@ -1,4 +1,4 @@
-"""What functions send is heard from a player, and becomes a trace: kept in a file until all its columns are known."""
+"""Values that a player receives from functions become a trace: kept in a file until all its columns are known."""
 
 import csv
 import tempfile

@@ -1,4 +1,4 @@
-"""Where a message has the bits of its signals, and which number bits are; signals and messages are those of cantools."""
+"""Layout of messages: the bits of signals and their numbers; signals and messages are those of cantools."""
 
 import struct
 from collections.abc import Callable

@@ -21,7 +21,7 @@ class Mapped(NamedTuple):
     allowed: frozenset[Any]
     mapping: SignalMapping
     default: Value | None = None
-    """What it is before a value comes."""
+    """Value before one is received."""
 
 
 def mapped_signals(catalogue: Catalogue) -> tuple[Mapped, ...]:

@@ -10,7 +10,7 @@ from sigcat.players.player import Player
 
 
 class Handed:
-    """What is handed to a player."""
+    """Input of a player."""
 
     def __init__(self, columns: Sequence[str], platform: str) -> None:
         self.columns = columns
@@ -25,11 +25,11 @@ class Handed:
             yield row
 
     def line(self, player: Player) -> str:
-        """What became of it, in a line."""
+        """Return the outcome as one line."""
         return f"{player.sent or 0:,} values of {len(self._received(player)):,} signals sent over {self.platform}"
 
     def findings(self, player: Player, name: str) -> Iterator[Finding]:
-        """What was not sent."""
+        """Return the number of values that were not sent."""
         unknown = sorted(set(player.unknown))
         if unknown:
             message = f"No function receives {', '.join(unknown[:_MOST])}{' and more' if len(unknown) > _MOST else ''}."

@@ -1,4 +1,4 @@
-"""What a run of the gateway needs is read and held against each other: the database, and the mappings of the catalogue."""
+"""Inputs of a run of the gateway are read and compared: the database, and the mappings of the catalogue."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
@@ -26,9 +26,9 @@ class Prepared(NamedTuple):
     outgoing: tuple[Outgoing, ...]
     """The signals that go to it."""
     findings: tuple[Finding, ...]
-    """What the linter says of the mappings: warnings."""
+    """Warnings of the linter about the mappings."""
     datatypes: Mapping[str, str]
-    """Of every signal, by path."""
+    """Mappings of every signal, by path."""
 
 
 def prepare(
@@ -60,7 +60,7 @@ def prepare(
 
 
 def _mapping_findings(catalogue: Catalogue, database: CanDatabase) -> Iterator[Finding]:
-    """What `sigcat lint` finds of them."""
+    """Return the findings of `sigcat lint` in the mappings."""
     rules = RuleSet(rule for rule in compiled_rules(INTERFACE_RULES) if rule.category == "mapping")
     judged = [each for each in catalogue.definitions.values() if not each.values.keys().isdisjoint(ATTRIBUTES)]
     for finding, _ in found_in(catalogue, rules, judged, can=database):

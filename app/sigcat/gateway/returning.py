@@ -1,4 +1,4 @@
-"""What functions send goes back to CAN while they run, in a thread of its own."""
+"""Values that functions send are returned to CAN while they run, in a separate thread."""
 
 import queue
 import time
@@ -114,7 +114,7 @@ class Returning:
         self.dropped += 1
 
     def findings(self, name: str) -> Iterator[Finding]:
-        """What did not reach the bus."""
+        """Return the values that did not reach the bus."""
         if self.lost:
             message = f"{self.lost:,} frames were not sent to CAN: {self.why}."
             yield codes.BUS_UNREACHED.finding(message, name)

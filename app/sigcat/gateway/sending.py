@@ -100,7 +100,7 @@ class Sender:
         return min(times, default=None)
 
     def line(self) -> str:
-        """What there is to tell."""
+        """Return the messages for the user."""
         left = f"{self.held_back:,} held back by interval or for being unchanged"
         unfit = sum(self.unfit.values())
         return (
@@ -108,7 +108,7 @@ class Sender:
         )
 
     def findings(self, name: str) -> Iterator[Finding]:
-        """What was not sent, and why."""
+        """Return the values that were not sent, and why."""
         for (path, why), count in self.unfit.items():
             yield codes.FRAME_UNFIT.finding(f"{path}: {count:,} values not sent to CAN, {why}.", name)
         if self.unmapped:

@@ -73,9 +73,9 @@ class Added(NamedTuple):
     file: Path
     columns: tuple[str, ...]
     indexes: tuple[int, ...]
-    """Of these columns in the file."""
+    """Indexes of these columns in the file."""
     shapes: Mapping[int, Number] = {}
-    """Of columns that are signals with numbers: their cells are looked at."""
+    """Indexes of columns that are signals with numbers: their cells are checked."""
     findings: tuple[Finding, ...] = ()
     """Columns that may be misspelled: a function may define signals of its own."""
 

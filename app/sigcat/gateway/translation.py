@@ -20,7 +20,7 @@ _MOST_LATE = 10**9
 
 
 class Moment(NamedTuple):
-    """What came with a frame."""
+    """Values of a frame."""
 
     time: int
     """In ns."""
@@ -88,7 +88,7 @@ class Translation:
                 yield Moment(time, found)
 
     def _with_defaults(self, found: Sequence[Decoded]) -> list[Decoded]:
-        """What came first, and the defaults of all other signals: what they are before they come."""
+        """Return the first values, and the defaults of all other signals."""
         came = {each.number for each in found}
         given = tuple(each for each in self._defaults if each.number not in came)
         for each in given:

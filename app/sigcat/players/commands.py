@@ -13,7 +13,7 @@ from typing import Any
 from sigcat.adapter.files import GeneratedFile
 
 _FIRST_ERROR = re.compile(r"\berror:|\bError at\b|undefined reference|multiple definition", re.IGNORECASE)
-"""What compilers, linkers and CMake write where they begin to say what is wrong."""
+"""Words before errors in the output of compilers, linkers and CMake."""
 _MOST = 6000
 """Characters of what a command said that are kept."""
 
@@ -83,7 +83,7 @@ def _kill(group: int) -> None:
 
 
 def ran(command: Sequence[object], environment: Mapping[str, str] | None = None, folder: Path | None = None) -> str:
-    """What a command says that builds. Raises BuildFails if it fails, or Interrupted; its processes end with this one."""
+    """Return the output of a build command. Raises BuildFails if it fails, or Interrupted; its processes end with this one."""
     words = [str(word) for word in command]
     with GROUPS.started(
         words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment,

@@ -31,7 +31,7 @@ class Player:
         self.sent: int | None = None
         """Values that it has sent, when it has ended well."""
         self.unheard = 0
-        """Of them, those that were sent while a process was gone."""
+        """Number of values that were sent while a function's process was down."""
         self._mode = mode
         self._program = program
         self._takers = takers

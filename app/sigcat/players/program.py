@@ -38,7 +38,7 @@ class Program(NamedTuple):
     environment: Mapping[str, str]
 
     def command(self, mode: Mode) -> tuple[str, ...]:
-        """How it is started."""
+        """Return the command that starts it."""
         if self.platform == "DDS":
             return (str(self.player), mode, "-", _OUT)
         return (str(self.player), "-", _OUT, *(("live",) if mode == "live" else ()))

@@ -27,7 +27,7 @@ def own_domain() -> Iterator[int]:
 
 
 def variables_in_domain(number: int, home: Path) -> Mapping[str, str]:
-    """What processes of a domain have in their environment: they keep their files in a folder and stay on this machine."""
+    """Return the environment of the processes of a domain: they keep their files in a folder and stay on this machine."""
     return {
         "ROS_DOMAIN_ID": str(number),
         "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",

@@ -1,4 +1,4 @@
-"""Where ROS 2 is: the one that is sourced, else that of a checkout of sigcat, which has no rclcpp but our subset of it."""
+"""Place of ROS 2: the sourced one, else that of a checkout of sigcat, which has our subset of rclcpp."""
 
 import os
 import shutil
@@ -11,7 +11,7 @@ from sigcat.players.commands import BuildFails
 
 _CHECKOUT = Path(__file__).parents[3]
 WHEELS = _CHECKOUT / ".venv-ros2"
-"""What `make ros2` makes."""
+"""Result of `make ros2`."""
 SUBSET = _CHECKOUT / "tests/adapter/ros2/rclcpp_subset"
 _LINKER = (
     "-Wl,--as-needed,--unresolved-symbols=ignore-in-shared-libs "
@@ -37,12 +37,12 @@ class Ros2(NamedTuple):
 
     @property
     def note(self) -> str:
-        """What of it is not ROS 2."""
+        """Parts that are not of ROS 2."""
         return "rclcpp: sigcat's subset of rclcpp 28, on the real rcl and rmw" if self.rclcpp else ""
 
     @property
     def linker_flags(self) -> str:
-        """What executables are linked with."""
+        """Libraries of executables."""
         return _LINKER.format(library=python_library(self.python)) if self.wheels else ""
 
     def variables(self, *prefixes: Path) -> Mapping[str, str]:

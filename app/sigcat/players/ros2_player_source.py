@@ -266,7 +266,7 @@ def _structs(document: Mapping[str, Any]) -> Iterator[str]:
 
 
 def _members(document: Mapping[str, Any], messages: Mapping[str, Mapping[str, Any]]) -> Mapping[str, Sequence[str]]:
-    """What a recording calls the members of messages that others hold: as the catalogue does, not as ROS 2."""
+    """Return the names of members in a recording: those of the catalogue, not those of ROS 2."""
     types = {each["typeRef"]: each["cDef"] for each in document["Datatypes"]}
     structs = {each["cDef"]: each["Fields"] for each in document["Datatypes"] if each.get("Fields")}
     found: dict[str, Sequence[str]] = {}

@@ -1,4 +1,4 @@
-"""What a comparison of two catalogues yields: changes, each with a class that says whom it concerns."""
+"""Changes between two catalogues, each with a class for its consumers."""
 
 import datetime as dt
 from collections.abc import Iterable
@@ -32,7 +32,7 @@ class Change(NamedTuple):
     rule: str
     """Row of the class table that decided."""
     path: str
-    """Where the node is now, or was, if it is gone. Of several instances: the path without their names."""
+    """Path of the node now, or before it was removed. Of several instances: the path without their names."""
     type: str
     """Type of the node now, or before, if it is gone."""
     paths: tuple[str, ...]
@@ -40,16 +40,16 @@ class Change(NamedTuple):
     leaves: int
     """Signals in the subtrees at all `paths` that came, went or moved with them; 0 for `changed`."""
     former: str = ""
-    """Where the node was before, if it moved or is in a branch that moved; like `path`."""
+    """Path of the node before, if it moved or is in a branch that moved; like `path`."""
     former_paths: tuple[str, ...] = ()
     """Aligned with `paths`; empty where nothing moved."""
     attributes: tuple[AttributeChange, ...] = ()
     evidence: Evidence = ""
-    """How it is known that a node moved. `same definition` is a guess."""
+    """Evidence that a node moved. `same definition` is a guess."""
     came: tuple[str, ...] = ()
-    """What is in the tree since `instances` changed; topmost paths."""
+    """Topmost paths that were added when `instances` changed."""
     went: tuple[str, ...] = ()
-    """What is no longer in the tree since `instances` changed; topmost paths."""
+    """Topmost paths that were removed when `instances` changed."""
     note: str = ""
     """The deprecation text of a node that is gone."""
 

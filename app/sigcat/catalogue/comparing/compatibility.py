@@ -1,4 +1,4 @@
-"""Whom a change breaks: the class table, and which of its rows an attribute's change falls under.
+"""Compatibility of changes: the class table, and the row of an attribute's change.
 
 The point of view is that of software written against the old tree. It reads sensors, reads and sets actuators, and
 relies on attributes (parameters) that were set for a vehicle.

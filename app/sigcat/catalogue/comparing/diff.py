@@ -187,7 +187,7 @@ def _template(before: Node, after: Node) -> str:
 
 
 def _leaves(top: Mapping[str, str], nodes: Mapping[str, Node]) -> dict[str, int]:
-    """How many signals each topmost path stands for."""
+    """Return the number of signals of each topmost path."""
     counts = dict.fromkeys(top.values(), 0)
     for path, topmost in top.items():
         counts[topmost] += nodes[path].is_leaf

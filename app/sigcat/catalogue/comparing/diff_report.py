@@ -144,7 +144,7 @@ def _coloured(text: str, of: str, is_coloured: bool) -> str:
 
 
 def _behind_name(change: Change) -> str:
-    """What follows the name: how many nodes it concerns, and where they went."""
+    """Return the text after the name: the number of nodes, and their new paths."""
     parts = [f"  → {printable(change.path)}"] if change.former and change.kind == "moved" else []
     counted = _counted(change)
     if counted:

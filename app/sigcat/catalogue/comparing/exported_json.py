@@ -37,7 +37,7 @@ UNKNOWN = frozenset(("arraysize", "aggregate", "uuid", "instances"))
 Of `instances`, the nodes that they made are compared.
 """
 _REPEATED = ("type", "description", "comment")
-"""What older exports repeat of a branch in its instances; those of today repeat everything."""
+"""Attributes that older exports repeat in the instances of a branch; exports of today repeat all."""
 _REFERS_OUTSIDE = frozenset(
     rule.id for rule in (codes.DATATYPE_UNKNOWN, codes.UNIT_UNKNOWN, codes.UNIT_OF_WRONG_DATATYPE, codes.UNITS_MISSING)
 )
@@ -48,7 +48,7 @@ _HALVES = re.compile(r"\\u([dD][89abAB][0-9a-fA-F]{2})\\u([dD][c-fC-F][0-9a-fA-F
 
 Positions = Mapping[str, tuple[int, int]]
 Lost = Mapping[str, Mapping[str, Any]]
-"""What an export does not say of its nodes, by path, where another tree knows it."""
+"""Facts that an export lacks about its nodes, by path, where another tree has them."""
 
 NOTHING_LOST: Lost = {}
 _SHAPING: Mapping[str, Any] = {"instantiate": False, "instances_relation": "sibling"}
@@ -56,7 +56,7 @@ _SHAPING: Mapping[str, Any] = {"instantiate": False, "instances_relation": "sibl
 
 
 def lost_in_exports(catalogue: Catalogue) -> Lost:
-    """What an export of this catalogue, or of one like it, lacks to be expanded as this one is."""
+    """Return the facts that an export of this catalogue, or of one like it, lacks for its expansion."""
     written = (node for node in catalogue.nodes.values() if not node.definition.is_instance)
     return {path: lost for node in written if (lost := _shaping(node)) for path in (node.path, node.template)}
 

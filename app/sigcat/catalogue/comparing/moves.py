@@ -1,4 +1,4 @@
-"""Which nodes moved: by the former paths that a node gives, by the deprecation of a node that is gone, or by guess."""
+"""Moved nodes: by the former paths of a node, by the deprecation of a removed node, or by guess."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -23,7 +23,7 @@ _SUCCESSOR = re.compile(r"\b(?:moved|renamed|replaced)\s+(?:to|by|with)\s+[`'\"]
 
 
 class Move(NamedTuple):
-    """Where a node went, and what says so."""
+    """New path of a node, and the evidence for it."""
 
     target: str
     evidence: Evidence
@@ -179,7 +179,7 @@ def _signatures(nodes: Nodes, descriptions: set[str] | None = None) -> dict[Sign
 
 
 def _signature(words: str, values: Mapping[str, Any]) -> Signature:
-    """What makes a signal what it is. Signals without a description have none: too much is alike."""
+    """Return the identity of a signal. Signals without a description have none: too many are alike."""
     facts = (values.get(name) for name in ("type", "datatype", "min", "max", "allowed", "enum", "arraysize"))
     return (words, str(values.get("unit")).lower(), *map(repr, facts))
 

@@ -69,7 +69,7 @@ class Options(NamedTuple):
     projects: Projects = _no_projects
     limits: Limits = DEFAULT_LIMITS
     lost: Lost = NOTHING_LOST
-    """Of an exported JSON: what it lacks, and the other side has."""
+    """Facts that an exported JSON lacks, and the other side has."""
 
 
 class Side(NamedTuple):
@@ -80,7 +80,7 @@ class Side(NamedTuple):
     unknown: frozenset[str] = frozenset()
     """Attributes that a tree in this form cannot have."""
     folder: str = ""
-    """What was the current folder of a revision, whose files are gone. Empty: the current folder."""
+    """Former current folder of a revision, whose files are removed. Empty: the current folder."""
 
     @property
     def is_export(self) -> bool:
@@ -248,7 +248,7 @@ def _has_known_tree(source: Source) -> bool:
 
 
 def _without_overlays(source: Source) -> Source:
-    """What a catalogue was before the project began."""
+    """Return the catalogue before the project began."""
     return source._replace(overlays=tuple(path for path in source.overlays if path.is_relative_to(OVERLAYS)))
 
 

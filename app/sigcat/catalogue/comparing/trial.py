@@ -14,13 +14,13 @@ from sigcat.names import did_you_mean
 
 
 class Trial(NamedTuple):
-    """What an overlay would do."""
+    """Effects of an overlay."""
 
     catalogue: Catalogue
     nodes: tuple[Node, ...]
     """Nodes that would be new or have other attributes, as they would be."""
     findings: tuple[Finding, ...]
-    """What the overlay would add to the findings of the catalogue."""
+    """Findings that the overlay adds to those of the catalogue."""
     changes: tuple[Change, ...]
 
 

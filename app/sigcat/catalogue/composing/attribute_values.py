@@ -7,11 +7,11 @@ from typing import Any
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES, element_of
 
 NO_VALUE: Any = object()
-"""What a conversion returns for a value that the attribute cannot have."""
+"""Result of a conversion for a value that the attribute cannot have."""
 
 
 def hashed(value: Any) -> Hashable:
-    """What is equal for equal values, and can be looked up among thousands of others."""
+    """Return a hashable key that is equal for equal values."""
     if isinstance(value, dict):
         return frozenset((key, hashed(item)) for key, item in value.items())
     return tuple(map(hashed, value)) if isinstance(value, list) else value
@@ -79,7 +79,7 @@ CONVERSIONS: Mapping[str, Callable[[Any], Any]] = {
     "is_instance": _flag, "fka": _texts, "arraysize": _whole, "min": number, "max": number,
     "allowed": _scalars, "enum": _numbered, "instances": _instances, "instances_relation": _relation,
 }  # fmt: skip
-"""How the value of each attribute is normalized, by its name."""
+"""Normalization of the value of each attribute, by its name."""
 EXPECTED: Mapping[str, str] = {
     "description": "text", "comment": "text", "deprecation": "text", "constUID": "text such as '0x0123ABCD'",
     "pattern": "a regular expression", "unit": "the key of a unit", "datatype": "the name of a datatype",
@@ -89,7 +89,7 @@ EXPECTED: Mapping[str, str] = {
     "enum": "a mapping of names to whole numbers", "instances": "text or a list",
     "instances_relation": "'child' or 'sibling'",
 }  # fmt: skip
-"""What the value of each attribute must be, by its name, in words."""
+"""Required value of each attribute as text, by its name."""
 
 
 def is_finite(value: Any) -> bool:

@@ -126,7 +126,7 @@ def _added_branch(path: str, below: str, definition: Definition, above: Draft | 
 
 
 def fix_of_undefined(branch: str, proposal: str) -> str:
-    """What to do about a branch that is not defined, where something else may have been meant."""
+    """Return the fix for a branch that is not defined, where something else may have been meant."""
     return f"{proposal} Define {branch!r} with `type: branch` and a description.".lstrip()
 
 
@@ -153,7 +153,7 @@ def _node(draft: Draft, path: str, above: Definition | None, reported: set[int],
 
 
 def _findings_of_deleted(draft: Draft, path: str, above: Definition, reported: set[int]) -> Iterator[Finding]:
-    """What is wrong with a node before it is deleted: vss-tools refuses it too, with the exceptions below."""
+    """Yield the problems of a node before it is deleted: vss-tools refuses it too, with the exceptions below."""
     found: list[Finding] = []
     _node(draft, path, above, reported, found)
     return (finding for finding in found if finding.rule not in _ONLY_OF_WHAT_STAYS)

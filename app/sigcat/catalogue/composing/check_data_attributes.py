@@ -44,7 +44,7 @@ def unit_problems(values: Mapping[str, Any], scope: Scope) -> Iterator[Problem]:
 
 
 def quote_it(value: Any) -> str:
-    """What to do about a text that YAML reads as something else; nothing for what is no single value."""
+    """Return the fix for a text that YAML reads as something else; nothing for a list or mapping."""
     if isinstance(value, bool):
         return _QUOTE
     if isinstance(value, dt.date):
@@ -211,7 +211,7 @@ def _not_among(known: Iterable[Any], items: Iterable[Any]) -> Iterator[Any]:
 
 
 def _number_instead(default: Any, values: Mapping[str, Any]) -> str:
-    """What to write instead of a default that is a name of the enumeration, or not one of its numbers."""
+    """Return the replacement of a default that is a name of the enumeration, or not one of its numbers."""
     enum = values.get("enum")
     if not isinstance(enum, Mapping) or not enum:
         return ""
@@ -221,7 +221,7 @@ def _number_instead(default: Any, values: Mapping[str, Any]) -> str:
 
 
 def _spelled(value: Any, datatype: str) -> str:
-    """How to write a value that YAML reads as another: a text as a number, or a number such as 1e3 as text."""
+    """Return the spelling of a value that YAML reads as another: a text as a number, or a number such as 1e3 as text."""
     meant = number(value) if isinstance(value, str) and is_numeric(datatype) else NO_VALUE
     if meant is not NO_VALUE:
         return f"Write {meant}, without quotes."

@@ -49,7 +49,7 @@ def _near(base: Catalogue, changed: Mapping[str, Definition]) -> dict[str, Defin
 
 
 def _below_retyped(base: Catalogue, changed: Mapping[str, Definition]) -> dict[str, Definition]:
-    """What is below nodes to which an overlay gives a type, and may not be below that type."""
+    """Return the nodes below one to which an overlay gives a type that must not have them."""
     retyped = {path for path, new in changed.items() if new.origin("type").overlay and path in base.first_below}
     if not retyped:
         return {}

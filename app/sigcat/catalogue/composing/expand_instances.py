@@ -40,7 +40,7 @@ def expand_instances(root: Draft, scope: Scope, limits: Limits) -> Draft:
 
 
 class _Expansion:
-    """What one expansion has done so far: a draft that is in the tree many times is expanded and measured once."""
+    """State of one expansion: a draft that is in the tree many times is expanded and measured once."""
 
     def __init__(self, scope: Scope, limits: Limits) -> None:
         self.scope = scope

@@ -23,7 +23,7 @@ def instance_names(entry: Any) -> Iterator[str]:
 
 
 def count_instances(instances: Iterable[Any]) -> int:
-    """How many nodes the instances of one branch add, without making them."""
+    """Return the number of nodes that the instances of one branch add, without making them."""
     roots, total = 1, 0
     for entry in instances:
         count = sum(_range_length(str(item)) for item in (entry if isinstance(entry, list) else [entry]))

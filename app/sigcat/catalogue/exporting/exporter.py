@@ -1,4 +1,4 @@
-"""What an exporter is: one record with its name, its options and the functions that run it."""
+"""Exporters: one record each, with the name, the options and the functions that run it."""
 
 from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
@@ -28,7 +28,7 @@ class Option(NamedTuple):
     own: bool = False
     """Whether sigcat implements it, because vss-tools has no such option."""
     kept_at: str = ""
-    """Of a state: the file in the exported folder that holds it, for the next export to continue."""
+    """File in the exported folder with the state of a former export, for the next one to continue."""
     also: tuple[str, ...] = ()
     """Other spellings on the command line, with their dashes: the short ones of vss-tools."""
 
@@ -44,7 +44,7 @@ class Exporter(NamedTuple):
     name: str
     """On the command line and in addresses: `csv`."""
     text: str
-    """What it writes, in a few words."""
+    """Content, in a few words."""
     suffix: str
     """Suffix of the file; empty if the exporter writes a folder."""
     media_type: str

@@ -16,7 +16,7 @@ class ExportedFile(NamedTuple):
 
 
 class Export(NamedTuple):
-    """What an export made, the main file first, and the warnings of the exporter."""
+    """Files of an export, the main file first, and the warnings of the exporter."""
 
     files: tuple[ExportedFile, ...]
     findings: tuple[Finding, ...] = ()

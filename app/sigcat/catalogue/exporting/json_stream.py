@@ -51,7 +51,7 @@ _FLAGS = {"all_extended": "extend-all-attributes", "keep_instances": "keep-insta
 
 
 class _Writing:
-    """What all parts have in common."""
+    """Settings of all parts."""
 
     def __init__(self, catalogue: Catalogue, keep_instances: bool, sizes: Mapping[str, int]) -> None:
         self._catalogue = catalogue

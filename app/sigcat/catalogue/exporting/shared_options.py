@@ -24,4 +24,4 @@ STRICTNESS = (
     ),
     Option("strict-exceptions", "input", "YAML file with the paths that --strict and --aborts leave alone"),
 )  # fmt: skip
-"""What vss-tools checks while it exports."""
+"""Checks of vss-tools during an export."""

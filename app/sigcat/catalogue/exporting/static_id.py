@@ -37,7 +37,7 @@ def fnv1(data: bytes) -> int:
 
 
 def _identity(path: str, values: Mapping[str, Any]) -> str:
-    """What is hashed. Its spelling, with commas missing, is that of vss-tools."""
+    """Return the hashed text. Its spelling, with commas missing, is that of vss-tools."""
     former = values.get("fka")
     name = (former[0] if isinstance(former, list) else former) if former else path
     unit, datatype, allowed = (values.get(key) or "" for key in ("unit", "datatype", "allowed"))

@@ -25,10 +25,10 @@ from sigcat.limits import DEFAULT_ARCHIVE_LIMITS, ArchiveLimits
 Kind = Literal["file", "folder", "link", "device"]
 
 ROOT_FILE = f"spec/{ROOT_NAME}"
-"""What makes an archive one of a release."""
+"""Entries that make an archive one of a release."""
 KEPT_FOLDERS = frozenset(("spec", "overlays"))
 KEPT_FILES = frozenset(("LICENSE", "LICENSE.txt", "VERSION", "CHANGELOG.md"))
-"""What is kept of the top of a release; documentation and build files are not."""
+"""Kept entries at the top of a release; documentation and build files are not kept."""
 
 
 class ArchiveRefused(InputRefused):
@@ -42,7 +42,7 @@ class Entry(NamedTuple):
     kind: Kind
     size: int
     target: str = ""
-    """Where a link leads."""
+    """Target of a link."""
 
 
 _Opened = Iterator[tuple[Entry, IO[bytes] | None]]
@@ -149,7 +149,7 @@ def _top_folder(entries: Iterable[Entry]) -> str:
 
 
 def _kept_path(entry: Entry, top: str) -> PurePosixPath | None:
-    """Where an entry goes below the folder of the release; None for a folder, and for what is not kept."""
+    """Return the path of an entry below the folder of the release; None for a folder, and for skipped entries."""
     if entry.kind == "folder":
         return None
     name = entry.name.removeprefix("./")
@@ -202,7 +202,7 @@ def _entries(archive: Path, limits: ArchiveLimits) -> Iterator[_Opened]:
 
 
 class _Growing(io.RawIOBase):
-    """What a packed file unpacks to, as far as it stays within the limits."""
+    """Yield the unpacked bytes of a packed file, as far as they stay within the limits."""
 
     def __init__(self, file: IO[bytes] | gzip.GzipFile, packed_bytes: int, limits: ArchiveLimits) -> None:
         self._file = file

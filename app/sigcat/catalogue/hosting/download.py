@@ -201,7 +201,7 @@ class _Redirects(urllib.request.HTTPRedirectHandler):
 
 
 Connect = Callable[..., socket.socket]
-"""What http.client makes connections with: from a pair of host and port, and the seconds that it may take."""
+"""Connection factory of http.client: from a pair of host and port, and the seconds that it may take."""
 
 
 def _connecting(asked: _Asked) -> Connect:

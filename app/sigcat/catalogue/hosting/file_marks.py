@@ -1,4 +1,4 @@
-"""What files looked like when they were read: by it one sees that they were changed since."""
+"""Marks of files when they were read: a changed mark means a changed file."""
 
 from collections.abc import Iterable
 from pathlib import Path

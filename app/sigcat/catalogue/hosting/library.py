@@ -33,7 +33,7 @@ class Hosted(NamedTuple):
     files: frozenset[Path] = frozenset()
     """Files that were read last, for the state shown or for the one rejected."""
     marks: Marks = frozenset()
-    """What those files and their folders looked like before they were read."""
+    """Marks of those files and their folders before they were read."""
 
     @property
     def search_index(self) -> SearchIndex:
@@ -126,7 +126,7 @@ def _indexed(hosted: Hosted) -> Hosted:
 
 
 class Reloading(Protocol):
-    """What is read from files, and can see which of them changed."""
+    """Sources that are read from files, and detect which of them changed."""
 
     def reload_changed(self) -> object:
         """Read what changed again."""

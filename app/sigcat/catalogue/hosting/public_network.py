@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 _NAT64 = ipaddress.ip_network("64:ff9b::/96")
-"""Where networks without IPv4 put IPv4 addresses, the last 32 bits (RFC 6052)."""
+"""Prefix of networks without IPv4 for IPv4 addresses, the last 32 bits (RFC 6052)."""
 
 
 class Place(NamedTuple):
@@ -25,7 +25,7 @@ class AddressRefused(Exception):
 
 
 class Network(NamedTuple):
-    """How names become addresses, and addresses connections."""
+    """Resolution of names to addresses, and of addresses to connections."""
 
     resolve: Callable[[str, int], Sequence[Place]]
     connect: Callable[[Place, float | None], socket.socket]

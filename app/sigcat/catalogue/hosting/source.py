@@ -1,4 +1,4 @@
-"""Where one catalogue comes from: a tree, its overlays in order, and its vocabulary."""
+"""Source of one catalogue: a tree, its overlays in order, and its vocabulary."""
 
 from pathlib import Path
 from typing import NamedTuple
@@ -9,7 +9,7 @@ from sigcat.limits import DEFAULT_LIMITS, Limits
 
 
 class Source(NamedTuple):
-    """Where a catalogue comes from: a tree, its overlays in order, and its vocabulary."""
+    """Source of a catalogue: a tree, its overlays in order, and its vocabulary."""
 
     id: str
     """Name in addresses and on the command line."""

@@ -1,4 +1,4 @@
-"""Where catalogues come from: the trees that sigcat ships, pulled releases, and any other tree with its overlays."""
+"""Sources of catalogues: the trees that sigcat ships, pulled releases, and any other tree with its overlays."""
 
 from collections.abc import Iterable
 from pathlib import Path

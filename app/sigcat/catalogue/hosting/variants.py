@@ -23,7 +23,7 @@ _FOLDED, _WITHOUT = "folded", "without."
 
 
 class Choice(NamedTuple):
-    """What an id asks for: a hosted catalogue, without some overlays, and whether instances are folded."""
+    """Meaning of an id: a hosted catalogue, without some overlays, and whether instances are folded."""
 
     base: str
     without: frozenset[str] = frozenset()
@@ -45,7 +45,7 @@ class Choice(NamedTuple):
 
 
 def choice_of(catalogue_id: str) -> Choice:
-    """What an id asks for. Parts that mean nothing stay with the base, so that it is not found."""
+    """Return the meaning of an id. Parts without a meaning stay with the base, so that it is not found."""
     base, *parts = catalogue_id.split(MARK)
     unknown = [part for part in parts if part != _FOLDED and not part.startswith(_WITHOUT)]
     without = frozenset(part.removeprefix(_WITHOUT) for part in parts if part.startswith(_WITHOUT))
@@ -108,7 +108,7 @@ def overlay_switches(library: Library, hosted: Hosted) -> tuple[tuple[str, bool,
 
 @lru_cache(maxsize=12)
 def instance_counts(catalogue: Catalogue) -> Mapping[str, int]:
-    """How many nodes of the tree each branch with instances stands for, by the path of its definition."""
+    """Return the number of nodes of each branch with instances, by the path of its definition."""
     instances = (node for node in expanded_of(catalogue).nodes.values() if node.definition.is_instance)
     return Counter(node.template for node in instances if not any(c.definition.is_instance for c in node.children))
 
@@ -133,10 +133,10 @@ def _by_template(expanded: Catalogue) -> Mapping[str, Sequence[Node]]:
 
 
 _expanded: WeakKeyDictionary[Catalogue, Catalogue] = WeakKeyDictionary()
-"""What a folded catalogue was before it was folded."""
+"""Catalogue before it was folded."""
 
 _origins: WeakKeyDictionary[Catalogue, tuple[Catalogue, Choice]] = WeakKeyDictionary()
-"""What a variant was made of."""
+"""Origin of a variant."""
 
 
 def origin_of(variant: Catalogue) -> tuple[Catalogue, Choice] | None:

@@ -151,7 +151,7 @@ class Catalogue:
         return self.vocabulary.unit(key) if isinstance(key, str) else None
 
     def origin(self, node: Node, attribute: str = "") -> Origin:
-        """Where an attribute of a node was last written, or the node itself."""
+        """Return the last place of an attribute of a node, or the place of the node itself."""
         return node.definition.origin(attribute)
 
     def written_in(self, files: Collection[str]) -> Iterator[Definition]:
@@ -169,7 +169,7 @@ class Catalogue:
 
     @cached_property
     def first_spellings(self) -> Mapping[str, str]:
-        """Of paths that differ in case only the first, by the path in lower case."""
+        """Return the first of paths that differ in case only, by the path in lower case."""
         return _first_spellings(self.definitions)
 
     @cached_property
@@ -238,7 +238,7 @@ class Catalogue:
 
 
 class CataloguePart(Catalogue):
-    """What an overlay makes of a catalogue, as far as it reaches. What is known about the catalogue is not computed again."""
+    """A catalogue with an overlay, as far as it reaches. Facts about the catalogue are not computed again."""
 
     def __init__(
         self,
@@ -276,7 +276,7 @@ class CataloguePart(Catalogue):
 
     @cached_property
     def first_spellings(self) -> Mapping[str, str]:
-        """Of paths that differ in case only the first, by the path in lower case."""
+        """Return the first of paths that differ in case only, by the path in lower case."""
         return _over(_first_spellings(self.changed), self.below.first_spellings)
 
 

@@ -69,7 +69,7 @@ def holds(datatype: str, value: Any) -> bool:
 
 
 def values_in_words(datatype: str) -> str:
-    """Which values a predefined datatype, or the elements of an array, can have: `0 to 255`."""
+    """Return the values of a predefined datatype, or of the elements of an array: `0 to 255`."""
     name = element_of(datatype)
     if name in INTEGER_RANGES:
         low, high = INTEGER_RANGES[name]

@@ -24,7 +24,7 @@ CORE_ATTRIBUTES = BRANCH_ATTRIBUTES | DATA_ATTRIBUTES
 
 
 class Problem(NamedTuple):
-    """What is wrong with a definition, and at which attribute (empty: the node itself)."""
+    """Yield the problems of a definition, each with its attribute (empty: the node itself)."""
 
     rule: RuleCode
     attribute: str
@@ -37,7 +37,7 @@ class Problem(NamedTuple):
 
 
 class Scope(NamedTuple):
-    """What definitions refer to: units and struct datatypes; and the time limit of their patterns."""
+    """References of definitions: units and struct datatypes; and the time limit of their patterns."""
 
     vocabulary: Vocabulary
     matching: Matching
@@ -48,7 +48,7 @@ class Scope(NamedTuple):
 
 
 class Definition:
-    """What all layers together say about one node. Frozen; shared by every instance of the node."""
+    """Definition of one node in all layers together. Frozen; shared by every instance of the node."""
 
     __slots__ = ("is_instance", "path", "problems", "statements", "values")
 
@@ -76,7 +76,7 @@ class Definition:
         return value if isinstance(value, str) else ""
 
     def origin(self, attribute: str = "") -> Origin:
-        """Where the value of an attribute was written last; without one, where the node was first."""
+        """Return the last place of the value of an attribute; without one, the first place of the node."""
         if attribute:
             for statement in reversed(self.statements):
                 if attribute in statement.values:
@@ -84,7 +84,7 @@ class Definition:
         return self.statements[0].origin() if self.statements else Origin("", 0, 0)
 
     def origin_within(self, attribute: str, steps: Sequence[int | str], *, at_key: bool = False) -> Origin:
-        """Where an item of a list or mapping was written last; where the attribute was, if that is not known."""
+        """Return the last place of an item of a list or mapping; the place of the attribute, if that is not known."""
         if steps:
             for statement in reversed(self.statements):
                 origin = statement.origin_within(attribute, steps, at_key=at_key)
@@ -93,7 +93,7 @@ class Definition:
         return self.origin(attribute)
 
     def last_written(self, attributes: Sequence[str]) -> str:
-        """Of attributes that make a problem together, the one that was written last."""
+        """Return the attribute that was written last, of those that make a problem together."""
         return next((name for s in reversed(self.statements) for name in attributes if name in s.values), attributes[0])
 
     def spelled(self, attribute: str) -> str:

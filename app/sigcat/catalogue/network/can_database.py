@@ -57,7 +57,7 @@ class CanSignal(NamedTuple):
 
 
 class CanDatabase(NamedTuple):
-    """What there is on a bus."""
+    """Messages and signals of a bus."""
 
     files: tuple[str, ...]
     messages: tuple[Any, ...]
@@ -127,7 +127,7 @@ def _layout(message: Any) -> Sequence[Any]:
 
 
 def _contradicts(message: Any, path: Path, other: Any, file: Path) -> Finding:
-    """Of two messages of one identifier, frames would be decoded as one alone."""
+    """Report two messages of one identifier: frames would be decoded as one of them alone."""
     where = "this database" if file == path else str(file)
     text = f"{message.name} has the identifier {message.frame_id:X}, which {other.name} has in {where}."
     fix = "Frames are of one of them: name the databases of one bus at a time, with --channel if the log has several."
@@ -205,7 +205,7 @@ def _messages(path: Path) -> Sequence[Any]:
 
 
 def _unreadable(error: Exception) -> _Unreadable:
-    """What cantools says, with the line, if it says one."""
+    """Return the error of cantools, with the line, if it has one."""
     first = str(error).partition("\n")[0]
     line = re.search(r" at line (\d+), column \d+", first)
     said = first.replace(line[0], "") if line else first

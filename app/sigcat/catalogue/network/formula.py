@@ -191,7 +191,7 @@ class _Reader:
         return self.tokens[self.next - 1]
 
     def unexpected(self, wanted: str) -> BadFormula:
-        """What is wrong with the word that comes."""
+        """Return the error at the next word."""
         if self.is_at_end:
             return BadFormula(f"{wanted} is missing at its end", len(self.text))
         token = self.tokens[self.next]

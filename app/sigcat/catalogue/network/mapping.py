@@ -39,11 +39,11 @@ class Choice(NamedTuple):
     meant: Any
     """`to`, or `text`."""
     steps: tuple[int | str, ...]
-    """Where it is written, from the attribute on."""
+    """Path of the place, from the attribute on."""
 
 
 class SignalMapping(NamedTuple):
-    """What one attribute says of a signal."""
+    """Content of one mapping attribute of a signal."""
 
     attribute: str
     signal: str
@@ -64,7 +64,7 @@ class SignalMapping(NamedTuple):
 
 
 class Fault(NamedTuple):
-    """What is wrong with a transform, and the steps from the attribute to it."""
+    """Yield the problems of a transform, with the steps from the attribute to each."""
 
     message: str
     steps: tuple[int | str, ...]
@@ -80,7 +80,7 @@ def mappings_of(values: Mapping[str, Any], attributes: tuple[str, ...] = ATTRIBU
 
 
 def mapping_of(attribute: str, given: Any) -> SignalMapping | None:
-    """What an attribute says; None if it names no signal, or a transform of it cannot be used."""
+    """Return the mapping of an attribute; None if it names no signal, or a transform of it cannot be used."""
     if not isinstance(given, dict) or not isinstance(given.get("signal"), str) or not given["signal"]:
         return None
     if next(faults_of_transform(attribute, given), None) is not None:
@@ -126,7 +126,7 @@ def _choices(attribute: str, transform: Mapping[str, Any]) -> Iterator[Choice]:
 
 
 def faults_of_transform(attribute: str, given: Mapping[str, Any]) -> Iterator[Fault]:
-    """What is wrong with the transform of a mapping, beyond the kinds of its fields."""
+    """Yield the problems of a mapping's transform, beyond the kinds of its fields."""
     transform = given.get("transform")
     if transform is None:
         return
@@ -175,7 +175,7 @@ def _faults_of_list(attribute: str, given: Any) -> Iterator[Fault]:
 
 
 def doubts_of_transform(attribute: str, given: Mapping[str, Any]) -> Iterator[Fault]:
-    """What does nothing in a transform that can be used: the second of two items for one value, and fields that nobody knows."""
+    """Yield the unused parts of a valid transform: the second of two items for one value, and unknown fields."""
     name, key, meant = _LISTS[attribute]
     seen: list[Any] = []
     for index, item in enumerate((given.get("transform") or {}).get(name) or ()):

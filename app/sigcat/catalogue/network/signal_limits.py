@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 _ROUNDING = 1e-14
-"""How far a product and a sum of doubles are from the decimal that they mean, relative to it."""
+"""Largest relative error of a product and a sum of doubles against the decimal that they mean."""
 
 
 def within(number: float, least: float | None, greatest: float | None, step: float) -> float | None:

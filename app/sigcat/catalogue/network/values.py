@@ -1,4 +1,4 @@
-"""What a mapping makes of a value of the network: the value of the signal in its datatype, or why there is none."""
+"""Conversion of a network value by a mapping: to the signal's datatype, or the reason why there is no value."""
 
 import math
 import struct
@@ -22,7 +22,7 @@ class NetworkValue(NamedTuple):
     physical: float
     """The number in the unit of the signal."""
     name: str | None = None
-    """What the database calls this raw number, if it does."""
+    """Name of this raw number in the database, if it has one."""
     is_within: bool = True
     """Whether the limits of the database include it."""
 

@@ -17,7 +17,7 @@ from sigcat.data import ROOT_FILE
 from sigcat.real_path import real_path
 
 CODE = tuple(Path(str(module.__file__)) for module in (statement, vspec_file, yaml_document, findings))
-"""What decides what is read in a file."""
+"""Modules that decide the values read from a file."""
 FOLDER = Path(__file__).parent
 """The folder of what is kept."""
 TREE = "tree"
@@ -33,7 +33,7 @@ def is_shipped(root: Path) -> bool:
 
 
 def compiled_files(name: str = TREE) -> Kept:
-    """What is kept of shipped files under a name; nothing if they were not read before."""
+    """Return the stored values of shipped files under a name; nothing if they were not read before."""
     return read_values(FOLDER, name, stamp_of(CODE)) or {}
 
 

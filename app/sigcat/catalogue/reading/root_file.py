@@ -70,10 +70,10 @@ def _vspec_files(folder: Path, limits: Limits) -> Iterator[Path]:
 
 
 class _Content(NamedTuple):
-    """What has to be known about each file to find the root."""
+    """Facts about each file that are needed to find the root."""
 
     included: tuple[str, ...]
-    """What it includes, without suffix and without steps up."""
+    """Included names, without suffix and without steps up."""
     is_of_types: bool
     """Whether it holds struct types and nothing else."""
     has_root: bool

@@ -22,7 +22,7 @@ _MOST_LINES = (1 << _LINES_BETWEEN_BITS) - 1
 
 
 class Origin(NamedTuple):
-    """Where a value was written: file, line and column (from 1), and the overlay, if it is in one."""
+    """Place of a value: file, line and column (from 1), and the overlay, if it is in one."""
 
     file: str
     line: int
@@ -129,7 +129,7 @@ class Statement:
 
 @lru_cache(maxsize=8)
 def _places_of(statement: Statement) -> Mapping[str, int]:
-    """Of the mark of each attribute. Kept for the same reason as `_items_within`."""
+    """Return the index of the mark of each attribute. Cached for the same reason as `_items_within`."""
     return {name: place for place, name in enumerate(statement.values)}
 
 
@@ -138,9 +138,9 @@ class _Items(NamedTuple):
 
     values: Sequence[Any]
     keys: Mapping[str, int]
-    """Of a mapping: which item a key has."""
+    """Indexes of the items of a mapping, by key."""
     places: Sequence[int]
-    """Of the mark of each item; those of what is inside it follow."""
+    """Index of the mark of each item; those of its own items follow."""
 
     def position(self, step: int | str) -> int | None:
         """The item at a position, or under a key, if there is one."""
@@ -148,7 +148,7 @@ class _Items(NamedTuple):
         return index if index < len(self.values) else None
 
     def place(self, step: int | str) -> int | None:
-        """Of the mark of an item, if there is one."""
+        """Return the index of the item's mark, or None."""
         index = self.position(step)
         return None if index is None else self.places[index]
 
@@ -176,7 +176,7 @@ def _items_of(value: Any, first: int) -> _Items:
 
 
 def _items_in(value: Any) -> int:
-    """How many items a value has, with all that is in them."""
+    """Return the number of items of a value, with all items in them."""
     items = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
     return sum(1 + _items_in(item) for item in items)
 

@@ -1,4 +1,4 @@
-"""Where the keys of a TOML file stand: tomllib does not tell."""
+"""Positions of the keys of a TOML file: tomllib does not report them."""
 
 import re
 

@@ -29,7 +29,7 @@ TEXT = _STANDARD + "str"
 _SEQUENCE = _STANDARD + "seq"
 _MAPPING = _STANDARD + "map"
 _OPENERS = ("[", "{", "- ", "-\t", "? ", "?\t")
-"""What can open a collection without more indentation than the line before."""
+"""Tokens that can open a collection without more indentation than the line before."""
 _SHALLOW_OPENERS = 2_000
 """So many openers cannot exhaust the stack, however they nest; a file with fewer needs no exact count."""
 _INDENTATION = " " * 200

@@ -23,7 +23,7 @@ from sigcat.limits import LOG_CONTAINER_BYTES
 
 _SIGNATURE = b"LOGG"
 _BEGIN = struct.Struct("<4sI")
-"""Of a log: its signature, and the size of its header."""
+"""Signature of a log, and the size of its header."""
 _PADDING = 4
 
 
@@ -57,7 +57,7 @@ class BlfLog:
             raise CutLog("its last object is not whole")
 
     def _messages(self, body: bytes) -> Iterator[Any]:
-        """Of a container, as far as there are bytes of it."""
+        """Bytes of a container, as far as they are there."""
         if len(body) < LOG_CONTAINER_STRUCT.size:
             return
         method, _ = LOG_CONTAINER_STRUCT.unpack_from(body)

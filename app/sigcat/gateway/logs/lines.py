@@ -12,7 +12,7 @@ class Lines:
 
     def __init__(self, file: IO[bytes]) -> None:
         self.number = 0
-        """Of the line that was read last, from 1."""
+        """Number of the line that was read last, from 1."""
         self.is_at_end = False
         self.is_whole = True
         """Whether the line that was read last has a line break."""

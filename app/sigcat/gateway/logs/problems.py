@@ -1,4 +1,4 @@
-"""What is wrong with a log: exceptions of those who read it, and the findings that they become."""
+"""Problems of a log: exceptions of its readers, and the findings that they become."""
 
 from pathlib import Path
 
@@ -16,7 +16,7 @@ class CutLog(Exception):
 
 
 class DamagedLog(Exception):
-    """What follows cannot be read; the text says why."""
+    """The rest cannot be read; the text says why."""
 
 
 class CutLine(ValueError):
@@ -59,7 +59,7 @@ class MalformedLines:
             self._findings.append(codes.LOG_MALFORMED.finding(f"The line is no frame: {why}.", self._path, line, 1))
 
     def close(self, too_long: list[int], uncut: int | None) -> None:
-        """What is known at the end: lines that are too long, and a last line that has no end."""
+        """Return the findings at the end: lines that are too long, and a last line without an end."""
         text = "The line is too long to be a frame."
         self._findings += [codes.LOG_MALFORMED.finding(text, self._path, number, 1) for number in too_long]
         if uncut is not None:

@@ -24,7 +24,7 @@ from sigcat.gateway.logs.problems import (
 
 _CHUNK = 32 * 1024
 _GZIP = b"\x1f\x8b"
-"""How a file begins that is packed."""
+"""First bytes of a packed file."""
 
 
 def _candump(lines: Lines) -> Iterable[Frame | Passed]:
@@ -76,13 +76,13 @@ _OF_LINES: Mapping[str, Callable[[Lines], Iterable[Frame | Passed]]] = {
 _OF_BYTES: Mapping[str, Callable[[IO[bytes]], Iterator[Frame | Passed]]] = {".blf": _blf}
 _OF_PATHS: Mapping[str, Callable[[Path], Iterator[Frame | Passed]]] = {".db": _sqlite, ".mf4": _mdf}
 CSV_HEADER = b"timestamp,arbitration_id,"
-"""How a log in CSV begins; a trace begins with `time`."""
+"""First line of a log in CSV; a trace begins with `time`."""
 _PACKED = (*_OF_LINES, *_OF_BYTES)
 """Forms that may be packed with gzip."""
 
 
 def read_log(path: Path, findings: list[Finding]) -> Iterator[Frame | Passed]:
-    """What a log has, in its order; what is wrong with it is added to `findings`. Raises UsageError."""
+    """Yield the records of a log in its order, and add problems to `findings`. Raises UsageError."""
     form = _form(path)
     try:
         yield from _frames(path, form, findings)

@@ -1,11 +1,11 @@
-"""How each exporter of vss-tools is called: what its options for the tree and the output are named."""
+"""Calls of the exporters of vss-tools: names of their options for the tree and the output."""
 
 from collections.abc import Mapping
 from typing import NamedTuple
 
 
 class Call(NamedTuple):
-    """How vss-tools takes the tree and the output, where an exporter of it differs from the others."""
+    """Options of vss-tools for the tree and the output, where an exporter of it differs from the others."""
 
     output: str = "output"
     """Name of the option that names the file or folder."""
@@ -27,5 +27,5 @@ CALLS: Mapping[str, Call] = {
 
 
 def call_of(name: str) -> Call:
-    """How vss-tools is called for an exporter."""
+    """Return the call of vss-tools for an exporter."""
     return CALLS.get(name, Call())

@@ -92,7 +92,7 @@ _S2DM = (
     Option("fqn-type-names", "switch", "name types by their whole path", False, off="short-type-names"),
 )
 VHAL_MAP = "device/generic/car/emulator/vhalmap/value_map.json"
-"""Where the exporter of Android properties keeps their numbers, in the folder that it writes."""
+"""File with the numbers of Android properties, in the folder that the exporter writes."""
 _VHAL = (
     Option(
         "vhal-map",

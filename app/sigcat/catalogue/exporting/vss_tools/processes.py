@@ -16,7 +16,7 @@ from sigcat.zygote import Zygote
 _CHILD = "sigcat.catalogue.exporting.vss_tools.worker"
 _WORKER = Path(__file__).with_name("worker.py")
 _VARIABLES = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
-"""What vss-tools imports would start threads otherwise, and a process with threads must not be forked."""
+"""Variables that keep imports of vss-tools from starting threads: a process with threads must not be forked."""
 _LONGEST_STATUS = 16
 _log = logging.getLogger("sigcat")
 _zygote: Zygote | None = None
@@ -39,7 +39,7 @@ class ExportProcess(Protocol):
     """The process of one export, which can be asked once."""
 
     def status(self, request: Mapping[str, Any]) -> int:
-        """How the export went. Raises TimeoutError after `seconds` of the request, and ExportEnded."""
+        """Return the outcome of the export. Raises TimeoutError after `seconds` of the request, and ExportEnded."""
 
 
 @contextmanager
@@ -70,7 +70,7 @@ class _Forked:
         connection.sendall(f"{folder}\n".encode())
 
     def status(self, request: Mapping[str, Any]) -> int:
-        """How the export went."""
+        """Return the outcome of the export."""
         self._connection.settimeout(request["seconds"])
         try:
             self._connection.sendall(f"{json.dumps(request)}\n".encode())
@@ -96,7 +96,7 @@ class _Fresh:
         self._tell(str(folder))
 
     def status(self, request: Mapping[str, Any]) -> int:
-        """How the export went."""
+        """Return the outcome of the export."""
         self._tell(json.dumps(request))
         try:
             status = self._process.wait(request["seconds"])

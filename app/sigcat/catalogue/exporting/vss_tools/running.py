@@ -165,7 +165,7 @@ def _arguments(option: Option, value: Any, folders: _Folders) -> Sequence[str]:
 
 
 def _path_beside(option: Option, value: Any, folders: _Folders) -> Path:
-    """Where an option's file or folder is written: a folder for each option keeps equal names apart."""
+    """Return the path of an option's file or folder: a folder for each option keeps equal names apart."""
     folder = folders.beside / option.name
     folder.mkdir()
     if option.kind != "state":
@@ -220,7 +220,7 @@ def _left_out(catalogue: Catalogue) -> Iterator[Finding]:
 
 
 def _findings(reports: Iterable[_Report], catalogue: Catalogue) -> tuple[Finding, ...]:
-    """What vss-tools reported, at the node that it is about, if it names one; what it repeats, once with a count."""
+    """Return the messages of vss-tools as findings, at the node that they name; repeated ones once, with a count."""
     return tuple(_finding(report, count, catalogue) for report, count in Counter(reports).items())
 
 

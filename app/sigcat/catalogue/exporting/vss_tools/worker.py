@@ -33,7 +33,7 @@ FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 _OUT_OF_MEMORY = (MemoryError, SystemError)
 """CPython raises the second where it had no memory left for the first: a function failed, and no error was set."""
 _TRIES = 100
-"""How often the folder is removed until it stays away."""
+"""Number of attempts to remove the folder."""
 _GRACE = 5.0
 """Seconds that a child has for ending by itself."""
 

@@ -24,7 +24,7 @@ _ESSENTIAL = frozenset(("type", "datatype", "description", "instances"))
 
 
 class Files(NamedTuple):
-    """Where the parts of a catalogue were written."""
+    """Files with the parts of a catalogue."""
 
     tree: Path
     overlays: tuple[Path, ...]
@@ -56,7 +56,7 @@ def tree_statements(definitions: Mapping[str, Definition]) -> dict[str, Any]:
 
 
 def _statement(definition: Definition) -> dict[str, Any]:
-    """What vss-tools takes of a definition. A description that is a number, as old trees have it, is its text."""
+    """Return a definition as vss-tools reads it. A description that is a number, as in old trees, becomes text."""
     refused = {problem.attribute for problem in refused_attributes(definition)}
     kept = {
         name: value
@@ -83,7 +83,7 @@ def refused_attributes(definition: Definition) -> tuple[Problem, ...]:
 
 
 def late_statements(definitions: Mapping[str, Definition]) -> dict[str, Any]:
-    """What may not be in the flat file: an attribute `includes` of a branch that was not a request to read a file."""
+    """Return the attributes that must not be in the flat file: `includes` of a branch that did not request a file."""
     return {
         path: {name: value for name, value in d.values.items() if _is_include(name, d)}
         for path, d in definitions.items()
