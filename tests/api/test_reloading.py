@@ -65,7 +65,7 @@ def test_a_broken_edit_is_logged_and_leaves_addresses_with_a_version_as_they_are
 def test_errors_that_are_there_from_the_start_are_logged(tree: Path, caplog: pytest.LogCaptureFixture) -> None:
     tree.write_text(TREE + SIGNAL.replace("sensor", "sensr"))
     tell_errors(Library([Source("mine", "Mine", tree)]))
-    assert "no earlier state" in caplog.text
+    assert "no earlier valid version" in caplog.text
     assert "V001" in caplog.text
 
 
