@@ -171,7 +171,7 @@ def test_functions_of_ones_own_are_connected(open_page: Opener, use: Use, tmp_pa
 
 def test_documents_are_pasted_and_edited(open_page: Opener, use: Use) -> None:
     page = open_page("/functions?catalogue=interfaces")
-    use(page.get_by_role("navigation", name="Functions").get_by_role("link", name="Others"))
+    use(page.get_by_role("navigation", name="Functions").get_by_role("link", name="Check your own set"))
     page.get_by_role("textbox", name="Documents").fill("--- # a.yaml\nfunction: A\n--- # b.yaml\nfunction: B\n")
     use(page.get_by_role("button", name="Connect these"))
     field = page.get_by_role("textbox", name="Documents")
