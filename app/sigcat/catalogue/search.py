@@ -307,7 +307,6 @@ def _facet(nodes: Sequence[Node], value_of: Callable[[Node], str]) -> dict[str, 
 
 
 @lru_cache(1024)
-@lru_cache(1024)
 def overlay_name(overlay: str) -> str:
     """Return the name of an overlay in filters and on pages: that of its file, without folder and suffix."""
     return PurePath(overlay).stem
