@@ -214,7 +214,7 @@ ATTACKS: Mapping[str, Callable[[Target], Awaitable[None]]] = {
     "half-sent headers": half_heads,
     "headers that drip": dripping,
     "stalled bodies": stalled_bodies,
-    "answers that nobody reads": unread,
+    "unread answers": unread,
     "thousands of requests at once": pipelined,
     "thousands of pages": pages,
     "thousands of empty headers": empty_headers,
@@ -222,7 +222,7 @@ ATTACKS: Mapping[str, Callable[[Target], Awaitable[None]]] = {
     "as many repeated headers as fit": _asking(_repeated_headers),
     "40 clients of long YAML": _asking(_long_answers, clients=40),
     "HEAD on every export": _asking(_heads_of_exports),
-    "what is no request": _asking(_no_requests),
+    "malformed requests": _asking(_no_requests),
     "clients that leave": leaving,
 }
 

@@ -166,7 +166,7 @@ def test_what_a_change_says_stands_below_its_name(open_page: Opener) -> None:
     change = page.locator(".change", has_text="instances")
     left = box_of(change.locator("b"))["x"]
     assert box_of(change.locator("dt"))["x"] == left
-    told = change.locator("p.muted", has_text=re.compile("Came|Went")).all()
+    told = change.locator("p.muted", has_text=re.compile("Added|Removed")).all()
     assert told
     for each in told:
         assert (
