@@ -10,6 +10,7 @@ from mcap_ros2.writer import Writer
 
 from sigcat.adapter.ros2.generate import generate
 from sigcat.cli import main
+from sigcat.errors import InputRefused
 from sigcat.function.function_json.conversion import IDENTITY, between
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.integrate import integrate
@@ -229,3 +230,22 @@ def _content(kind, field, text):
     if text in constants:
         return {field: int(constants[text])}
     return {field: text == "true" if text in ("true", "false") else json.loads(text)}
+
+
+def test_a_bag_whose_recording_was_cut_off_is_reported(drive, tmp_path, capsys):
+    """Without its end, as after a crash of the recorder: no summary names the topics."""
+    data = (drive / "record/record_0.mcap").read_bytes()
+    (tmp_path / "a.mcap").write_bytes(data[: data.index(b"\x89MCAP0\r\n", 8) - 200])
+    metadata = {"storage_identifier": "mcap", "relative_file_paths": ["a.mcap"]}
+    (tmp_path / "metadata.yaml").write_text(json.dumps({"rosbag2_bagfile_information": metadata}))
+    assert main(["simulate", *FUNCTIONS, "--trace", str(tmp_path)]) == 1
+    assert "T001" in capsys.readouterr().err
+
+
+def test_files_of_a_bag_that_go_back_in_time_are_reported(tmp_path):
+    for name, time in (("a", 2), ("b", 1)):
+        bag(tmp_path / f"{name}.mcap", ("/vehicle/speed", "Speed", time, stamped(speed=1.0)), schemas={"Speed": SPEED})
+    described = {"storage_identifier": "mcap", "relative_file_paths": ["a.mcap", "b.mcap"]}
+    (tmp_path / "metadata.yaml").write_text(json.dumps({"rosbag2_bagfile_information": described}))
+    with pytest.raises(InputRefused, match="must not be before the end of the file before it"):
+        rows(tmp_path, tmp_path)

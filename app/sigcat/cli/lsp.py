@@ -40,12 +40,12 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _finder(arguments: argparse.Namespace) -> "Callable[[Path], Path | None]":
-    """Return what finds the project file of a folder."""
+    """Return the function that finds the project file of a folder."""
     from sigcat.project.find_project import find_project
 
     if arguments.isolated:
         return lambda _: None
-    named = (
-        arguments.config and existing_file(arguments.config).absolute()
-    )  # the editor says later which folder it is in
-    return (lambda _: named) if named else find_project
+    if arguments.config is None:
+        return find_project
+    named = existing_file(arguments.config).absolute()  # the editor says later which folder it is in
+    return lambda _: named

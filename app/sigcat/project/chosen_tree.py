@@ -71,8 +71,7 @@ def _tree_near_overlay(project: Project, options: TreeOptions) -> Source | None:
 
 def _is_shipped(tree: Path) -> bool:
     """Return whether a tree is the shipped one, or a copy of it, as in a checkout of sigcat."""
-    files = (ROOT_FILE, *sorted(VSPEC.rglob("*.vspec")))
-    copies = ((file, tree.parent / file.relative_to(VSPEC)) for file in files)
+    copies = ((file, tree.parent / file.relative_to(VSPEC)) for file in VSPEC.rglob("*.vspec"))
     return tree == ROOT_FILE or all(copy.is_file() and cmp(file, copy, shallow=False) for file, copy in copies)
 
 

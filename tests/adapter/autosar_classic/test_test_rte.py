@@ -373,19 +373,17 @@ TRACES = {
 }
 
 
+def _second_of(program, folder):
+    """Play a second of `trace.csv` of a folder in lock step."""
+    files = [folder / name for name in ("trace.csv", "recorded.csv", "services.csv")]
+    return _run(program, folder, "lock", *files, SECOND)
+
+
 @pytest.mark.parametrize("name", TRACES)
 def test_a_trace_that_is_wrong_is_refused_before_anything_is_written(name, ecocontrol, tmp_path):
     text, said = TRACES[name]
     (tmp_path / "trace.csv").write_bytes(text.encode())
-    done = _run(
-        ecocontrol,
-        tmp_path,
-        "lock",
-        tmp_path / "trace.csv",
-        tmp_path / "recorded.csv",
-        tmp_path / "services.csv",
-        SECOND,
-    )
+    done = _second_of(ecocontrol, tmp_path)
     assert (done.returncode, len(done.stderr.splitlines())) == (2, 1)
     assert done.stderr.startswith("test_rte: ")
     assert said in done.stderr
@@ -394,15 +392,7 @@ def test_a_trace_that_is_wrong_is_refused_before_anything_is_written(name, ecoco
 
 def test_a_column_that_no_component_receives_is_named(ecocontrol, tmp_path):
     (tmp_path / "trace.csv").write_text("time,Vehicle.Spede,call\n0,1,\n")
-    done = _run(
-        ecocontrol,
-        tmp_path,
-        "lock",
-        tmp_path / "trace.csv",
-        tmp_path / "recorded.csv",
-        tmp_path / "services.csv",
-        SECOND,
-    )
+    done = _second_of(ecocontrol, tmp_path)
     assert done.returncode == 0
     assert done.stderr.splitlines() == [
         f"test_rte: {tmp_path / 'trace.csv'}: Vehicle.Spede is left out: no component receives it"

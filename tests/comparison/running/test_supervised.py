@@ -1,11 +1,15 @@
 """Times between calls of `Supervise`, from records of a platform that calls it too seldom, and of one that does not."""
 
+from pathlib import Path
+
 import pytest
 
 from sigcat.adapter.core.plan.call import Deadline
+from sigcat.comparison.recording import Built, Recording, Supervised
 from sigcat.comparison.report import model
 from sigcat.comparison.running.supervised import Moment, supervised_periods
-from sigcat.comparison.telling.figures import SUPERVISION_TOLERANCE_NS
+from sigcat.comparison.telling.figures import supervisions
+from sigcat.comparison.telling.material import Material, Played
 from sigcat.comparison.telling.targets import targets
 from tests.comparison.ecocontrol import subject
 
@@ -62,5 +66,10 @@ def test_one_time_of_a_hundred_may_be_longer(over, passes):
     assert [each.holds for each in found] == [passes]
 
 
-def test_the_tolerance_is_a_millisecond():
-    assert SUPERVISION_TOLERANCE_NS == MS
+def test_a_time_is_longer_beyond_the_period_and_a_millisecond():
+    gaps_ns = (CYCLE, CYCLE + MS, CYCLE + MS + 1)
+    built = Built("ros2", Path(), (), 0.0, 0.0)
+    recording = Recording("ros2", "free run", built, {}, supervised=(Supervised("F", "", CYCLE, gaps_ns),))
+    material = Material("x", (), "", 0, {}, CYCLE, (Played("ros2", "ROS 2", free_run=recording),))
+    (row,) = supervisions(material)
+    assert (row.gaps, row.over, row.longest) == (3, 1, CYCLE + MS + 1)

@@ -56,17 +56,12 @@ def origin_schema(origin: Origin) -> schemas.Place:
 
 
 def _place(origin: Origin) -> dict[str, Any]:
-    file, line, column, overlay = origin
-    return {
-        "file": shown_file(file),
-        "line": line or None,
-        "column": column or None,
-        "overlay": _shown_overlay(overlay),
-    }
+    return _place_at(origin.file, origin.line, origin.column, origin.overlay)
 
 
-def _shown_overlay(overlay: str) -> str | None:
-    return overlay_name(overlay) if overlay else None
+def _place_at(file: str, line: int, column: int, overlay: str) -> dict[str, Any]:
+    shown_overlay = overlay_name(overlay) if overlay else None
+    return {"file": shown_file(file), "line": line or None, "column": column or None, "overlay": shown_overlay}
 
 
 @lru_cache(1024)
@@ -157,13 +152,9 @@ def _attributes(node: Node) -> list[dict[str, Any]]:
     """Attributes of a node with their origin and history, in the order in which they were written."""
     histories: dict[str, list[dict[str, Any]]] = {}
     for statement in node.definition.statements:
-        values, file, overlay = (
-            statement.values,
-            shown_file(statement.file.name),
-            _shown_overlay(statement.file.overlay),
-        )
+        values, file = statement.values, statement.file
         for name, line, column in statement.value_positions():
-            origin = {"file": file, "line": line or None, "column": column or None, "overlay": overlay}
+            origin = _place_at(file.name, line, column, file.overlay)
             histories.setdefault(name, []).append({"value": plain(values[name]), "origin": origin})
     return [_attribute(node, name, value, histories.get(name, [])) for name, value in node.values.items()]
 

@@ -155,8 +155,10 @@ def _channels(path: Path) -> Iterator[tuple[str, str, str]]:
         raise UsageError(_EXTRA) from None
     with path.open("rb") as file, _damages(path):
         summary = make_reader(file).get_summary()
-        for channel in summary.channels.values() if summary else ():
-            schema = summary.schemas.get(channel.schema_id) if summary else None
+        if summary is None:
+            raise _refused(path, "The bag has no summary: its recording was cut off.", "Run `mcap recover`.")
+        for channel in summary.channels.values():
+            schema = summary.schemas.get(channel.schema_id)
             yield channel.topic, channel.message_encoding, schema.data.decode() if schema else ""
 
 
@@ -216,14 +218,17 @@ def _rows(files: Sequence[Path], topics: Mapping[str, _Topic], known: Known) -> 
     cells: dict[str, str] = {}
     for file in files:
         for topic, time, message in _messages(file, topics):
+            if time < last:
+                text = f"The message of {topic} at {seconds(time)} s must not be before the end of the file before it."
+                raise _refused(file, text, "List the files of the bag in order of time.")
             first = time if first < 0 else first
             found = {column.name: _cell(file, topic, column, message, known, time) for column in topics[topic].columns}
             if cells and (time != last or not cells.keys().isdisjoint(found)):
-                yield max(last - first, 0), cells
+                yield last - first, cells
                 cells = {}
             last, cells = time, {**cells, **found}
     if cells:
-        yield max(last - first, 0), cells
+        yield last - first, cells
 
 
 def _messages(path: Path, topics: Mapping[str, _Topic]) -> Iterator[tuple[str, int, Any]]:
