@@ -137,3 +137,19 @@ def test_a_change_of_other_files_runs_no_hook(repository, home):
     done = staged(repository, home)
     assert done.returncode == 0, done.stdout + done.stderr
     assert done.stdout.count("Skipped") == 2
+
+
+@judged_by("pre-commit", "Hooks run, and keep what is wrong from being committed")
+def test_the_hook_of_a_new_project_runs_at_once(tmp_path, home):
+    project = tmp_path / "signals"
+    sigcat = run(tmp_path, sys.executable, "-m", "sigcat.cli", "init", str(project))
+    assert sigcat.returncode == 0, sigcat.stderr
+    committed(project)
+    programs = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    command = ("env", f"PATH={programs}", sys.executable, "-m", "pre_commit", "run", "--all-files", "--color", "never")
+    done = run(project, *command, home=home)
+    assert (done.returncode, done.stdout.count("Passed")) == (0, 1), done.stdout + done.stderr
+    (project / "overlays/cabin.vspec").write_text(BAD)
+    done = run(project, *command, home=home)
+    assert done.returncode == 1
+    assert "overlays/cabin.vspec:1:1: error" in done.stdout

@@ -55,11 +55,11 @@ _SIMULATE = "sigcat simulate --trace functions/cabin_air/trace.csv"
 
 def _new(folder: Path) -> "Mapping[str, str]":
     from sigcat.function.declaration.scaffold import SCHEMA_FILE, schema_text
-    from sigcat.project.starting.ci import HOOKS, hooks_text, installed_source
+    from sigcat.project.starting.ci import HOOKS, hooks_text
     from sigcat.project.starting.start import FUNCTION, starting_files
 
     schema = {f"{FUNCTION}/{SCHEMA_FILE}": schema_text()}
-    return {**starting_files(folder.resolve()), **schema, HOOKS: hooks_text(installed_source())}
+    return {**starting_files(folder.resolve()), **schema, HOOKS: hooks_text()}
 
 
 def _existing(existing: Path, folder: Path) -> "Mapping[str, str]":

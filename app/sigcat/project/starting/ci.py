@@ -14,12 +14,13 @@ HOOKS = ".pre-commit-config.yaml"
 
 def pipeline_text(server: str, source: str) -> str:
     """Return the pipeline for a server. `source` is what pip installs."""
-    return _filled(PIPELINES[server][1], source)
+    text = (FILES / PIPELINES[server][1]).read_text(encoding="utf-8")
+    return text.replace("__SIGCAT__", source)
 
 
-def hooks_text(source: str) -> str:
+def hooks_text() -> str:
     """Return the configuration of pre-commit."""
-    return _filled("pre-commit.yaml", source)
+    return (FILES / "pre-commit.yaml").read_text(encoding="utf-8")
 
 
 def installed_source() -> str:
@@ -32,7 +33,3 @@ def installed_source() -> str:
     if versioned.get("vcs") == "git":
         return f"git+{origin['url']}@{versioned['commit_id']}"
     return f"sigcat=={__version__}"
-
-
-def _filled(name: str, source: str) -> str:
-    return (FILES / name).read_text(encoding="utf-8").replace("__SIGCAT__", source)
