@@ -84,7 +84,10 @@ def test_a_tree_of_the_linter_beside_a_catalogue_is_refused_with_the_place_for_i
 
 
 @pytest.mark.parametrize("paths", [(), (".",), ("units.yaml", "overlays")])
-def test_a_unit_of_the_project_with_the_name_of_a_standard_one_is_reported(tmp_path, monkeypatch, capsys, paths):
+@pytest.mark.parametrize("has_other_tree", [False, True])
+def test_a_unit_of_the_project_with_the_name_of_a_standard_one_is_reported(
+    tmp_path, monkeypatch, capsys, paths, has_other_tree
+):
     monkeypatch.chdir(write_company(tmp_path))
     named = (
         UNITS.replace("ppm:", "degC:", 1)
@@ -92,5 +95,7 @@ def test_a_unit_of_the_project_with_the_name_of_a_standard_one_is_reported(tmp_p
         .replace("relation", "temperature")
     )
     (tmp_path / "units.yaml").write_text(UNITS + named)
+    if has_other_tree:
+        (tmp_path / "own.vspec").write_text("Vehicle: {type: branch, description: A vehicle.}\n")
     main(["lint", *paths])
     assert "units.yaml:7:1: warning U001 Units 'Celsius' and 'degC' share the name" in capsys.readouterr().out

@@ -189,7 +189,7 @@ def _lint_stack(base: Path, stack: Sequence[Path], named: Collection[str], optio
         found = with_siblings(found, stack[-1], catalogue, rules.rules)
     if base == ROOT_FILE and options.base is None and not options.overlays:
         found = with_own_tree(found, layers[-1], rules.rules)
-    lint.add(found, files | (beside - set(lint.files)))
+    lint.add(found, files | beside)
     lint.look_at([*files, *beside])
     lint.beside.update(file.name for file in catalogue.files)
 
