@@ -328,7 +328,7 @@ def _any_scalar(node: ScalarNode) -> Any:
 _STRAY_CHARACTER = "cannot start any token"
 _ASTERISK = "If the asterisk belongs to a text, quote the text."
 _ADVICE = {
-    "mapping values are not allowed": "If the colon belongs to a text, quote the text or write it as a block (`>-`).",
+    "mapping values are not allowed": "Indent the line as those around it. If the colon belongs to a text, quote the text or write it as a block (`>-`).",
     _STRAY_CHARACTER: "Indent with spaces, not with tabs.",
     "found undefined alias": _ASTERISK,
     "while scanning an alias": _ASTERISK,
