@@ -26,6 +26,7 @@ from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.definition import BRANCH, Definition
 from sigcat.catalogue.reading.layers import Layer
 from sigcat.catalogue.reading.statement import Origin, SourceFile, Statement
+from sigcat.catalogue.reading.whole_numbers import whole_number
 from sigcat.catalogue.reading.yaml_document import Document, position, read_document
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
@@ -194,7 +195,7 @@ def _whole_character(halves: re.Match[str]) -> str:
 def _content(data: bytes, name: str) -> Any:
     """The document read as JSON, for its values: YAML reads 1e-05 as text."""
     try:
-        return json.loads(data.decode("utf-8-sig"))
+        return json.loads(data.decode("utf-8-sig"), parse_int=whole_number)
     except json.JSONDecodeError as error:
         finding = codes.NOT_YAML.finding(f"Not valid JSON: {error.msg}.", name, error.lineno, error.colno)
         raise _refused(name, finding) from None

@@ -9,14 +9,14 @@ from pathlib import Path
 from typing import Any
 
 from sigcat import findings
-from sigcat.catalogue.reading import statement, vspec_file, yaml_document
+from sigcat.catalogue.reading import statement, vspec_file, whole_numbers, yaml_document
 from sigcat.catalogue.reading.statement import SourceFile, Statement
 from sigcat.catalogue.reading.vspec_file import Include, VspecFile
 from sigcat.compiled_values import read_values, stamp_of, write_values
 from sigcat.data import ROOT_FILE
 from sigcat.real_path import real_path
 
-CODE = tuple(Path(str(module.__file__)) for module in (statement, vspec_file, yaml_document, findings))
+CODE = tuple(Path(str(module.__file__)) for module in (statement, vspec_file, yaml_document, whole_numbers, findings))
 """Modules that decide the values read from a file."""
 FOLDER = Path(__file__).parent
 """The folder of what is kept."""

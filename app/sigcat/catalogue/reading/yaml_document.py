@@ -18,6 +18,7 @@ from yaml.constructor import ConstructorError, SafeConstructor
 from yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from sigcat import codes
+from sigcat.catalogue.reading.whole_numbers import held_as_double
 from sigcat.findings import Finding, RuleCode
 from sigcat.limits import DEFAULT_LIMITS, NUMBER_CHARACTERS, Limits
 
@@ -293,8 +294,8 @@ _CONSTRUCTOR = SafeConstructor()
 def _integer(node: ScalarNode) -> int:
     text = _readable(node)
     if text.isdecimal() and text.isascii() and (text[0] != "0" or text == "0"):
-        return int(text)
-    return int(_CONSTRUCTOR.construct_yaml_int(node))
+        return int(text) if len(text) < _SURELY_HELD else held_as_double(int(text))
+    return held_as_double(int(_CONSTRUCTOR.construct_yaml_int(node)))
 
 
 def _number(node: ScalarNode) -> float:
@@ -310,6 +311,8 @@ def _readable(node: ScalarNode) -> str:
     return text
 
 
+_SURELY_HELD = 300
+"""Digits of a number that a double holds."""
 _INTEGER = _STANDARD + "int"
 _OTHER_BASE = r"[-+]?(?:0[0-7_]|[^:]*:)"
 _SCALARS: dict[str, Callable[[ScalarNode], Any]] = {

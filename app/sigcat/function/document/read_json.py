@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import Any
 
 from sigcat import codes
+from sigcat.catalogue.reading.whole_numbers import whole_number
 from sigcat.digest import digest_of
 from sigcat.findings import Finding
 from sigcat.function.document.document import Document, Pointer, Position, pointer_text
@@ -81,7 +82,9 @@ def _parsed(text: str, name: str, nesting: int) -> tuple[Any, list[Finding]]:
         return value
 
     try:
-        value = json.loads(text, object_pairs_hook=as_object, parse_float=_finite, parse_constant=_no_number)
+        value = json.loads(
+            text, object_pairs_hook=as_object, parse_float=_finite, parse_int=whole_number, parse_constant=_no_number
+        )
     except json.JSONDecodeError as error:
         message = f"Not valid JSON: {error.msg[:1].lower()}{error.msg[1:]}."
         if not text[: error.pos].strip():
@@ -91,7 +94,7 @@ def _parsed(text: str, name: str, nesting: int) -> tuple[Any, list[Finding]]:
         position = _line_and_column(text, _token_offset(text, str(error)))
         return None, [codes.NOT_JSON.finding(f"Not valid JSON: {str(error)[:40]} is not a number.", name, *position)]
     except ValueError:
-        return None, [codes.NOT_JSON.finding("A number has more digits than can be read.", name)]
+        return None, [codes.NOT_JSON.finding("A number is too large, or has more digits than can be read.", name)]
     except RecursionError:
         return None, [_too_deep(text, nesting, name)]
     if _depth(value) > nesting:
