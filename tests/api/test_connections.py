@@ -154,6 +154,15 @@ def test_a_wish_for_another_protocol_is_not_heard(service: Service, body: bytes)
     assert statuses(answer) == [200, 200]
 
 
+@pytest.mark.parametrize("connection", [b"Upgrade, close", b"close, upgrade"])
+@pytest.mark.parametrize("protocol", [b"websocket", b"h2c"])
+def test_a_wish_for_another_protocol_on_a_last_request_is_answered(
+    service: Service, connection: bytes, protocol: bytes
+) -> None:
+    head = b"GET /health/live HTTP/1.1\r\nHost: a\r\nConnection: %b\r\nUpgrade: %b\r\n\r\n" % (connection, protocol)
+    assert statuses(answer_to(service, head)) == [200]
+
+
 def test_a_question_for_the_whole_service_is_answered_with_its_methods(service: Service) -> None:
     answer = answer_to(service, b"OPTIONS * HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n")
     assert statuses(answer) == [204]

@@ -89,7 +89,7 @@ TREE = {
     "Vehicle": {"type": "branch", "description": "A vehicle."},
     "Vehicle.X": {"type": "sensor", "datatype": "float", "description": "X."},
 }
-ATTRIBUTES = {
+ATTRIBUTES: dict[str, Any] = {
     "min": None,
     "max": None,
     "default": None,

@@ -225,6 +225,10 @@ class HttpConnection(HttpToolsProtocol):
                 self.parser.feed_data(data)
             except httptools.HttpParserUpgrade as stopped:
                 data = self._without_upgrade() + data[stopped.args[0] :]
+                self.parser = httptools.HttpRequestParser(
+                    self
+                )  # the one before reads nothing after `Connection: close`
+                self.parser.set_dangerous_leniencies(lenient_data_after_close=True)
             else:
                 break
 
