@@ -159,8 +159,10 @@ def test_a_wish_for_another_protocol_is_not_heard(service: Service, body: bytes)
 def test_a_wish_for_another_protocol_on_a_last_request_is_answered(
     service: Service, connection: bytes, protocol: bytes
 ) -> None:
-    head = b"GET /health/live HTTP/1.1\r\nHost: a\r\nConnection: %b\r\nUpgrade: %b\r\n\r\n" % (connection, protocol)
-    assert statuses(answer_to(service, head)) == [200]
+    for version in (b"1.1", b"1.0"):
+        start = b"GET /health/live HTTP/%b\r\nHost: a\r\n" % version
+        head = start + b"Connection: %b\r\nUpgrade: %b\r\n\r\n" % (connection, protocol)
+        assert statuses(answer_to(service, head)) == [200]
 
 
 def test_a_question_for_the_whole_service_is_answered_with_its_methods(service: Service) -> None:

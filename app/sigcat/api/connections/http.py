@@ -234,7 +234,8 @@ class HttpConnection(HttpToolsProtocol):
 
     def _without_upgrade(self) -> bytes:
         headers = b"".join(b"%b: %b\r\n" % header for header in self.headers if header[0] != b"upgrade")
-        return b"%b %b HTTP/1.1\r\n%b\r\n" % (self.parser.get_method(), self.url, headers)
+        version = self.parser.get_http_version().encode()
+        return b"%b %b HTTP/%b\r\n%b\r\n" % (self.parser.get_method(), self.url, version, headers)
 
     def _count_head(self, size: int) -> None:
         self._head_bytes += size
