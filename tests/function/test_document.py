@@ -1,5 +1,6 @@
 """Function documents: values, places, and hostile bytes."""
 
+import json
 from functools import partial
 
 import pytest
@@ -112,3 +113,17 @@ def test_unterminated_texts_are_refused_in_linear_time(start, part):
 )  # fmt: skip
 def test_bad_yaml_is_one_finding(data, rule):
     assert [finding.rule for finding in read_yaml(data, "f").findings] == [rule]
+
+
+@pytest.mark.parametrize("half", [r"\ud800", r"\uDFFF", r"\udc00\ud800", r"\ud800\ud800\udc00", r"\\\ud83d"])
+def test_json_with_half_a_character_is_refused_at_its_place(half):
+    document = read_json(f'{{\n "a": "x{half}"}}'.encode(), "a.json")
+    assert document.value is None
+    [finding] = document.findings
+    assert "is half of a character" in finding.message
+    assert finding.line == 2
+
+
+@pytest.mark.parametrize("text", [r"\ud83d\ude00", r"\\ud800", r"\\\\ud800", "\\u00e9"])
+def test_json_with_whole_characters_is_read(text):
+    assert read_json(f'{{"a": "{text}"}}'.encode(), "a.json").value == {"a": json.loads(f'"{text}"')}

@@ -37,6 +37,14 @@ def test_every_page_stands_and_runs_nothing_inline(site: Ask, address: str) -> N
     assert not re.search(r"<style|\sstyle=|\son\w+=|<script(?! type=\"module\" src=)|https?://", page.text)
 
 
+def test_other_catalogues_are_linked_at_the_node_if_they_have_it(site: Ask) -> None:
+    for node in ("Vehicle", "Vehicle.Speed", "Vehicle.Door", "Vehicle.Door.Row1"):
+        page = site(f"/tree/small/{node}")
+        assert page.status_code in (200, 404)
+        for link in re.findall(r'<a href="(/tree/[^"]+)" data-elsewhere', page.text):
+            assert site(link).status_code == 200, link
+
+
 def test_where_not_even_a_page_of_the_problem_can_be_made_the_problem_is_answered() -> None:
     app = create_site(Library(SOURCES), SETTINGS)
     app.state.thread_turns = Turns(at_once=0, waiting=0, share=1)

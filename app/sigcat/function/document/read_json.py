@@ -6,6 +6,7 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterator
 from functools import cached_property
+from itertools import islice
 from typing import Any
 
 from sigcat import codes
@@ -68,6 +69,12 @@ def _too_deep(text: str, limit: int, name: str) -> Finding:
     return codes.NESTING_TOO_DEEP.finding(message, name, *_line_and_column(text, offset))
 
 
+_SURROGATES = re.compile(
+    r"\\\\|\\u[dD][89abAB][0-9a-fA-F]{2}\\u[dD][c-fC-F][0-9a-fA-F]{2}|(?P<half>\\u[dD][89a-fA-F][0-9a-fA-F]{2})"
+)
+"""Escaped backslashes, characters in two halves, and halves alone, which no encoding of a file can hold."""
+
+
 class _NoNumber(ValueError):
     """A number that JSON does not have, or that no computer holds."""
 
@@ -99,7 +106,15 @@ def _parsed(text: str, name: str, nesting: int) -> tuple[Any, list[Finding]]:
         return None, [_too_deep(text, nesting, name)]
     if _depth(value) > nesting:
         return None, [_too_deep(text, nesting, name)]
-    return value, list(_duplicates(text, name)) if has_duplicates else []
+    halves = list(islice(_halves(text, name), 1))
+    return (None, halves) if halves else (value, list(_duplicates(text, name)) if has_duplicates else [])
+
+
+def _halves(text: str, name: str) -> Iterator[Finding]:
+    for found in _SURROGATES.finditer(text):
+        if found["half"]:
+            message = f"Not valid JSON: {found['half']} is half of a character. Write both halves, or none."
+            yield codes.NOT_JSON.finding(message, name, *_line_and_column(text, found.start()))
 
 
 def _finite(text: str) -> float:
