@@ -17,6 +17,7 @@ COPY vspec vspec
 COPY overlays overlays
 COPY interface_rules interface_rules
 COPY examples examples
+COPY docs docs
 RUN /opt/build/bin/pip wheel --no-deps --no-build-isolation --wheel-dir /opt/wheel . \
  && /opt/sigcat/bin/pip install --no-deps /opt/wheel/*.whl
 

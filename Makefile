@@ -13,9 +13,9 @@ help:  ## list the commands
 serve: .venv/serve  ## start the service with the shipped trees on http://127.0.0.1:8000
 	@$(BIN)/sigcat serve --host $(HOST) --port $(PORT)
 
-test: format lint types imports tests  ## what a developer waits for: formatting, lint, types, import directions, tests
+test: format lint types imports tests  ## the fast checks: formatting, lint, types, import directions, tests
 
-real: .venv/dev  ## the tests that take longer: every page in a browser, what is generated built and run, attacks
+real: .venv/dev  ## the tests that take longer: every page in a browser, generated code built and run, attacks
 	$(BIN)/python scripts/browser.py
 	$(BIN)/pytest -n auto -m real
 
@@ -36,7 +36,7 @@ tests: .venv/dev
 	$(BIN)/python scripts/browser.py
 	$(BIN)/pytest -n auto -m "not real"
 
-bench: .venv/dev  ## measure, each figure beside its reference
+bench: .venv/dev  ## measure, each figure next to its reference
 	$(BIN)/python -m bench
 
 ros2:  ## real ROS 2 Jazzy (without rclcpp) for tests, in .venv-ros2; needs Python 3.11 and a C++ compiler
@@ -48,20 +48,20 @@ run-autosar: .venv/dev  ## EcoControl as three processes over SOME/IP: generate,
 run-ros2: .venv/dev ros2  ## EcoControl as ROS 2 nodes in C++ and Python: generate, build, play the drive in lock step, compare with the simulation
 	$(BIN)/python -m scripts.run_ros2
 
-kpi: .venv/dev ros2  ## EcoControl on every platform: behaviour, timing, load and effort beside the paper's; the report is in build/kpi
+kpi: .venv/dev ros2  ## EcoControl on every platform: behaviour, timing, load and effort next to the paper's; the report is in build/kpi
 	@mkdir -p build
 	$(BIN)/sigcat compare examples/ecocontrol -o examples/ecocontrol/comparison.json -o build/kpi
 
-pictures: .venv/dev  ## picture every page into docs/pictures
+pictures: .venv/dev  ## take pictures of every page into docs/pictures
 	$(BIN)/python -m scripts.pictures
 
-generate: .venv/dev  ## write everything that is generated: expected outputs of tests, pages of docs, the OpenAPI document
+generate: .venv/dev  ## write all generated files: expected outputs of tests, pages of docs, the OpenAPI document
 	$(BIN)/python -m scripts.generate
 
 clients: .venv/dev  ## generate a Python and a TypeScript client, and run the same round trip with each
 	$(BIN)/python -m scripts.clients
 
-fuzz: .venv/dev  ## search for failures at random, for long; each new one is added to tests/found_examples.json
+fuzz: .venv/dev  ## search for failures with random examples, for a long time; each new one is added to tests/found_examples.json
 	SIGCAT_FUZZ=500 $(BIN)/pytest -n auto -m property
 	SIGCAT_FUZZ=500 $(BIN)/pytest tests/api/test_contract.py tests/catalogue/hosting/test_killed.py
 	SIGCAT_FUZZ=500 $(BIN)/pytest -n auto tests/adapter/test_mutated.py
@@ -70,18 +70,18 @@ fuzz: .venv/dev  ## search for failures at random, for long; each new one is add
 slow: .venv/dev  ## every test with all its repetitions, and random examples: each format of whole trees, each page, each bomb at each address
 	SIGCAT_SLOW=1 $(BIN)/pytest -n auto
 
-trust: .venv/dev  ## ask every judge that others wrote everything, and write what they said into docs/explanation/trust.md
+trust: .venv/dev  ## check everything with the third-party reference tools, and write the results into docs/explanation/trust.md
 	SIGCAT_SLOW=1 SIGCAT_FUZZ=100 $(BIN)/python -m scripts.trust
 
-sbom: .venv/dev  ## write the bill of materials of what is shipped to build/sbom.json (CycloneDX)
+sbom: .venv/dev  ## write the bill of materials of the shipped packages to build/sbom.json (CycloneDX)
 	$(BIN)/python -m scripts.sbom
 
-package: .venv/dev  ## build the source archive and the wheel into dist/, and check what a registry would show
+package: .venv/dev  ## build the source archive and the wheel into dist/, and check their package pages
 	rm -rf dist
 	$(BIN)/python -m build --no-isolation --outdir dist
 	$(BIN)/twine check --strict dist/*
 
-audit: .venv/dev  ## look for known vulnerabilities in what is shipped; needs the network
+audit: .venv/dev  ## look for known vulnerabilities in shipped packages; needs the network
 	$(BIN)/python -m scripts.audit
 
 COMPILE := pip-compile --quiet --strip-extras --no-header --no-emit-index-url --no-emit-find-links --generate-hashes --no-reuse-hashes --allow-unsafe

@@ -64,17 +64,17 @@ def _arguments() -> argparse.Namespace:
     return arguments
 
 
-def _table(wanted: Sequence[str], runs: int) -> Iterator[str]:
+def _table(names: Sequence[str], runs: int) -> Iterator[str]:
     """The lines of the table, each as soon as it is measured, and below them what was measured on."""
-    yield _line(Row("work", "sigcat", "reference", "ratio", "wanted"))
-    yield "|---|---|---|---|---|"
-    for name in (name for name in wanted or ROWS if name not in SERVICE):
+    yield "| Work | sigcat | Reference | Ratio | Target | Pass |"
+    yield "|---|---|---|---|---|---|"
+    for name in (name for name in names or ROWS if name not in SERVICE):
         with tempfile.TemporaryDirectory(prefix="sigcat-bench-") as folder:
             try:
                 yield _line(ROWS[name](Bench(Path(folder), max(runs, 1))))
             except Missing as missing:
                 print(f"sigcat: the row {name} is left out for want of {missing}", file=sys.stderr)
-    if not wanted or SERVICE & set(wanted):
+    if not names or SERVICE & set(names):
         yield from (_line(Row(*row)) for row in chain(service.rows(runs), wall_clock.rows(runs)))
     machine = f"Python {platform.python_version()}, {platform.machine()}, {os.cpu_count()} cores"
     yield f"\nMedians of {runs} runs in turn; {machine}."
@@ -89,7 +89,8 @@ def _with_table(text: str, table: str) -> str:
 
 
 def _line(row: Row) -> str:
-    return f"| {' | '.join(row)} |"
+    passed = "yes" if row.is_met else "**no**"
+    return f"| {' | '.join(row[:-1])} | {passed} |"
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ _LENGTH = re.compile(rb"content-length: (\d+)", re.IGNORECASE)
 
 
 class Load(NamedTuple):
-    """What the clients got: how many answers, the seconds of each, and the seconds in all."""
+    """Results of the clients: number of answers, seconds of each, and seconds in all."""
 
     seconds: Sequence[float]
     whole: float

@@ -1,4 +1,4 @@
-"""Two recordings of a drive of ten minutes: read and held against each other bit by bit, beside reading the rows of their file."""
+"""Two recordings of a drive of ten minutes: read and compared bit by bit, next to reading the rows of their file."""
 
 import csv
 from collections.abc import Callable, Mapping
@@ -12,12 +12,12 @@ from sigcat.comparison.running.recorded import read_recorded
 from sigcat.runs.recording.shapes import Number
 
 _STEPS = 12_000
-"""Of 50 ms."""
+"""Cycle of 50 ms."""
 _OUTPUTS = {f"Vehicle.Output{number}": Number("float") for number in range(6)}
 
 
 def compared(bench: Bench) -> Row:
-    """What a comparison does for each platform after it was played to; by its time of the processor."""
+    """Evaluate a recording as a comparison does for each platform; by processor time."""
     file = _recorded(bench.folder / "recorded.csv")
     expected = read_recorded(file, _OUTPUTS)
 
@@ -33,7 +33,7 @@ def compared(bench: Bench) -> Row:
         return process_time() - start
 
     figure, beside = interleaved([ours, reference], bench.runs)
-    work = "read a recording of ten minutes, 72,000 values, and hold it against another one"
+    work = "read a recording of ten minutes, 72,000 values, and compare it with another one"
     return at_most(work, figure, "`csv.DictReader` of the same file", beside, 4)
 
 

@@ -36,7 +36,7 @@ def frames(bench: Bench) -> Row:
     work = "`sigcat gateway`: frames of a log, decoded, mapped and written"
     return Row(
         work, f"{figure:,.0f}/s", f"python-can and cantools, decoded alone: {reference:,.0f}/s",
-        f"{figure / reference:.2f} ×", "at least 0.5 ×",
+        f"{figure / reference:.2f} ×", "at least 0.5 ×", figure / reference >= 0.5,
     )  # fmt: skip
 
 

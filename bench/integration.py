@@ -17,7 +17,7 @@ _STEP = "cycleTime: 50, priority: 10, scheduling: NonPreemptive, ASILlevel: QM"
 
 
 def write_set(folder: Path, times: int = 1) -> Path:
-    """Write a tree and the functions of a set that is `times` as large; the folder they stand in."""
+    """Write a tree and the functions of a set that is `times` as large; return their folder."""
     folder.mkdir(parents=True, exist_ok=True)
     lines = [
         "Vehicle: {type: branch, description: Vehicle.}",

@@ -79,7 +79,7 @@ def _project(bench: Bench) -> Path:
 
 def _row(work: str, seconds: float, target: float) -> Row:
     figure, wanted = f"{seconds * 1000:.0f} ms", f"at most {target * 1000:.0f} ms"
-    return Row(work, figure, f"target: {target * 1000:.0f} ms", f"{seconds / target:.2f} ×", wanted)
+    return Row(work, figure, f"target: {target * 1000:.0f} ms", f"{seconds / target:.2f} ×", wanted, seconds <= target)
 
 
 ROWS: Mapping[str, Callable[[Bench], Row]] = {

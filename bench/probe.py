@@ -1,4 +1,4 @@
-"""One measurement in a process of its own: `python -m bench.probe NAME TREE`. Prints one number.
+"""One measurement in a separate process: `python -m bench.probe NAME TREE`. Prints one number.
 
 What is imported is imported before the clock starts.
 """

@@ -1,4 +1,4 @@
-"""Servers to measure, each a process on the first core: `sigcat serve` as it is shipped, and the floor that it is held against.
+"""Servers to measure, each a process on the first core: `sigcat serve` as it is shipped, and the floor as its reference.
 
 The floor is Starlette with a route that returns bytes made beforehand, on the same event loop and with the same parser.
 """
@@ -44,7 +44,7 @@ _CORES = sorted(os.sched_getaffinity(0))
 
 
 class Server(NamedTuple):
-    """A server in a process of its own."""
+    """A server in a separate process."""
 
     place: str
     """Host and port."""

@@ -1,7 +1,7 @@
 """Measure the service as it is shipped, its log on: on one core, load from the other, the floor in the same run.
 
 Rates are requests in a second of the server's processor, which is what one core serves: they hold on a busy machine, too.
-What is posted is work for processes of its own, which take every core: its time is that of the whole machine.
+Posted texts are work for separate processes, which use every core: their time is that of the whole machine.
 """
 
 import sys
@@ -14,7 +14,7 @@ from bench.clients import request, sent
 from bench.servers import FLOOR, SERVICE, Server, server
 from sigcat.data import ROOT_FILE
 
-Row = tuple[str, str, str, str, str]
+Row = tuple[str, str, str, str, str, bool]
 _VSS = "/api/v1/catalogues/vss"
 _OVERLAY = "".join(
     f"Vehicle.Bench{n}:\n  type: sensor\n  datatype: float\n  unit: km/h\n  description: Signal number {n} of a test.\n\n"
@@ -23,7 +23,7 @@ _OVERLAY = "".join(
 
 
 def rows(runs: int, count: int = 5000) -> Iterator[Row]:
-    """Work, figure, reference, ratio and what is wanted, for each row."""
+    """Work, figure, reference, ratio, target and whether it is met, for each row."""
     # the same tree under several names, so that each run can ask for what was never asked before
     fresh = [f"run{number}" for number in range(runs)]
     named = [option for name in fresh for option in ("--catalogue", f"{name}={ROOT_FILE}")]
@@ -45,7 +45,7 @@ def memory(count: int = 20_000) -> Row:
         middle, end = held
     return (
         f"memory after {count:,} mixed requests", f"{end / 1e6:.0f} MB", f"in the middle: {middle / 1e6:.0f} MB",
-        f"{end / middle:.2f} ×", "at most 1.10 ×",
+        f"{end / middle:.2f} ×", "at most 1.10 ×", end <= 1.1 * middle,
     )  # fmt: skip
 
 
@@ -67,7 +67,14 @@ def _reading(floor: Server, service: Server, fresh: Sequence[str], count: int) -
         rates = [(_rate(service, asked, headers), _rate(floor, ["/floor"] * count)) for asked in addresses]
         rate, reference = (median(taken) for taken in zip(*rates, strict=True))
         ratio = median(ours / other for ours, other in rates)
-        yield work, f"{rate:.0f}/s", f"prebuilt bytes: {reference:.0f}/s", f"{ratio:.2f} ×", f"at least {least} ×"
+        yield (
+            work,
+            f"{rate:.0f}/s",
+            f"prebuilt bytes: {reference:.0f}/s",
+            f"{ratio:.2f} ×",
+            f"at least {least} ×",
+            ratio >= least,
+        )
 
 
 def _rate(asked: Server, addresses: Sequence[str], headers: Sequence[tuple[str, str]] = ()) -> float:
@@ -86,11 +93,11 @@ def _posting(service: Server, runs: int, count: int) -> Iterator[Row]:
         post = request(service.place, address, body=_OVERLAY.encode())
         loads = [sent(service.place, [post] * count) for _ in range(runs + 1)][1:]  # the first one warms up
         p99, rate = (median(getattr(load, name) for load in loads) for name in ("p99", "rate"))
-        yield work, f"{p99 * 1000:.0f} ms", f"{rate:.0f}/s", "", f"at most {most * 1000:.0f} ms"
+        yield work, f"{p99 * 1000:.0f} ms", f"{rate:.0f}/s", "", f"at most {most * 1000:.0f} ms", p99 <= most
 
 
 def _mixed(place: str) -> Iterator[bytes]:
-    """Of a hundred requests 60 for nodes, 25 searches, ten overlays that are checked or tried, and five long answers."""
+    """Mixed requests: of a hundred, 60 for nodes, 25 searches, ten overlays to check or try, and five long answers."""
     paths = _paths()
     nodes = cycle([f"{_VSS}/nodes/{path}" for path in paths])
     words = cycle([f"{_VSS}/search?q={word}" for word in _words(paths)])
@@ -127,9 +134,9 @@ def _tag(service: Server, address: str) -> str:
 
 def main() -> int:
     """Print the table."""
-    print("| work | sigcat | reference | ratio | wanted |\n|---|---|---|---|---|")
+    print("| work | sigcat | reference | ratio | target |\n|---|---|---|---|---|")
     for row in rows(runs=int(sys.argv[1]) if len(sys.argv) > 1 else 3):
-        print(f"| {' | '.join(row)} |", flush=True)
+        print(f"| {' | '.join(map(str, row))} |", flush=True)
     return 0
 
 

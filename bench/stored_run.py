@@ -19,7 +19,7 @@ _MINUTES = 10
 
 
 def run_page(bench: Bench) -> Row:
-    """What a worker does for the page: it reads the file, and places everything in a picture."""
+    """Do the work of a worker for the page: read the file, and place everything in a picture."""
     folder = bench.folder / "functions"
     shutil.copytree(EXAMPLES / "core_acc", folder / "core_acc")
     file = _ten_minutes(folder)

@@ -1,4 +1,4 @@
-"""Trees made for measuring: as many signals as wanted, with words, units and ranges as in real ones."""
+"""Trees made for measuring: with any number of signals, and with words, units and ranges as in real ones."""
 
 import shutil
 from collections.abc import Iterator

@@ -30,8 +30,8 @@ def verdict(output: str) -> tuple[int, list[str]]:
 
 
 def _line(package: Mapping[str, Any], vulnerability: Mapping[str, Any]) -> str:
-    mended = ", ".join(vulnerability["fix_versions"]) or "no version yet"
-    return f"{package['name']} {package['version']}: {vulnerability['id']}, mended in {mended}"
+    fixed = ", ".join(vulnerability["fix_versions"]) or "no version yet"
+    return f"{package['name']} {package['version']}: {vulnerability['id']}, fixed in {fixed}"
 
 
 def main() -> int:

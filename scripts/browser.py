@@ -37,7 +37,7 @@ def _quietly(*command: str) -> None:
 
 
 def main() -> int:
-    """Make sure that there is a browser, or say what is missing."""
+    """Make sure that a browser is installed, or say what is missing."""
     if find_browser() is None:
         install_browser()
     if find_browser() is None:

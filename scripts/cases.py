@@ -1,6 +1,6 @@
-"""The expected outputs in the folders of cases of the tests. Each case is a folder; what it is expected to give stands in it.
+"""Expected outputs in the folders of cases of the tests. Each case is a folder with its expected output.
 
-A change of what is expected is read in the diff, and held against vss-tools by the tests where vss-tools has a word on it.
+Review each change of an expected output. If vss-tools accepts the case, tests also compare the output with vss-tools.
 """
 
 import contextlib
@@ -39,13 +39,13 @@ class Cases(NamedTuple):
 
     @property
     def names(self) -> Sequence[str]:
-        """The cases; that there are none is an error, so that no test passes for want of them."""
+        """Return the cases. No case is an error, so that no test passes for lack of cases."""
         names = sorted(path.name for path in (ROOT / self.folder).iterdir() if path.is_dir())
         assert names, f"There are no cases in {self.folder}."
         return names
 
     def made(self, name: str) -> str:
-        """What a case gives today."""
+        """Return the present output of a case."""
         with contextlib.chdir(ROOT / self.folder / name):
             try:
                 return self.make()
@@ -54,7 +54,7 @@ class Cases(NamedTuple):
                 raise
 
     def text(self, name: str) -> str:
-        """What it is expected to give."""
+        """Return the expected output of a case."""
         return (ROOT / self.folder / name / self.expected).read_text(encoding="utf-8")
 
 
@@ -83,7 +83,7 @@ def findings_of_older() -> str:
 
 
 def changes() -> str:
-    """What `sigcat diff` tells of an old and a new tree."""
+    """Return the output of `sigcat diff` for an old and a new tree."""
     return output_of("diff", *sides())
 
 
@@ -113,7 +113,7 @@ def function_of_code() -> str:
 
 
 def findings_of_code() -> str:
-    """What is found in C code, what its author has to do, and what is then wrong with the function.yaml."""
+    """Return the findings in C code, the tasks left to its author, and the findings in the resulting function.yaml."""
     made = imported(Path.cwd())
     found = check_function(made.text.encode(), "function.yaml", _interfaces())
     return lines([
@@ -141,7 +141,7 @@ def imported(case: Path) -> Imported:
 
 
 def simulated() -> str:
-    """What the functions of a case send in a run."""
+    """Return the outputs of the functions of a case in a run."""
     return output_of("simulate", *options())
 
 
@@ -167,7 +167,7 @@ ALL = (
 
 
 def files() -> Mapping[str, str]:
-    """What is expected of every case."""
+    """Return the expected output of every case."""
     return {f"{cases.folder}/{name}/{cases.expected}": cases.made(name) for cases in ALL for name in cases.names}
 
 
@@ -177,7 +177,7 @@ def lines(texts: Iterable[str]) -> str:
 
 
 def output_of(*arguments: str) -> str:
-    """What a command of sigcat writes to standard output."""
+    """Return the standard output of a command of sigcat."""
     output, problems = io.TextIOWrapper(io.BytesIO(), "utf-8"), io.StringIO()
     with contextlib.redirect_stdout(output), contextlib.redirect_stderr(problems):
         status = sigcat(arguments)

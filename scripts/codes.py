@@ -4,7 +4,8 @@ from collections.abc import Mapping
 from itertools import groupby
 
 from sigcat.data import INTERFACE_RULES
-from sigcat.rules.record import MAKERS, Rule, load_rules
+from sigcat.rules.record import Rule, load_rules
+from sigcat.rules.record_faults import MAKERS
 
 _HEADER = '''\
 """The rules that code finds broken, by name: `codes.NOT_YAML.finding(message, file, line, …)`.

@@ -11,7 +11,7 @@ ROOT = Path(__file__).parents[1]
 
 
 def files() -> Mapping[str, str]:
-    """What stands in `expected` beside each build."""
+    """Return the contents of `expected` next to each build."""
     made: dict[str, str] = {}
     for script in sorted(ROOT.glob("examples/*/build")):
         expected = script.parent.relative_to(ROOT) / "expected"
@@ -20,7 +20,7 @@ def files() -> Mapping[str, str]:
 
 
 def build(script: Path) -> Mapping[str, str]:
-    """What one build makes, by its path in the folder that it fills."""
+    """Return the files that one build makes, by their paths in its folder."""
     environment = {**os.environ, "SIGCAT": f"{sys.executable} -m sigcat.cli", "PYTHONPATH": str(ROOT / "app")}
     with tempfile.TemporaryDirectory() as folder:
         done = subprocess.run([str(script), folder], check=False, env=environment, capture_output=True, text=True)

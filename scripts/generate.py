@@ -1,6 +1,6 @@
 """Write everything in this repository that is generated: `make generate`, or `python -m scripts.generate NAME ...`.
 
-tests/test_generated.py compares what stands in the repository with what the generators make.
+tests/test_generated.py compares the files in the repository with the output of the generators.
 """
 
 import argparse
@@ -36,7 +36,7 @@ Beside each: a glob of files that nothing else makes, so that those which are no
 
 
 def made_by(name: str) -> Mapping[str, str]:
-    """What a generator makes. It is imported here: the one before it may have written what it imports."""
+    """Return the files of a generator. It is imported here, since the generator before it may have written its modules."""
     made: Mapping[str, str] = importlib.import_module(f"scripts.{name}").files()
     assert made, f"scripts/{name}.py must make files."
     return made

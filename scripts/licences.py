@@ -5,11 +5,11 @@ from collections.abc import Mapping
 from scripts.shipped import Package, shipped
 
 _HEAD = """\
-# Licences of what is shipped
+# Licences of shipped packages
 
-sigcat is licensed under Apache-2.0. At run time it needs the packages below, as `requirements.txt` pins them; the
-container has them all. They are used as they come, unchanged. `make generate` writes this page, and a test
-compares it with `requirements.txt` and with the licences that may be shipped.
+sigcat is licensed under Apache-2.0. At run time it needs the packages below, as `requirements.txt` pins them. The
+container has all of them, unchanged. `make generate` writes this page, and a test
+compares it with `requirements.txt` and with the allowed licences.
 
 | package | version | licence | needed by |
 |---|---|---|---|

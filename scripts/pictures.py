@@ -41,18 +41,18 @@ class Picture(NamedTuple):
     """Whether the README shows it."""
 
     prepare: Callable[[Page], None] | None = None
-    """What is done on the page before."""
+    """Actions on the page before the picture."""
 
     @property
     def file(self) -> Path:
-        """Where it goes."""
+        """Path of the picture."""
         return (SHOWN if self.is_shown else OTHERS) / f"{self.name}.png"
 
 
 def post_functions(page: Page) -> None:
     """Connect a posted function, whose unit is wrong, with a shipped one."""
     made = page.request.get(page.url.replace("/wiring", "/functions/eco_control_mpc.json")).text()
-    page.get_by_text("Functions of your own").click()
+    page.get_by_text("Your own functions").click()
     wrong = made.replace('"VssUnit": "m/s^2"', '"VssUnit": "km/h"')
     page.get_by_role("textbox", name="Documents").fill(f"--- # eco_control_mpc.json\n{wrong}")
     page.get_by_role("group", name="Together with").get_by_role("checkbox", name="CoreAcc").check()
@@ -74,8 +74,8 @@ def complete_path(page: Page) -> None:
 
 
 def write_functions(page: Page) -> None:
-    """Open the form for functions of one's own."""
-    page.get_by_text("Functions of your own").click()
+    """Open the form for functions of the user."""
+    page.get_by_text("Your own functions").click()
 
 
 def show_timing(page: Page) -> None:
@@ -87,6 +87,8 @@ _SIGNAL = "/tree/interfaces/Vehicle.ADAS.EcoControl.AccelerationRequest"
 _ERROR = "/tree/interfaces/Vehicle.Function.WheelSpeedCalculation.Error.RangeError"
 _OVERLAID = "/tree/interfaces/Vehicle.Acceleration.Longitudinal"
 PAGES = (
+    Picture("start", "/"),
+    Picture("chapter", "/docs/reference/functions.md"),
     Picture("tree", _SIGNAL, is_shown=True),
     Picture("node", _OVERLAID, is_shown=True),
     Picture("wiring", "/wiring", is_shown=True),
@@ -175,9 +177,10 @@ def chromium() -> Iterator[Browser]:
     """The system's Chromium, or the one that Playwright installed."""
     with sync_playwright() as playwright:
         try:
-            yield playwright.chromium.launch(executable_path=find_browser(), args=["--no-sandbox"])
+            browser = playwright.chromium.launch(executable_path=find_browser(), args=["--no-sandbox"])
         except Error as error:
             sys.exit(f"Chromium cannot be started: {error.message.splitlines()[0]}")
+        yield browser
 
 
 def take(picture: Picture, address: str, browser: Browser) -> None:

@@ -1,4 +1,4 @@
-"""What a platform has sent while a drive was played to it, and what `sigcat simulate` sends."""
+"""Values that a platform has sent while a drive was played to it, and those that `sigcat simulate` sends."""
 
 import csv
 import json
@@ -16,11 +16,11 @@ WHOLE_DRIVE = 600
 """Seconds."""
 
 Sent = Mapping[str, list[tuple[int, str]]]
-"""What was sent, by name: times in ns and values."""
+"""Sent values by name: times in ns and values."""
 
 
 def simulated(out: Path, seconds: int) -> Sent:
-    """What the simulation of EcoControl sends."""
+    """Return the values that the simulation of EcoControl sends."""
     functions = [str(EXAMPLES / name / "function.yaml") for name in FUNCTIONS]
     sigcat = [sys.executable, "-m", "sigcat.cli", "simulate", *functions, "--trace", str(DRIVE)]
     subprocess.run([*sigcat, "--duration", str(seconds), "-o", str(out)], check=True, capture_output=True, text=True)
@@ -35,7 +35,7 @@ def _simulated_values(path: Path) -> Iterator[tuple[int, str, str]]:
 
 
 def recorded(path: Path) -> Sent:
-    """What a player has written: rows of time in ns, name and value."""
+    """Read the recording of a player: rows of time in ns, name and value."""
     with path.open(newline="", encoding="utf-8") as file:
         return _by_name((int(row["time"]), row["name"], row["value"]) for row in csv.DictReader(file))
 

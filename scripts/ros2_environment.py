@@ -23,11 +23,11 @@ _LIBRARIES = (
     "import sysconfig; print(sysconfig.get_config_var('LIBDIR'), sysconfig.get_config_var('MULTIARCH'), sep='\\n')"
 )
 _COMMANDS = {"cmake": "cmake", "ninja": "ninja-build", "g++": "g++"}
-"""What builds packages: commands, and the Debian packages that have them."""
+"""Commands that build packages, and the Debian packages that contain them."""
 
 
 class CannotBeMade(Exception):
-    """What is missing, and how to get it."""
+    """Name missing commands, and how to get them."""
 
 
 def main() -> int:
@@ -73,7 +73,7 @@ def _python() -> str:
 
 
 def _check_machine(base: str) -> None:
-    """What no wheel has."""
+    """Install the parts that no wheel has."""
     missing = [package for command, package in _COMMANDS.items() if not which(command)]
     if not _library_of(base):
         missing.append("libpython3.11-dev")

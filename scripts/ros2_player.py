@@ -80,7 +80,7 @@ def releases(document: Mapping[str, Any], end: int) -> set[int]:
 
 
 def drive(path: Path, end: int) -> Iterator[tuple[int, Mapping[str, str]]]:
-    """Times and what comes then."""
+    """Times and the values received then."""
     with path.open(newline="", encoding="utf-8") as file:
         for row in csv.DictReader(file):
             seconds, _, fraction = row.pop("time").partition(".")
@@ -102,7 +102,7 @@ def constants(message: Any) -> Mapping[str, int]:
 
 
 def profile(quality: Mapping[str, Any], *, is_publisher: bool) -> QoSProfile:
-    """What fits the other end, and keeps everything."""
+    """Quality of service that fits the other end, and keeps everything."""
     is_reliable = is_publisher or quality["Reliability"] == "reliable"
     keeps = quality["Durability"] == "transient_local"
     return QoSProfile(
@@ -113,7 +113,7 @@ def profile(quality: Mapping[str, Any], *, is_publisher: bool) -> QoSProfile:
 
 
 class Player:
-    """The nodes, and what goes to and from them."""
+    """The nodes, with the messages to and from them."""
 
     def __init__(self, document: Mapping[str, Any]) -> None:
         self.document = document
@@ -209,7 +209,7 @@ class Player:
     # -- steps -----------------------------------------------------------------------------------------------------
 
     def publish(self, row: Mapping[str, str]) -> None:
-        """Send what comes at a time."""
+        """Send the values of one time."""
         messages: dict[str, Any] = {}
         for name, value in row.items():
             if name in self.columns:

@@ -50,7 +50,7 @@ def build(folder: Path, flags: str = "", *options: str, code: Mapping[str, Path]
 
 
 def run(folder: Path, seconds: int) -> Sent:
-    """What the processes send while the drive is played to them."""
+    """Return the values that the processes send while the drive is played to them."""
     recording, programs = folder / "recorded.csv", folder / "build"
     environment = {**os.environ, "BENCH_PLAYER": "40000"}
     processes = [Process(name, (str(programs / name / name),), environment) for name in EXECUTABLES]
@@ -62,16 +62,16 @@ def run(folder: Path, seconds: int) -> Sent:
 
 
 def simulated(folder: Path, seconds: int) -> Sent:
-    """What `sigcat simulate` sends, without safety reactions: no service has them."""
+    """Return the values that `sigcat simulate` sends, without safety reactions: no service has them."""
     sent = recordings.simulated(folder / "simulated.csv", seconds)
     return {name: values for name, values in sent.items() if not name.endswith("_SftyCondSts")}
 
 
 def differences(sent: Sent, expected: Sent) -> list[str]:
-    """What was sent otherwise than expected.
+    """List values that differ from the expected ones.
 
     A field has a value from the beginning, so that its first value, and the first verdict of an error that depends on one,
-    may come earlier than in the simulation: of fields, what comes after their first value counts.
+    may come earlier than in the simulation. So only the values of fields after their first value are compared.
     """
     found = []
     for name in sorted({*sent, *expected}):

@@ -27,11 +27,11 @@ PATIENCE = 60
 
 
 class Workspace(NamedTuple):
-    """What was built: folders where it was installed."""
+    """Folders in which the built packages are installed."""
 
     prefix: Path
     others: tuple[Path, ...]
-    """Of what it builds on."""
+    """Environment of the packages that it builds on."""
 
 
 def main() -> int:
@@ -83,7 +83,7 @@ def environment(workspace: Workspace, number: int, home: Path) -> Mapping[str, s
 
 @contextmanager
 def started(commands: Sequence[Sequence[object]], variables: Mapping[str, str], told: Path) -> Iterator[None]:
-    """Processes that run meanwhile, and end well when they are told to; what they say is in a file."""
+    """Processes that run meanwhile, and end with status 0 on request; their output is in a file."""
     with told.open("a") as output, ExitStack() as stack:
         running = []
         for command in commands:
@@ -100,14 +100,14 @@ def started(commands: Sequence[Sequence[object]], variables: Mapping[str, str], 
 
 
 def ended(command: Sequence[object], variables: Mapping[str, str]) -> tuple[int, str]:
-    """How a process ends that does not run for long, and what it says."""
+    """Return how a short-lived process ends, and its output."""
     words = [str(word) for word in command]
     done = subprocess.run(words, env=variables, capture_output=True, text=True, check=False, timeout=2 * PATIENCE)
     return done.returncode, done.stdout + done.stderr
 
 
 def play(workspace: Workspace, package: str, folder: Path, seconds: int) -> Sent:
-    """What the nodes send while the drive is played to them in lock step."""
+    """Return the values that the nodes send while the drive is played to them in lock step."""
     folder.mkdir(parents=True, exist_ok=True)
     recording = folder / "recorded.csv"
     executables = [workspace.prefix / "lib" / package / node for node in NODES]
@@ -120,7 +120,7 @@ def play(workspace: Workspace, package: str, folder: Path, seconds: int) -> Sent
 
 
 def differences(sent: Sent, expected: Sent) -> list[str]:
-    """What was sent otherwise than expected, bit for bit."""
+    """List values that differ from the expected ones, bit for bit."""
     found = []
     for name in sorted({*sent, *expected}):
         both = [[(time, bits(value)) for time, value in each.get(name, [])] for each in (sent, expected)]

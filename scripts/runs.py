@@ -19,7 +19,7 @@ class Example(NamedTuple):
     """In seconds: long enough to show something, and short, since it travels in the package."""
 
     def command(self, folder: str, output: str) -> list[str]:
-        """What makes it."""
+        """Command that makes the run."""
         declared = [f"{EXAMPLES}/{name}/function.yaml" for name in self.functions]
         trace = ["--trace", f"{EXAMPLES}/{folder}/drive.csv", "--duration", str(self.duration)]
         return ["simulate", *declared, *trace, "-o", output]
@@ -38,7 +38,7 @@ def files() -> Mapping[str, str]:
 
 
 def run(folder: str, example: Example) -> str:
-    """What one run writes."""
+    """Return the output of one run."""
     with tempfile.TemporaryDirectory() as made:
         output = Path(made, "run.csv")
         command = [

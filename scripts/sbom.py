@@ -1,4 +1,4 @@
-"""Write the bill of materials of what is shipped, as CycloneDX 1.6: `python -m scripts.sbom [FILE]`.
+"""Write the bill of materials of the shipped packages, as CycloneDX 1.6: `python -m scripts.sbom [FILE]`.
 
 It says what requirements.txt pins, so it needs no network, and the same checkout gives the same bytes.
 """

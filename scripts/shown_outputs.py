@@ -1,4 +1,4 @@
-"""What pages show below the commands of their `console` blocks: the commands run, and their output is written anew.
+"""Outputs in the `console` blocks of pages: the commands run, and their output replaces the old one.
 
 The blocks of a page run in order, in one empty folder. A block with `title="NAME"` beside its language is a file of that
 folder from there on. `$ ` begins a command, `> ` continues it; every other line is output.
@@ -48,7 +48,7 @@ def _write(file: Path, text: str) -> None:
 
 
 def _output(shown: str, folder: Path) -> str:
-    """What a command prints. It must run; findings are no failure."""
+    """Return the output of a command. It must run; findings are not a failure."""
     command = re.sub(r"^[$>] ", "", shown, flags=re.MULTILINE)
     done = subprocess.run(
         ["bash", "-c", _PRELUDE + command],

@@ -1,6 +1,6 @@
-"""Tables within pages: each stands between `<!-- NAME ARGUMENTS -->` and `<!-- /NAME -->`, and is written anew.
+"""Tables within pages: each is between `<!-- NAME ARGUMENTS -->` and `<!-- /NAME -->`, and is generated again.
 
-`keys SCHEMA KEY ...`: the keys of a JSON Schema of sigcat, or of what is below these keys. `fields CODE`: the fields that a rule wants interfaces to
+`keys SCHEMA KEY ...`: the keys of a JSON Schema of sigcat, or of the schema below these keys. `fields CODE`: the fields that a rule requires interfaces to
 have. `limits [CLASS]`: the limits in `limits.py`.
 `rules PREFIX`: the rules whose codes begin so. `settings`: the settings of the service. `classes`: those of changes.
 """
@@ -22,6 +22,7 @@ from sigcat.platforms.schemas import schema
 from sigcat.rules.checks import CHECKS
 from sigcat.rules.pages import field_table
 from sigcat.rules.record import load_rules
+from sigcat.rules.templates import OF_EVERY_CHECK, placeholders
 
 ROOT = Path(__file__).parents[1]
 _KINDS = {
@@ -75,7 +76,7 @@ def _mapping(described: Mapping[str, Any], document: Mapping[str, Any]) -> Mappi
 
 
 def _values(described: Mapping[str, Any]) -> Mapping[str, Any]:
-    """What a mapping with free keys holds."""
+    """Return the schema of the values of a mapping with free keys."""
     patterns: Mapping[str, Mapping[str, Any]] = described.get("patternProperties", {})
     return next(iter(patterns.values()), described.get("additionalProperties", {}))
 
@@ -111,13 +112,14 @@ def _rules(prefix: str) -> str:
 
 
 def _checks() -> str:
-    """The checks that rules can use, with their options; those that a rule has to give are bold."""
-    lines = ["| check | options | requirement |", "|---|---|---|"]
+    """The checks that rules can use, with their options and placeholders; options that a rule has to give are bold."""
+    lines = ["| check | options | placeholders | requirement |", "|---|---|---|---|"]
     for name, check in sorted(CHECKS.items()):
         kinds = {each: kind.name for each, kind in check.options.items()}
         options = [f"{f'**`{each}`**' if each in check.required else f'`{each}`'} {kinds[each]}" for each in kinds]
         meaning = (check.prepare.__doc__ or "").partition("\n\n")[0].replace("\n", " ").replace("|", "\\|")
-        lines.append(f"| `{name}` | {', '.join(options) or '–'} | {' '.join(meaning.split())} |")
+        filled = ", ".join(f"`{{{each}}}`" for each in placeholders(name) if each not in OF_EVERY_CHECK)
+        lines.append(f"| `{name}` | {', '.join(options) or '–'} | {filled or '–'} | {' '.join(meaning.split())} |")
     return "\n".join(lines)
 
 
@@ -127,7 +129,7 @@ def _settings() -> str:
 
 
 def _limits(owner: str = "") -> str:
-    """The constants of `limits.py`, or the fields of one of its classes, by what stands below each."""
+    """Return the constants of `limits.py`, or the fields of one of its classes, with the text below each."""
     body = ast.parse(Path(limits.__file__).read_text(encoding="utf-8")).body
     if owner:
         body = next(each.body for each in body if isinstance(each, ast.ClassDef) and each.name == owner)

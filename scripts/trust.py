@@ -1,4 +1,4 @@
-"""Ask the judges of tests/judges.py, and write what they said into docs/explanation/trust.md: `make trust`."""
+"""Run the reference tools of tests/reference_tools.py, and write their results into docs/explanation/trust.md: `make trust`."""
 
 import argparse
 import json
@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from sigcat import __version__
-from tests.judges import JUDGES, Judge
+from tests.reference_tools import REFERENCE_TOOLS, ReferenceTool
 
 ROOT = Path(__file__).parents[1]
 _ROS2 = ROOT / "requirements-ros2.txt"
@@ -35,55 +35,55 @@ JSON documents, fields with a type also have the most dangerous values that the 
 so a new field is included. `.venv/bin/pytest tests/adapter/hostile tests/adapter/test_hostile_text.py` runs all of them, as a part of `make real`.
 """
 
-Verdict = Mapping[str, Any]
+Result = Mapping[str, Any]
 
 
 def main() -> int:
-    """Run the judged tests, or take what a run wrote; write the page. The exit status is that of the tests."""
+    """Run the tests of the reference tools, or read the results of a run; write the page. The exit status is that of the tests."""
     parser = argparse.ArgumentParser(prog="python -m scripts.trust", description=__doc__)
     parser.add_argument(
-        "judges",
+        "tools",
         nargs="*",
-        metavar="JUDGE",
-        help=f"ask these alone, and keep what the others said: {', '.join(JUDGES)}",
+        metavar="TOOL",
+        help=f"run only these, and keep the results of the others: {', '.join(REFERENCE_TOOLS)}",
     )
     parser.add_argument(
-        "--verdicts", type=Path, metavar="FILE", help="what `pytest --verdicts FILE` wrote; else run it"
+        "--results", type=Path, metavar="FILE", help="read the output of `pytest --results FILE`; default: run it"
     )
     arguments = parser.parse_args()
-    file, judges = arguments.verdicts, frozenset(arguments.judges)
-    if judges - JUDGES.keys():
-        parser.error(f"there is no judge {', '.join(sorted(judges - JUDGES.keys()))}; there are {', '.join(JUDGES)}")
-    status, verdicts = (0, json.loads(file.read_bytes())) if file else _asked(judges)
-    if judges:
-        said = [verdict for verdict in verdicts if verdict["judge"] in judges]
-        verdicts = [*said, *(each for each in verdicts_of(PAGE.read_text("utf-8")) if each["judge"] not in judges)]
-    PAGE.write_text(page(verdicts, datetime.now(UTC).strftime("%Y-%m-%d")), encoding="utf-8")
+    file, tools = arguments.results, frozenset(arguments.tools)
+    if unknown := tools - REFERENCE_TOOLS.keys():
+        parser.error(f"unknown tool {', '.join(sorted(unknown))}; use one of {', '.join(REFERENCE_TOOLS)}")
+    status, results = (0, json.loads(file.read_bytes())) if file else _run(tools)
+    if tools:
+        new = [result for result in results if result["tool"] in tools]
+        results = [*new, *(each for each in results_of(PAGE.read_text("utf-8")) if each["tool"] not in tools)]
+    PAGE.write_text(page(results, datetime.now(UTC).strftime("%Y-%m-%d")), encoding="utf-8")
     return status
 
 
-def _asked(judges: Collection[str]) -> tuple[int, Sequence[Verdict]]:
+def _run(tools: Collection[str]) -> tuple[int, Sequence[Result]]:
     with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder) / "verdicts.json"
-        command = [sys.executable, "-m", "pytest", "-n", "auto", "-m", "judge", "--verdicts", str(file)]
-        status = subprocess.run([*command, *_files(judges)], cwd=ROOT, check=False).returncode
+        file = Path(folder) / "results.json"
+        command = [sys.executable, "-m", "pytest", "-n", "auto", "-m", "reference_tool", "--results", str(file)]
+        status = subprocess.run([*command, *_files(tools)], cwd=ROOT, check=False).returncode
         return status, json.loads(file.read_bytes())
 
 
-def _files(judges: Collection[str]) -> Sequence[str]:
-    """The files whose tests ask some judges; all if none is named."""
-    mark = re.compile(rf'@judged_by\(\s*"({"|".join(map(re.escape, judges))})"')
+def _files(tools: Collection[str]) -> Sequence[str]:
+    """Return the files of tests that use some tools; none for all tools."""
+    mark = re.compile(rf'@checked_with\(\s*"({"|".join(map(re.escape, tools))})"')
     files = (ROOT / "tests").rglob("test_*.py")
-    return [str(file) for file in files if judges and mark.search(file.read_text("utf-8"))]
+    return [str(file) for file in files if tools and mark.search(file.read_text("utf-8"))]
 
 
-def verdicts_of(text: str) -> Sequence[Verdict]:
-    """What a page says, as verdicts."""
-    names = {judge.name: key for key, judge in JUDGES.items()}
+def results_of(text: str) -> Sequence[Result]:
+    """Return the results on a page."""
+    names = {tool.name: key for key, tool in REFERENCE_TOOLS.items()}
     rows = [row.removeprefix("| ").removesuffix(" |").split(" | ") for row in text.splitlines() if row.startswith("| ")]
     return [
-        {"judge": names[name], "question": question, **_outcome(part)}
-        for name, _, question, counted in rows if name in names
+        {"tool": names[name], "requirement": requirement, **_outcome(part)}
+        for name, _, requirement, counted in rows if name in names
         for part in counted.split(", ")
     ]  # fmt: skip
 
@@ -97,46 +97,46 @@ def _outcome(text: str) -> Mapping[str, Any]:
     return {"outcome": match["outcome"] or "passed", "count": int(match["count"].replace(",", ""))}
 
 
-def page(verdicts: Sequence[Verdict], day: str) -> str:
-    """The page, of verdicts as tests/judges.py writes them."""
+def page(results: Sequence[Result], day: str) -> str:
+    """Return the page, of results as tests/reference_tools.py writes them."""
     rows = [
-        "| who | version | what holds | judgements |",
+        "| Tool | Version | Requirement | Checks |",
         "|---|---|---|---|",
-        *(_row(judge, question, found) for (judge, question), found in _grouped(verdicts)),
+        *(_row(tool, requirement, found) for (tool, requirement), found in _grouped(results)),
     ]
-    last = f"\nLast run: {day}, sigcat {__version__}, {_total(verdicts):,} judgements.\n"
+    last = f"\nLast run: {day}, sigcat {__version__}, {_total(results):,} checks passed.\n"
     return "\n".join([_INTRODUCTION, *rows, last.rstrip("\n"), _LIMITS])
 
 
-def _grouped(verdicts: Sequence[Verdict]) -> Iterable[tuple[tuple[str, str], Mapping[str, int]]]:
-    """Counts by outcome for each judge and question, in the order of the judges."""
-    order = list(JUDGES)
-    key = itemgetter("judge", "question")
-    by_judge = sorted(verdicts, key=lambda verdict: (order.index(verdict["judge"]), verdict["question"]))
-    for names, found in groupby(by_judge, key):
-        yield names, {verdict["outcome"]: verdict["count"] for verdict in found}
+def _grouped(results: Sequence[Result]) -> Iterable[tuple[tuple[str, str], Mapping[str, int]]]:
+    """Yield counts by outcome for each tool and requirement, in the order of the tools."""
+    order = list(REFERENCE_TOOLS)
+    key = itemgetter("tool", "requirement")
+    by_tool = sorted(results, key=lambda result: (order.index(result["tool"]), result["requirement"]))
+    for names, found in groupby(by_tool, key):
+        yield names, {result["outcome"]: result["count"] for result in found}
 
 
-def _row(judge: str, question: str, found: Mapping[str, int]) -> str:
-    return f"| {JUDGES[judge].name} | {_version(JUDGES[judge])} | {question} | {_counted(found)} |"
+def _row(tool: str, requirement: str, found: Mapping[str, int]) -> str:
+    return f"| {REFERENCE_TOOLS[tool].name} | {_version(REFERENCE_TOOLS[tool])} | {requirement} | {_counted(found)} |"
 
 
-def _version(judge: Judge) -> str:
+def _version(tool: ReferenceTool) -> str:
     try:
-        return version(judge.distribution) if judge.distribution else ""
+        return version(tool.distribution) if tool.distribution else ""
     except PackageNotFoundError:  # it is in the environment of ROS 2
-        pinned = re.search(rf"^{judge.distribution}==(\S+)", _ROS2.read_text(encoding="utf-8"), re.MULTILINE)
+        pinned = re.search(rf"^{tool.distribution}==(\S+)", _ROS2.read_text(encoding="utf-8"), re.MULTILINE)
         return pinned[1] if pinned else ""
 
 
 def _counted(found: Mapping[str, int]) -> str:
-    """`12`, `11, 1 failed`: those that did not pass are never left out."""
+    """`12`, `11, 1 failed`: those that did not pass are always listed."""
     others = [f"{count:,} {outcome}" for outcome, count in found.items() if outcome != "passed"]
     return ", ".join([f"{found.get('passed', 0):,}", *others])
 
 
-def _total(verdicts: Sequence[Verdict]) -> int:
-    return sum(verdict["count"] for verdict in verdicts if verdict["outcome"] == "passed")
+def _total(results: Sequence[Result]) -> int:
+    return sum(result["count"] for result in results if result["outcome"] == "passed")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""No test sees the settings or releases of who runs it, and a run says at its end what was skipped for want of what."""
+"""No test sees the settings or releases of the user, and the end of a run lists the skipped tests with their reasons."""
 
 import os
 import signal
@@ -11,25 +11,27 @@ from typing import Any
 import pytest
 
 from tests import properties, real_parts
-from tests.judges import Verdicts, note
 from tests.needs import OFFICIAL
+from tests.reference_tools import Results, note
 
 OF_THE_RUN = ("SIGCAT_BROWSER", "SIGCAT_FUZZ", "SIGCAT_SLOW")
 """Variables that say how to test."""
 IN_BROWSER = "tests/web/in_browser"
-_VERDICTS = Verdicts()
+_RESULTS = Results()
 _FOUND: list[str] = []
 _DATA = tempfile.TemporaryDirectory(prefix="sigcat-tests-")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """The option of tests/judges.py."""
-    parser.addoption("--verdicts", type=Path, metavar="FILE", help="write what the judges of other projects said")
+    """The option of tests/reference_tools.py."""
+    parser.addoption("--results", type=Path, metavar="FILE", help="write the results of the reference tools")
 
 
 def pytest_configure(config: pytest.Config) -> None:
     """Processes that tests start inherit this environment; so do the workers of pytest-xdist."""
-    config.addinivalue_line("markers", "judge(name, question): somebody else's judgement; see tests/judges.py")
+    config.addinivalue_line(
+        "markers", "reference_tool(name, requirement): checked with a third-party tool; see tests/reference_tools.py"
+    )
     config.addinivalue_line(
         "markers", "real: what `make real` runs and `make test` leaves out; see tests/real_parts.py"
     )
@@ -65,13 +67,13 @@ def pytest_itemcollected(item: pytest.Item) -> None:
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
-    """Files without a test that is wanted are not read."""
+    """Files without a selected test are not read."""
     return real_parts.has_none(collection_path, config.option.markexpr) or None
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Two tests of one name would be one to pytest-xdist; who stands for others must be there."""
+    """Two tests of one name would be one to pytest-xdist; tests that represent others must exist."""
     for item in items:
         real_parts.note(item)
     properties.prepare(items)
@@ -80,11 +82,11 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         raise pytest.UsageError(f"tests/real_parts.py names tests that are not there: {', '.join(missing)}")
     doubled = [name for name, count in Counter(item.nodeid for item in items).items() if count > 1]
     if doubled:
-        raise pytest.UsageError(f"Tests must have names of their own: {', '.join(doubled)}")
+        raise pytest.UsageError(f"Tests must have unique names: {', '.join(doubled)}")
 
 
 def pytest_runtest_setup(item: pytest.Item) -> None:
-    """Its reports say who judges it."""
+    """Add the reference tool of a test to its reports."""
     note(item)
 
 
@@ -96,16 +98,16 @@ def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo[None]) ->
 
 
 def pytest_runtest_logreport(report: pytest.TestReport) -> None:
-    """Judgements are counted; what a search found is written to the file of examples."""
-    _VERDICTS.add(report)
+    """Count the checks of reference tools, and write failures that a search found to the file of examples."""
+    _RESULTS.add(report)
     if "PYTEST_XDIST_WORKER" not in os.environ and (line := properties.write(report)):
         _FOUND.append(line)
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
-    """One line for each thing that was missing; what the judges said goes into the file that was named."""
-    if file := config.getoption("--verdicts"):
-        _VERDICTS.write(file)
+    """Write one line for each missing requirement, and the results of the reference tools into their file."""
+    if file := config.getoption("--results"):
+        _RESULTS.write(file)
     for line in _FOUND:
         terminalreporter.write_line(line)
     if line := real_parts.left_out(config.option.markexpr):

@@ -1,4 +1,4 @@
-"""How the cost of work grows with its input. No test has a bound in seconds: machines differ, and have other work too."""
+"""Growth of the cost of work with its input. No test has a bound in seconds: machines differ, and have other work too."""
 
 from collections.abc import Callable
 from statistics import median
@@ -11,10 +11,10 @@ Work = Callable[[], object]
 
 
 def growth(of: Callable[[int], Work], count: int, times: int = 10) -> float:
-    """How many times as long the work takes for `times` as much: the median of three pairs that are measured in turn.
+    """Ratio of the time for `times` as much work: the median of three pairs that are measured in turn.
 
     `of` prepares for a count, and gives the work whose seconds of the processor count. Where two pairs stay within the bound,
-    so does the median, and there is no third.
+    so does the median, and the third is omitted.
     """
     small, large = of(count), of(times * count)
     pairs = [ratio(large, small), ratio(large, small)]
@@ -22,7 +22,7 @@ def growth(of: Callable[[int], Work], count: int, times: int = 10) -> float:
 
 
 def ratio(work: Work, reference: Work) -> float:
-    """How many times as long the work takes as the reference does, each once."""
+    """Ratio of the time of the work to that of the reference, each once."""
     return seconds(work) / max(seconds(reference), 0.0001)
 
 

@@ -1,7 +1,7 @@
-"""What some tests need and not every machine has. Where it is missing they are skipped, and the run says at its end what was.
+"""Requirements of some tests that not every machine meets. Without them, tests are skipped, and the end of the run lists what was missing.
 
 VSS_RELEASES names a folder with official releases of VSS, each in a folder of its name, with `spec` and `overlays`. Without it,
-those that `sigcat pull` fetched are taken. ELIV_PRESENTATION names a checkout of what the authors of the method published.
+those that `sigcat pull` downloaded are used. ELIV_PRESENTATION names a checkout of the publication by the authors of the method.
 """
 
 import os
@@ -27,7 +27,7 @@ official_releases = pytest.mark.skipif(
 )
 
 IS_SLOW_RUN = "SIGCAT_SLOW" in os.environ
-"""Whether `make slow` runs the tests: with every repetition of what a usual run does once."""
+"""Whether `make slow` runs the tests: with every repetition of cases that a usual run tests once."""
 slow = pytest.mark.skipif(not IS_SLOW_RUN, reason="time: `make slow` runs these too")
 
 
@@ -45,7 +45,7 @@ published_files = pytest.mark.skipif(
 
 
 def published(name: str) -> bytes:
-    """A file that the authors of the method published, wherever it stands in their repository."""
+    """A file that the authors of the method published, at any path of their repository."""
     return _FILES[name].read_bytes()
 
 

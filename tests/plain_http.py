@@ -1,4 +1,4 @@
-"""Ask a service on this machine, each time on a connection of its own; `httpx.get` would read all certificates each time."""
+"""Ask a service on this machine, each time on a separate connection; `httpx.get` would read all certificates each time."""
 
 import httpx
 

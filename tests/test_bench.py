@@ -1,4 +1,4 @@
-"""What `make bench` starts can be started; its figures are for people, and no test."""
+"""Benchmarks of `make bench` start; their figures are for people, and are not tested."""
 
 import gc
 import subprocess

@@ -1,4 +1,4 @@
-"""What kind of file this is: one answer for the linter, the service, its pages and the hooks of pre-commit."""
+"""Detection of the kind of a file: one answer for the linter, the service, its pages and the hooks of pre-commit."""
 
 import json
 import re

@@ -1,4 +1,4 @@
-"""What is generated stands in the repository as it is made today: pages of docs, the OpenAPI document, outputs of examples.
+"""Generated files in the repository are up to date: pages of docs, the OpenAPI document, outputs of examples.
 
 The expected outputs in folders of cases are compared one by one, by the tests that are about them.
 """

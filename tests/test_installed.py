@@ -1,6 +1,6 @@
-"""What `pip install .` gives: a command that works from any folder, with its data inside.
+"""Result of `pip install .`: a command that works from any folder, with its data inside.
 
-The wheel is built and unpacked into a folder of its own, far from the checkout; then a real service answers.
+The wheel is built and unpacked into a separate folder, far from the checkout; then a real service answers.
 """
 
 import json
@@ -65,7 +65,12 @@ def service(installed, environment, tmp_path_factory):
 
 
 def test_the_data_travels_inside(installed):
-    for file in ("vspec/VehicleSignalSpecification.vspec", "overlays/error.vspec", "interface_rules/vss.yaml"):
+    for file in (
+        "vspec/VehicleSignalSpecification.vspec",
+        "overlays/error.vspec",
+        "interface_rules/vss.yaml",
+        "docs/README.md",
+    ):
         assert (installed / "sigcat" / "_data" / file).is_file()
 
 
@@ -120,6 +125,7 @@ def test_from_the_tree_to_the_function_json_of_core_acc(service):
 
 
 def test_the_tree_opens_in_a_browser(service):
-    page = service.get("/", follow_redirects=True).raise_for_status()
+    assert "/tree/interfaces" in service.get("/").raise_for_status().text
+    page = service.get("/tree/interfaces").raise_for_status()
     assert page.headers["content-type"].startswith("text/html")
     assert "Vehicle" in page.text

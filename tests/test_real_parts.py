@@ -1,4 +1,4 @@
-"""What `make test` leaves out, `make real` runs; each kind of it is represented."""
+"""Tests that `make test` omits run in `make real`; each kind of them is represented."""
 
 import re
 import subprocess

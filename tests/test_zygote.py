@@ -1,5 +1,7 @@
-"""The process that forks: what it is told is whole, or nothing."""
+"""The process that forks: its messages are complete, or nothing."""
 
+import os
+import signal
 from pathlib import Path
 
 import pytest
@@ -41,3 +43,14 @@ def test_a_message_that_breaks_off_is_dropped_without_an_error(
         connection.sendall(sent)
     assert (ended(zygote), capfd.readouterr().err) == (0, "")
     assert not (tmp_path / "keeping.kept").exists()
+
+
+def test_a_child_that_ends_meanwhile_does_not_cut_a_message(zygote: Zygote, tmp_path: Path) -> None:
+    """The system sends SIGCHLD, which ends a call that waits for more, however much is there."""
+    data = bytes(range(256)) * 20
+    with zygote._asked("", is_told=True) as connection:
+        for byte in LENGTH.pack(len(data)) + data:
+            connection.sendall(bytes((byte,)))
+            os.kill(zygote._process.pid, signal.SIGCHLD)
+    ended(zygote)
+    assert (tmp_path / "keeping.kept").read_bytes() == data

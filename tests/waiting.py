@@ -10,7 +10,7 @@ DEADLINE = 120.0
 
 
 def wait_until(condition: Callable[[], T], what: str) -> T:
-    """What the condition gives as soon as that is true. Fails if it is not by the deadline."""
+    """Return the value of the condition as soon as it is true. Fail if it is not by the deadline."""
     until = monotonic() + DEADLINE
     while not (found := condition()):
         assert monotonic() < until, f"{what}: still not so after {DEADLINE:g} s"

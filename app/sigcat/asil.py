@@ -21,7 +21,7 @@ implemented to B, as its part of a D (ISO 26262-9). No level is decomposed into 
 
 
 def level_of(text: object) -> Level | None:
-    """The level that a text spells; None for every other text, and for what is no text."""
+    """The level that a text spells; None for every other text, and for other values."""
     return _SPELLINGS.get(text) if isinstance(text, str) else None
 
 

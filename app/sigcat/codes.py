@@ -56,6 +56,7 @@ EXPORTER_REFUSES = RuleCode("X001", "error")
 EXPORTER_WARNS = RuleCode("X002", "warning")
 NAME_WITH_SLASH = RuleCode("X003", "error")
 ATTRIBUTE_LEFT_OUT = RuleCode("X004", "warning")
+TEXT_LEAVES_COMMENT = RuleCode("X005", "warning")
 
 # function
 NOT_JSON = RuleCode("F001", "error")
@@ -228,6 +229,7 @@ BASELINE_STALE = RuleCode("L003", "warning")
 RULE_UNUSABLE = RuleCode("L010", "error")
 RULE_TOO_SLOW = RuleCode("L011", "error")
 CONFIGURATION_UNUSABLE = RuleCode("L012", "error")
+RULE_EXAMPLE_UNFIT = RuleCode("L013", "warning")
 
 # overlay
 GLOB_MATCHES_NOTHING = RuleCode("O001", "warning")
@@ -301,6 +303,7 @@ UNITS_OF_OLDER_RELEASE = RuleCode("U005", "warning")
 UNIT_FIELD_UNKNOWN = RuleCode("U006", "warning")
 UNITS_MISSING = RuleCode("U007", "error")
 QUANTITIES_MISSING = RuleCode("U008", "error")
+VOCABULARY_EMPTY = RuleCode("U009", "warning")
 
 # vss
 TYPE_MISSING_OR_UNKNOWN = RuleCode("V001", "error")

@@ -1,6 +1,6 @@
 """Values made of files that sigcat ships, kept the way Python keeps compiled modules: in a `__pycache__`.
 
-That folder is writable only for those who may change the files. What is kept counts only with the stamp that it was
+That folder is writable only for users who may change the files. What is kept counts only with the stamp that it was
 written with.
 """
 

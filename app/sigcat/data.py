@@ -11,5 +11,6 @@ VSPEC = _HOME / "vspec"
 OVERLAYS = _HOME / "overlays"
 INTERFACE_RULES = _HOME / "interface_rules"
 EXAMPLES = _HOME / "examples"
+DOCUMENTATION = _HOME / "docs"
 
 ROOT_FILE = VSPEC / ROOT_NAME

@@ -1,4 +1,4 @@
-"""SHA-256 of what was read, without loading OpenSSL for it: the linter's start-up counts in milliseconds."""
+"""SHA-256 of input, without loading OpenSSL for it: the linter's start-up counts in milliseconds."""
 
 from collections.abc import Callable
 from typing import Any

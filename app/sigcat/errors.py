@@ -2,7 +2,7 @@
 
 SigcatError
 ├── InputRefused        an input cannot be used; carries the findings that say why
-├── NoRoom              there is no room for temporary files
+├── NoRoom              no space left for temporary files
 ├── NotFound            a catalogue, node, rule or file that was named does not exist
 ├── ToolCrashed         a tool that sigcat runs ended before it was done
 └── UsageError          a command or request asks for something that cannot be done
@@ -33,7 +33,7 @@ class InputRefused(SigcatError):
 
 
 class NoRoom(SigcatError):
-    """There is no room for temporary files."""
+    """No space left for temporary files."""
 
 
 class NotFound(SigcatError):

@@ -16,7 +16,7 @@ FileKind = Literal["vspec", "units", "quantities", "function", "function json", 
 
 ROOT_NAME = "VehicleSignalSpecification.vspec"
 SHIPPED_ROOT = "Vehicle"
-"""The root of the shipped tree, which an overlay without a tree of its own is made for."""
+"""The root of the shipped tree, which an overlay without its own tree is made for."""
 TYPES_NAME = "VehicleDataTypes.vspec"
 """The file that the Makefile of VSS passes as `--types`: it includes the structs and holds none itself."""
 UNIT_NAMES = ("units.yaml", "units.yml")
@@ -89,8 +89,14 @@ _FOREIGN = (
 """Descriptions of APIs, and JSON Schemas: examples in them are not documents."""
 _FUNCTION_NAME = rb"""^["']?[Ff]unction["']?:[ \t]+[^\s#{&!]"""
 _FUNCTION_PARTS = tuple(f"^{key}:".encode() for key in FUNCTION_YAML.keys)
-_RULE_WORD = b"check:"
-_RULE = (rb"^[A-Z]+[0-9]{3}:[ \t]*\r?$", rb"^[ \t]+check:[ \t]*\S")
+_RULE_FIELDS = (b"check", b"severity", b"why", b"title", b"source", b"name")
+_OWN_RULE_FIELDS = _RULE_FIELDS[:3]
+"""Fields of rules that documents of other kinds rarely have."""
+_LEAST_RULE_FIELDS, _LEAST_OWN_RULE_FIELDS = 3, 2
+"""Fields by which a file is one of rules, whatever its keys are."""
+_RULE_CODE = rb"""^["']?[A-Z]+[0-9]{3}["']?:"""
+_FIELD = rb"""(?:^[ \t]+|[{,-][ \t]*)["']?%s["']?[ \t]*:[ \t]*\S"""
+_DOTTED_NAME = rb"""^["']?[A-Za-z]\w*\."""
 _TYPE = rb"""(?:^[ \t]+|[{,][ \t]*)["']?type["']?[ \t]*:[ \t]*["']?"""
 _NODE = _TYPE + rb"(branch|sensor|actuator|attribute|struct|property)\b"
 _STRUCT = _TYPE + rb"struct\b"
@@ -196,7 +202,7 @@ def _outermost_texts(data: bytes) -> Iterator[bytes]:
 
 
 def _kind_of_yaml(data: bytes, base: str) -> FileKind:
-    if _RULE_WORD in data and all(_holds(pattern, data) for pattern in _RULE):
+    if _holds_rules(data):
         return "rules"
     if base in UNIT_NAMES:
         return "units"
@@ -205,6 +211,18 @@ def _kind_of_yaml(data: bytes, base: str) -> FileKind:
     if _is_function_name(base):
         return "function"
     return _kind_of_unnamed_yaml(data)
+
+
+def _holds_rules(data: bytes) -> bool:
+    """Whether a file has records of rules: a code with some of their fields, or most of their fields below another key."""
+    if not any(field in data for field in _OWN_RULE_FIELDS):
+        return False
+    own = [field for field in _OWN_RULE_FIELDS if _holds(_FIELD % field, data)]
+    fields = [field for field in _RULE_FIELDS if _holds(_FIELD % field, data)]
+    if own and len(fields) > 1 and _holds(_RULE_CODE, data):
+        return True
+    is_alike = len(own) >= _LEAST_OWN_RULE_FIELDS and len(fields) >= _LEAST_RULE_FIELDS
+    return is_alike and not _holds(_DOTTED_NAME, data)
 
 
 def _kind_of_unnamed_yaml(data: bytes) -> FileKind:

@@ -1,8 +1,11 @@
-"""The one finding type: what is wrong, where, and what to do about it."""
+"""The one finding type: the error, its place, and the fix."""
 
 import datetime as dt
+from collections.abc import Collection, Iterable
 from itertools import islice
 from typing import Any, Literal, NamedTuple
+
+from sigcat.terminal_text import printable
 
 Severity = Literal["error", "warning", "info"]
 
@@ -35,10 +38,10 @@ class Finding(NamedTuple):
 
     @property
     def line_of_text(self) -> str:
-        """`file:line:column: severity RULE message`, the form that editors and build logs make clickable."""
+        """One line for a terminal: `file:line:column: severity RULE message`, which editors and build logs make clickable."""
         position = ":".join(str(part) for part in (self.file, self.line or "", self.column or "") if part)
         advice = f" {self.fix}" if self.fix else ""
-        return f"{position}: {self.severity} {self.rule} {self.message}{advice}".removeprefix(": ")
+        return printable(f"{position}: {self.severity} {self.rule} {self.message}{advice}".removeprefix(": "))
 
 
 class RuleCode(NamedTuple):
@@ -70,9 +73,9 @@ def has_errors(findings: "tuple[Finding, ...] | list[Finding]") -> bool:
     return any(finding.severity == "error" for finding in findings)
 
 
-def in_order(findings: "tuple[Finding, ...] | list[Finding]") -> tuple[Finding, ...]:
-    """Findings by file, line and column, each once."""
-    return tuple(sorted(dict.fromkeys(findings), key=lambda finding: finding.sort_key))
+def in_order(findings: Iterable[Finding], causes: Collection[str] = ()) -> tuple[Finding, ...]:
+    """Findings by file, line and column, each once. Those in `causes` come first: others follow from them."""
+    return tuple(sorted(dict.fromkeys(findings), key=lambda finding: (finding.file not in causes, finding.sort_key)))
 
 
 _LONGEST = 60
@@ -82,7 +85,10 @@ _LONGEST = 60
 def shown(value: Any) -> str:
     """A value as messages show it: cut where it is long, and a date as it is written."""
     text = _written(value)
-    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
+    if len(text) <= _LONGEST:
+        return text
+    quote = text[-1] if isinstance(value, str) else ""
+    return f"{text[: _LONGEST - 3 - len(quote)]}...{quote}"
 
 
 def _written(value: Any) -> str:

@@ -150,7 +150,7 @@ LOG_CONTAINER_BYTES = 32 * 1024 * 1024
 """Bytes that one container of a BLF log may have, packed or unpacked; tools write containers of 128 KiB."""
 
 LOG_FINDINGS = 100
-"""Lines of a CAN log that are no frames and are told one by one; of more, their number is given."""
+"""Lines of a CAN log that are not frames and are reported one by one; further ones are counted."""
 
 LOG_IDENTIFIERS = 10_000
 """Identifiers of frames that are counted one by one; those of others together."""
@@ -223,7 +223,7 @@ ANSWER_FINDINGS = 1_000
 # -- proposals ("Did you mean …?") ----------------------------------------------------------------------------------
 
 COMPARED_NAMES = 1_000_000
-"""Names that are compared for proposals in one file, layer, or piece of work of the service: about a second. After that there are none: with so many wrong names, another tree was meant."""
+"""Names that are compared for proposals in one file, layer, or piece of work of the service: about a second. Later ones get none: with so many wrong names, another tree was meant."""
 
 PROPOSAL_CHARACTERS = 500
 """Characters of a name that is compared with others for a proposal."""

@@ -117,7 +117,7 @@ _UNBOUNDED = _Budget(inf)
 
 @contextmanager
 def bounded_proposals(comparisons: int = COMPARED_NAMES) -> Iterator[None]:
-    """Within it, names are compared about so often in all; what is wrong after that is still found, without a proposal.
+    """Within it, names are compared about so often in all; later errors are still found, without a proposal.
 
     A piece of work within another one, such as one file of several, has no more than is left of that.
     """

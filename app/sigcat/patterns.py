@@ -36,7 +36,7 @@ class Matching:
         self._left = seconds
 
     def mismatch(self, pattern: str, text: str) -> str:
-        """`does not match` or why else there is no match; empty for a match. What takes too long may be an attack."""
+        """`does not match` or another reason; empty for a match. A text that takes too long may be an attack."""
         if self._left <= 0:
             return "was not checked (earlier patterns took too long) against"
         start = time.thread_time()

@@ -19,5 +19,5 @@ def temporary_folder(prefix: str) -> "tempfile.TemporaryDirectory[str]":
     except OSError as error:
         reason = error.strerror or error
         raise NoRoom(
-            f"There is no room for temporary files: {reason}. Free some, or let TMPDIR name another folder."
+            f"Temporary files cannot be written: {reason}. Free some space, or let TMPDIR name another folder."
         ) from None

@@ -2,7 +2,7 @@
 
 A process with threads, such as a service, must not be forked, and a fresh one takes a second to import what it needs. A
 zygote has imported it, has one thread and waits. What its children do not change they share with it in memory. It ends
-when nobody is left who could ask it for children. POSIX only.
+when no process is left that could ask it for children. POSIX only.
 """
 
 import gc
@@ -23,7 +23,7 @@ IS_POSSIBLE = hasattr(os, "fork")
 LENGTH = struct.Struct("!Q")
 """Length before each message."""
 _NICE = 5
-"""Whoever asks for work by a child goes on before it."""
+"""The process that asks for work by a child runs before it."""
 _REQUEST = struct.Struct("!?31s")
 
 
@@ -31,7 +31,7 @@ class Child(Protocol):
     """The module of a zygote."""
 
     def keep(self, data: bytes) -> None:
-        """Take in what was told to the zygote: all later children have it."""
+        """Process a message to the zygote: all later children have its values."""
 
     def prepare(self, kind: str) -> None:
         """Get ready for a child of this kind, in the zygote."""
@@ -157,7 +157,7 @@ def _live(child: Child, connection: socket.socket) -> None:
         child.serve(connection)
         status = 0
     except ConnectionError:
-        status = 0  # nobody waits for it any more
+        status = 0  # no process waits for it any more
     except BaseException:  # noqa: BLE001 - told like any other that ends a process
         sys.excepthook(*sys.exc_info())
     finally:
@@ -176,8 +176,13 @@ def write_message(connection: socket.socket, data: bytes) -> None:
 
 
 def _exactly(size: int, connection: socket.socket) -> bytes | None:
-    data = connection.recv(size, socket.MSG_WAITALL)
-    return data if len(data) == size else None
+    data = b""
+    while len(data) < size:  # a signal, such as that of a child that ends, leaves the rest to the next call
+        part = connection.recv(size - len(data), socket.MSG_WAITALL)
+        if not part:
+            return None
+        data = data + part if data else part
+    return data
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 """The public Python API of sigcat: generated, see python.md. Imports are omitted."""
 
 class AttributeChange(NamedTuple):
-    """One attribute of a node. None stands for an attribute that is not there."""
+    """One attribute of a node. None means that the attribute is absent."""
     name: str
     old: Any
     new: Any
@@ -85,10 +85,10 @@ class Finding(NamedTuple):
 
     @property
     def line_of_text(self) -> str:
-        """`file:line:column: severity RULE message`, the form that editors and build logs make clickable."""
+        """One line for a terminal: `file:line:column: severity RULE message`, which editors and build logs make clickable."""
 
 class NodeUse(NamedTuple):
-    """That a function uses a node."""
+    """Use of a node by a function."""
     function_id: str
     function: str
     path: str
@@ -243,7 +243,7 @@ class Node:
 
     @property
     def origin(self) -> Origin:
-        """Where the node was written first."""
+        """Place where the node was written first."""
 
     @property
     def definition_path(self) -> str:
@@ -303,7 +303,7 @@ def open_project(folder: PathLike='.') -> Project:
     """
 
 class Row(NamedTuple):
-    """What was sent at a time."""
+    """Values that were sent at a time."""
     time: int
     call: str
     values: Mapping[str, Any]

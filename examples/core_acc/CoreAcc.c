@@ -3,10 +3,10 @@
  *
  * Model CoreAcc: adaptive cruise control, called every 50 ms.
  *
- * Four controllers each ask for an acceleration: one holds the set speed, one keeps the time gap to the vehicle
- * ahead, one limits the lateral acceleration in curves, and the predictive control proposes what saves energy. The
- * proposal stands in for the set speed as long as the speed stays near it. Then the smallest one wins. What is
- * requested changes no faster than is comfortable.
+ * Four controllers each request an acceleration: one keeps the set speed, one keeps the time gap to the vehicle
+ * ahead, one limits the lateral acceleration in curves, and the predictive control proposes one that saves energy. The
+ * proposal replaces the set speed as long as the speed stays near it. The smallest request is used. It changes only
+ * as fast as is comfortable.
  */
 #include "CoreAcc.h"
 
@@ -16,7 +16,7 @@
 
 #define NO_ANGLE             (-15.99) /* rad: at or below, there is no steering wheel angle */
 #define NO_ACCELERATION      (-19.99) /* m/s^2: at or below, there is no acceleration */
-#define LARGEST_ANGLE        17.0     /* rad: above, it is none */
+#define LARGEST_ANGLE        17.0     /* rad: above, it is invalid */
 #define LARGEST_ACCELERATION 21.0     /* m/s^2 */
 #define LARGEST_SPEED        100.0    /* m/s */
 #define LARGEST_DISTANCE     1000.0   /* m */
@@ -31,17 +31,17 @@
 
 #define TIME_GAP       1.8    /* s */
 #define STANDSTILL_GAP 4.0    /* m */
-#define HOLD_SPEED     0.2    /* m/s: slower is standing */
-#define HOLD_GAP       1.5    /* m beyond the gap at standstill: nearer is close enough to stand */
+#define HOLD_SPEED     0.2    /* m/s: below, the vehicle stands */
+#define HOLD_GAP       1.5    /* m beyond the gap at standstill: below, close enough to stand */
 #define START_GAP      2.5    /* m beyond the gap at standstill: the vehicle ahead has left */
 #define HOLD_REQUEST   (-1.0) /* m/s^2 */
 
 #define SPEED_BRAKING        (-2.0)   /* m/s^2: hardest braking for the set speed */
 #define CURVE_BRAKING        (-2.5)   /* m/s^2: hardest braking for a curve */
-#define NEEDED_BRAKING       (-1.5)   /* m/s^2: harder, and the distance alone decides */
-#define ECO_LOWER            0.88     /* share of the set speed, below which the proposal does not count */
-#define ECO_UPPER            1.06     /* share of the set speed, above which it does not */
-#define NO_LIMIT             100.0    /* m/s^2, m/s: no controller asks for less */
+#define NEEDED_BRAKING       (-1.5)   /* m/s^2: if harder, only the distance decides */
+#define ECO_LOWER            0.88     /* share of the set speed, below which the proposal is not used */
+#define ECO_UPPER            1.06     /* share of the set speed, above which it is not used */
+#define NO_LIMIT             100.0    /* m/s^2, m/s: no controller requests less */
 #define LARGEST_POWER        150000.0 /* W */
 #define STEERING_RATIO       15.0     /* steering wheel to wheels */
 #define WHEELBASE            3.0      /* m */
@@ -68,7 +68,7 @@ static real_T limited(real_T value, real_T lower, real_T upper)
   return (value < lower) ? lower : ((value > upper) ? upper : value);
 }
 
-/* What is comfortable depends on the speed: one value up to 5 m/s, another from 20 m/s on, linear between them. */
+/* A comfortable value depends on the speed: one value up to 5 m/s, another from 20 m/s on, linear between them. */
 static real_T bySpeed(real_T slow, real_T fast)
 {
   return slow + ((fast - slow) * limited((CoreAcc_DW.EgoSpd - 5.0) / 15.0, 0.0, 1.0));
@@ -119,7 +119,7 @@ static real_T ownAcc(void)
   return isUsable(acc, NO_ACCELERATION, LARGEST_ACCELERATION) ? acc : CoreAcc_DW.AccReq;
 }
 
-/* Where the vehicle ahead is expected: its speed stays, the own one changes with the own acceleration. */
+/* Expected distance of the vehicle ahead: its speed stays, the own speed changes with the own acceleration. */
 static void predictObject(void)
 {
   CoreAcc_DW.ObjDst += (STEP_TIME * CoreAcc_DW.ObjSpdRel);
@@ -163,7 +163,7 @@ static void trackObject(void)
   }
 }
 
-/* The set speed in whole units of the dashboard: what the driver reads there is what is held. */
+/* The set speed in whole units of the dashboard: the function keeps the speed that the driver reads there. */
 static real_T setSpeed(void)
 {
   const uint8_T unit = core_inputs.bus_ACCIn.Bus_Cust.EgoVehDshbSpdUnit;
@@ -174,12 +174,12 @@ static real_T setSpeed(void)
   } else if (unit == (uint8_T)SpdUnit_MI_PER_HOUR) {
     CoreAcc_DW.SpdUnit = 0.44704;
   } else {
-    /* the map does not know: the unit stays */
+    /* unknown in the map: the unit stays */
   }
   return (real_T)(int32_T)((speed / CoreAcc_DW.SpdUnit) + 0.5) * CoreAcc_DW.SpdUnit;
 }
 
-/* The speed at which the curve that is being driven has the largest lateral acceleration. */
+/* The speed at which the present curve has the largest lateral acceleration. */
 static real_T curveSpeed(void)
 {
   const real_T slip = CoreAcc_DW.EgoSpd / CHARACTERISTIC_SPEED;
@@ -274,7 +274,7 @@ static real_T comfortable(real_T acc)
   return limited(acc, CoreAcc_DW.AccReq - (2.0 * change), CoreAcc_DW.AccReq + change);
 }
 
-/* What the failure management knows. */
+/* State of the failure management. */
 static boolean_T isFaulty(void)
 {
   const Bus_Sts_T *known = &core_inputs.bus_ACCIn.Bus_Sts;

@@ -12,15 +12,15 @@
  *     E = d * (F > 0 ? F * DRIVING : F * RECUPERATION) + d * F^2 * LOSS      energy from the battery
  *     T = d * mean of 1 / v                                                  travel time
  *
- * w is EnergyWeight. p is the price of a second: the driver shows it by the set speed. It is such that on a flat road
- * the set speed is the cheapest one if w is NEUTRAL_WEIGHT; with more weight on energy it is a lower one. q is what it
- * costs to gain speed again, so that the end of the horizon is no reason to be slow. Bounds are steep costs: of speeds
- * outside of the band around the set speed, of accelerations that are not comfortable, of more power than there is.
+ * w is EnergyWeight. p is the price of a second, which follows from the set speed: on a flat road the set speed is the
+ * cheapest one if w is NEUTRAL_WEIGHT. With more weight on energy a lower speed is the cheapest. q is the cost of
+ * gaining speed again, so that it is not cheaper to be slow at the end of the horizon. Bounds are steep costs: of speeds
+ * outside the band around the set speed, of uncomfortable accelerations, of more power than is available.
  *
  * Discrete differential dynamic programming finds the cheapest plan: at each point there are three speeds, that of the
  * last plan and one on either side of it. The cheapest way through them is the next plan; if that is the last one
- * again, the three move closer together. Each step begins with the plan of the step before. After PASSES of these there
- * is no solution.
+ * again, the three move closer together. Each step begins with the plan of the previous step. After PASSES passes it
+ * gives up: no solution.
  */
 #include "EcoControlMpc.h"
 
@@ -49,20 +49,20 @@
 #define SPEED_COST    50.0     /* J / (m^2/s^2)^2 */
 #define ACC_COST      2.0e6    /* J / (m/s^2)^2 */
 #define FORCE_COST    2.0      /* J / N^2 */
-#define TOLERANCE     0.3      /* m/s^2: a plan further beyond a bound is none */
+#define TOLERANCE     0.3      /* m/s^2: a plan further beyond a bound is invalid */
 
-#define LARGEST_SLOPE  0.3 /* steeper is no road */
+#define LARGEST_SLOPE  0.3 /* steeper is implausible */
 #define APPROACH_ACC   0.5 /* m/s^2: with which the band is approached from outside */
-#define SMALLEST_SPEED 5.0 /* m/s: slower, there is nothing to plan */
+#define SMALLEST_SPEED 5.0 /* m/s: below, nothing is planned */
 
 #define FIRST_SPREAD 16.0 /* m^2/s^2: between neighboring speeds, without a plan of the step before */
 #define NEXT_SPREAD  4.0  /* m^2/s^2: with one */
 #define LAST_SPREAD  0.5  /* m^2/s^2: closer is exact enough: the acceleration to 0.05 m/s^2 */
-#define PASSES       60   /* more are not made */
+#define PASSES       60   /* largest number of passes */
 
 #define NO_PROPOSAL (-20.0F) /* m/s^2 */
 
-/* What a step optimizes. */
+/* Costs and bounds of a step. */
 typedef struct {
   real_T Spacing;              /* m */
   real_T Mass;                 /* kg */
@@ -92,13 +92,13 @@ static real_T limited(real_T value, real_T lower, real_T upper)
   return (value < lower) ? lower : ((value > upper) ? upper : value);
 }
 
-/* How far a value is outside of limits. */
+/* Distance of a value from its limits; 0 within. */
 static real_T beyond(real_T value, real_T lower, real_T upper)
 {
   return (value < lower) ? (lower - value) : ((value > upper) ? (value - upper) : 0.0);
 }
 
-/* Slope and rolling resistance of every segment; false if this is no road. */
+/* Slope and rolling resistance of every segment; false if the profile is implausible. */
 static boolean_T readRoad(const ExtU_EcoControlMpc_T *inputs, Problem_T *problem)
 {
   boolean_T isRoad = true;
@@ -137,7 +137,7 @@ static void setBand(real_T speed, real_T setSpeed, Problem_T *problem)
   }
 }
 
-/* Prices of time and of speed at the end, as the set speed and the weight make them. */
+/* Prices of time and of speed at the end, from the set speed and the weight. */
 static void setPrices(const P_EcoControlMpc_T *parameters, real_T setSpeed, Problem_T *problem)
 {
   const real_T drag = (problem->Mass * GRAVITY * ROLLING) + (AIR * setSpeed * setSpeed);
@@ -204,7 +204,7 @@ static void chooseNext(const Problem_T *problem, int32_T segment, Stage_T *stage
   }
 }
 
-/* One pass: replaces the plan by the cheapest one near it, and tells whether that is another one. */
+/* One pass: replaces the plan by the cheapest one near it, and returns whether it has changed. */
 static boolean_T improve(const Problem_T *problem, real_T spread, real_T plan[POINTS])
 {
   Stage_T stages[POINTS];
@@ -228,7 +228,7 @@ static boolean_T improve(const Problem_T *problem, real_T spread, real_T plan[PO
   return changed;
 }
 
-/* Passes until the speeds are as close together as they should be; false if that takes too many. */
+/* Runs passes until the speeds are close enough together; false if that takes too many. */
 static boolean_T optimize(const Problem_T *problem, real_T spread, real_T plan[POINTS])
 {
   int32_T pass = 0;
@@ -241,7 +241,7 @@ static boolean_T optimize(const Problem_T *problem, real_T spread, real_T plan[P
   return spread <= LAST_SPREAD;
 }
 
-/* Whether the vehicle can do what is planned next. */
+/* Whether the vehicle can follow the plan to the next point. */
 static boolean_T isFeasible(const Problem_T *problem, const real_T plan[POINTS])
 {
   const real_T acc = (plan[1] - plan[0]) / problem->Spacing;
@@ -262,7 +262,7 @@ static void beginPlan(const Problem_T *problem, real_T speed, real_T setSpeed, r
   }
 }
 
-/* The plan of the step before, seen from where the vehicle is now. */
+/* The plan of the previous step, from the present position of the vehicle. */
 static void shiftPlan(const Problem_T *problem, real_T speed, real_T plan[POINTS])
 {
   const real_T way = limited((speed * STEP_TIME) / problem->Spacing, 0.0, (real_T)SEGMENTS);
@@ -277,7 +277,7 @@ static void shiftPlan(const Problem_T *problem, real_T speed, real_T plan[POINTS
   }
 }
 
-/* Plans from where the plan of the step before is; false if there is no solution. */
+/* Plans from the plan of the previous step; false without a solution. */
 static boolean_T solve(const Problem_T *problem, real_T speed, real_T setSpeed, DW_EcoControlMpc_T *state)
 {
   const boolean_T continues = (state->PlanValid != false) && (fabs(state->PlanSetSpd - setSpeed) < 0.01);
@@ -310,7 +310,7 @@ static void propose(RT_MODEL_EcoControlMpc_T *const EcoControlMpc_M)
   }
 }
 
-/* Whether there is something to plan: NaN is no speed. */
+/* Whether a plan is possible: NaN is not a speed. */
 static boolean_T isDriving(const ExtU_EcoControlMpc_T *inputs)
 {
   return (inputs->EnaMpc != false) && (inputs->HorizonTmo == 0U) && (inputs->EgoSpd >= (real32_T)SMALLEST_SPEED)

@@ -45,7 +45,7 @@ static boolean_T isInRange(real_T speed)
   return fabs(speed) <= (real_T)whl_par.SpdMax;
 }
 
-/* Tells whether any wheel is out of range, and counts how often one came to be. */
+/* Returns whether any wheel is out of range, and counts how often this begins. */
 static boolean_T checkRange(const real_T speed[WHEELS])
 {
   boolean_T isError = false;

@@ -1,4 +1,4 @@
-"""In: what a drive is to be, written in these files. Out: the recorded drives of the examples, as CSV.
+"""In: the course of a drive, written in these files. Out: the recorded drives of the examples, as CSV.
 
 They are made of +, -, *, / and square roots alone, which every machine rounds alike.
 """

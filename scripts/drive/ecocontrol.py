@@ -1,4 +1,4 @@
-"""Ten minutes on a road with hills and curves, with and without a vehicle ahead, and what goes wrong on the way."""
+"""Ten minutes on a road with hills and curves, with and without a vehicle ahead, and with faults on the way."""
 
 import json
 import random
@@ -86,7 +86,7 @@ LEADERS = (
 
 
 class Moment(NamedTuple):
-    """What there is at a time."""
+    """Return the values at a time."""
 
     step: int
     motion: Motion
@@ -114,13 +114,13 @@ def moments() -> Iterator[Moment]:
 
 
 def steering_angle(motion: Motion) -> float:
-    """Of the steering wheel, in radians."""
+    """Angle of the steering wheel, in radians."""
     slip = motion.speed / CHARACTERISTIC_SPEED
     return STEERING_RATIO * WHEELBASE * curvature(motion.way) * (1.0 + slip * slip)
 
 
 def brake_pressure(moment: Moment) -> float:
-    """Of the driver's foot, in bar."""
+    """Pressure of the driver's foot, in bar."""
     pressed = any(begin <= moment.time < end for begin, end in FOOT_ON_THE_BRAKE)
     return max(1.0, -7.0 * moment.motion.acceleration) if pressed else 0.0
 
@@ -160,7 +160,7 @@ def road_ahead(drive: Iterable[Moment]) -> Iterator[Message]:
 
 
 def switches() -> Iterator[Message]:
-    """What changes by hand or by the system."""
+    """Values that change by hand or by the system."""
     yield Message(0, MASS, "2495")
     for time, speed in SET_SPEEDS:
         yield Message(round(time * 1000) * MILLISECOND, SET_SPEED, str(speed))

@@ -68,7 +68,7 @@ def curvature(way: float, curves: Sequence[Curve] = CURVES) -> float:
 
 
 def bend(way: float, curve: Curve) -> float:
-    """How far the curve is bent there: 0 straight, 1 its radius."""
+    """Curvature at a position: 0 is straight, 1 is the curve's radius."""
     entered = smooth((way - curve.begin) / BEND)
     left = smooth((way - curve.begin - curve.length + BEND) / BEND)
     return entered - left

@@ -16,7 +16,7 @@ class Message(NamedTuple):
     """In nanoseconds."""
     column: str
     text: str
-    """The value, as it stands in the cell."""
+    """The value, as text of a cell."""
 
 
 class Gap(NamedTuple):

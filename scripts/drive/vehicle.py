@@ -1,4 +1,4 @@
-"""How the recorded vehicle was driven: an intelligent driver, who slows down before curves and keeps a distance."""
+"""The driving of the recorded vehicle: an intelligent driver, who slows down before curves and keeps a distance."""
 
 from math import sqrt
 from typing import NamedTuple
@@ -21,7 +21,7 @@ SIGHT = range(0, 200, 20)
 
 
 class Motion(NamedTuple):
-    """Where the vehicle is, how fast, and how it accelerates."""
+    """Position, speed and acceleration of the vehicle."""
 
     way: float
     speed: float
@@ -29,7 +29,7 @@ class Motion(NamedTuple):
 
 
 def moved(motion: Motion, wanted: float) -> Motion:
-    """A step later; the powertrain follows what is wanted with a lag of 0.3 s."""
+    """Return the state a step later; the powertrain follows the requested acceleration with a lag of 0.3 s."""
     acceleration = motion.acceleration + (wanted - motion.acceleration) * STEP / 0.3
     speed = max(0.0, motion.speed + acceleration * STEP)
     if speed == 0.0:
@@ -73,5 +73,5 @@ def driven(motion: Motion, target: float, ahead: tuple[float, float] | None) -> 
 
 
 def slope(way: float) -> float:
-    """Of the next meters of the road."""
+    """Altitudes of the next meters of the road."""
     return (altitude(way + 5.0) - altitude(way)) / 5.0

@@ -16,14 +16,14 @@ REACTION = "WhlSpdRLInvalid_SftyCondSts"
 COLUMNS = (*WHEELS, MODE, REACTION)
 
 STEPS = 3000
-"""Of 20 ms."""
+"""Step of 20 ms."""
 TIRE = 0.65
 """Diameter in meters."""
 SPEEDS = ((0.0, 0.0), (3.0, 0.0), (20.0, 100.0), (34.0, 100.0), (44.0, 0.0))
 """In km/h, by time."""
 CURVE = ((0.0, 0.0), (24.0, 0.0), (26.0, 1.0), (30.0, 1.0), (32.0, 0.0))
 OUTER, INNER = 1.015, 0.985
-"""Of the speed, in the curve."""
+"""Amplitude of the speed in the curve."""
 TEST_STAND = ((0.0, 0.0), (47.0, 0.0), (49.0, 30.0), (53.0, 30.0), (54.5, 0.0))
 """Speed of the rear left wheel in km/h, while the others stand."""
 MODES: Changes[str] = ((0, "OFF"), (1, "NORMAL"), (46, "SERVICE"), (55, "NORMAL"), (58, "OFF"))

@@ -1,4 +1,4 @@
-"""What is generated for a platform, compiled beside code that declares what its functions name; on the test RTE of AUTOSAR Classic it runs, too."""
+"""Generated code of a platform, compiled next to declarations of the names in its functions; on the test RTE of AUTOSAR Classic it also runs."""
 
 import ast
 import functools
@@ -19,7 +19,7 @@ from tests.adapter.core.driver import silent_code
 from tests.adapter.core.subject import Subject, subject
 
 STRICT = ("-Wall", "-Wextra", "-Werror")
-"""Of generated code. What it calls is not there: only what it does with the names of a function is compiled."""
+"""Compiler options of generated code. The called functions are missing: only the use of a function's names is compiled."""
 CODE = "code"
 """Folder of the functions' own files, beside what is generated."""
 MESSAGES = Path(__file__).with_name("rosidl_messages.py")
@@ -28,7 +28,7 @@ _LONGEST = 60
 
 
 class Fails(Exception):
-    """What a compiler or a program says that fails."""
+    """Return the output of a compiler or a program that fails."""
 
 
 def compiled(platform: str, files: Iterable[GeneratedFile], functions: Sequence[FunctionJson]) -> None:

@@ -124,7 +124,7 @@ def wrong_values(model) -> list[str]:
         if element.parent.element_name.startswith("ECUC-") and element.parent.element_name != "ECUC-CONTAINER-VALUE":
             above = element.named_parent.get_sub_element("DEFINITION-REF")
         if above is not None and str(above.character_data) != str(element.character_data).rpartition("/")[0]:
-            found.append(f"{element.xml_path} stands in {above.character_data}")
+            found.append(f"{element.xml_path} is in {above.character_data}")
     return found
 
 

@@ -1,4 +1,4 @@
-"""Documents whose platforms are compiled: functions that use most of what can be said, over code that a header declares in a few lines."""
+"""Documents whose platforms are compiled: functions that use most keys of a declaration, over code that a header declares in a few lines."""
 
 import json
 from collections.abc import Callable, Iterator
@@ -27,7 +27,7 @@ _FIXED = ("time_outs", "rejections", "errors", "schedules")
 NAMES = ("everything", "full", *_FIXED)
 """The documents, as messages name them."""
 _OWN_FILES = ("Sources", "IncludeFolders", "Definitions", "Objects", "Accessors")
-"""Of the code of a function: what is not declared by a header that is made for it."""
+"""Members in the code of a function that no generated header declares."""
 
 
 def read(document: Any) -> tuple[ResolvedFunction, ...]:
@@ -85,7 +85,7 @@ def code_generator(platform: str) -> Generator:
 
 
 def files_of(generator: Generator, integration: bytes, *, is_bench: bool) -> tuple[GeneratedFile, ...]:
-    """What is generated; nothing if it is refused with findings."""
+    """Return the generated files; none if they are refused with findings."""
     return _or_nothing(lambda: generator.generate(integration, "i.json", DEFAULT_LIMITS, Options(bench=is_bench)))
 
 

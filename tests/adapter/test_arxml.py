@@ -4,7 +4,8 @@ import pytest
 
 from sigcat.adapter.autosar_adaptive.arxml.generate import generate
 from sigcat.integration.autosar_adaptive.releases import RELEASES
-from tests.adapter.arxml_judge import (
+from tests.adapter.arxml_made import document, every_kind, made, refused, tags, texts
+from tests.adapter.arxml_requirements import (
     VERSIONS,
     dangling,
     doubled_names,
@@ -15,9 +16,8 @@ from tests.adapter.arxml_judge import (
     version_of,
     without_number,
 )
-from tests.adapter.arxml_made import document, every_kind, made, refused, tags, texts
 from tests.integration.autosar_adaptive.sets import at, deployed, derive, examples, function
-from tests.judges import judged_by
+from tests.reference_tools import checked_with
 
 RANGES = {"SERVICE-INTERFACE-ID": (1, 0xFFFD), "SERVICE-INSTANCE-ID": (1, 0xFFFE), "EVENT-ID": (0x8000, 0xFFFE),
           "METHOD-ID": (1, 0x7FFF), "EVENT-GROUP-ID": (1, 0xFFFE)}  # fmt: skip
@@ -31,7 +31,7 @@ EACH_RELEASE = pytest.mark.parametrize("release", RELEASES)
 # -- as AUTOSAR has it ---------------------------------------------------------------------------------------------------
 
 
-@judged_by(
+@checked_with(
     "autosar-data",
     "ARXML loads strictly, its references lead somewhere, its elements have the order of the metamodel of their release",
 )
@@ -54,7 +54,7 @@ def test_ids_exist_and_are_unique_and_in_range(name):
     assert all(RANGES[kind][0] <= number <= RANGES[kind][1] for _, kind, _, number in numbers(model))
 
 
-@judged_by("autosar-data", "ARXML stays the same when it is read and written again")
+@checked_with("autosar-data", "ARXML stays the same when it is read and written again")
 @SETS
 def test_the_files_survive_a_round_trip(name):
     files = made(name)
@@ -64,7 +64,7 @@ def test_the_files_survive_a_round_trip(name):
         assert again.rstrip("\n") == file.data.decode().rstrip("\n")
 
 
-def test_the_judge_of_order_sees_what_is_wrong():
+def test_the_check_of_order_finds_errors():
     file = made("examples")[3]
     text = file.data.decode()
     first, second = text.index("<EVENT-GROUPS>"), text.index("</EVENT-GROUPS>") + len("</EVENT-GROUPS>")
@@ -250,7 +250,7 @@ def with_settings(**settings):
 
 
 def values(model, path):
-    """Texts of what is in an element, by tag."""
+    """Texts of the contents of an element, by tag."""
     element = model.get_element_by_path(path)
     return {
         each.element_name: str(each.character_data)

@@ -11,7 +11,8 @@ from sigcat.errors import InputRefused
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import to_json
 from sigcat.integration.autosar_adaptive.storages import stored_parameters
-from tests.adapter.arxml_judge import (
+from tests.adapter.arxml_made import METHOD, document, refused, tags, texts
+from tests.adapter.arxml_requirements import (
     dangling,
     doubled_names,
     doubled_numbers,
@@ -19,11 +20,10 @@ from tests.adapter.arxml_judge import (
     misplaced,
     without_number,
 )
-from tests.adapter.arxml_made import METHOD, document, refused, tags, texts
 from tests.integration.autosar_adaptive.sets import at, derive, function, parameter, signal
-from tests.judges import judged_by
 from tests.needs import published, published_files
 from tests.properties import examples
+from tests.reference_tools import checked_with
 
 # -- Integration JSON from elsewhere -------------------------------------------------------------------------------------
 
@@ -137,7 +137,7 @@ HOSTILE = [
 ]
 
 
-@judged_by("autosar-data", "Whatever text or name a function has, its ARXML loads")
+@checked_with("autosar-data", "ARXML loads for any text or name of a function")
 @pytest.mark.parametrize("text", HOSTILE)
 def test_hostile_texts_stay_texts(text):
     method = METHOD | {"Description": text}
@@ -154,7 +154,7 @@ def test_hostile_texts_stay_texts(text):
         assert text in texts(files, "L-2")
 
 
-@judged_by("autosar-data", "Whatever text or name a function has, its ARXML loads")
+@checked_with("autosar-data", "ARXML loads for any text or name of a function")
 @pytest.mark.parametrize("name", [*HOSTILE, "x" * 5000, "class", "1st"])
 def test_hostile_names_load_and_resolve(name):
     one = function(
@@ -174,7 +174,7 @@ def test_scalings_and_conversions_that_are_no_numbers_do_no_harm(number):
     assert dangling(loaded(generate(derive([function(signals=[scaled, converted, over])]).model))) == []
 
 
-@judged_by("autosar-data", "Whatever text or name a function has, its ARXML loads")
+@checked_with("autosar-data", "ARXML loads for any text or name of a function")
 @examples(60)
 @given(st.text(max_size=200), st.text(max_size=200), st.text(max_size=200))
 def test_any_text_is_carried_and_any_name_has_a_place(name, path, text):

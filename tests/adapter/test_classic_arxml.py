@@ -16,12 +16,12 @@ from sigcat.integration.autosar_classic.releases import RELEASES
 from sigcat.integration.autosar_classic.settings import NO_SETTINGS, AutosarClassicSettings
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT
 from tests.adapter import arxml_made
-from tests.adapter.arxml_judge import dangling, doubled_names, loaded, misplaced, version_of
 from tests.adapter.arxml_made import COLOURS, METHOD, lost, tags
+from tests.adapter.arxml_requirements import dangling, doubled_names, loaded, misplaced, version_of
 from tests.adapter.ecuc_definitions import definitions, wrong_values
 from tests.function.shipped import resolved
 from tests.integration.autosar_adaptive.sets import at, examples, function, parameter, signal
-from tests.judges import judged_by
+from tests.reference_tools import checked_with
 
 VERSIONS = {"4.4.0": AutosarVersion.AUTOSAR_00046, "R23-11": AutosarVersion.AUTOSAR_00052}
 ROOT = "/CoreAcc_and_EcoControlMpc_and_WheelSpeedCalculation"
@@ -77,7 +77,7 @@ def values(model, path):
 # -- as AUTOSAR has it ------------------------------------------------------------------------------------------------
 
 
-@judged_by(
+@checked_with(
     "autosar-data",
     "ARXML loads strictly, its references lead somewhere, its elements have the order of the metamodel of their release",
 )
@@ -111,7 +111,7 @@ def test_every_value_of_the_configuration_is_of_the_kind_of_its_definition(name)
         assert wrong_values(model_of([*others, files[0]._replace(name="configuration.arxml", data=spoiled.encode())])) == []  # fmt: skip
 
 
-@judged_by("autosar-data", "ARXML stays the same when it is read and written again")
+@checked_with("autosar-data", "ARXML stays the same when it is read and written again")
 @SETS
 def test_the_files_survive_a_round_trip(name):
     for file in made(name):
@@ -192,7 +192,7 @@ def test_a_cyclic_call_has_its_period_its_task_and_an_alarm():
     behavior = f"{ROOT}/ComponentTypes/CoreAcc/CoreAcc_Behavior"
     timing = [e for _, e in model.get_element_by_path(behavior).elements_dfs if e.element_name == "TIMING-EVENT"]
     assert timing
-    cycle, tick = 0.05, 0.001  # at each tick, windows of supervision are judged
+    cycle, tick = 0.05, 0.001  # at each tick, windows of supervision are evaluated
     assert {float(values(model, each.path)["PERIOD"]) for each in timing} == {cycle, tick}
     mapping = next(each for each in model.get_references_to(timing[0].path)).named_parent
     used = [str(e.character_data) for _, e in mapping.elements_dfs if e.element_name == "VALUE-REF"]
@@ -226,7 +226,7 @@ def port_with(model, text):
     )  # fmt: skip
 
 
-def test_com_judges_no_age_since_the_core_does():
+def test_com_checks_no_age_since_the_core_does():
     speed = port_with(loaded(made("every kind")), "B_Speed").serialize()
     assert "<ALIVE-TIMEOUT>0</ALIVE-TIMEOUT>" in speed.replace("0.0", "0")
     assert "<ENABLE-UPDATE>true</ENABLE-UPDATE>" in speed
@@ -311,7 +311,7 @@ def test_a_document_that_was_written_is_read_and_gives_the_same_files():
     assert generate(again, "R23-11") == made("examples")
 
 
-# -- documents that somebody has changed ------------------------------------------------------------------------------
+# -- documents that were edited -----------------------------------------------------------------------------------------
 
 
 def places(value, above=()):
@@ -364,7 +364,7 @@ def test_a_document_that_is_wrong_somewhere_is_refused_with_findings_or_gives_fi
 # -- texts that want to get out ---------------------------------------------------------------------------------------
 
 
-@judged_by("autosar-data", "Whatever text or name a function has, its ARXML loads")
+@checked_with("autosar-data", "ARXML loads for any text or name of a function")
 @pytest.mark.parametrize(
     "text", ['"><script>alert(1)</script>', "*/ #include <x>", "]]><!--", "\u0000\u0001", "\ufffe", "été 🚗", "x" * 5000,
              "class", "1st", "Demo", "Init"]

@@ -1,4 +1,4 @@
-"""What a declaration says of its code is what every platform compiles it with: folders of headers, macros."""
+"""Declared settings of the code are used in every compilation: folders of headers, macros."""
 
 from pathlib import Path
 

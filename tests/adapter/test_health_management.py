@@ -1,4 +1,4 @@
-"""What of the supervision the ARXML hands to the health management, and that ports are what its mappings take."""
+"""Supervisions that the ARXML passes to the health management, and ports of the kind that its mappings require."""
 
 import json
 
@@ -9,7 +9,7 @@ from sigcat.adapter.autosar_adaptive.application.report import report
 from sigcat.adapter.autosar_adaptive.arxml.generate import generate
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.limits import DEFAULT_LIMITS
-from tests.adapter.arxml_judge import VERSIONS, dangling, doubled_names, loaded, misplaced
+from tests.adapter.arxml_requirements import VERSIONS, dangling, doubled_names, loaded, misplaced
 from tests.adapter.autosar_adaptive.application.generated import full_integration
 
 MONITOR_PORT = "/Full/Components/Full/Full_Late_ErrorSts_Monitor"
@@ -86,7 +86,7 @@ def test_each_process_of_an_executable_is_supervised_for_itself():
 
 @pytest.mark.parametrize("error", [{}, {"Reset": "Restart", "MaturationTime": 10}, {"Reset": "Vehicle.Full.Reset"}])
 def test_one_whose_error_matures_or_heals_has_none(error):
-    """What has expired there stays so, at once."""
+    """There, an expired supervision stays expired, at once."""
     model = arxml(document(**error))
     assert all_of(model, "PLATFORM-HEALTH-MANAGEMENT-CONTRIBUTION") == []
     assert len(all_of(model, "PHM-CHECKPOINT")) == 1

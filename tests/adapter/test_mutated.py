@@ -281,7 +281,7 @@ FOUND: dict[str, Callable[[Any], None]] = {
     "modes without variables": without_mode_variable,
     "values of enumerations that no type holds": with_large_symbols,
 }
-"""What fuzzing has found."""
+"""Examples that fuzzing has found."""
 MISCODED: dict[str, Callable[[Any], None]] = {
     "a mode with a number beyond its type": with_number_of_mode(2**64),
     "a mode with a number below its type": with_number_of_mode(-1),
@@ -290,7 +290,7 @@ MISCODED: dict[str, Callable[[Any], None]] = {
     "modes with numbers of the code beyond their type": without_header,
     "datatypes of an unknown kind": with_kind,
 }
-"""What no compiler takes, and was generated."""
+"""Generated code that no compiler accepts."""
 
 
 UNEQUAL: dict[str, Callable[[Any], None]] = {
@@ -301,7 +301,7 @@ UNEQUAL: dict[str, Callable[[Any], None]] = {
     "a signal that is named as the modes are": with_signal("Name", "F_Mode_In"),
     "a variable that is named as a type": with_signal("Variable", "int16_t"),
 }
-"""What a core and its model take for something else."""
+"""Values that a core and its model interpret differently."""
 
 
 @pytest.mark.parametrize("name", UNEQUAL)

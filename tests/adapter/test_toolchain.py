@@ -1,4 +1,4 @@
-"""Which compiler is taken."""
+"""Choice of the compiler."""
 
 import sys
 
@@ -53,8 +53,8 @@ def test_else_the_one_of_pypi(machine):
 @pytest.mark.parametrize(
     ("programs", "variables", "words"),
     [
-        ((), {}, "There is no C compiler. Install gcc or clang"),
-        (("g++",), {}, "There is no C compiler. Install gcc or clang"),
+        ((), {}, "No C compiler found. Install gcc or clang"),
+        (("g++",), {}, "No C compiler found. Install gcc or clang"),
         (("gcc", "g++"), {"CC": "nowhere"}, "CC must name a compiler, not 'nowhere'"),
         (("gcc", "g++"), {"CXX": "nowhere"}, "CXX must name a compiler, not 'nowhere'"),
     ],
@@ -68,5 +68,5 @@ def test_one_line_says_that_there_is_none(machine, programs, variables, words):
 def test_without_a_compiler_of_cpp_code_in_c_is_compiled(machine):
     tools = toolchain(machine("gcc"))
     assert tools.compiler(is_cpp=False) == ("gcc",)
-    with pytest.raises(UsageError, match="There is no C\\+\\+ compiler beside 'gcc'"):
+    with pytest.raises(UsageError, match="No C\\+\\+ compiler found next to 'gcc'"):
         tools.compiler(is_cpp=True)

@@ -8,13 +8,15 @@ import inspect
 import re
 import string
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import pytest
+from jinja2 import Environment, nodes
 
 import sigcat
+from sigcat.adapter import templates
 from sigcat.function.document import text_filters
 from sigcat.platforms.table import PLATFORMS
 
@@ -56,7 +58,8 @@ class Part(NamedTuple):
     """A piece of a text that is put together: its text, or the value in its place."""
 
     text: str
-    value: ast.expr | None = None
+    value: Any = None
+    """An expression of Python or Jinja."""
     is_number: bool = False
 
 
@@ -119,7 +122,7 @@ _OPENS = re.compile(r"""/\*|(?<!:)//|(?:^|(?<=\n)|(?<=  ))\#(?=\ )|"|(?<![\w.\])
 _CLOSES = {"/*": r"\*/", "//": r"\n", "#": r"\n", '"': r'(?<!\\)"|\n', "'": r"(?<!\\)'|\n"}
 
 
-def inside(parts: Sequence[Part]) -> Iterator[ast.expr]:
+def inside(parts: Iterable[Part]) -> Iterator[Any]:
     """Values in a comment or in a string."""
     opened: str | None = None
     for part in parts:
@@ -221,3 +224,64 @@ def test_every_generator_is_in_these_rooms() -> None:
     }
     assert len(imported) >= len(PLATFORMS)
     assert {module.split(".")[1] for module in imported} <= set(ROOMS)
+
+
+# -- templates ------------------------------------------------------------------------------------------------------
+
+TEMPLATES = [path for room in ROOMS for path in sorted((SOURCE / room).rglob("*.j2"))]
+ENVIRONMENT = Environment(trim_blocks=True, lstrip_blocks=True)
+
+
+def parts_of(node: nodes.Node) -> Iterator[Part]:
+    """Texts and values of a template, in their order."""
+    for each in node.iter_child_nodes():
+        if isinstance(each, nodes.TemplateData):
+            yield Part(each.data)
+        elif isinstance(each, nodes.Expr):
+            if isinstance(node, nodes.Output):
+                yield Part("", each)
+        else:
+            yield from parts_of(each)
+
+
+def is_harmless(value: nodes.Node) -> bool:
+    """Whether a filter has made it, or it is a literal of the template."""
+    if isinstance(value, nodes.CondExpr):
+        return is_harmless(value.expr1) and (value.expr2 is None or is_harmless(value.expr2))
+    if isinstance(value, nodes.Filter) and value.name == "join" and value.node is not None:
+        return is_harmless(value.node)
+    return isinstance(value, nodes.Const) or (isinstance(value, nodes.Filter) and value.name in FILTERS)
+
+
+def bypasses_of_template(source: str) -> list[int]:
+    """Lines of a template with a value in a comment or a string without a filter."""
+    return [value.lineno for value in inside(parts_of(ENVIRONMENT.parse(source))) if not is_harmless(value)]
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "/* {{ name }} */",
+        '"{{ name }}"',
+        "int a; // {% if a %}{{ name }}{% endif %}",
+        "# {{ name | upper }}\n",
+        "# {{ a ~ b }}\n",
+    ],
+)
+def test_a_value_of_a_template_that_bypasses_the_filters_is_found(source: str) -> None:
+    assert bypasses_of_template(source) == [1]
+
+
+@pytest.mark.parametrize("source", ["/* {{ name | comment }} */ {{ name }}", '"{{ "a" if b else "c" }}"'])
+def test_a_value_of_a_template_that_goes_through_a_filter_is_not_found(source: str) -> None:
+    assert bypasses_of_template(source) == []
+
+
+@pytest.mark.parametrize("path", TEMPLATES, ids=lambda path: str(path.relative_to(SOURCE)))
+def test_values_of_templates_stand_in_comments_and_strings_through_filters_alone(path: Path) -> None:
+    assert bypasses_of_template(path.read_text()) == []
+
+
+@pytest.mark.parametrize("name", templates._FILTERS)
+def test_a_filter_of_templates_is_used(name: str) -> None:
+    assert any(re.search(rf"(\||map\()\s*[\"']?{name}\b", path.read_text()) for path in TEMPLATES)

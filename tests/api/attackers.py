@@ -109,7 +109,7 @@ async def dripping(target: Target) -> None:
 
 
 async def unread(target: Target) -> None:
-    """200 long answers that nobody reads."""
+    """200 long answers that are not read."""
 
     async def ask() -> None:
         while True:
@@ -139,7 +139,7 @@ async def empty_headers(target: Target) -> None:
 
 
 def _asking(requests: Callable[[], Iterator[bytes]], clients: int = 1) -> Callable[[Target], Awaitable[None]]:
-    """An attack by requests, those of a client one after the other, each on a connection of its own."""
+    """An attack by requests, those of a client one after the other, each on a separate connection."""
 
     async def attack(target: Target) -> None:
         async def ask() -> None:

@@ -25,7 +25,7 @@ Ask = Callable[..., httpx.Response]
 
 
 def asker(app: Any, root_path: str = "") -> Ask:
-    """A function that asks an ASGI application; what goes wrong inside is an answer, not an exception."""
+    """A function that asks an ASGI application; an exception inside is an answer."""
 
     async def request(method: str, address: str, options: Mapping[str, Any]) -> httpx.Response:
         transport = httpx.ASGITransport(app, raise_app_exceptions=False, root_path=root_path)
@@ -33,7 +33,7 @@ def asker(app: Any, root_path: str = "") -> Ask:
             return await client.request(method, address, **options)
 
     def ask(address: str, method: str = "GET", **options: Any) -> httpx.Response:
-        # in a thread of its own: a browser that is open in this one keeps an event loop running here
+        # in a separate thread: a browser that is open in this one keeps an event loop running here
         with ThreadPoolExecutor(1) as thread:
             return thread.submit(lambda: asyncio.run(request(method, address, options))).result()
 

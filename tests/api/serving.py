@@ -39,7 +39,7 @@ class Service(NamedTuple):
 
 @contextmanager
 def served(tree: Path, before: Sequence[str] = (), **variables: str) -> Iterator[Service]:
-    """A service over a tree; what stands `before` its command is to replace itself with it."""
+    """A service over a tree; the words in `before` precede its command, and must replace themselves with it."""
     command = [*before, sys.executable, "-m", "sigcat.cli", "serve", "--port", "0", "-s", str(tree)]
     environment = {**os.environ, **variables}
     with (

@@ -1,4 +1,4 @@
-"""While somebody tries to keep others out, an ordinary client is answered as usual, and memory stays bounded.
+"""During an attack, an ordinary client is answered as usual, and memory stays bounded.
 
 An ordinary GET, each on its own connection, is answered every time. Its median time is compared with that of the same requests
 without an attack, measured right before: machines differ, and have other work too.
@@ -28,7 +28,7 @@ pytestmark = pytest.mark.skipif(
 )
 NODE = "/api/v1/catalogues/local/nodes/Vehicle.S7"
 ORDINARY = (NODE, "/api/v1/rules/V102", "/api/v1/schemas", "/api/v1/catalogues/local/nodes/Vehicle.S{0}", "/rules/V102")
-"""What is kept, what is made in a thread, what nobody has asked before, and a page."""
+"""Kept answers, answers made in a thread, answers that were never requested before, and a page."""
 ASKED = 150
 TIMES = 10
 """Factor by which an ordinary request may be slower during an attack."""

@@ -1,4 +1,4 @@
-"""What stands in a tree stays text in every form of an answer: it opens no markup, and a spreadsheet computes nothing of it."""
+"""Text of a tree stays text in every form of an answer: it opens no markup, and a spreadsheet computes nothing from it."""
 
 import csv
 import io

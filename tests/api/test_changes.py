@@ -1,4 +1,4 @@
-"""What changed between hosted catalogues, and what an overlay would change."""
+"""Changes between hosted catalogues, and changes that an overlay would make."""
 
 from tests.api.conftest import Ask
 

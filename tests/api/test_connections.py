@@ -1,4 +1,4 @@
-"""Connections of a served process: what is no request is refused with a problem, and none keeps the others out."""
+"""Connections of a served process: invalid requests are refused with a problem, and none blocks other clients."""
 
 import asyncio
 import json
@@ -148,7 +148,7 @@ def test_requests_before_what_is_none_are_answered(service: Service) -> None:
 
 @pytest.mark.parametrize("body", [b"", b"Vehicle: 1"])
 def test_a_wish_for_another_protocol_is_not_heard(service: Service, body: bytes) -> None:
-    """Java's client asks for HTTP/2 like this, with its first request; RFC 9110 lets a server go on in HTTP/1.1."""
+    """Java's client asks for HTTP/2 like this, with its first request; RFC 9110 lets a server continue with HTTP/1.1."""
     head = LINT + b"Connection: upgrade, http2-settings\r\nUpgrade: h2c\r\nContent-Length: %d\r\n\r\n" % len(body)
     answer = answer_to(service, head + body + LAST)
     assert statuses(answer) == [200, 200]
@@ -337,7 +337,7 @@ def series(service: Service) -> set[str]:
 
 def send(service: Service, client: httpx.Client, kind: str, number: int) -> None:
     method, address, headers = invented(number)[kind]
-    with suppress(httpx.RemoteProtocolError):  # what is no method of HTTP is refused and closes the connection
+    with suppress(httpx.RemoteProtocolError):  # an invalid method of HTTP is refused and closes the connection
         client.request(method, f"{service.address}{address.replace('small', 'local')}", headers=headers)
 
 
@@ -416,7 +416,7 @@ def test_with_all_at_work_the_next_is_told_to_come_again_until_those_who_read_no
         refused = wait_until(lambda: answer_unless_200(narrow), "all connections are at work")
         assert problem_in(refused)["type"] == "/problems/busy"
         assert b"\r\nretry-after: " in refused
-        assert is_answered(narrow, ELSEWHERE), "another client has connections of its own"
+        assert is_answered(narrow, ELSEWHERE), "another client has separate connections"
         wait_until(lambda: is_answered(narrow), "those that read nothing are cut off")
     assert "Traceback" not in narrow.log.read_text()
 

@@ -1,4 +1,4 @@
-"""What makes the OpenAPI document one that generated clients have good types for."""
+"""Properties of the OpenAPI document that give generated clients good types."""
 
 import itertools
 import json
@@ -38,7 +38,7 @@ TAKEN = frozenset((
 
 
 def _kind(schema: Schema) -> Any:
-    """What a schema allows, without its descriptions and bounds."""
+    """Return the values that a schema allows, without its descriptions and bounds."""
     if "$ref" in schema:
         return schema["$ref"]
     if "anyOf" in schema:
@@ -146,7 +146,7 @@ def test_every_object_and_enumeration_has_a_name() -> None:
 
 
 def test_no_two_enumerations_have_a_value_in_common() -> None:
-    """In Go and C each value is a name of its own."""
+    """In Go and C each value has a separate name."""
     values = [value.upper() for schema in SCHEMAS.values() for value in schema.get("enum", ())]
     assert sorted(set(values)) == sorted(values)
 

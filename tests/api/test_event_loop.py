@@ -76,7 +76,7 @@ def forms(address: str) -> list[Costly]:
 
 _DOCUMENT = b"[" * 60 + b"0," * (BODY // 2 - 100)
 COSTLY: dict[str, list[Costly]] = {
-    "GET /": get("/", "/?open=*"),
+    "GET /": get("/"),
     "GET /api/v1/catalogues": [*get("/api/v1/catalogues"), Costly("/api/v1/catalogues", YAML)],
     "GET /api/v1/catalogues/{catalogue}": [*get(WIDE, f"{WIDE}~folded"), Costly(WIDE, YAML)],
     "GET /api/v1/catalogues/{catalogue}/diff": get(f"{WIDE}/diff?to=interfaces"),
@@ -110,6 +110,7 @@ COSTLY: dict[str, list[Costly]] = {
     "GET /catalogues/{catalogue}": get("/catalogues/wide"),
     "GET /changes": get("/changes?old=interfaces&new=wide"),
     "GET /docs": get("/docs"),
+    "GET /docs/{chapter:path}": get("/docs/reference/command-line.md", f"/docs/{'x' * 300}"),
     "GET /functions": get("/functions", "/functions?catalogue=wide"),
     "GET /functions.json": get("/functions.json", "/functions.json?catalogue=wide"),
     "GET /functions/sets/{set_id}/compare": get("/functions/sets/ecocontrol/compare"),

@@ -130,7 +130,7 @@ def test_a_service_says_at_once_that_there_is_no_folder_for_temporary_files(tree
     environment = {**os.environ, "TMPDIR": str(tmp_path / "none")}
     ended = subprocess.run(command, check=False, env=environment, capture_output=True, text=True, timeout=DEADLINE)
     assert (ended.returncode, ended.stdout) == (2, "")
-    assert "sigcat: There is no room for temporary files: No such file or directory." in ended.stderr
+    assert "sigcat: Temporary files cannot be written: No such file or directory." in ended.stderr
 
 
 def test_an_exporter_that_somebody_kills_is_no_fault_of_the_tree(tree: Path) -> None:

@@ -39,7 +39,7 @@ ADDRESSES = (LINT, f"{LINT}?kind=tree", TRIAL, BUILD, VALIDATE, INTEGRATE, ARXML
 
 
 class Service:
-    """A service in a process of its own."""
+    """A service in a separate process."""
 
     def __init__(self, address: str, process: int) -> None:
         self.address = address
@@ -65,7 +65,7 @@ class Service:
         return plain_http.request(method, self.address + path, **options)  # type: ignore[arg-type]
 
     def send(self, data: bytes) -> bytes:
-        """What comes back on a connection of its own until the service ends it, which it has to."""
+        """Return the bytes received on a separate connection until the service ends it, which it must do."""
         parts = urlsplit(self.address)
         received = b""
         with (
@@ -129,6 +129,8 @@ BOMBS = {
     "empty lines": b"\n" * FULL,
     "many anchors": b"".join(b"k%d: &k%d 1\n" % (n, n) for n in range(30_000)),
     "many includes": b"#include a.vspec\n" * (FULL // 17),
+    "many misspelled includes": b"#inlcude a.vspec\n" * (FULL // 17),
+    "many lines that are too long": (b"# " + b"many " * 30 + b"\n") * (FULL // 160),
     "a huge number": MAXIMUM % (b"9" * 200_000),
     "a huge hexadecimal number": MAXIMUM % (b"0x" + b"F" * 200_000),
     "a sexagesimal number": MAXIMUM % (b"1:" * 60_000 + b"1"),
@@ -195,8 +197,9 @@ def test_a_bomb_costs_no_more_than_an_ordinary_overlay_and_the_next_request_is_a
     report = answer.json()
     assert report["findings"] or report.get("ok"), report
     assert service.ask("GET", "/health/live").status_code == 200
-    if seconds > honest:  # once may be bad luck
-        seconds, _ = service.seconds_for(address, BOMBS[case])
+    if seconds > honest:  # the machine may have become slower: measure both once more, side by side
+        honest = service.seconds_for(LINT, HONEST)[0]
+        seconds = min(seconds, service.seconds_for(address, BOMBS[case])[0])
     assert seconds < 2 * honest
 
 

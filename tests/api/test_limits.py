@@ -25,7 +25,7 @@ def wide(library: Library) -> Ask:
 
 
 def told(ask: Ask, address: str, text: bytes) -> str:
-    """What the findings say."""
+    """Return the texts of the findings."""
     answer = ask(address, "POST", content=text)
     assert answer.status_code in (200, 422), answer.text
     return " ".join(finding["message"] for finding in answer.json()["findings"])

@@ -1,4 +1,4 @@
-"""What one client sends changes nothing for others: what is kept, what is counted, what is held in memory."""
+"""Requests of one client change nothing for others: kept answers, counts, memory."""
 
 import asyncio
 import contextlib
@@ -283,7 +283,7 @@ run(create_app(Library(SOURCES), settings), settings)
 
 @pytest.fixture
 def address() -> Iterator[str]:
-    """A service in a process of its own, which holds few bytes of bodies."""
+    """A service in a separate process, which holds few bytes of bodies."""
     command = [sys.executable, "-c", _SERVE]
     with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as process:
         assert process.stdout is not None

@@ -1,4 +1,4 @@
-"""Every error is a problem that says what is wrong."""
+"""Every error is a problem that names the reason."""
 
 from typing import Any
 
@@ -100,7 +100,7 @@ def test_a_filter_that_nothing_can_have_is_refused_and_not_answered_with_nothing
 
 def test_a_field_that_no_node_can_have_is_refused(ask: Ask) -> None:
     detail = problem(ask, f"{SMALL}/nodes?fields=path,untit", 422)["detail"]
-    assert detail == "There is no field 'untit'. Did you mean 'unit'?"
+    assert detail == "Unknown field 'untit'. Did you mean 'unit'?"
     assert "Fields are ASILlevel, " in problem(ask, f"{SMALL}/nodes?fields=path,qqqq", 422)["detail"]
     assert ask(f"{SMALL}/nodes?fields=path,ASILlevel").status_code == 200
 
@@ -154,12 +154,12 @@ def test_no_address_takes_a_parameter_that_it_does_not_have(ask: Ask, address: s
     assert finding["pointer"] == "/query/colour"
 
 
-@pytest.mark.parametrize("wanted", ['"1"', 'W/"1"', '"1", "2"', "", "the tag itself"])
+@pytest.mark.parametrize("version", ['"1"', 'W/"1"', '"1", "2"', "", "the tag itself"])
 @pytest.mark.parametrize("address", [SMALL, f"{SMALL}/nodes/Vehicle.Speed", f"{SMALL}/diff?to=bare"])
-def test_a_version_that_is_not_there_is_not_answered_with_another_one(ask: Ask, address: str, wanted: str) -> None:
+def test_a_version_that_is_not_there_is_not_answered_with_another_one(ask: Ask, address: str, version: str) -> None:
     tag = ask(address).headers["etag"]  # and from now on the answer is kept
     assert tag.startswith("W/"), "which is equal to none (RFC 9110, 8.8.3.2)"
-    headers = {"If-Match": tag if wanted == "the tag itself" else wanted}
+    headers = {"If-Match": tag if version == "the tag itself" else version}
     assert "ID@VERSION" in problem(ask, address, 412, headers=headers)["detail"]
     assert ask(address, headers={"If-Match": "*"}).status_code == 200
 

@@ -1,4 +1,4 @@
-"""`sigcat serve` as a process: it finishes what is under way, logs, stands behind a proxy, and streams."""
+"""`sigcat serve` as a process: it finishes work in progress, logs, works behind a proxy, and streams."""
 
 import json
 import os
@@ -143,7 +143,7 @@ def test_as_an_application_of_another_server_it_logs_and_watches_too(tmp_path: P
 
 
 def nodes_at(port: int) -> int:
-    """Nodes of the catalogue; none as long as nobody answers."""
+    """Nodes of the catalogue; none while the service does not answer."""
     with suppress(httpx.TransportError):
         return int(plain_http.get(f"http://127.0.0.1:{port}/api/v1/catalogues/own").json()["node_count"])
     return 0

@@ -1,4 +1,4 @@
-"""What is shipped: the licence of every package, the bill of materials, the verdict of an audit."""
+"""Shipped packages: the licence of each, the bill of materials, the verdict of an audit."""
 
 import json
 import re
@@ -50,7 +50,7 @@ BAD = {"name": "b", "version": "2", "vulns": [{"id": "PYSEC-1", "fix_versions": 
     ("packages", "status", "line"),
     [
         ([KNOWN], 0, "1 packages, no known vulnerabilities"),
-        ([KNOWN, BAD], 1, "b 2: PYSEC-1, mended in 3"),
+        ([KNOWN, BAD], 1, "b 2: PYSEC-1, fixed in 3"),
         (
             [KNOWN, {"name": "c", "skip_reason": "not found"}],
             2,

@@ -46,7 +46,7 @@ MEBIBYTE = 1024 * 1024
 
 
 class Crowd:
-    """Clients whose work goes on until it is told to end."""
+    """Clients whose work continues until they end it."""
 
     def __init__(self, turns: Turns) -> None:
         self.turns = turns
@@ -185,7 +185,7 @@ def queue() -> Iterator[WorkQueue]:
 
 
 def done(queue: WorkQueue, function: Callable[..., Any], *arguments: Any) -> Any:
-    return run(queue.of("somebody").run(function, *arguments))
+    return run(queue.of("a client").run(function, *arguments))
 
 
 def refuse() -> None:
@@ -247,7 +247,7 @@ def models_are_built() -> bool:
 def test_a_worker_does_not_build_models_again(queue: WorkQueue) -> None:
     async def asked() -> Any:
         await queue.warm(["sigcat.function.function_file"], ())
-        return await queue.of("somebody").run(models_are_built)
+        return await queue.of("a client").run(models_are_built)
 
     assert run(asked())
 
@@ -268,7 +268,7 @@ def test_what_was_rehearsed_a_worker_has_and_a_rehearsal_that_fails_is_passed_ov
 
     async def asked() -> Any:
         await queue.warm([__name__], (), rehearsals)
-        return await queue.of("somebody").run(rehearsed)
+        return await queue.of("a client").run(rehearsed)
 
     assert run(asked()) == ["overlay"]
     assert REHEARSED == []
@@ -332,7 +332,7 @@ def test_a_worker_that_somebody_killed_is_replaced(queue: WorkQueue) -> None:
 def test_nothing_is_left_of_a_worker_that_ended_whether_or_not_there_is_more_work(queue: WorkQueue) -> None:
     process = done(queue, os.getpid)
     os.kill(process, signal.SIGKILL)
-    wait_until(lambda: not (PROC / str(process)).exists(), "the zygote takes leave of it")
+    wait_until(lambda: not (PROC / str(process)).exists(), "the zygote reaps it")
 
 
 def test_so_is_the_zygote(queue: WorkQueue) -> None:
@@ -345,7 +345,7 @@ def test_so_is_the_zygote(queue: WorkQueue) -> None:
 
 def test_work_is_given_up_with_who_asked_for_it(queue: WorkQueue, tmp_path: Path) -> None:
     async def impatient() -> None:
-        task = asyncio.create_task(queue.of("somebody").run(noted, tmp_path, "x"))
+        task = asyncio.create_task(queue.of("a client").run(noted, tmp_path, "x"))
         await begun(tmp_path)
         task.cancel()
 
@@ -452,7 +452,7 @@ def test_health_answers_while_heavy_work_is_done(library: Library) -> None:
     app = create_app(library)
 
     async def both() -> int:
-        work = asyncio.create_task(app.state.work_queue.of("somebody").run(time.sleep, DEADLINE))
+        work = asyncio.create_task(app.state.work_queue.of("a client").run(time.sleep, DEADLINE))
         async with httpx.AsyncClient(transport=httpx.ASGITransport(app), base_url="http://sigcat") as client:
             status = (await client.get("/health/live", timeout=DEADLINE)).status_code
         work.cancel()

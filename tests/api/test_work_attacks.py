@@ -58,7 +58,7 @@ UNHURRIED = 0.02
 
 
 class Watched(NamedTuple):
-    """What another client saw of the service meanwhile."""
+    """Observations of another client of the service meanwhile."""
 
     seconds: float
     """Median seconds of an answer."""

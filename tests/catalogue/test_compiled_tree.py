@@ -13,7 +13,7 @@ from sigcat.data import VSPEC
 from sigcat.limits import DEFAULT_LIMITS
 
 ANY_LIMITS = DEFAULT_LIMITS._replace(nodes=DEFAULT_LIMITS.nodes - 1)
-"""With limits of its own, everything is parsed."""
+"""With given limits, everything is parsed."""
 
 
 @pytest.fixture

@@ -1,4 +1,4 @@
-"""An overlay judged alone is judged as it would be within the whole tree."""
+"""An overlay that is checked alone has the same findings as within the whole tree."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""What a few lines make large or slow is bounded, and told."""
+"""Input whose few lines become large or slow is bounded, and reported."""
 
 import pytest
 

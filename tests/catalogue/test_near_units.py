@@ -2,6 +2,7 @@
 
 import pytest
 
+from sigcat.catalogue.model.common_units import _QUANTITIES, quantity_advice
 from sigcat.catalogue.model.near_units import advice
 from sigcat.catalogue.model.vocabulary import STANDARD_QUANTITIES, STANDARD_UNITS, read_vocabulary
 
@@ -38,9 +39,8 @@ def test_a_common_unit_that_vss_does_not_define_is_defined(name, others, definit
 def test_the_definition_of_a_unit_can_be_used_as_it_is(tmp_path):
     for name in ("K", "ug/m3", "ppm", "mA", "µg/m³", "foo bar", "a'b", "x\ny"):
         parts = advice(name, VSS).split("`")[1::2]
-        (tmp_path / "quantities.yaml").write_text(
-            "".join(f"{part}\n" for part in parts if "quantity" not in part and "{" in part)
-        )
+        quantities = [part for part in parts if "quantity" not in part and "{" in part]
+        (tmp_path / "quantities.yaml").write_text("\n".join(quantities or ["smell: {definition: A smell.}"]))
         (tmp_path / "units.yaml").write_text("".join(f"{part}\n" for part in parts if "quantity" in part))
         made = read_vocabulary([tmp_path / "units.yaml"], [tmp_path / "quantities.yaml"])
         assert made.findings == ()
@@ -48,4 +48,22 @@ def test_the_definition_of_a_unit_can_be_used_as_it_is(tmp_path):
 
 
 def test_a_name_that_is_nearly_right_is_proposed():
-    assert advice("celcius", VSS) == "Did you mean 'Celsius'?"
+    assert advice("celcius", VSS) == "Did you mean 'Celsius' (degree Celsius)?"
+
+
+@pytest.mark.parametrize(
+    ("quantity", "unit", "meant"),
+    [("energy", "J", "work"), ("Energy", "foo", "work"), ("flow_rate", "foo", "volume-flow-rate"),
+     ("speed", "mph", "velocity"), ("velocty", "foo", "velocity"), ("share", "ppm", "relation")],
+)  # fmt: skip
+def test_the_quantity_of_a_unit_is_the_one_that_vss_has(quantity, unit, meant):
+    assert quantity_advice(quantity, unit, "", VSS.quantities) == f"Did you mean {meant!r}?"
+
+
+def test_a_quantity_without_another_name_is_defined():
+    assert quantity_advice("smell", "foo", "", VSS.quantities).startswith("Define it in a quantities.yaml")
+
+
+def test_other_names_of_quantities_mean_quantities_of_vss():
+    assert set(_QUANTITIES) <= set(VSS.quantities)
+    assert not {name for text in _QUANTITIES.values() for name in text.split()} & set(VSS.quantities)

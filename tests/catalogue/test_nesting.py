@@ -1,4 +1,4 @@
-"""Deep nesting is refused before libyaml, which would end the process; many shallow lists are no reason to."""
+"""Deep nesting is refused before libyaml, which would end the process; many shallow lists are not refused."""
 
 import pytest
 

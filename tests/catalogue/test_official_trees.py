@@ -8,9 +8,9 @@ import pytest
 
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.cli import main
-from tests.catalogue.judging import Job, verdicts
-from tests.judges import judged_by
+from tests.catalogue.vss_tools_output import Job, outputs
 from tests.needs import IS_SLOW_RUN, OFFICIAL, official_releases
+from tests.reference_tools import checked_with
 
 pytestmark = official_releases
 
@@ -32,10 +32,10 @@ def arguments(release: str, overlay: str, expand: str) -> list[str]:
 
 
 @cache
-def judged(units: Path) -> dict[str, str | None]:
-    """What vss-tools makes of each case. It refuses the units of v6.0, so it gets corrected ones."""
+def expected_outputs(units: Path) -> dict[str, str | None]:
+    """Return the result of vss-tools for each case. It refuses the units of v6.0, so it gets corrected ones."""
     corrected = ["-u", str(units)]
-    return verdicts(
+    return outputs(
         {
             " ".join(case): Job("json", OFFICIAL, [*arguments(*case), *(corrected if case[0] == "v6.0" else [])])
             for case in CASES
@@ -45,7 +45,7 @@ def judged(units: Path) -> dict[str, str | None]:
 
 @pytest.fixture(scope="module")
 def corrected_units(tmp_path_factory):
-    """The units of v6.0 with a name of its own for `mpg`, as the release after it has it."""
+    """The units of v6.0 with a separate name for `mpg`, as in the next release."""
     text = (OFFICIAL / "v6.0/spec/units.yaml").read_text()
     head, _, tail = text.partition("\nmpg:\n")
     tail = tail.replace("unit: miles per US gallon\n", "unit: miles per US gallon (deprecated)\n", 1)
@@ -54,13 +54,13 @@ def corrected_units(tmp_path_factory):
     return file
 
 
-@judged_by("vss-tools", "Official releases and their overlays mean the same, expanded and not")
+@checked_with("vss-tools", "Official releases and their overlays have the same meaning, expanded and not")
 @pytest.mark.parametrize("case", CASES, ids=" ".join)
 def test_the_export_equals_that_of_vss_tools(case, corrected_units, capsys):
-    verdict = judged(corrected_units)[" ".join(case)]
-    assert verdict is not None
+    output = expected_outputs(corrected_units)[" ".join(case)]
+    assert output is not None
     assert main(["export", "json", *arguments(*case)]) == 0
-    assert json.loads(capsys.readouterr().out) == json.loads(verdict)
+    assert json.loads(capsys.readouterr().out) == json.loads(output)
 
 
 def test_the_double_unit_name_of_v6_is_a_warning_and_nothing_else_is_found():

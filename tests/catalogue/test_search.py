@@ -152,7 +152,7 @@ def test_a_word_that_is_nowhere_brings_those_near_it(index):
     ("text", "instead"),
     [
         ("whel sped", "wheel speed"),  # put right, both at once
-        ("wheelspeed", None),  # a name as it stands, without its capitals
+        ("wheelspeed", None),  # a name unchanged, without its capitals
         ("speedwheel", "speed wheel"),  # taken apart
         ("wheel speed zzz", "wheel speed"),  # left out
         ("zzz", None),
@@ -171,7 +171,7 @@ def test_what_is_proposed_meets_the_filters(index):
 
 
 def test_many_nodes_and_words_are_found_as_few_are():
-    """Words stand in blocks of a thousand numbers: a prefix may begin and end anywhere in them."""
+    """Words are stored in blocks of a thousand numbers: a prefix may begin and end anywhere in them."""
     count = 3000
     index = SearchIndex(catalogue_of(ROOT + "".join(sensor(f"Vehicle.S{number}") for number in range(count))))
     for prefix in ("s1", "s12", "s123", "s1234", "s29", "s2999"):

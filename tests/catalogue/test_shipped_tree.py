@@ -1,4 +1,4 @@
-"""The shipped tree restates VSS 6.0: the same facts, in words of its own."""
+"""The shipped tree restates VSS 6.0: the same facts, with our own descriptions."""
 
 import json
 from collections import Counter
@@ -10,9 +10,9 @@ import yaml
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.catalogue.exporting.export_json import tree_data
 from sigcat.data import ROOT_FILE, VSPEC
-from tests.catalogue.judging import Job, verdicts
-from tests.judges import judged_by
+from tests.catalogue.vss_tools_output import Job, outputs
 from tests.needs import OFFICIAL, official_releases, slow
+from tests.reference_tools import checked_with
 
 TEXTS = ("description", "comment")
 
@@ -66,7 +66,7 @@ def test_it_has_so_many_leaves_in_each_domain():
     }
 
 
-@judged_by("releases", "The shipped tree states their facts, units and identifiers")
+@checked_with("releases", "The shipped tree states their facts, units and identifiers")
 @pytest.mark.parametrize("expanded", [True, False])
 @official_releases
 def test_every_fact_is_that_of_the_official_release(expanded):
@@ -75,7 +75,7 @@ def test_every_fact_is_that_of_the_official_release(expanded):
     assert list(shipped(expanded=expanded).nodes) == list(official.nodes)
 
 
-@judged_by("releases", "The shipped tree states their facts, units and identifiers")
+@checked_with("releases", "The shipped tree states their facts, units and identifiers")
 @official_releases
 @pytest.mark.parametrize("file", ["units.yaml", "quantities.yaml"])
 def test_every_unit_and_quantity_is_that_of_the_official_release(file):
@@ -92,12 +92,12 @@ def test_every_unit_and_quantity_is_that_of_the_official_release(file):
     assert entries(VSPEC) == official
 
 
-@judged_by("releases", "The shipped tree states their facts, units and identifiers")
+@checked_with("releases", "The shipped tree states their facts, units and identifiers")
 @slow
 @official_releases
 def test_the_static_ids_are_those_of_the_official_release():
     spec = OFFICIAL / "v6.0/spec/VehicleSignalSpecification.vspec"
-    ids = verdicts(
+    ids = outputs(
         {
             "official": Job("id", OFFICIAL, ["-s", str(spec), "-u", str(VSPEC / "units.yaml")]),
             "shipped": Job("id", VSPEC, ["-s", str(ROOT_FILE)]),
@@ -111,8 +111,8 @@ def test_the_static_ids_are_those_of_the_official_release():
     assert static_ids(ids["shipped"]) == static_ids(ids["official"])
 
 
-@judged_by("vss-tools", "The shipped tree and overlays are accepted with `--strict`")
+@checked_with("vss-tools", "The shipped tree and overlays are accepted with `--strict`")
 def test_vss_tools_takes_it_without_a_complaint():
-    verdict = verdicts({"shipped": Job("json", VSPEC, ["-s", str(ROOT_FILE), "--strict"])})["shipped"]
-    assert verdict is not None
-    assert json.loads(verdict) == tree_data(shipped())
+    output = outputs({"shipped": Job("json", VSPEC, ["-s", str(ROOT_FILE), "--strict"])})["shipped"]
+    assert output is not None
+    assert json.loads(output) == tree_data(shipped())

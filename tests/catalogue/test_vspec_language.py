@@ -1,7 +1,7 @@
 """The whole vspec language, with exactly the meaning that vss-tools gives it.
 
 Each folder of `cases/` has a tree, perhaps overlays and options of `vspec export json`, and the expected export.
-The expectation is held against real vss-tools as well, so that it cannot drift from the judge.
+The expectation is also compared with real vss-tools, so that it cannot differ from the reference.
 """
 
 import contextlib
@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 
 from scripts.cases import LANGUAGE, options
-from tests.catalogue.judging import Job, verdicts
-from tests.judges import judged_by
+from tests.catalogue.vss_tools_output import Job, outputs
+from tests.reference_tools import checked_with
 
 CASES = Path(__file__).parent / "cases"
 
@@ -24,8 +24,8 @@ def job(name: str) -> Job:
 
 
 @cache
-def judged() -> dict[str, str | None]:
-    return verdicts({name: job(name) for name in LANGUAGE.names})
+def expected_outputs() -> dict[str, str | None]:
+    return outputs({name: job(name) for name in LANGUAGE.names})
 
 
 @pytest.mark.parametrize("name", LANGUAGE.names)
@@ -33,9 +33,9 @@ def test_the_export_is_as_expected(name):
     assert LANGUAGE.made(name) == LANGUAGE.text(name), "If that is meant, run `make generate`."
 
 
-@judged_by("vss-tools", "Every construct of the vspec language means the same")
+@checked_with("vss-tools", "Every construct of the vspec language has the same meaning")
 @pytest.mark.parametrize("name", LANGUAGE.names)
 def test_vss_tools_gives_the_same(name):
-    verdict = judged()[name]
-    assert verdict is not None
-    assert json.loads(verdict) == json.loads(LANGUAGE.text(name))
+    output = expected_outputs()[name]
+    assert output is not None
+    assert json.loads(output) == json.loads(LANGUAGE.text(name))

@@ -1,4 +1,4 @@
-"""Values of options that no command can use are refused before it runs, in words that name the option."""
+"""Values of options that no command can use are refused before it runs; the message names the option."""
 
 import pytest
 

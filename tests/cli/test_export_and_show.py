@@ -25,7 +25,7 @@ def tree(tmp_path, monkeypatch):
 
 
 def sigcat(*arguments: str, folder: Path | None = None) -> subprocess.CompletedProcess[str]:
-    """Run the command as a process of its own."""
+    """Run the command as a separate process."""
     return subprocess.run(
         [sys.executable, "-m", "sigcat.cli", *arguments],
         capture_output=True,
@@ -40,6 +40,25 @@ def test_a_node_can_be_shown_as_the_json_of_the_api(tree, capsys):
     assert main(["show", "Vehicle.Speed", "-s", "tree.vspec", "--format", "json"]) == 0
     node = json.loads(capsys.readouterr().out)
     assert [node["path"], node["parent"], node["origin"]["line"]] == ["Vehicle.Speed", "Vehicle", 4]
+
+
+def test_a_description_does_not_control_the_terminal(tree, capsys):
+    tree.write_text(ROOT + SPEED.replace("Speed.\n", r'"\e[31mRed\a \u202e\nand more."' + "\n"))
+    assert main(["show", "Vehicle.Speed", "-s", "tree.vspec"]) == 0
+    assert r"\x1b[31mRed\x07 \u202e\nand more." in capsys.readouterr().out
+
+
+def test_python_runs_the_command_as_a_module(tree):
+    environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2] / "app")}
+    command = [sys.executable, "-m", "sigcat", "show", "Vehicle.Speed", "-s", "tree.vspec"]
+    assert subprocess.run(command, cwd=tree.parent, env=environment, check=False, capture_output=True).returncode == 0
+
+
+@pytest.mark.parametrize("port", ["99999", "-1", "http", "²"])
+def test_a_port_is_a_number_of_tcp(capsys, port):
+    with pytest.raises(SystemExit):
+        main(["serve", f"--port={port}"])
+    assert f"argument --port: must be a port from 0 to 65535, not {port!r}" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("asked", ["Vehicle.Sped", "vehicle.speed", "speed", "how fast"])
@@ -161,7 +180,7 @@ def test_show_prints_every_attribute_with_its_origin(tree, capsys):
     Path("overlay.vspec").write_text("Vehicle.Speed:\n  datatype: double\n")
     assert main(["show", "Vehicle.Speed", "-s", "tree.vspec", "-l", "overlay.vspec"]) == 0
     output = capsys.readouterr().out
-    assert "double  [overlay.vspec:2 (overlay.vspec)]" in output
+    assert "double  [overlay.vspec:2]" in output
     assert "was float  [tree.vspec:6]" in output
 
 

@@ -1,4 +1,4 @@
-"""The health check of the container asks where the service was told to listen."""
+"""The health check of the container asks the configured address."""
 
 from pathlib import Path
 

@@ -27,7 +27,7 @@ ACME001:
   name: without-prefix
   title: Names start with Acme.
   severity: warning
-  why: They are told from others.
+  why: Others can distinguish them.
   check: name
   nodes: {types: [signals]}
   options: {pattern: 'Acme.*'}
@@ -226,12 +226,13 @@ def test_a_mistyped_option_or_code_is_told_with_the_one_that_was_meant(arguments
 
 
 @pytest.mark.parametrize("name", ["pipe.vspec", "gone.vspec"])
-def test_what_is_no_file_is_refused_by_name_and_passed_over_beside_others(name, capsys):
+def test_what_is_no_file_is_refused_by_name_and_reported_beside_others(name, capsys):
     os.mkfifo("pipe.vspec")
     Path("gone.vspec").symlink_to("nowhere")
     Path("more.vspec").write_text("Vehicle.Speed: {max: 5}\n")
     assert main(["lint", "more.vspec"]) == 0
-    assert main(["lint", "."]) == 0
+    assert main(["lint", "."]) == 1
+    assert f"{name}: error R012" in capsys.readouterr().out
     assert main(["lint", name]) == 2
     assert f"sigcat: {name}" in capsys.readouterr().err
 
@@ -330,7 +331,7 @@ def test_unsafe_repairs_are_made_when_they_are_asked_for():
 @pytest.mark.parametrize(
     ("before", "after"),
     [
-        ("description: >-  # folded\n    lower text\n    goes on\n", "description: >-  # folded\n    Lower text\n    goes on.\n"),
+        ("description: >-  # folded\n    lower text\n    continues\n", "description: >-  # folded\n    Lower text\n    continues.\n"),
         ("description: |+\n    lower text\n\n# the end\n", "description: |+\n    Lower text.\n\n# the end\n"),
         ("description: 'it''s'", "description: 'It''s.'"),
         ("description: über alles.", "description: über alles."),

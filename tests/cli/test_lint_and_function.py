@@ -79,6 +79,37 @@ def test_a_function_is_checked_over_the_overlays_of_the_configuration(capsys):
     assert main(["lint", "function.yaml"]) == 0
 
 
+@pytest.mark.parametrize(
+    ("overlay", "rule"),
+    [
+        (NOISE.replace("  datatype", "   datatype"), "R001"),
+        (NOISE.replace("  datatype", "\tdatatype"), "R001"),
+        (NOISE.replace("  datatype: float\n", ""), "V002"),
+        (NOISE.replace("  datatype: float\n", "  ? [a]\n  : b\n"), "R014"),
+    ],
+    ids=("indentation", "tab", "no datatype", "no value"),
+)
+@pytest.mark.parametrize("checked", ["function.yaml", "."])
+def test_what_follows_from_an_error_of_an_overlay_is_not_reported(capsys, overlay, rule, checked):
+    Path("function.yaml").write_text(FUNCTION)
+    Path("overlay.vspec").write_text(overlay)
+    Path("sigcat.toml").write_text('[lint]\noverlays = ["overlay.vspec"]\n')
+    assert main(["lint", checked]) == 1
+    output = capsys.readouterr().out
+    assert f"error {rule}" in output
+    assert "Found 1 error in 1 file." in output
+
+
+def test_an_unknown_signal_is_reported_beside_an_error_of_another_node(capsys):
+    Path("function.yaml").write_text(FUNCTION)
+    Path("overlay.vspec").write_text(NOISE.replace("Noise", "Sound", 1).replace("float", "float\n  ? [a]\n  : b"))
+    Path("sigcat.toml").write_text('[lint]\noverlays = ["overlay.vspec"]\n')
+    assert main(["lint", "."]) == 1
+    output = capsys.readouterr().out
+    assert "error F010 The catalogue has no signal 'Vehicle.Noise'" in output
+    assert "overlay.vspec" in output
+
+
 def test_overlays_and_functions_are_checked_over_the_tree_that_is_named(capsys):
     Path("trees").mkdir()
     Path("trees/tree.vspec").write_text(ROOT + NOISE)
@@ -88,6 +119,23 @@ def test_overlays_and_functions_are_checked_over_the_tree_that_is_named(capsys):
     assert main(["lint", "-s", "vss", "overlay.vspec"]) == 1
     assert main(["lint", "-s", "v0.0", "overlay.vspec"]) == 2
     assert "release v0.0 is not pulled" in capsys.readouterr().err
+
+
+def test_a_finding_about_the_description_of_a_function_is_at_its_line(capsys):
+    Path("overlay.vspec").write_text(NOISE)
+    Path("function.yaml").write_text(FUNCTION.replace("in the cabin.", "in the cabin"))
+    main(["lint", "function.yaml", "-l", "overlay.vspec"])
+    assert "function.yaml:2:14: info V106" in capsys.readouterr().out
+
+
+def test_a_can_database_that_is_named_replaces_that_of_the_project(capsys):
+    Path("overlay.vspec").write_text(NOISE)
+    Path("damaged.dbc").write_text("BO_ nothing")
+    Path("good.dbc").write_text('VERSION ""\nBO_ 1 Motion: 8 Brake\n SG_ Speed : 0|8@1+ (1,0) [0|255] "km/h" Body\n')
+    Path("sigcat.toml").write_text('dbc = ["damaged.dbc"]\n')
+    assert main(["lint", "overlay.vspec"]) == 1
+    assert "damaged.dbc" in capsys.readouterr().out
+    assert main(["lint", "overlay.vspec", "--dbc", "good.dbc"]) == 0, capsys.readouterr().out
 
 
 def test_json_goes_to_a_file(capsys):

@@ -1,13 +1,16 @@
-"""Where commands write: a regular file is replaced whole, links are followed, devices and pipes are written to."""
+"""Outputs of commands: a regular file is replaced as a whole, links are followed, devices and pipes are written to."""
 
 import ast
 import errno
 import json
 import os
+import resource
+import signal
 import stat
 import subprocess
 import sys
 import threading
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -127,6 +130,61 @@ def test_what_fails_leaves_the_old_file(folder, monkeypatch):
         write_bytes(b"new", Path("result"))
     assert Path("result").read_text() == "old"
     assert sorted(file.name for file in folder.iterdir()) == ["result", "tree.vspec"]
+
+
+@pytest.fixture
+def closed_folder(folder, monkeypatch):
+    """A folder that may not be written, with a file of 1,000 bytes that may, on a disk that is full at 1,500."""
+    monkeypatch.setattr(os, "access", lambda path, mode: mode != os.W_OK)
+    Path("result").write_bytes(b"old " * 250)
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1_500, before[1]))
+    yield folder
+    resource.setrlimit(resource.RLIMIT_FSIZE, before)
+
+
+def test_a_file_in_a_folder_that_may_not_be_written_is_written_over(closed_folder):
+    write_bytes(b"new", Path("result"))
+    assert Path("result").read_bytes() == b"new"
+
+
+def test_a_file_that_does_not_fit_in_place_keeps_its_content(closed_folder):
+    with pytest.raises(OSError, match=r"'.*result'$"):
+        write_bytes(b"new " * 1_000, Path("result"))
+    assert Path("result").read_bytes() == b"old " * 250
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP, signal.SIGINT])
+def test_a_signal_while_writing_leaves_the_old_file_and_nothing_beside_it(folder, number):
+    def lines():
+        yield "new\n"
+        os.kill(os.getpid(), number)
+        yield "more\n"
+
+    Path("result").write_text("old")
+    with pytest.raises((SystemExit, KeyboardInterrupt)):
+        write_lines(lines(), Path("result"))
+    assert Path("result").read_text() == "old"
+    assert sorted(file.name for file in folder.iterdir()) == ["result", "tree.vspec"]
+
+
+def test_an_interrupt_that_a_library_swallows_ends_the_command(monkeypatch, capsys):
+    def swallow(_path):
+        with suppress(KeyboardInterrupt):
+            os.kill(os.getpid(), signal.SIGINT)
+        raise ValueError("Error building a validator")
+
+    monkeypatch.setattr("sigcat.cli.show.read_tree", swallow)
+    assert main(["show", "Vehicle"]) == 130
+    assert capsys.readouterr().err == ""
+
+
+def test_a_terminal_of_another_encoding_shows_escapes():
+    Path("tree.vspec").write_text(TREE.replace("A vehicle", "Load — 負荷"), encoding="utf-8")
+    environment = {**os.environ, "PYTHONIOENCODING": "latin-1", "PYTHONPATH": str(PROJECT / "app")}
+    command = [sys.executable, "-m", "sigcat", "show", "Vehicle", "-s", "tree.vspec"]
+    shown = subprocess.run(command, env=environment, capture_output=True, check=True).stdout
+    assert rb"Load \u2014 \u8ca0\u8377." in shown
 
 
 def test_folders_are_created_for_what_is_written_bit_by_bit():

@@ -58,7 +58,7 @@ OVERWRITING = {
     "a file of the folder": ("export", "json", "-s", "tree", "-o", "tree/tree.vspec"),
     "an overlay": (*EXPORT, "-o", "overlay.vspec"),
     "units": (*EXPORT, "-o", "units.yaml"),
-    "units beside the tree, which nobody named": ("export", "json", "-s", "tree/tree.vspec", "-o", "tree/units.yaml"),
+    "units beside the tree, which no option names": ("export", "json", "-s", "tree/tree.vspec", "-o", "tree/units.yaml"),
     "quantities": (*EXPORT, "-o", "quantities.yaml"),
     "struct types": (*EXPORT, "-o", "types.vspec"),
     "the tree, by the second output": (*EXPORT, "-o", "new", "--types-output", "tree/tree.vspec"),

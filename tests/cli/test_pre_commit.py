@@ -14,10 +14,10 @@ from pathlib import Path
 
 import pytest
 
-from tests.judges import judged_by
+from tests.reference_tools import checked_with
 
 PROJECT = Path(__file__).parents[2]
-SHIPPED = ("app", "vspec", "overlays", "interface_rules", "examples")
+SHIPPED = ("app", "vspec", "overlays", "interface_rules", "examples", "docs")
 FILES = ("pyproject.toml", "README.md", "LICENSE", ".pre-commit-hooks.yaml")
 TREE = """\
 Vehicle:
@@ -77,7 +77,7 @@ def hooks(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def home(tmp_path_factory):
-    """Where pre-commit keeps the environments of hooks: installed once for all tests."""
+    """Folder in which pre-commit keeps the environments of hooks: installed once for all tests."""
     return tmp_path_factory.mktemp("home")
 
 
@@ -94,14 +94,14 @@ def repository(tmp_path, hooks):
 
 
 def staged(repository: Path, home: Path, **files: str) -> "subprocess.CompletedProcess[str]":
-    """What pre-commit says when these files are about to be committed."""
+    """Return the output of pre-commit for a commit of these files."""
     for name, text in files.items():
         (repository / "overlays" / f"{name}.vspec").write_text(text)
     assert run(repository, "git", "add", "-A").returncode == 0
     return run(repository, sys.executable, "-m", "pre_commit", "run", "--color", "never", home=home)
 
 
-@judged_by("pre-commit", "Hooks run, and keep what is wrong from being committed")
+@checked_with("pre-commit", "Hooks run, and refuse commits with errors")
 def test_a_bad_overlay_is_not_committed(repository, home):
     done = staged(repository, home, bad=BAD)
     assert done.returncode == 1, done.stdout + done.stderr
@@ -111,14 +111,14 @@ def test_a_bad_overlay_is_not_committed(repository, home):
     assert "Did you mean 'Vehicle.Speed'?" in done.stdout
 
 
-@judged_by("pre-commit", "Hooks run, and keep what is wrong from being committed")
+@checked_with("pre-commit", "Hooks run, and refuse commits with errors")
 def test_a_good_overlay_is_committed(repository, home):
     done = staged(repository, home, good=GOOD)
     assert done.returncode == 0, done.stdout + done.stderr
     assert done.stdout.count("Passed") == 2
 
 
-@judged_by("pre-commit", "Hooks run, and keep what is wrong from being committed")
+@checked_with("pre-commit", "Hooks run, and refuse commits with errors")
 def test_the_whole_tree_is_linted_at_once_with_what_was_not_changed(repository, home):
     (repository / "overlays" / "one.vspec").write_text("Vehicle.Speed:\n  unit: m/s\n")
     (repository / "sigcat.toml").write_text('[lint]\noverlays = ["overlays/*.vspec"]\n')
@@ -131,7 +131,7 @@ def test_the_whole_tree_is_linted_at_once_with_what_was_not_changed(repository, 
     assert "one.vspec sets 'm/s', then two.vspec sets 'km/h'" in whole
 
 
-@judged_by("pre-commit", "Hooks run, and keep what is wrong from being committed")
+@checked_with("pre-commit", "Hooks run, and refuse commits with errors")
 def test_a_change_of_other_files_runs_no_hook(repository, home):
     (repository / "README.md").write_text("The tree.\n")
     done = staged(repository, home)
@@ -139,7 +139,7 @@ def test_a_change_of_other_files_runs_no_hook(repository, home):
     assert done.stdout.count("Skipped") == 2
 
 
-@judged_by("pre-commit", "Hooks run, and keep what is wrong from being committed")
+@checked_with("pre-commit", "Hooks run, and refuse commits with errors")
 def test_the_hook_of_a_new_project_runs_at_once(tmp_path, home):
     project = tmp_path / "signals"
     sigcat = run(tmp_path, sys.executable, "-m", "sigcat.cli", "init", str(project))

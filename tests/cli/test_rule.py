@@ -18,9 +18,9 @@ def configured(folder):
     (folder / "sigcat.toml").write_text('[lint]\nrules = ["our-rules.yaml"]\n')
 
 
-@pytest.mark.parametrize("wanted", ["V101", "v101"])
-def test_a_shipped_rule_is_explained(wanted, capsys):
-    assert main(["rule", wanted]) == 0
+@pytest.mark.parametrize("name", ["V101", "v101"])
+def test_a_shipped_rule_is_explained(name, capsys):
+    assert main(["rule", name]) == 0
     page = capsys.readouterr().out
     assert page.startswith("# V101 ")
     assert "Good:" in page
@@ -29,9 +29,9 @@ def test_a_shipped_rule_is_explained(wanted, capsys):
 
 
 @pytest.mark.usefixtures("configured")
-@pytest.mark.parametrize("wanted", ["ACME001", "short-path"])
-def test_a_rule_of_the_company_is_explained_with_where_it_is_defined(wanted, capsys):
-    assert main(["rule", wanted]) == 0
+@pytest.mark.parametrize("name", ["ACME001", "short-path"])
+def test_a_rule_of_the_company_is_explained_with_where_it_is_defined(name, capsys):
+    assert main(["rule", name]) == 0
     page = capsys.readouterr().out
     assert page.startswith("# ACME001 short-path\n\nPaths are short.\n")
     assert page.endswith("Defined in our-rules.yaml, line 1.\n")

@@ -29,7 +29,7 @@ class NoNode(Exception):
 
 @contextmanager
 def running_service() -> Iterator[str]:
-    """Address of a service with the shipped catalogues, in a process of its own."""
+    """Address of a service with the shipped catalogues, in a separate process."""
     command = [sys.executable, "-m", "sigcat.cli", "serve", "--port", "0"]
     with subprocess.Popen(command, cwd=ROOT, env=_ENVIRONMENT, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None

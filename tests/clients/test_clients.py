@@ -18,8 +18,8 @@ from tests.clients.generating import (
     lint_with_spectral,
     running_service,
 )
-from tests.judges import judged_by
 from tests.needs import slow
+from tests.reference_tools import checked_with
 
 DOCUMENT = ROOT / "docs" / "reference" / "openapi.json"
 
@@ -31,13 +31,13 @@ def address() -> Iterator[str]:
 
 
 @slow
-@judged_by("clients", "Generated clients pass strict type checks and do the same round trip")
+@checked_with("clients", "Generated clients pass strict type checks and do the same round trip")
 def test_a_python_client_passes_mypy_and_does_the_round_trip(address: str, tmp_path: Path) -> None:
     check_python_client(address, tmp_path)
 
 
 @slow
-@judged_by("clients", "Generated clients pass strict type checks and do the same round trip")
+@checked_with("clients", "Generated clients pass strict type checks and do the same round trip")
 def test_a_typescript_client_passes_tsc_and_does_the_round_trip(address: str, tmp_path: Path) -> None:
     try:
         check_typescript_client(address, tmp_path)
@@ -45,7 +45,7 @@ def test_a_typescript_client_passes_tsc_and_does_the_round_trip(address: str, tm
         pytest.skip(str(reason))
 
 
-@judged_by("redocly", "The OpenAPI document has no finding")
+@checked_with("redocly", "The OpenAPI document has no finding")
 def test_the_document_passes_the_strict_rules_of_redocly() -> None:
     try:
         lint_with_redocly(DOCUMENT)
@@ -54,7 +54,7 @@ def test_the_document_passes_the_strict_rules_of_redocly() -> None:
 
 
 @slow
-@judged_by("spectral", "The OpenAPI document has no finding")
+@checked_with("spectral", "The OpenAPI document has no finding")
 def test_the_document_passes_all_rules_of_spectral_once_the_operator_says_who_answers(tmp_path: Path) -> None:
     document = tmp_path / "openapi.json"
     stated = Settings(contact_url="https://signals.example/help", contact_email="help@signals.example")

@@ -1,4 +1,4 @@
-"""What one platform sent, held against what another one sent: in lock step every bit, in free run by time."""
+"""Outputs of one platform, compared with those of another one: in lock step every bit, in free run by time."""
 
 import pytest
 

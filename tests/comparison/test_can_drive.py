@@ -40,7 +40,7 @@ def test_each_frame_has_the_time_that_its_translation_took(tmp_path):
         ("(0.0) can0 141#0000\n", (), "name its database with --dbc"),
         ("(0.0) can0 7FF#00\n(1.0) can0 7FF#00\n", ("--dbc", DATABASE, "-l", MAPPINGS), "no value of a signal that is mapped"),
         ("rubbish\n", ("--dbc", DATABASE, "-l", MAPPINGS), "no value of a signal that is mapped"),
-        ("rubbish\n", ("--dbc", DATABASE, "-l", MAPPINGS), "bus.log:1:1: warning B002 The line is no frame"),
+        ("rubbish\n", ("--dbc", DATABASE, "-l", MAPPINGS), "bus.log:1:1: warning B002 The line is not a frame"),
     ],
     ids=["without-database", "of-another-bus", "no-log", "no-log-why"],
 )  # fmt: skip

@@ -1,4 +1,4 @@
-"""`sigcat compare`: what it takes, writes and answers. Platforms other than the simulation have tests of their own."""
+"""`sigcat compare`: its inputs, outputs and statuses. Platforms other than the simulation have separate tests."""
 
 import json
 import shutil

@@ -1,4 +1,4 @@
-"""Which functions are compared, with which drive."""
+"""Functions and drive of a comparison."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Who ends a comparison ends all of it, whatever it is doing: a clear last line, no report, and nothing that goes on running."""
+"""Ending a comparison ends all of its processes, whatever it is doing: a clear last line, and no report."""
 
 import os
 import signal
@@ -24,12 +24,12 @@ scenarios:
     faults:
       - {fault: dropped, signal: Vehicle.Chassis.Brake.CylP, from: 2, to: 30}
 """
-LAST = "Ended before it was done: nothing goes on running, and there is no report."
+LAST = "Interrupted: all processes were ended, and no report was written."
 
 
 @pytest.fixture(scope="module")
 def built(tmp_path_factory):
-    """Where everything is built: what is there is not built again."""
+    """Folder of all builds: existing builds are not built again."""
     return tmp_path_factory.mktemp("built")
 
 

@@ -1,4 +1,4 @@
-"""A comparison as it is told: judged, as JSON and back, as Markdown, as a page that needs nothing from outside."""
+"""The report of a comparison: evaluated, as JSON and back, as Markdown, as a page that needs nothing from outside."""
 
 import re
 from html.parser import HTMLParser
@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+import sigcat
 from sigcat.adapter.files import GeneratedFile
 from sigcat.comparison.effort import Counted
 from sigcat.comparison.recording import Built, CallTime, ProcessLoad, Recording
@@ -13,6 +14,7 @@ from sigcat.comparison.report.html import html_page
 from sigcat.comparison.report.markdown import markdown
 from sigcat.comparison.report.model import read_report, to_json
 from sigcat.comparison.report.style import STYLE
+from sigcat.comparison.running.table import RUNNERS
 from sigcat.comparison.telling.material import Material, Played, PlayedFault, WrittenLines
 from sigcat.comparison.telling.report import report_of
 from sigcat.comparison.telling.targets import WAITING
@@ -20,6 +22,8 @@ from sigcat.errors import InputRefused
 from sigcat.limits import COMPARISON_BYTES
 from sigcat.runs.columns import Column
 from sigcat.runs.recording.shapes import Number
+
+STYLESHEET = Path(sigcat.__file__).parent / "web/static/sigcat.css"
 
 SITE = Path(__file__).parents[2] / "app/sigcat/web/static/sigcat.css"
 END = 600 * 10**9
@@ -73,7 +77,7 @@ def changed(name, place, value):
 
 
 def test_generated_lines_are_those_that_a_user_gets():
-    """What a comparison puts beside them, on disk, counts for nothing."""
+    """Files that a comparison writes next to them are not counted."""
     files = (GeneratedFile("core/a.c", b"/* A. */\nint a;\nint b;\n"), GeneratedFile("README.md", b"A.\n"))
     own = played("ros2-cpp")
     own = own._replace(built=own.built._replace(generated=files))
@@ -143,13 +147,13 @@ def test_what_is_not_measured_says_why(compared):
 
 
 @pytest.mark.parametrize(("adapter", "holds"), [(10_000, True), (11_100, False)])
-def test_an_adapter_is_judged_beyond_the_loop_without_transport(adapter, holds):
+def test_an_adapter_is_checked_beyond_the_loop_without_transport(adapter, holds):
     report = told(played("ros2-cpp", adapter=adapter))
     assert target(report, "adapter of ROS2-CPP").holds is holds
 
 
 @pytest.mark.parametrize(("adapter", "holds"), [(1_000, None), (11_100, False)])
-def test_few_calls_have_no_p99_that_an_adapter_could_be_judged_by(adapter, holds):
+def test_few_calls_have_no_p99_that_an_adapter_could_be_checked_by(adapter, holds):
     few = played("ros2-cpp")
     few = few._replace(lock_step=few.lock_step._replace(calls=calls(adapter, count=99)))
     found = target(told(few), "adapter of ROS2-CPP")
@@ -164,13 +168,13 @@ def preempted(count, adapter=50_000):
     return own._replace(lock_step=own.lock_step._replace(calls=(*calls(1_000, count=200 - count), *disturbed)))
 
 
-def test_what_the_machine_did_in_the_middle_of_a_call_is_not_judged_as_the_adapters():
+def test_what_the_machine_did_in_the_middle_of_a_call_is_not_counted_for_the_adapter():
     found = target(told(preempted(5)), "adapter of ROS2-CPP")
     assert found.holds is True
-    assert "5 of 200 calls in lock step were preempted and are not judged: with them, p99 is 49 µs" in found.note
+    assert "5 of 200 calls in lock step were preempted and are excluded: with them, p99 is 49 µs" in found.note
 
 
-def test_a_long_call_that_kept_its_processor_is_judged():
+def test_a_long_call_that_kept_its_processor_is_checked():
     own = preempted(5)
     kept = tuple(each._replace(is_preempted=False) for each in own.lock_step.calls)
     assert (
@@ -178,7 +182,7 @@ def test_a_long_call_that_kept_its_processor_is_judged():
     )
 
 
-def test_calls_that_were_all_preempted_are_judged_as_they_are():
+def test_calls_that_were_all_preempted_are_all_checked():
     assert target(told(preempted(200)), "adapter of ROS2-CPP").holds is False
 
 
@@ -189,7 +193,7 @@ def test_calls_that_were_preempted_are_in_the_distributions():
     assert "t_adapter, not preempted" in html_page(told(preempted(5)))
 
 
-def test_the_adapter_in_python_is_told_and_not_judged():
+def test_the_adapter_in_python_is_reported_and_not_checked():
     report = told(played("ros2-py", adapter=10**6))
     assert not [each for each in report.targets if each.what.startswith("adapter")]
     assert [each.t_adapter.p50 for each in report.timing if each.platform == "ros2-py"] == [10**6]
@@ -198,7 +202,7 @@ def test_the_adapter_in_python_is_told_and_not_judged():
 @pytest.mark.parametrize(
     ("cpu", "memory", "holds"), [(1.09, 40_000_000, True), (1.2, 40_000_000, False), (1.0, 50_000_000, False)]
 )
-def test_processor_time_and_memory_are_judged_over_what_was_written_by_hand(cpu, memory, holds):
+def test_processor_time_and_memory_are_checked_against_handwritten_nodes(cpu, memory, holds):
     report = told(played("ros2-cpp", cpu=cpu, memory=memory), played("baseline", is_by_hand=True))
     assert target(report, "ROS2-CPP, over").holds is holds
 
@@ -207,7 +211,7 @@ def test_without_nodes_by_hand_the_overhead_is_not_measured():
     assert target(told(played("ros2-cpp")), "ROS2-CPP, over").holds is None
 
 
-def test_differences_of_what_was_written_by_hand_are_shown_and_judge_nobody():
+def test_differences_of_what_was_written_by_hand_are_shown_and_not_checked():
     report = told(played("ros2-cpp"), played("baseline", sent=changed(REQUEST, 2, "9"), is_by_hand=True))
     assert report.is_equal
     assert [each.wrong for each in report.behaviour] == [0, 1]
@@ -365,6 +369,16 @@ def test_traces_of_all_platforms_lie_over_each_other_and_leave_a_gap_where_there
     assert [line.platform for line in trace.lines] == ["simulate", "ros2-cpp", "ros2-py"]
     assert None in [value for _, value in trace.lines[2].points]
     assert html_page(report).count('class="trace series-1" d="M') >= 2
+
+
+@pytest.mark.parametrize("style", [STYLE, STYLESHEET.read_text("utf-8")], ids=["own page", "service"])
+def test_each_platform_has_a_colour_and_a_kind_of_line(style):
+    colours = re.findall(r"--series-(\d): ([^;]+);", style)
+    lines = re.findall(r"\.trace\.series-(\d) \{([^}]+)\}", style)
+    for found in (colours, lines):
+        assert (
+            len({number for number, _ in found}) == len({look for _, look in found}) == len(RUNNERS) + 1
+        )  # a platform by hand
 
 
 # -- how long it took ---------------------------------------------------------------------------------------------

@@ -66,7 +66,7 @@ def test_an_interrupt_while_tasks_are_being_started_ends_those_that_run(tmp_path
 
 
 def _sleeping(folder: Path, name: str):
-    """A task whose process writes its id, and would go on for long."""
+    """A task whose process writes its id, and would run for long."""
     return lambda: ran(["sh", "-c", f"echo $$ > {name}.new && mv {name}.new {name} && exec sleep 600"], folder=folder)
 
 

@@ -22,7 +22,7 @@ BEYOND = (
     *("make ", ".venv/", "sigcat pull", "openapi-python-client ", "npx ", "docker ", "uvicorn "),
     *("python3 -m venv", "venv/bin/", "export PATH=", "mkdir speed_warning", "git push", "git switch"),
 )
-"""Commands that have tests of their own or set up a machine: they need more than a shell and a service."""
+"""Commands that have separate tests or set up a machine: they need more than a shell and a service."""
 PRELUDE = f"""\
 set -eu
 curl() {{ command curl --fail-with-body --silent --show-error "$@"; }}

@@ -90,8 +90,8 @@ class Comments(BaseHTTPRequestHandler):
 def comments() -> Iterator[tuple[str, list[dict[str, Any]]]]:
     Comments.found = []
     for number in range(130):  # the comment to replace is on the second page
-        Comments._add(f"Remark {number}", "somebody")
-    Comments._add(f"{MARK} quoted by somebody else"[5:], "somebody")
+        Comments._add(f"Remark {number}", "a user")
+    Comments._add(f"{MARK} quoted by another user"[5:], "a user")
     with ThreadingHTTPServer(("127.0.0.1", 0), Comments) as server:
         thread = threading.Thread(target=server.serve_forever)
         thread.start()
@@ -200,7 +200,7 @@ def test_a_pull_request_has_one_comment_and_the_gate_closes_at_a_breaking_change
 
 
 def test_a_generated_file_that_was_never_committed_fails(clone):
-    script = text_of(PIPELINE).split("## Keep what is generated")[1].split("```sh\n")[1].split("```")[0]
+    script = text_of(PIPELINE).split("## Keep generated files")[1].split("```sh\n")[1].split("```")[0]
     script = script.replace("examples/core_acc/function.yaml", "functions/cabin_air/function.yaml")
     assert run(clone, script).returncode == 1
     commit(clone, "generated")

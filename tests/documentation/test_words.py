@@ -1,4 +1,4 @@
-"""Plain English: pages have none of the phrases in words.yaml, which also has what to write instead."""
+"""Plain English: pages have none of the phrases in words.yaml, which also has replacements."""
 
 import re
 from pathlib import Path

@@ -11,7 +11,7 @@ STEP = 0.05
 MPC_STEPS = 10
 """EcoControlMpc has one step in so many of CoreAcc."""
 SMALL_STEP = 0.01
-"""Of the motion."""
+"""State of the motion."""
 MASS, ROLLING, AIR = 2495.0, 0.01, 0.45
 
 
@@ -68,7 +68,7 @@ def drive(duration: float, car: Car, around: Surroundings, altitude: Altitude | 
 
 
 def proposed(mpc: Running, car: Car, set_speed: float, altitude: Altitude) -> float:
-    """What EcoControlMpc proposes here."""
+    """Return the proposal of EcoControlMpc."""
     ahead = tuple(altitude(car.way + SPACING * point) for point in range(POINTS))
     outputs = MpcOutputs(*mpc.step(MpcInputs(speed=car.speed, set_speed=set_speed, altitudes=ahead).values))
     assert not outputs.no_solution

@@ -21,7 +21,7 @@ SOURCES = {
     "wheel_speed_calculation": "WheelSpeedCalculation.c",
 }
 OUTPUTS = {"core_acc": 3, "eco_control_mpc": 3, "wheel_speed_calculation": 7}
-"""How many values the program of a function writes for each step."""
+"""Number of values that the program of a function writes for each step."""
 C99 = ("-std=c99", "-x", "c")
 CPP17 = ("-std=c++17", "-x", "c++")
 WARNINGS = ("-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-pedantic", "-Werror")
@@ -59,14 +59,14 @@ def program(function: str, options: Sequence[str] = ("-O2", *C99), compiler: Seq
 
 @cache
 def object_file(function: str) -> Path:
-    """What the source of a function is compiled to."""
+    """Return the program that the source of a function is compiled to."""
     file = Path(_FOLDER.name) / f"{function}.o"
     subprocess.run([*C_COMPILERS[0], *BITS, *C99, "-c", source(function), "-o", file], check=True)
     return file
 
 
 def answer(path: Path, steps: Iterable[Sequence[float]]) -> bytes:
-    """What a program answers to the inputs of some steps: the bytes of its outputs."""
+    """Return the answers of a program to the inputs of some steps: the bytes of its outputs."""
     data = b"".join(array("d", step).tobytes() for step in steps)
     done = subprocess.run([path], input=data, capture_output=True, check=False, timeout=120)
     assert (done.returncode, done.stderr.decode()) == (0, "")

@@ -46,7 +46,7 @@ def behind(leader: Leader, duration: float, speed: float, **inputs: float) -> Se
 
 
 def angle(curvature: float, speed: float) -> float:
-    """Of the steering wheel in a curve."""
+    """Angle of the steering wheel in a curve."""
     slip = speed / CHARACTERISTIC_SPEED
     return RATIO * WHEELBASE * curvature * (1.0 + slip * slip)
 

@@ -48,7 +48,7 @@ def signals(name: str, role: str) -> Mapping[str, Any]:
 
 
 def values(name: str, column: str) -> Sequence[tuple[float, str]]:
-    """What came in a column, with its time."""
+    """Values of a column, with their times."""
     return [(float(row["time"]), row[column]) for row in rows(name) if row[column]]
 
 
@@ -182,7 +182,7 @@ def mpc_inputs(last: Row, acc: AccInputs) -> MpcInputs:
 
 @c_compiler
 def test_the_wheels_fail_and_recover_on_their_drive():
-    """Without an adapter: the error is told, and only the reaction from outside has others stand in."""
+    """Without an adapter: the error is reported, and only the reaction from outside makes other wheels replace it."""
     with Running("wheel_speed_calculation") as wheels:
         wheels.step(())
         told = [WheelOutputs(*wheels.step(wheel_inputs(last))) for last in arrived("wheel_speed_calculation", 0.01, 60)]

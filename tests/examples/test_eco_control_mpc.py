@@ -28,7 +28,7 @@ DRIVING = MpcInputs()
 CLIFF = tuple(100.0 * (point > 20) for point in range(POINTS))
 SET_SPEED = 100 / 3.6
 HILLY = 6_200.0
-"""Length of the road with hills; it goes on level, so that what was gained by speed is given back."""
+"""Length of the road with hills; a level road follows, so that energy gained by speed is given back."""
 LENGTH = HILLY + 1_300.0
 
 
@@ -101,8 +101,8 @@ def test_it_saves_energy_over_the_hills_as_its_page_says():
     assert same_time == pytest.approx(time, abs=0.1)
     page = " ".join((EXAMPLES / "ecocontrol" / "README.md").read_text().split())
     saved, saved_as_long, later = 100 * (1 - energy / plain), 100 * (1 - energy / as_long), time - plain_time
-    assert f"{saved:.1f} % less energy than at a constant 100 km/h, and {later:.0f} s more" in page
-    assert f"{saved_as_long:.1f} % less than at a constant speed that takes as long" in page
+    assert f"{saved:.1f} % less energy than a constant 100 km/h, and take {later:.0f} s more" in page
+    assert f"Compared with a constant speed that takes the same time, they use {saved_as_long:.1f} % less" in page
     assert saved_as_long > 2.0
 
 

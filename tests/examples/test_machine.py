@@ -4,7 +4,7 @@ import pytest
 
 from sigcat.adapter.files import GeneratedFile
 from sigcat.data import EXAMPLES
-from tests.adapter.arxml_judge import VERSIONS, dangling, doubled_names, loaded, misplaced, version_of
+from tests.adapter.arxml_requirements import VERSIONS, dangling, doubled_names, loaded, misplaced, version_of
 
 FOLDERS = (EXAMPLES / "ecocontrol/expected/arxml", EXAMPLES / "ecocontrol/machine")
 

@@ -23,10 +23,10 @@ BUILDS = [
     for language in (C99, CPP17)
 ]
 USUAL = [("-O0", *C99), ("-O2", *CPP17)]
-"""Of each compiler; `make slow` takes them all."""
+"""Options of each compiler; `make slow` uses all of them."""
 SANITIZERS = ("-g", "-fsanitize=address,undefined,float-cast-overflow", "-fno-sanitize-recover=all", *C99)
 LIBRARY = {"sqrt", "fabs", "memcpy", "memset"}
-"""What the functions may need of a library. A compiler copies structs by the last two."""
+"""Library functions that the functions may need. A compiler copies structs by the last two."""
 
 
 @cache
@@ -40,7 +40,7 @@ def steps(function: str) -> Sequence[Sequence[float]]:
 
 
 def odd(values: Sequence[float], dice: random.Random) -> Sequence[float]:
-    """One value in a few steps is no value. Modes and flags, which are integers, stay such."""
+    """One value in a few steps is invalid. Modes and flags, which are integers, stay integers."""
     place, changed = dice.randrange(len(values)), list(values)
     if isinstance(changed[place], float) and dice.random() < 0.2:
         changed[place] = dice.choice(ODD)

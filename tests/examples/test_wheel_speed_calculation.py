@@ -1,4 +1,4 @@
-"""WheelSpeedCalculation: speeds as the integers that its declaration gives, range errors, and a wheel that others stand in for."""
+"""WheelSpeedCalculation: speeds as the integers of its declaration, range errors, and a wheel that others replace."""
 
 import math
 from collections.abc import Iterable, Sequence

@@ -14,8 +14,8 @@ from sigcat.errors import InputRefused
 from sigcat.function.function_file import build_function, check_function
 from sigcat.function.function_json.model import function_schema, to_json
 from tests.function.shipped import FUNCTIONS, interfaces
-from tests.judges import judged_by
 from tests.published.schemas import schema
+from tests.reference_tools import checked_with
 
 CORE_ACC = {
     # name: datatype, min, max, default, start value: the figures of the published CoreAcc, in correct datatypes
@@ -75,13 +75,13 @@ def test_every_example_is_built_without_a_finding(path):
     assert check_function(path.read_bytes(), str(path), interfaces()) == ()
 
 
-@judged_by("jsonschema", "What is written is valid under our schemas, and they are valid ones")
+@checked_with("jsonschema", "Documents are valid under our schemas, and the schemas are valid")
 @pytest.mark.parametrize("path", FUNCTIONS, ids=lambda path: path.parent.name)
 def test_every_example_validates_under_our_schema(path):
     jsonschema.Draft202012Validator(function_schema()).validate(built(path))
 
 
-@judged_by("published", "What is written is valid under their schemas")
+@checked_with("published", "Documents that sigcat writes are valid under their schemas")
 @pytest.mark.parametrize("path", FUNCTIONS, ids=lambda path: path.parent.name)
 def test_every_example_validates_under_the_published_schema(path):
     jsonschema.Draft202012Validator(schema("function_json")).validate(built(path))
@@ -347,7 +347,7 @@ def test_the_document_holds_no_date_that_the_author_did_not_write():
         ),
         (
             "{path: Vehicle.Speed, role: consumed, min: 80, max: 70, init: 0}",
-            ("F023", "min", "The range of 'Speed' must ascend, not run from 80 to 70. Exchange `min` and `max`."),
+            ("F023", "min", "`min` of 'Speed' must be at most `max` (70), not 80. Exchange `min` and `max`."),
         ),
         (
             "{path: Vehicle.Speed, role: consumed, unit: km/hour}",

@@ -1,8 +1,12 @@
 """Functions that say how their code is called: the Function JSON that they give, and what is found wrong with others."""
 
+import errno
 import io
 import json
+import os
+import re
 import shutil
+from pathlib import Path
 
 import jsonschema
 import pytest
@@ -10,7 +14,6 @@ import pytest
 from scripts.cases import BAD_FUNCTIONS, FUNCTIONS, ROOT
 from sigcat.cli import main
 from sigcat.data import EXAMPLES
-from sigcat.function.code_files import is_on_disk
 from sigcat.function.function_file import check_function, checked_file
 from sigcat.function.function_json.model import function_schema, to_json
 from sigcat.integration.report import NOT_CARRIED
@@ -89,6 +92,70 @@ def test_of_a_posted_function_nobody_looks_for_files(monkeypatch, capsys):
     assert "F201" not in capsys.readouterr().out
 
 
-def test_a_path_that_no_file_can_have_is_none_that_is_there():
-    assert not is_on_disk("function.yaml", "a" * 5000)
-    assert not is_on_disk("function.yaml", "a\0b")
+@pytest.fixture
+def core_acc(tmp_path):
+    shutil.copytree(EXAMPLES / "core_acc", tmp_path / "core_acc")
+    return tmp_path / "core_acc"
+
+
+def _as_folder(file):
+    file.unlink()
+    file.mkdir()
+
+
+def _as_pipe(file):
+    file.unlink()
+    os.mkfifo(file)
+
+
+def _as_link_to_nothing(file):
+    file.unlink()
+    file.symlink_to("nothing")
+
+
+@pytest.mark.parametrize("name", ["CoreAcc.c", "CoreAcc.h"])
+@pytest.mark.parametrize(
+    ("spoil", "fault"),
+    [
+        (_as_folder, "must be a file, not a folder."),
+        (_as_pipe, "must be a regular file."),
+        (lambda file: file.write_bytes(b"\x7fELF\0\1"), "is not a text in UTF-8 or a similar encoding."),
+        (lambda file: file.write_text(file.read_text(), encoding="utf-16"), "is not a text in UTF-8"),
+        (_as_link_to_nothing, "There is no "),
+    ],
+)
+@pytest.mark.parametrize("command", [["lint"], ["simulate", "--duration", "1"]])
+def test_a_file_of_the_code_that_is_no_text_is_reported(command, spoil, fault, name, core_acc, capsys):
+    spoil(core_acc / name)
+    assert main([*command, str(core_acc / "function.yaml")]) == 1
+    said = "".join(capsys.readouterr())
+    assert re.search(rf"function.yaml:1[3-9]:\d+: (warning|error) F201 .*{re.escape(fault)}", said)
+    assert "T01" not in said
+
+
+def test_a_file_of_the_code_that_cannot_be_read_says_why(core_acc, capsys, monkeypatch):
+    opened = Path.open
+
+    def refuse(path, *arguments, **options):
+        if path.name == "CoreAcc.c":
+            raise PermissionError(errno.EACCES, "Permission denied")
+        return opened(path, *arguments, **options)
+
+    monkeypatch.setattr(Path, "open", refuse)
+    assert main(["lint", str(core_acc / "function.yaml")]) == 1
+    assert "F201 'CoreAcc.c' cannot be read: Permission denied." in capsys.readouterr().out
+
+
+def test_an_include_folder_is_one(core_acc, capsys):
+    file = core_acc / "function.yaml"
+    file.write_text(file.read_text().replace("  headers:", "  includeFolders: [CoreAcc.c]\n  headers:"))
+    assert main(["lint", str(file)]) == 1
+    assert "F201 'CoreAcc.c' must be a folder, not a file." in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("path", ["a" * 5000, "a/" * 3000 + "b"])
+def test_a_path_that_no_file_can_have_is_missing(path, core_acc, capsys):
+    file = core_acc / "function.yaml"
+    file.write_text(file.read_text().replace("CoreAcc.c", path))
+    assert main(["lint", str(file)]) == 1
+    assert "F201 There is no file" in capsys.readouterr().out

@@ -75,6 +75,20 @@ def test_headers_that_are_incomplete_are_not_compared(tmp_path, capsys):
     assert "F211" not in capsys.readouterr().out
 
 
+@pytest.mark.parametrize("variable", ["nothing", "bus.c"])
+@pytest.mark.parametrize("is_complete", [True, False], ids=["complete", "without a header of the system"])
+def test_a_variable_that_no_header_declares_is_found_where_all_headers_are_there(
+    variable, is_complete, tmp_path, capsys
+):
+    file = project(tmp_path, HEADER if not is_complete else HEADER.replace("#include <math.h>\n", ""))
+    file.write_text(FUNCTION.format(datatype="int32", role="consumed", variable=variable, more=""))
+    assert main(["lint", str(file)]) == is_complete
+    out = capsys.readouterr().out
+    assert (
+        f"function.yaml:10:80: error T010 The headers must declare '{variable}'; clang says: " in out
+    ) is is_complete
+
+
 def project(folder, header):
     (folder / "code").mkdir()
     (folder / "code" / "Demo.h").write_text(header)

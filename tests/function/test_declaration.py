@@ -7,6 +7,8 @@ import jsonschema
 import pytest
 import yaml
 
+from sigcat.cli import main
+from sigcat.data import EXAMPLES
 from sigcat.function.declaration.declaration import declaration_schema, read_declaration
 from sigcat.function.function_file import check_function, checked_file
 from tests.function.shipped import FUNCTIONS, interfaces
@@ -53,7 +55,7 @@ def test_a_misspelled_key_is_answered_with_the_right_one():
 
 
 def test_a_misspelled_key_is_one_finding_where_it_stands():
-    """What it was meant to be is not missing as well; what nobody wrote is."""
+    """A misspelled key is not reported as missing as well; a missing one is."""
     assert found(HEAD.replace("description", "descripton")) == [("F003", 2, 1, "/descripton")]
     assert found(HEAD.replace("description", "remark")) == [("F002", 1, 1, ""), ("F003", 2, 1, "/remark")]
 
@@ -62,6 +64,13 @@ def test_a_word_that_yaml_reads_as_a_boolean_is_explained():
     text = HEAD + "modes: {active: [{mode: OFF, description: Off., runnables: []}]}\n"
     finding = read_declaration(text.encode(), "f").findings[0]
     assert finding.message == "`mode` must be a text, not false."
+    assert "Put quotes around" in finding.fix
+
+
+def test_a_key_that_yaml_reads_as_a_boolean_is_explained():
+    full = next(path for path in FUNCTIONS if path.parent.name == "core_acc").read_text(encoding="utf-8")
+    (finding,) = read_declaration(full.replace("{KM_PER_HOUR: 0", "{OFF: 0").encode(), "f").findings
+    assert (finding.rule, finding.message) == ("F004", "A key must be a text, not false.")
     assert "Put quotes around" in finding.fix
 
 
@@ -139,3 +148,27 @@ def test_a_value_of_the_wrong_form_is_answered_with_the_right_one(line, message)
     )
     told = read_declaration(text.encode(), "f.yaml").findings
     assert [f"{finding.message} {finding.fix}" for finding in told] == [message]
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "said"),
+    [
+        (
+            "contract: Global variables\n        parallel",
+            'contract: "a;b"\n        parallel',
+            "25:19: error F113 `contract` must be a name of letters, digits, spaces and the signs _ - . : , /, not 'a;b'.",
+        ),
+        ("  - name: CoreAcc\n", '  - name: "a;b"\n', "18:11: error F113 `name` must be a name of letters"),
+        (
+            "  - name: CoreAcc\n",
+            f"  - name: {'x' * 501}\n",
+            "18:11: error F113 `name` must have at most 500 characters, not 501. Shorten it.",
+        ),
+    ],
+)
+def test_a_text_of_a_wrong_type_is_called_as_in_the_declaration(before, after, said, tmp_path, capsys):
+    text = (EXAMPLES / "core_acc/function.yaml").read_text()
+    assert before in text
+    (tmp_path / "function.yaml").write_text(text.replace(before, after))
+    assert main(["lint", str(tmp_path)]) == 1
+    assert said in capsys.readouterr().out

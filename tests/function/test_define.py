@@ -1,4 +1,4 @@
-"""Interfaces that a function.yaml defines itself: used at once, judged by the catalogue's rules, written as an overlay."""
+"""Interfaces that a function.yaml defines itself: used at once, checked by the catalogue's rules, written as an overlay."""
 
 import json
 import subprocess
@@ -20,8 +20,8 @@ from sigcat.function.function_json.model import to_json
 from sigcat.rules.linting.lint import lint_paths
 from tests.function.shipped import interfaces
 from tests.growth import LINEAR, growth
-from tests.judges import judged_by
 from tests.overlays.test_overlays import EXTENDED, UNITS
+from tests.reference_tools import checked_with
 
 LANES = (Path(__file__).parent / "lane_keeping.function.yaml").read_bytes()
 
@@ -115,7 +115,7 @@ def test_the_overlay_lints_clean(tmp_path):
     assert lint_paths([tmp_path / "overlays" / "lanes.vspec"], options).findings == ()
 
 
-@judged_by("vss-tools", "What a function defines is accepted as an overlay with `--strict`")
+@checked_with("vss-tools", "Definitions of a function are accepted as an overlay with `--strict`")
 def test_vss_tools_takes_the_overlay_and_the_types_strictly(tmp_path):
     made = overlay_of(LANES, "f.yaml", interfaces())
     (tmp_path / "o.vspec").write_text(made.text)

@@ -83,7 +83,7 @@ def test_bad_json_is_one_finding_with_a_place(data, rule, place):
 
 
 def test_a_comma_too_many_is_not_json():
-    """Where it is found differs between versions of Python."""
+    """Its place differs between versions of Python."""
     assert [finding.rule for finding in read_json(b'{"a": 1,}', "f").findings] == ["F001"]
 
 

@@ -75,7 +75,7 @@ def test_a_safety_reaction_that_another_function_decides_too_makes_no_run(folder
         b"time,call," + b"x" * RUN_HEADER_BYTES + b",EcoControlMpc_Mode_Out\n",
         b"time,call,\xff,EcoControlMpc_Mode_Out\n",
     ],
-    ids=["a trace", "order", "of somebody", "empty", "zeros", "UTF-16", "a quote", "a long header", "Latin-1"],
+    ids=["a trace", "order", "of another tool", "empty", "zeros", "UTF-16", "a quote", "a long header", "Latin-1"],
 )
 def test_what_has_no_header_of_a_run_is_none(folder: Path, catalogue: Catalogue, data: bytes) -> None:
     (folder / "drive.csv").write_bytes(data)

@@ -133,7 +133,7 @@ def test_texts_are_carried_as_data(text):
     assert json.loads(to_json(function))["FunctionInfo"]["Description"] == text
 
 
-# -- files that nobody would write --------------------------------------------------------------------------------
+# -- hostile files ------------------------------------------------------------------------------------------------
 
 BOMB = b"a: &a [x,x,x,x,x,x,x,x,x]\n" + b"".join(
     b"%c: &%c [%s]\n" % (c + 1, c + 1, b",".join([b"*%c" % c] * 9)) for c in range(97, 118)

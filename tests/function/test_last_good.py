@@ -1,4 +1,4 @@
-"""Hosted functions whose files break: the last good state stays, and what is wrong is said."""
+"""Hosted functions whose files break: the last valid state stays, and the errors are reported."""
 
 from collections.abc import Mapping
 from pathlib import Path

@@ -26,7 +26,7 @@ def changed(*changes: tuple[str, str]) -> str:
 
 
 def found(text: str) -> list[tuple[str, str]]:
-    """Each finding's rule, and the line that it stands at."""
+    """The rule of each finding, and its line."""
     lines = text.splitlines()
     return [
         (finding.rule, lines[finding.line - 1].strip())

@@ -92,7 +92,7 @@ def test_a_mistyped_error_is_one_finding_wherever_else_it_is_named():
     assert found(changes) == [("F013", "/components/0/runnables/1/errors/0")]
 
 
-def test_the_value_that_stands_in_for_a_missing_default_is_not_judged():
+def test_the_value_that_stands_in_for_a_missing_default_is_not_checked():
     assert found(("      default: 0.5\n", ""), ("min: 0.0", "min: 0.2")) == [
         ("F027", "/components/0/runnables/1/parameters/0")
     ]

@@ -38,7 +38,7 @@ def errors(findings: tuple[Finding, ...]) -> set[str]:
 
 
 def test_the_function_json_of_every_declaration_in_the_rules_has_no_error_that_the_declaration_has_not():
-    """Most examples are a part of a function: that its errors are not declared is told of both."""
+    """Most examples are a part of a function: undeclared errors are reported for both."""
     published = jsonschema.Draft202012Validator(schema("function_json"))
     count = 0
     for text in EXAMPLES:

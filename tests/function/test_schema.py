@@ -21,8 +21,8 @@ from sigcat.function.function_json.model import (
 from sigcat.function.function_json.runnable import Contract, Runnable, Watchdog, WatchdogLimits
 from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.function.function_json.wire import WireModel
-from tests.judges import judged_by
 from tests.published.schemas import definitions, schema
+from tests.reference_tools import checked_with
 
 PUBLISHED = definitions("function_json")
 MODELS: dict[str, type[WireModel]] = {
@@ -69,7 +69,7 @@ def test_quantities_say_their_unit(one, field, unit):
     assert one.model_fields[field].json_schema_extra["x-unit"] == unit
 
 
-@judged_by("jsonschema", "What is written is valid under our schemas, and they are valid ones")
+@checked_with("jsonschema", "Documents are valid under our schemas, and the schemas are valid")
 def test_the_schema_is_a_valid_one():
     jsonschema.Draft202012Validator.check_schema(function_schema())
     assert function_schema()["$schema"] == "https://json-schema.org/draft/2020-12/schema"
@@ -96,7 +96,7 @@ SAMPLES = {
 }  # fmt: skip
 
 
-@judged_by("published", "What is valid under their schemas is accepted, and stays valid")
+@checked_with("published", "Documents that are valid under their schemas are accepted, and stay valid")
 @pytest.mark.parametrize("null", [True, False])
 def test_what_is_valid_under_the_published_schema_is_accepted_and_stays_valid(null):
     document = sample("document", null=null)

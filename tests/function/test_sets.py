@@ -158,7 +158,7 @@ def test_a_file_that_cannot_be_read_is_told_and_the_others_are_still_checked(dat
     assert {finding.file for finding in told} == {"bad.yaml"}
 
 
-def test_a_set_without_a_catalogue_is_judged_by_itself():
+def test_a_set_without_a_catalogue_is_checked_by_itself():
     members, _ = read_set([document("Give", GIVE), document("Also", GIVE)], interfaces())
     assert [finding.rule for finding in check_set(members)] == ["F104"]
 

@@ -1,4 +1,4 @@
-"""Start values that are no numbers: carried, or told."""
+"""Start values that are not numbers: carried, or reported."""
 
 import json
 

@@ -108,3 +108,16 @@ def test_autosar_classic_says_where_its_ticks_are_too_long(cycle, advice, file, 
 @pytest.mark.parametrize(("time", "name"), [(10, "10ms"), (25, "25ms"), (2.5, "2500us"), (0.0625, "62500ns")])
 def test_names_of_times_have_no_point_and_are_told_apart(time, name):
     assert time_in_a_name(time) == name
+
+
+@pytest.mark.parametrize(
+    ("time", "said"),
+    [
+        ("1e300", "must be a finite number, not '1e300'. Write 1.0e+300: YAML reads 1e300 as a text, "),
+        ("'20'", "must be a finite number, not '20'. Write 20, without quotes."),
+        ("1.0e+300", "must be from 0 to 1,000,000,000,000 ms, not 1e+300 ms."),
+    ],
+)
+def test_what_is_no_time_says_what_to_write(time, said, file, capsys):
+    assert main(["lint", str(file("10", time))]) == 1
+    assert f"`executionOffset` {said}" in capsys.readouterr().out

@@ -1,4 +1,4 @@
-"""Function JSON from anywhere is judged: structure, consistency, conventions."""
+"""Function JSON of any tool is checked: structure, consistency, conventions."""
 
 import json
 from collections import Counter
@@ -79,11 +79,11 @@ def test_its_departures_are_found(findings):
         "F083": 2,  # two datatypes that nothing uses
         "F090": 1,  # no ASIL on the step
         "F091": 7,  # qm
-        "F092": 3,  # priorities in words
+        "F092": 3,  # priorities as text
         "F093": 2,  # no unit on the brake pressure and the mass
         "F094": 2,  # rad, enum
         "F095": 7,  # no VSS path
-        "F096": 11,  # descriptions that are no sentences
+        "F096": 11,  # descriptions that are not sentences
         "F099": 1,  # a person
     }
 
@@ -105,7 +105,7 @@ def test_they_are_found_where_they_stand(findings, pointer, expected):
 
 
 @published_files
-def test_without_a_catalogue_it_is_judged_by_itself(findings):
+def test_without_a_catalogue_it_is_checked_by_itself(findings):
     alone = check_function_json(published(PUBLISHED), "core.json").findings
     assert {f.rule for f in alone} == {f.rule for f in findings}
     assert not any("Vehicle." in f.message for f in alone)

@@ -1,4 +1,4 @@
-"""Who provides what to whom in a set of functions."""
+"""Providers and consumers in a set of functions."""
 
 from typing import Any
 
@@ -40,8 +40,8 @@ def takes(path: str = "Vehicle.A", **more: Any) -> dict[str, Any]:
     return {"VssPath": path, "Role": "Consumer", **more}
 
 
-def messages(given: dict[str, Any], wanted: dict[str, Any], cycle: int = 10) -> tuple[str, ...]:
-    (link,) = connect([function("One", given, cycle=cycle), function("Two", wanted)]).links
+def messages(given: dict[str, Any], taken: dict[str, Any], cycle: int = 10) -> tuple[str, ...]:
+    (link,) = connect([function("One", given, cycle=cycle), function("Two", taken)]).links
     return tuple(mismatch.message for mismatch in link.mismatches)
 
 
@@ -82,7 +82,7 @@ def test_an_error_that_nobody_in_the_set_reports_is_told() -> None:
 
 
 @pytest.mark.parametrize(
-    ("given", "wanted", "expected"),
+    ("given", "taken", "expected"),
     [
         ({"AsilLevel": "QM"}, {"AsilLevel": "B"}, "at ASIL B, as Two needs it, not at QM"),
         ({"VssUnit": "km/h"}, {"VssUnit": "m/s"}, "must be km/h, as One provides it, not m/s"),
@@ -91,8 +91,8 @@ def test_an_error_that_nobody_in_the_set_reports_is_told() -> None:
         ({"Min": 0, "Max": 100}, {"Min": 0, "Max": 50}, "up to 100, as One provides it, not only to 50"),
     ],
 )
-def test_what_does_not_fit_is_a_mismatch(given: dict[str, Any], wanted: dict[str, Any], expected: str) -> None:
-    (message,) = messages(gives(**given), takes(**wanted))
+def test_what_does_not_fit_is_a_mismatch(given: dict[str, Any], taken: dict[str, Any], expected: str) -> None:
+    (message,) = messages(gives(**given), takes(**taken))
     assert expected in message
 
 

@@ -11,7 +11,7 @@ from tests.gateway.logs import DBC, MAPPINGS, PATHS
 
 @pytest.fixture
 def run(tmp_path, capsys):
-    """The rows of the trace of a log, and what is told; by times and cells."""
+    """The rows of the trace of a log, and the reported lines; by times and cells."""
     (tmp_path / "bus.dbc").write_text(DBC)
     (tmp_path / "can.vspec").write_text(MAPPINGS)
 

@@ -1,4 +1,4 @@
-"""What is wrong with a log is told, and what is right is read."""
+"""Errors in a log are reported, and the valid part is read."""
 
 import csv
 import gc
@@ -7,6 +7,7 @@ import random
 import signal
 import struct
 import tracemalloc
+from functools import lru_cache
 
 import pytest
 
@@ -15,7 +16,7 @@ from sigcat.gateway.live import read_bus
 from tests.gateway.live_bus import sending
 from tests.gateway.logs import DBC, MAPPINGS, PATHS, message, motion
 
-# -- what is wrong with a log --------------------------------------------------------------------------------------------
+# -- errors in a log ------------------------------------------------------------------------------------------------------
 
 
 def test_what_is_no_value_is_counted_by_signal(run, log):
@@ -65,11 +66,11 @@ def test_lines_that_are_no_frames_are_told_and_the_others_are_read(run, tmp_path
 @pytest.mark.parametrize(
     ("name", "line", "why"),
     [
-        ("drive.log", "(0.1) can0 101##1CF07" + "00" * 23, "25 bytes are no length of a frame of CAN FD"),
-        ("drive.log", "(0.1) can0 100#64000100\0\0000000", "it has bytes that are no text"),
+        ("drive.log", "(0.1) can0 101##1CF07" + "00" * 23, "25 bytes are not a valid length of a CAN FD frame"),
+        ("drive.log", "(0.1) can0 100#64000100\0\0000000", "it has bytes that are not text"),
         ("drive.asc", "0.1 CANFD 1 Rx 100 1 0 f 64 64 00 01 00", "it has 4 of 64 bytes"),
         ("drive.asc", "0.1 CANFD 1 Rx 100 1 0 8 8 64 00 01 00 00 00 00 0", "it has 7 of 8 bytes"),
-        ("drive.asc", "0.1 1 100 Rx d 8 64 00 \0 01 00 00 00 00 00", "it has bytes that are no text"),
+        ("drive.asc", "0.1 1 100 Rx d 8 64 00 \0 01 00 00 00 00 00", "it has bytes that are not text"),
     ],
 )
 def test_a_frame_that_was_cut_or_spoilt_is_told(run, tmp_path, name, line, why):
@@ -87,7 +88,7 @@ def test_of_many_bad_lines_a_hundred_are_told(run, tmp_path):
     rows, told = run(path)
     assert len(rows) == 1
     assert told.count("B002") == 101
-    assert "200 more lines are no frames" in told
+    assert "200 more lines are not frames" in told
 
 
 def test_a_line_without_end_is_left_out(run, tmp_path):
@@ -115,7 +116,37 @@ def test_bytes_that_are_no_blf_are_told(run, tmp_path, data):
     path.write_bytes(data)
     rows, told = run(path, status=1)
     assert rows == []
-    assert "error B004 There is no frame that can be read: no trace is written." in told
+    assert told.count(": error B00") == 1
+
+
+@pytest.mark.parametrize("name", ["drive.log", "drive.asc", "drive.trc", "drive.log.gz"])
+@pytest.mark.parametrize(
+    ("data", "kind", "fix"),
+    [
+        (b"\x7fELF\x02\x01\x01\0\0\0" + bytes(range(256)) * 50, "it is not a text.", "Name the file that "),
+        (b"PK\x03\x04" + random.Random(1).randbytes(5000), "it is not a text.", "Name the file that "),
+        (gzip.compress(b"(0.1) can0 100#00", mtime=0), "it is packed with gzip.", "Name it drive."),
+        (b"LOGG" + bytes(140), "it is a BLF log.", "Name it drive."),
+        ("(0.1) can0 100#00\n".encode("utf-16"), "it is a text in UTF-16.", "Save it as UTF-8."),
+    ],
+    ids=["ELF", "ZIP", "gzip", "BLF", "UTF-16"],
+)
+def test_a_file_that_is_no_text_is_one_finding(run, tmp_path, name, data, kind, fix):
+    path = tmp_path / name
+    path.write_bytes(gzip.compress(data) if name.endswith(".gz") else data)
+    rows, told = run(path, status=1)
+    assert rows == []
+    assert [line for line in told.splitlines() if " B00" in line] == [
+        line for line in told.splitlines() if kind in line
+    ]
+    assert f"log: {kind} {fix}" in told
+
+
+def test_a_comment_in_another_encoding_is_text(run, tmp_path):
+    path = tmp_path / "drive.asc"
+    path.write_bytes("// Fahrer: Jürgen Müller\n0.1 1 100 Rx d 8 64 00 01 00 00 00 00 00\n".encode("latin-1"))
+    rows, _ = run(path)
+    assert len(rows) == 1
 
 
 @pytest.mark.parametrize("name", ["drive.log", "drive.asc", "drive.log.gz"])
@@ -276,8 +307,10 @@ def test_a_log_of_any_size_takes_the_same_memory(tmp_path, monkeypatch):
     from sigcat.gateway.prepare import prepare
     from sigcat.gateway.trace import lines_of, rows_of
     from sigcat.gateway.translation import Translation
+    from sigcat.runs.recording import cells
 
     monkeypatch.setattr("sigcat.gateway.decoding._KNOWN_VALUES", 256)
+    monkeypatch.setattr(cells, "_float_text", lru_cache(256)(cells._float_text.__wrapped__))
     (tmp_path / "bus.dbc").write_text(DBC)
     (tmp_path / "can.vspec").write_text(MAPPINGS)
     source = source_of_tree("vss")

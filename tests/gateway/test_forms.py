@@ -35,7 +35,7 @@ def test_a_line_that_is_no_frame_is_reported_and_the_others_are_read(run, log, n
     path.write_text("\n".join([*lines[:-1], wrong, lines[-1]]) + "\n")
     rows, told = run(path, "--from-zero")
     assert [row.split(",")[-1] for row in rows] == ["1.0", "2.0"]
-    assert f"{name}:{len(lines)}:1: warning B002 The line is no frame: {why}" in told
+    assert f"{name}:{len(lines)}:1: warning B002 The line is not a frame: {why}" in told
 
 
 def test_half_a_byte_of_a_trc_is_no_byte(run, tmp_path):
@@ -44,7 +44,7 @@ def test_half_a_byte_of_a_trc_is_no_byte(run, tmp_path):
     path.write_text(f";$FILEVERSION=1.1\n;$STARTTIME=40000\n;\n{line.format(1, 5, '01')}{line.format(2, 6, '1')}")
     rows, told = run(path, "--from-zero")
     assert len(rows) == 1
-    assert "drive.trc:5:1: warning B002 The line is no frame: its data has half a byte." in told
+    assert "drive.trc:5:1: warning B002 The line is not a frame: its data has half a byte." in told
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""`sigcat gateway --to`: what comes from CAN goes to functions that run, all of it, and what they send comes back."""
+"""`sigcat gateway --to`: signals of CAN are sent to running functions, all of them, and their outputs are sent back."""
 
 import os
 import struct
@@ -37,7 +37,7 @@ PLAYER = Path(__file__).with_name("player.py")
 
 @pytest.fixture
 def run(tmp_path, monkeypatch, capsys):
-    """A run with a stand-in for the player; what it was given, and what is told."""
+    """A run with a replacement of the player; its input, and the reported lines."""
     for name, text in {"bus.dbc": DBC, "can.vspec": MAPPINGS, "functions.json": "{}"}.items():
         (tmp_path / name).write_text(text)
     script = tmp_path / "player"

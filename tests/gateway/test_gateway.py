@@ -1,4 +1,4 @@
-"""`sigcat gateway`: logs of python-can's own writers are decoded as cantools says, and nothing is lost without a word."""
+"""`sigcat gateway`: logs of python-can's writers are decoded as by cantools, and nothing is lost silently."""
 
 import random
 import struct
@@ -31,8 +31,8 @@ def test_random_frames_are_decoded_as_cantools_decodes_them(run, log, tmp_path):
     chance = random.Random(7)
     frames = [chance.randbytes(8) for _ in range(500)]
     rows, _ = run(log([message(index / 1000, data) for index, data in enumerate(frames)]))
-    judge: Any = cantools.database.load_string(DBC, "dbc")
-    decode = judge.get_message_by_name("Motion").decode
+    reference: Any = cantools.database.load_string(DBC, "dbc")
+    decode = reference.get_message_by_name("Motion").decode
     speeds = {row.split(",")[0]: row.split(",")[4] for row in rows}
     for index, data in enumerate(frames):
         expected = decode(data)["Speed"]

@@ -1,4 +1,4 @@
-"""What a database calls «signal not available» is never a number: without a list, with a formula, with a representation."""
+"""The value that a database calls «signal not available» is never a number: without a list, with a formula, with a representation."""
 
 import csv
 import struct

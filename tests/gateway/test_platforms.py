@@ -45,7 +45,7 @@ def drive(tmp_path_factory):
 
 
 def carried(drive: Path, built: Path, programs: list[list[str]], before: list[str], environment: dict[str, str]):
-    """What functions send while the gateway carries the log to them, in a shell that ends them; by name."""
+    """Outputs of functions while the gateway carries the log to them, in a shell that ends them; by name."""
     recorded, gateway = drive / "recorded.csv", [sys.executable, "-m", "sigcat.cli", "gateway"]
     gateway += [str(drive / "drive.log"), "--dbc", str(CAN / "ecocontrol.dbc"), "-l", str(CAN / "can.vspec")]
     gateway += [

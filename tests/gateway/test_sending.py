@@ -44,9 +44,9 @@ LIGHT = "Vehicle.Body.Lights.Beam.Low.IsOn"
 
 @pytest.fixture
 def send(tmp_path, capsys):
-    """Frames that a trace becomes, by time, message and values, and what is told."""
+    """Frames of a trace, by time, message and values, and the reported lines."""
     (tmp_path / "bus.dbc").write_text(DBC)
-    judge: Any = cantools.database.load_string(DBC, "dbc")
+    reference: Any = cantools.database.load_string(DBC, "dbc")
 
     def sending(mappings, columns, rows, *options, status=0):
         overlay, trace, log = tmp_path / "can.vspec", tmp_path / "trace.csv", tmp_path / "out.log"
@@ -60,7 +60,7 @@ def send(tmp_path, capsys):
             frames = [
                 (
                     round(each.timestamp, 6),
-                    judge.decode_message(
+                    reference.decode_message(
                         each.arbitration_id,
                         bytes(each.data),
                         decode_choices=False,

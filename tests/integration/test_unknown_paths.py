@@ -1,4 +1,4 @@
-"""A path that the deployment gives to a signal that is not there is told on every platform, where it stands."""
+"""A path that the deployment gives to an unknown signal is reported on every platform, at its line."""
 
 import pytest
 

@@ -8,8 +8,9 @@ from sigcat.errors import InputRefused
 from sigcat.function.declaration.scaffold import scaffold
 from sigcat.function.function_file import build_function
 from sigcat.function.function_json.model import to_json
+from sigcat.function.function_json.wire import WireModel
 from sigcat.function.sets.check_set import check_functions
-from sigcat.integration.declared_fields import TARGETS
+from sigcat.integration.declared_fields import TARGETS, target
 from sigcat.integration.reading import read_functions
 from sigcat.platforms.integrate import integrate
 from sigcat.platforms.table import PLATFORMS
@@ -99,14 +100,19 @@ def test_function_json_is_compared_with_the_catalogue_too():
     assert refused((gone, "parking.json")) == ["F010"]
 
 
-@pytest.mark.parametrize("model", TARGETS)
-def test_each_field_of_a_function_yaml_has_a_place_in_function_json(model):
-    inner = {
-        info.alias
-        for info in model.model_fields.values()
-        if any(each.__name__ in str(info.annotation) for each in TARGETS)
-    }
-    assert {info.alias for info in model.model_fields.values()} - inner == TARGETS[model].keys()
+def names_of_function_json(model=WireModel):
+    return {str(field.alias) for field in model.model_fields.values()}.union(
+        *map(names_of_function_json, model.__subclasses__())
+    )
+
+
+@pytest.mark.parametrize("part", TARGETS)
+def test_each_field_of_a_function_yaml_has_a_place_in_function_json(part):
+    fields = {info.alias: str(info.annotation) for info in part.model_fields.values()}
+    assert TARGETS[part][1].keys() <= fields.keys()
+    holds_others = {key for key, annotation in fields.items() if any(each.__name__ in annotation for each in TARGETS)}
+    for key in fields.keys() - holds_others - TARGETS[part][1].keys():
+        assert target(part, key).split(": ")[-1] in names_of_function_json()
 
 
 @pytest.mark.parametrize("platform", PLATFORMS)

@@ -42,7 +42,7 @@ EDITS: tuple[tuple[Edit, ...], ...] = (
 def test_edits_give_the_findings_of_the_whole_text(
     client: Editor, project: Path, edits: tuple[Edit, ...], newline: str
 ) -> None:
-    """Sent in one message, and each in a message of its own."""
+    """Sent in one message, and each in a separate message."""
     path = project / "overlays/cabin.vspec"
     text = CABIN.replace("\n", newline)
     changes, after = _changes(text, edits)

@@ -26,7 +26,7 @@ def function(client: Editor, project: Path) -> Path:
 
 
 def test_hover_shows_datatype_unit_range_description_origin_and_users(client: Editor, overlay: Path) -> None:
-    """What all layers say together, and the functions that use it."""
+    """Result of all layers together, and the functions that use it."""
     text = _hover(client, client.at(overlay, "Vehicle.Cabin.Gas", 10))
     for part in ("Vehicle.Cabin.Gas", "sensor", "`float`", "percent", "0 … 50", "Carbon dioxide in the air."):
         assert part in text
@@ -116,7 +116,7 @@ def test_references_are_layers_and_functions(client: Editor, overlay: Path) -> N
 
 
 def test_nothing_is_known_of_what_is_no_name(client: Editor, overlay: Path) -> None:
-    """Of an empty line, and beyond the end of the text."""
+    """Positions on an empty line, and beyond the end of the text."""
     end = {"textDocument": {"uri": overlay.as_uri()}, "position": {"line": 5_000, "character": 9}}
     for place in ({**end, "position": {"line": 4, "character": 0}}, end):
         assert client.ask("textDocument/hover", place) is None

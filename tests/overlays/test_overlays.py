@@ -11,10 +11,10 @@ import yaml
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.catalogue.model.interfaces import category_of
 from sigcat.data import OVERLAYS, ROOT_FILE, VSPEC
-from tests.catalogue.judging import Job, verdicts
+from tests.catalogue.vss_tools_output import Job, outputs
 from tests.function.shipped import interfaces
-from tests.judges import judged_by
 from tests.needs import published, published_files, slow
+from tests.reference_tools import checked_with
 
 NAMES = ("ecocontrol", "error", "safety_reaction", "mode", "scheduling")
 UNITS = (VSPEC / "units.yaml", OVERLAYS / "units.yaml")
@@ -64,20 +64,20 @@ def test_each_of_them_composes_alone(name):
     assert read_catalogue(ROOT_FILE, [overlay(name)], units=UNITS).findings == ()
 
 
-@judged_by("vss-tools", "The shipped tree and overlays are accepted with `--strict`")
+@checked_with("vss-tools", "The shipped tree and overlays are accepted with `--strict`")
 def test_vss_tools_takes_all_of_them_strictly_and_sees_the_same_nodes():
-    verdict = verdicts({"all": strict_export(NAMES)})["all"]
-    assert verdict is not None
-    assert set(paths_of("", json.loads(verdict))) == set(interfaces().nodes)
+    output = outputs({"all": strict_export(NAMES)})["all"]
+    assert output is not None
+    assert set(paths_of("", json.loads(output))) == set(interfaces().nodes)
 
 
-@judged_by("vss-tools", "The shipped tree and overlays are accepted with `--strict`")
+@checked_with("vss-tools", "The shipped tree and overlays are accepted with `--strict`")
 @slow
 @pytest.mark.parametrize("name", NAMES)
 def test_vss_tools_takes_each_of_them_alone(name):
-    verdict = verdicts({name: strict_export([name])})[name]
-    assert verdict is not None
-    assert "Vehicle" in json.loads(verdict)
+    output = outputs({name: strict_export([name])})[name]
+    assert output is not None
+    assert "Vehicle" in json.loads(output)
 
 
 def test_every_extended_attribute_is_one_that_is_documented():
@@ -100,7 +100,7 @@ def test_the_standard_node_keeps_its_own_description():
 
 @published_files
 def test_ecocontrol_agrees_with_the_published_example_where_that_is_right():
-    """It bounds a boolean, and allows `unknown` and lower-case values: these are mended."""
+    """It bounds a boolean, and allows `unknown` and lower-case values: these are fixed."""
     theirs = yaml.safe_load(published("example_adas_application.vspec"))
     mended = {
         "Vehicle.ADAS.EcoControl.IsEnabled": {"min", "max"},

@@ -1,4 +1,4 @@
-"""The player of ROS 2, as text: what it reads of a trace, and writes of what it hears, is what the simulation reads and writes."""
+"""The player of ROS 2, as text: it reads a trace and writes outputs as the simulation does."""
 
 import json
 
@@ -8,7 +8,7 @@ from tests.adapter.ros2 import generated
 
 
 def topics(**ros2):
-    """What is generated of the topics of a function that uses everything."""
+    """Generated code for the topics of a function that uses everything."""
     document = json.loads(generated.integration(FULL / "function.yaml", deployment={"ros2": ros2}))
     files = {file.name: file.data.decode() for file in player_files(document)}
     return files["player/topics.cpp"]

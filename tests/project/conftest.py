@@ -1,4 +1,4 @@
-"""What the rooms below have: a server of archives, a data folder and a tree to lint."""
+"""Fixtures of the rooms below: a server of archives, a data folder and a tree to lint."""
 
 from tests.catalogue.hosting.conftest import data, server
 from tests.rules.linting.conftest import tree

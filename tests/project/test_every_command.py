@@ -51,7 +51,7 @@ OTHERS = {
     "pull": "no project",
     "releases": "no project",
 }
-"""Where each other command is tested, and why it differs."""
+"""Tests of each other command, and the reason for the difference."""
 READING = [command for command in COMMANDS if command[0] not in ("simulate", "compare", "gateway", "serve")]
 READING = [command for command in READING if "--from-c" not in command]
 
@@ -82,7 +82,8 @@ def test_the_tree_is_that_of_the_project(company, monkeypatch, capsys, command, 
     assert main(arguments) == 2
     first = loaded[0]
     assert (first.id, first.spec) == ("acme", ROOT_FILE)
-    assert [path.resolve() for path in first.overlays] == [company / "overlays" / "acme.vspec"]
+    tried = command[0] == "try"  # an overlay of the project is tried over the tree without it
+    assert [path.resolve() for path in first.overlays] == ([] if tried else [company / "overlays" / "acme.vspec"])
     assert [path.resolve() for path in first.units] == [company / "units.yaml"]
 
 
@@ -93,6 +94,29 @@ def test_the_findings_are_the_same(company, capsys, command):
     told = [line for line in (output.out + output.err).splitlines() if " U0" in line or " V0" in line]
     assert [line.partition("warning ")[2].partition(" Remove")[0] for line in told] == [FINDING]
     assert status == (1 if command == ["lint"] else 0)
+
+
+def test_an_overlay_of_the_project_is_tried_over_the_tree_without_it(company, capsys):
+    assert main(["try", "overlays/acme.vspec"]) == 0
+    assert f"+ {GAS.rpartition('.')[2]}" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("folder", ["functions/cabin_air", "empty"])
+def test_a_lint_without_paths_checks_the_project_from_any_folder_of_it(company, monkeypatch, capsys, folder):
+    (company / folder).mkdir(exist_ok=True)
+    monkeypatch.chdir(company / folder)
+    assert main(["lint"]) == 1
+    assert FINDING in capsys.readouterr().out
+
+
+def test_a_tree_that_cannot_be_read_is_one_finding_of_a_function(company, capsys):
+    project = company / "sigcat.toml"
+    project.write_text(project.read_text().replace('release = "shipped"', 'spec = "tree.vspec"'))
+    (company / "tree.vspec").write_text("A: [\n")
+    assert main(["lint", "functions"]) == 1
+    out = capsys.readouterr().out
+    assert "R001" in out
+    assert "V022" not in out
 
 
 def test_every_command_is_tested():

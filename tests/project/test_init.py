@@ -79,6 +79,15 @@ def test_nothing_is_written_over(folder, capsys):
     assert [path.name for path in folder.iterdir()] == ["rules.yaml"]
 
 
+def test_a_run_that_was_interrupted_is_completed(folder):
+    assert main(["init"]) == 0
+    whole = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+    Path("functions/cabin_air/function.yaml").unlink()
+    Path("rules.yaml").unlink()
+    assert main(["init"]) == 0
+    assert {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()} == whole
+
+
 # -- from a folder ------------------------------------------------------------------------------------------------
 
 
@@ -136,9 +145,7 @@ def test_a_folder_below_the_current_one(folder):
     assert read_project(Path("company/sigcat.toml")).catalogues[0].overlays == (Path("company/overlays/acme.vspec"),)
 
 
-@pytest.mark.parametrize(
-    ("name", "message"), [("missing", "there is no such folder"), (".", "there is no tree, overlay")]
-)
+@pytest.mark.parametrize(("name", "message"), [("missing", "there is no such folder"), (".", "no tree, overlay")])
 def test_a_folder_without_anything(folder, capsys, name, message):
     assert main(["init", "--from", name]) == 2
     assert message in capsys.readouterr().err

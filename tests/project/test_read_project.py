@@ -121,7 +121,7 @@ def test_the_line_is_that_of_the_catalogue_meant(folder):
         ),
         (
             '[[catalogue]]\nid = "a"\nspec = "tree.vspec"\ninclude_dirs = ["tree.vspec"]\n',
-            ("C005", 4, "There is no folder 'tree.vspec'."),
+            ("C005", 4, "'tree.vspec' must be a folder, not a file."),
         ),
         ("watch = true\nwatch = false\n", ("C001", 2, "Not valid TOML: Cannot overwrite a value.")),
         ("watch = \n", ("C001", 1, "Not valid TOML: Invalid value.")),
@@ -220,7 +220,7 @@ def test_nothing_to_host_is_an_error_of_usage(folder, monkeypatch):
 
 def test_a_folder_is_answered_as_one_and_a_misspelled_key_has_one_finding(folder):
     assert findings(folder, '[[catalogue]]\nid = "a"\nspec = "overlays"\n') == [
-        ("C005", 3, "`spec` must be a file, not the folder 'overlays'.", "Name the root .vspec file in it."),
+        ("C005", 3, "'overlays' must be a file, not a folder.", "Name the root .vspec file in it."),
     ]
     assert [finding[:2] for finding in findings(folder, '[[catalogue]]\nid = "a"\ntree = "tree.vspec"\n')] == [
         ("C002", 3)
@@ -237,7 +237,7 @@ def test_one_file_configures_the_service_and_the_linter(folder, monkeypatch):
     ("text", "message"),
     [
         ('functions = ["none"]', "There is no folder 'none'."),
-        ('functions = ["tree.vspec"]', "There is no folder 'tree.vspec'."),
+        ('functions = ["tree.vspec"]', "'tree.vspec' must be a folder, not a file."),
         ("functions = [1]", "`functions` must be a list of texts."),
         ('functions = "overlays"', "`functions` must be a list, not 'overlays'."),
     ],

@@ -1,13 +1,13 @@
-"""What is restated of the published schemas is what stands in them."""
+"""Restated facts of the published schemas are those of the schemas."""
 
 import json
 
 import jsonschema
 import pytest
 
-from tests.judges import judged_by
 from tests.needs import published, published_files
 from tests.published.schemas import definitions, restated, schema
+from tests.reference_tools import checked_with
 
 FILES = {
     "function_json": "function_json_schema.json",
@@ -21,7 +21,7 @@ def test_it_is_a_json_schema(name):
     jsonschema.Draft202012Validator.check_schema(schema(name))
 
 
-@judged_by("published", "Nothing of their schemas is left out or added")
+@checked_with("published", "Nothing of their schemas is omitted or added")
 @published_files
 @pytest.mark.parametrize("name", FILES)
 def test_nothing_is_left_out_or_added(name):

@@ -101,6 +101,6 @@ def test_everything_wrong_with_the_project_file_is_raised(folder):
 
 def test_an_unknown_catalogue_is_not_found(folder):
     project = sigcat.open_project(folder)
-    with pytest.raises(sigcat.NotFound, match="no catalogue 'acmee'") as raised:
+    with pytest.raises(sigcat.NotFound, match="Unknown catalogue 'acmee'") as raised:
         project.catalogue("acmee")
     assert raised.value.nearest == ("acme",)

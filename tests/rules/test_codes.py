@@ -9,7 +9,7 @@ import pytest
 from scripts.codes import codes_module
 from sigcat.data import INTERFACE_RULES
 from sigcat.rules.compiled import compiled_rules
-from sigcat.rules.record import MAKERS
+from sigcat.rules.record_faults import MAKERS
 
 APP = Path(__file__).parents[2] / "app" / "sigcat"
 TARGET = APP / "codes.py"

@@ -53,5 +53,5 @@ def test_an_attribute_says_what_it_must_be(tree, attribute, expected):
 @pytest.mark.parametrize("is_tree", [True, False])
 def test_an_empty_text_says_what_to_send(tree, is_tree):
     (finding,) = lint_text(b" \n", "o", tree, EVERY_RULE, is_tree=is_tree)
-    wanted = "a tree" if is_tree else "an overlay"
-    assert finding.line_of_text == f"o:1:1: error Q003 The text must not be empty. Send the text of {wanted}."
+    kind = "a tree" if is_tree else "an overlay"
+    assert finding.line_of_text == f"o:1:1: error Q003 The text must not be empty. Send the text of {kind}."

@@ -1,4 +1,4 @@
-"""Where a finding stands, and what it proposes: at the item that is wrong, and with words that can be followed."""
+"""Place and fix of a finding: at the wrong item, and with advice that can be followed."""
 
 from pathlib import Path
 
@@ -97,6 +97,8 @@ def test_items_within_items_have_their_places(attribute, steps, place):
         ("V101", "Vehicle.Ж: {type: branch, description: A door.}\n", ""),
         ("V102", "Vehicle.Is_Lit:\n" + SENSOR.format("boolean"), "Use a name such as 'IsLit'."),
         ("V102", "Vehicle.Island:\n" + SENSOR.format("boolean"), "Use a name such as 'IsIsland'."),
+        ("V102", "Vehicle.DoorIsOpen:\n" + SENSOR.format("boolean"), "Use a name such as 'IsDoorOpen'."),
+        ("V102", "Vehicle.ThisOpen:\n" + SENSOR.format("boolean"), "Use a name such as 'IsThisOpen'."),
         ("V108", NUMBER + "  enum: {EcoPlus: 1}\n", "Write 'ECO_PLUS'."),
         ("V111", STRING + "  allowed: ['1']\n", ""),
         ("V020", "Vehicle.Bdy.Weight:\n" + SENSOR.format("float"), "Did you mean 'Body'?"),
@@ -168,7 +170,7 @@ def test_a_file_that_is_no_text_is_one_finding(tmp_path):
 def test_a_field_of_a_unit_that_nobody_knows_is_told(tmp_path):
     (tmp_path / "quantities.yaml").write_text("length: {definition: Length.}\n")
     (tmp_path / "units.yaml").write_text(
-        "m:\n  definition: L.\n  unit: meter\n  quantity: length\n  allowed_datatypes: [numeric]\n"
+        "ell:\n  definition: L.\n  unit: ell\n  quantity: length\n  allowed_datatypes: [numeric]\n"
     )
     (finding,) = lint_paths([tmp_path / "units.yaml"]).findings
     assert (finding.rule, finding.line, finding.column) == ("U006", 5, 3)

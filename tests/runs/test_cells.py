@@ -1,4 +1,4 @@
-"""What is written in a cell can be read again, bit by bit."""
+"""Written cells can be read again, bit by bit."""
 
 import math
 import struct

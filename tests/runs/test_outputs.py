@@ -14,7 +14,7 @@ RUN = ("simulate", "filter.yaml", "counter.yaml", "--trace", "trace.csv")
 
 @pytest.fixture
 def run(monkeypatch, tmp_path, capfd):
-    """Run the functions of a case, with outputs in a folder of their own."""
+    """Run the functions of a case, with outputs in a separate folder."""
     monkeypatch.chdir(CASE)
 
     def running(*given):
@@ -95,7 +95,7 @@ def test_two_runs_give_the_same_mcap(run, tmp_path):
     ("options", "words"),
     [
         (("-o", "out.txt"), "must end in .csv, .mcap or .svg"),
-        (("-o", "out.svg"), "say with --plot NAME what the picture shows"),
+        (("-o", "out.svg"), "pass `--plot NAME`, a signal for the picture"),
         (("--plot", "Vehicle.Speed"), "name a file for the picture: -o FILE.svg"),
         (("-o", "out.svg", "--plot", "Vehicle.Sped"), "the run has no 'Vehicle.Sped'. Did you mean 'Vehicle.Speed'?"),
         (("-o", "out.svg", "--plot", "Vehicle.Filter.Levels"), "Vehicle.Filter.Levels cannot be drawn: it is not one number"),
@@ -111,7 +111,7 @@ def test_what_cannot_be_written_is_told_before_anything_runs(run, tmp_path, opti
 
 
 def test_what_one_run_writes_can_be_the_trace_of_another(run, tmp_path, capfd):
-    """What the functions send themselves is left out, each with a note."""
+    """Outputs of the functions are skipped, each with a note."""
     run("-o", "out.csv")
     again = [part if part != "trace.csv" else str(tmp_path / "out.csv") for part in RUN]
     assert main([*again, "-o", str(tmp_path / "again.csv")]) == 0

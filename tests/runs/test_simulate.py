@@ -48,7 +48,7 @@ def case(tmp_path, monkeypatch, capfd):
 
 @pytest.fixture(params=["system", pytest.param("pypi", marks=slow)])
 def compiler(request, monkeypatch):
-    """The compiler of the system, and that of PyPI: they have words of their own."""
+    """The compiler of the system, and that of PyPI: their messages differ."""
     monkeypatch.delenv("CC", raising=False)
     monkeypatch.delenv("CXX", raising=False)
     if request.param == "pypi":
@@ -69,7 +69,7 @@ def test_two_runs_give_the_same_bytes_and_leave_nothing_behind(case, monkeypatch
 def test_state_and_stack_of_each_core_are_told(case, compiler):
     status, said = case("--memory")
     assert status == 0
-    stack = r"(\d+ bytes of stack in \w+_Adapter_\w+|stack not told)"
+    stack = r"(\d+ bytes of stack in \w+_Adapter_\w+|stack unknown)"
     assert [re.sub(rf": \d+ bytes of state, {stack}", "", line) for line in said] == ["Filter", "Counter"]
     states = [int(re.findall(r"\d+", line)[0]) for line in said]
     assert all(100 < state < 5000 for state in states)
@@ -194,8 +194,8 @@ UNFIT = {
     "a variable that is narrower": ({"filter_h": ("double speed", "float speed")}, "filter.yaml:14:61", "filter_in.speed must be double"),
     "an array that is longer": ({"filter_h": ("levels[3]", "levels[4]")}, "filter.yaml:15:69", "filter_out.levels must have 3 elements"),
     "a function that is not declared": ({"filter_yaml": ("symbol: filter_step", "symbol: filter_stepp")}, "filter.yaml:12:17", "filter_stepp"),
-    "a function that nobody defines": ({"filter_c": ("void filter_step(", "void filter_stop(")}, "filter.yaml:12:17", "filter_step"),
-    "a variable that nobody defines": ({"filter_c": ("filter_in_t filter_in;", "")}, "filter.", "'filter_in'"),
+    "an undefined function": ({"filter_c": ("void filter_step(", "void filter_stop(")}, "filter.yaml:12:17", "filter_step"),
+    "an undefined variable": ({"filter_c": ("filter_in_t filter_in;", "")}, "filter.", "'filter_in'"),
     "a type that does not exist": ({"counter_yaml": ("type: counter_t", "type: counter_s")}, "counter.yaml:5", "counter_s"),
     "a status that is a struct": ({"filter_yaml": ("{variable: filter_out.mode}", "{variable: filter_out}")}, "filter.yaml:24", ""),
 }  # fmt: skip
@@ -208,6 +208,7 @@ def test_what_the_declaration_says_of_the_code_and_is_not_so(case, compiler, nam
     assert status == 1
     findings = [line for line in said if " T010 " in line or " T011 " in line]
     assert any(line.startswith(place) and word in line for line in findings), said
+    assert not any("expression in static assertion" in line for line in findings), said
     assert said[-1].startswith("sigcat: The functions cannot be run: ")
 
 
@@ -217,6 +218,12 @@ def test_sources_that_do_not_compile_stand_in_the_words_of_the_compiler(case, co
     assert status == 1
     assert re.match(r"code/counter\.c:\d+:\d+: error T011 The compiler says: .*cuont", said[0])
     assert said[-1] == "sigcat: The functions cannot be run: compiling code/counter.c failed."
+    assert not Path("out.csv").exists()
+
+
+def test_a_build_that_fails_prints_no_header(case):
+    status, _ = case("-o", "-", counter_c=("self->count += ", "self->cuont += "))  # which checks standard output
+    assert status == 1
 
 
 @pytest.mark.parametrize(
@@ -241,7 +248,7 @@ def test_without_a_compiler_one_line_says_so(case, monkeypatch):
     monkeypatch.delenv("CC", raising=False)
     monkeypatch.setattr(toolchain, "find_spec", lambda _: None)
     status, (line,) = case()
-    assert (status, line[:34]) == (2, "sigcat: There is no C compiler. In")
+    assert (status, line[:36]) == (2, "sigcat: No C compiler found. Install")
     assert not Path("out.csv").exists()
 
 
@@ -324,7 +331,7 @@ def test_what_came_from_another_function_is_told_too(case):
 
 
 def test_a_process_goes_on_to_its_end(case):
-    """What it leaves for then, such as times in a file that is closed, would be lost otherwise."""
+    """Work that it leaves for then, such as times in a file that is closed, would be lost otherwise."""
     includes = (
         "#include <stdio.h>",
         "#define _DEFAULT_SOURCE\n#include <stdio.h>\n#include <stdlib.h>\n#include <unistd.h>",
@@ -384,6 +391,14 @@ def test_a_trace_of_nothing_has_no_length(case):
     assert case("--duration", "0.1") == (0, [])
 
 
+def test_without_a_trace_and_a_duration_nothing_is_printed_before_the_error(case, capfd):
+    without_trace = [word for word in RUN if word not in ("--trace", "trace.csv")]
+    assert main(without_trace) == 2
+    said = capfd.readouterr()
+    assert said.out == ""
+    assert "no inputs: pass --trace FILE" in said.err
+
+
 def test_a_run_of_years_is_refused_where_it_is_asked_for(case):
     """Mistyped, or in another unit: a thousand million seconds of calls would never come to their end."""
     trace = Path("trace.csv")
@@ -391,7 +406,9 @@ def test_a_run_of_years_is_refused_where_it_is_asked_for(case):
     trace.write_text("\n".join([*rows, f"1000000000{',' * rows[0].count(',')}", ""]))
     status, (said, last) = case()
     assert (status, last) == (1, "sigcat: The run would be too long.")
-    assert said.startswith(f"trace.csv:{len(rows) + 1}:1: error T006 From 0.000000000 s to 1000000000.000000000 s are ")
+    assert said.startswith(
+        f"trace.csv:{len(rows) + 1}:1: error T006 A run from 0.000000000 s to 1000000000.000000000 s has "
+    )
     assert case("--duration", "0.04") == (0, [])
     status, (said,) = case("--duration", "1e9")
     assert (status, said[-25:]) == (2, ": give a shorter duration")
@@ -438,7 +455,7 @@ define:
 
 
 def test_the_drive_of_the_examples_goes_as_it_was_recorded(tmp_path, capfd):
-    """Ten minutes: the predictive control saves energy, and the cruise control goes on without it."""
+    """Ten minutes: the predictive control saves energy, and the cruise control continues without it."""
     functions = [str(EXAMPLES / name / "function.yaml") for name in ("core_acc", "eco_control_mpc")]
     trace, output = str(EXAMPLES / "ecocontrol/drive.csv"), str(tmp_path / "out.csv")
     assert main(["simulate", *functions, "--trace", trace, "-o", output]) == 0

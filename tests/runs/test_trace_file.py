@@ -107,10 +107,10 @@ def test_the_call_of_a_row_is_told_where_there_is_a_column_for_it(read):
 HEADERS = {
     "": "1:1: error T001 The first column must be `time`, not ''. Give the time of each row in seconds.",
     "Vehicle.Speed,time": "1:1: error T001 The first column must be `time`, not 'Vehicle.Speed'. Give the time of each row in seconds.",
-    "time;Vehicle.Speed": "1:1: error T001 The first column must be `time`, not 'time;Vehicle.Speed'. Give the time of each row in seconds.",
-    "time,Vehicle.Sped": "1:6: error T002 The column 'Vehicle.Sped' is no signal of the catalogue and no interface of the functions. Did you mean 'Vehicle.Speed'?",
-    "time,,Vehicle.Speed": "1:6: error T002 The column '' is no signal of the catalogue and no interface of the functions. Remove it.",
-    "time,Vehicle.Speed, Vehicle.Speed": "1:20: error T001 The column 'Vehicle.Speed' must stand in the header once. Remove one of them.",
+    "time;Vehicle.Speed": "1:1: error T001 The first column must be `time`, not 'time;Vehicle.Speed'. Separate cells by commas.",
+    "time,Vehicle.Sped": "1:6: error T002 The column 'Vehicle.Sped' is neither a signal of the catalogue nor an interface of the functions. Did you mean 'Vehicle.Speed'?",
+    "time,,Vehicle.Speed": "1:6: error T002 The column '' is neither a signal of the catalogue nor an interface of the functions. Remove it.",
+    "time,Vehicle.Speed, Vehicle.Speed": "1:20: error T001 The column 'Vehicle.Speed' must be in the header only once. Remove one of them.",
     "time,Vehicle.Mass": "1:6: info T003 Vehicle.Mass is left out: the functions do not receive it, or one of them provides it.",
 }
 
@@ -154,7 +154,7 @@ def test_what_is_wrong_with_a_row_is_told_where_it_stands(read, row, expected):
 def test_times_do_not_go_back(read):
     found, findings = read("time,Vehicle.Speed\n0.2,1\n0.1,2\n0.2,3\n")
     assert [moment.time for moment in found] == [200_000_000, 200_000_000]
-    assert findings == ["3:1: error T004 The time must not be before that of the row above, as '0.1' is."]
+    assert findings == ["3:1: error T004 The time must be at least that of the row above, not '0.1'."]
 
 
 def test_what_is_no_utf_8_is_told(read):

@@ -20,7 +20,7 @@ def busy() -> Iterator[Ask]:
     app = create_site(Library(SOURCES), Settings(heavy_requests=1, heavy_waiting=0, heavy_seconds=20))
     queue: WorkQueue = app.state.work_queue
     done = threading.Event()
-    holder = threading.Thread(target=lambda: asyncio.run(queue.of("somebody").run_here(done.wait, 20)))
+    holder = threading.Thread(target=lambda: asyncio.run(queue.of("a client").run_here(done.wait, 20)))
     holder.start()
     wait_until(lambda: queue.pending, "the only place is taken")
     yield asker(app)
@@ -42,7 +42,7 @@ def test_heavy_pages_are_refused_while_the_service_is_busy(busy: Ask, address: s
     assert answer.headers["retry-after"] == "2"
     if not address.startswith("/api") and not address.endswith(".json"):
         assert "Service busy" in answer.text
-        assert "Come again in 2\u00a0seconds" in answer.text
+        assert "Try again in 2\u00a0seconds" in answer.text
 
 
 @pytest.mark.parametrize("address", ["/tree/small/Vehicle.Speed", "/search/small?q=speed", "/units/small", "/docs"])

@@ -1,4 +1,4 @@
-"""What a browser posts."""
+"""Forms as a browser posts them."""
 
 import tracemalloc
 from concurrent.futures import ThreadPoolExecutor
@@ -14,13 +14,13 @@ TYPE = "multipart/form-data; boundary=----x1"
 
 
 def read_form(body: bytes, content_type: str) -> Form:
-    """Read in a thread of its own: beside a browser, this one has an event loop already."""
+    """Read in a separate thread: next to a browser, this one has an event loop already."""
     with ThreadPoolExecutor(1) as thread:
         return thread.submit(forms.read_form, forms.posted_form(body, content_type)).result()
 
 
 def multipart(*parts: tuple[str, bytes]) -> bytes:
-    """The body of a form; each part with what stands behind `form-data` in its head."""
+    """The body of a form; each part with the text after `form-data` in its head."""
     pieces = [f"------x1\r\nContent-Disposition: form-data{head}\r\n\r\n".encode() + data for head, data in parts]
     return b"\r\n".join([*pieces, b"------x1--\r\n"])
 

@@ -2,7 +2,9 @@
 
 import re
 from html import unescape
+from io import BytesIO
 from urllib.parse import parse_qs
+from zipfile import ZipFile
 
 import pytest
 
@@ -90,6 +92,24 @@ def test_what_is_made_from_a_function_is_read_and_downloaded(site: Ask, view: st
         assert file.content
 
 
+@pytest.mark.parametrize("tab", ["autosar-adaptive", "autosar-classic", "ros2", "core"])
+def test_all_files_of_a_platform_are_one_archive(site: Ask, tab: str) -> None:
+    page = site(f"/functions/core_acc?view={tab}").text
+    (address,) = re.findall(r'href="(/functions/core_acc/files/[^"]+zip)"', page)
+    kept = site(address)
+    assert kept.headers["content-disposition"].endswith(f"CoreAcc.{tab}.zip")
+    names = ZipFile(BytesIO(kept.content)).namelist()
+    listed = re.findall(r'href="/functions/core_acc\?view=([^"]+)"', page[page.index('aria-label="Files"') :])
+    assert len(names) == len(set(names)) == len(set(listed))
+    assert site(address).content == kept.content
+
+
+def test_each_file_of_a_platform_has_an_address(site: Ask) -> None:
+    page = site("/functions/core_acc?view=ros2-packages.core_acc.package.xml").text
+    assert 'aria-label="core_acc/package.xml"' in page
+    assert site("/functions/core_acc?view=ros2-packages.nope").status_code == 404
+
+
 def test_function_json_of_the_page_is_that_of_the_api(site: Ask) -> None:
     source = site("/functions/core_acc/files/source").content
     built = site("/api/v1/functions/build", "POST", content=source)
@@ -163,8 +183,8 @@ def test_a_posted_function_has_the_views_of_a_shipped_one(site: Ask, view: str) 
     source = site("/functions/core_acc/files/source").text
     own = post(site, kind="function", text=source, view=view)
     shipped = site(f"/functions/core_acc?view={view}").text
-    of_shipped = re.findall(r'<pre class="document".*?</pre>', shipped, re.DOTALL)
-    assert re.findall(r'<pre class="document".*?</pre>', own, re.DOTALL) == of_shipped
+    of_shipped = re.findall(r'<pre id="text-1">.*?</pre>', shipped, re.DOTALL)
+    assert re.findall(r'<pre id="text-1">.*?</pre>', own, re.DOTALL) == of_shipped
     assert bool(of_shipped) is (view != "interfaces")
     assert site("/try", "POST", data={"kind": "function", "view": "nope"}).status_code == 404
 

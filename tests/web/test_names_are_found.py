@@ -10,7 +10,7 @@ from sigcat.function.node_uses import uses_in
 from sigcat.web.views.node_view import node_view
 
 EVERY = 11
-"""Of so many nodes, one is looked at."""
+"""Among so many nodes, one is searched."""
 
 
 @pytest.fixture(scope="module")

@@ -1,4 +1,4 @@
-"""Functions of one's own on pages, and who uses a node: in the tree, on its page, in a search."""
+"""Functions of the user on pages, and users of a node: in the tree, on its page, in a search."""
 
 import re
 from pathlib import Path
@@ -102,7 +102,7 @@ def test_rows_that_are_kept_belong_to_the_functions_too(tmp_path: Path) -> None:
     site = asker(create_site(Library(shipped_sources()[1:]), functions=functions))
 
     def state() -> str:
-        return str(re.findall(r'data-state="([^"]+)"', site("/").text)[0])
+        return str(re.findall(r'data-state="([^"]+)"', site("/tree/vss").text)[0])
 
     before = state()
     assert "immutable" in site(f"/rows/vss?v={before}").headers["cache-control"]
@@ -160,6 +160,6 @@ def test_the_schedule_names_a_priority_where_there_is_one(tmp_path: Path) -> Non
         text = noise(name).replace("cycleTime: 100", f"{priority}cycleTime: 100")
         (tmp_path / f"{name.lower()}.function.yaml").write_text(text)
     site = asker(create_site(Library(shipped_sources()), functions=FunctionLibrary([tmp_path])))
-    quiet, loud = (site(f"/functions/{name}").text.replace("\u00a0", " ") for name in ("quiet", "loud"))
+    quiet, loud = (site(f"/functions/{name}?view=schedule").text.replace("\u00a0", " ") for name in ("quiet", "loud"))
     assert ">every 100 ms<" in quiet
     assert ">every 100 ms, priority 20<" in loud

@@ -15,12 +15,12 @@ from tests.api.conftest import SETTINGS, SOURCES, TREE, Ask, asker
 
 PAGES = (
     "/", "/tree/small", "/tree/small/Vehicle.Speed", "/tree/small?open=*", "/tree/broken", "/search/small?q=speed",
-    "/search/small", "/units/small", "/rules", "/rules/I201", "/catalogues/broken", "/docs", "/problems/not-found",
+    "/search/small", "/units/small", "/rules", "/rules/I201", "/catalogues/broken", "/docs", "/docs/reference/functions.md", "/problems/not-found",
 )  # fmt: skip
 
 
 def title_of(page: str) -> str:
-    """What a browser's tab says."""
+    """Title in a browser's tab."""
     return str(re.findall(r"<title>([^<]*)</title>", page)[0])  # those after it belong to pictures
 
 

@@ -125,8 +125,9 @@ def test_views_of_a_set_are_tabs(site: Ask, proposing: str) -> None:
     assert "&lt;AUTOSAR" not in site("/wiring").text
     assert "&lt;AUTOSAR" in site("/wiring?f=core_acc&view=arxml").text
     assert "&lt;AUTOSAR" in connected(site, ("mpc.json", proposing), view="arxml").text
-    assert "ara::exec::ExecutionClient" in site("/wiring?f=core_acc&view=application").text
-    assert "builtin_interfaces/Time stamp" in site("/wiring?f=core_acc&view=ros2-packages").text
+    assert "ara::exec::ExecutionClient" in site("/wiring?f=core_acc&view=application.CoreAccExecutable.main.cpp").text
+    message = "ros2-packages.core_acc_interfaces.msg.AccelerationLongitudinal.msg"
+    assert "builtin_interfaces/Time stamp" in site(f"/wiring?f=core_acc&view={message}").text
     assert site("/wiring?view=nope").status_code == 404
 
 
@@ -151,7 +152,7 @@ def test_files_of_one_name_are_told_apart() -> None:
 
 
 def test_no_view_takes_the_place_of_another_one() -> None:
-    """A generator that is called as its platform needs a `view` of its own."""
+    """A generator with the name of its platform needs a separate `view`."""
     names = [CORE, *(name for platform in PLATFORMS.values() for name in _views(platform))]
     assert sorted(names) == sorted(set(names)) == sorted(SET_VIEWS)
 

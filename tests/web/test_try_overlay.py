@@ -1,4 +1,4 @@
-"""What the page shows of an overlay that is tried, and how one comes to it from the page of a node."""
+"""Page of an overlay that is tried, and the way to it from the page of a node."""
 
 import re
 from pathlib import Path
@@ -75,7 +75,7 @@ def test_an_overlay_that_does_nothing_says_so(site: Ask) -> None:
     page = tried(site, "# nothing\n")
     assert "It changes nothing." in section(page, "Changes")
     assert "None." in section(page, "Functions affected")
-    assert "It changes nothing as it stands." in section(tried(site, "Vehicle.\n"), "Changes")
+    assert "It changes nothing in its present form." in section(tried(site, "Vehicle.\n"), "Changes")
 
 
 @pytest.mark.parametrize(
@@ -113,7 +113,9 @@ def test_the_commands_do_the_same(
 def test_a_node_can_be_changed_from_its_page(site: Ask, path: str) -> None:
     page = site(f"/tree/interfaces/{path}").text
     (link,) = re.findall(r'href="([^"]+)">Change</a>', page)
-    text = site(link.replace("&amp;", "&")).text.partition("data-lines>")[2].partition("</textarea>")[0]
+    shown = site(link.replace("&amp;", "&")).text
+    assert "No findings." in shown
+    text = shown.partition("data-lines>")[2].partition("</textarea>")[0]
     assert f"\n{path}:\n  type: " in text
     assert "changes nothing" in tried(site, text)
 
@@ -131,13 +133,31 @@ def test_a_signal_is_added_below_a_branch(site: Ask, path: str, word: str, added
     (link,) = re.findall(rf'href="([^"]+)">{word}</a>', page)
     shown = site(link.replace("&amp;", "&")).text
     assert f"\n{added}:\n" in shown
-    assert "Nothing is wrong with it." in shown
+    assert "No findings." in shown
 
 
 def test_an_interface_is_added_with_the_attributes_that_one_of_its_kind_needs(site: Ask) -> None:
     text = site("/try?below=Vehicle.Function.CoreAcc.Error").text
     assert "\nVehicle.Function.CoreAcc.Error.New:\n" in text
     assert "\n  resetCondition: " in text
+
+
+def test_the_menu_leads_to_the_page_of_other_catalogues_without_the_node_of_this_one(site: Ask) -> None:
+    for address in ("/try?change=Vehicle.Speed", "/try?below=Vehicle"):
+        menu = site(address).text.partition('class="menu"')[2].partition("</details>")[0]
+        assert "/try?catalogue=" in menu
+        assert "change=" not in menu
+        assert "below=" not in menu
+
+
+def test_the_example_is_about_the_root_of_the_catalogue(tmp_path: Path) -> None:
+    tree = tmp_path / "crane.vspec"
+    tree.write_text(
+        "Crane: {type: branch, description: A crane.}\nCrane.Load: {type: sensor, datatype: float, description: Load.}\n"
+    )
+    page = asker(create_site(Library([Source("crane", "Crane", tree)])))("/try").text
+    assert "Crane.Speed:" in page
+    assert "V022" not in page
 
 
 def test_what_is_not_there_cannot_be_changed(site: Ask) -> None:

@@ -46,7 +46,7 @@ def test_an_etag_belongs_to_the_variant(site: Ask) -> None:
     assert "immutable" in site(f"{API}/{VARIANT}@{version}/units").headers["cache-control"]
 
 
-def test_variants_are_compared_and_judged_against(site: Ask) -> None:
+def test_variants_are_compared_and_checked_against(site: Ask) -> None:
     changes = site(f"{API}/interfaces~without.error/diff?to=interfaces").json()
     assert changes["summary"]
     linted = site(f"/api/v1/lint?catalogue={VARIANT}", "POST", content="Vehicle.Speed:\n  type: sensr\n")

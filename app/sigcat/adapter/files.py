@@ -1,4 +1,4 @@
-"""What every adapter gives: files, by name and content. Writing them is left to the caller."""
+"""Generated files of an adapter, by name and content. The caller writes them."""
 
 from collections.abc import Iterable
 from pathlib import Path

@@ -24,16 +24,16 @@ SourceCores = Mapping[str, SourceCore]
 
 
 class Holder(NamedTuple):
-    """What holds the core of a function."""
+    """Holder of the core of a function."""
 
     name: str
     function: str
     pointer: str
-    """Where it names the function."""
+    """Pointer of the place that names the function."""
 
 
 def source_cores(functions: Sequence[ResolvedFunction]) -> SourceCores:
-    """The core of each function. Raises InputRefused with everything that stands in the way of any."""
+    """The core of each function. Raises InputRefused with all obstacles."""
     planned = plans(functions)
     return {each.name: SourceCore(each.function, core.plan) for each, core in zip(functions, planned, strict=True)}
 
@@ -44,9 +44,9 @@ def files_of(cores: SourceCores) -> tuple[GeneratedFile, ...]:
 
 
 def wrong_holders(
-    holders: Iterable[Holder], cores: SourceCores, rule: RuleCode, become: str, anew: str = "Integrate it anew."
+    holders: Iterable[Holder], cores: SourceCores, rule: RuleCode, become: str, anew: str = "Integrate it again."
 ) -> Iterator[Finding]:
-    """Those whose function is not in the document, or has a holder already; `become` is what it is to become."""
+    """Report holders whose function is not in the document, or has a holder already; `become` names their kind."""
     seen: dict[str, str] = {}
     for name, function, pointer in holders:
         if function not in cores:

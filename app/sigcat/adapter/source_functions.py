@@ -1,4 +1,4 @@
-"""The functions of an Integration JSON, with where they stand in it."""
+"""The functions of an Integration JSON, with their places in it."""
 
 from collections.abc import Sequence
 from functools import cache

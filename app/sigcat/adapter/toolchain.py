@@ -1,4 +1,4 @@
-"""Which C and C++ compiler there is: the one that CC and CXX name, a system's, or the one that PyPI has."""
+"""The C and C++ compiler: the one that CC and CXX name, the system's, or the one of PyPI."""
 
 import os
 import shlex
@@ -11,11 +11,11 @@ from typing import NamedTuple
 from sigcat.errors import UsageError
 
 EXACT = ("-ffp-contract=off",)
-"""What keeps products and sums two roundings: part of every command that compiles a core."""
+"""Flags that keep a product and a sum as two roundings: part of every command that compiles a core."""
 
 _PAIRS = (("gcc", "g++"), ("clang", "clang++"), ("cc", "c++"))
 _ZIG = "ziglang"
-_MISSING = "There is no C compiler. Install gcc or clang, or run `pip install 'sigcat[simulate]'`, or name one in CC."
+_MISSING = "No C compiler found. Install gcc or clang, or run `pip install 'sigcat[simulate]'`, or name one in CC."
 
 
 class Toolchain(NamedTuple):
@@ -28,7 +28,7 @@ class Toolchain(NamedTuple):
     def compiler(self, *, is_cpp: bool) -> tuple[str, ...]:
         """The one for a language. Raises UsageError if there is none."""
         if is_cpp and not self.cpp:
-            raise UsageError(f"There is no C++ compiler beside {self.c[0]!r}. Name one in CXX.")
+            raise UsageError(f"No C++ compiler found next to {self.c[0]!r}. Name one in CXX.")
         return self.cpp if is_cpp else self.c
 
     @property

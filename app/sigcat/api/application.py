@@ -64,7 +64,7 @@ _DESCRIPTION = """\
 A catalogue of vehicle signals and function interfaces: trees of the COVESA Vehicle Signal Specification with
 overlays, rules for names and fields, and functions built from them.
 
-Every error is `application/problem+json` (RFC 9457) and says what is wrong, where, and what to do.
+Every error is `application/problem+json` (RFC 9457) and gives the error, its place and the fix.
 """
 
 
@@ -158,7 +158,7 @@ def _queue(at_once: int, settings: Settings, kind: str = "") -> WorkQueue:
 
 
 def _wrap(app: FastAPI, library: Library, settings: Settings) -> None:
-    """What stands around the routes; the one that is added last is passed first."""
+    """Add the middleware around the routes; the one that is added last is passed first."""
     app.add_middleware(Shortcuts, library=library, settings=settings)
     app.add_middleware(Packing, minimum_size=1000, compresslevel=5, thread_minimum_size=_PACKED_IN_THREAD)
     app.add_middleware(AnswerCache, library=library, most_bytes=settings.cache_bytes)

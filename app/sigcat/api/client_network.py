@@ -1,4 +1,4 @@
-"""What counts as one client, where each gets a share of something that is bounded."""
+"""Address or network that counts as one client, where each gets a share of something that is bounded."""
 
 from functools import lru_cache
 from ipaddress import IPv6Address, IPv6Network, ip_address

@@ -1,4 +1,4 @@
-"""What a new OpenAPI document breaks for clients that were generated from an old one."""
+"""Changes of an OpenAPI document that break clients generated from an older one."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -12,7 +12,7 @@ _DEEPEST = 12
 
 
 def breaking_changes(old: Schema, new: Schema) -> list[str]:
-    """What clients of `old` lose, one sentence each. A major version that `new` has no more is not compared."""
+    """Return one sentence for each break of clients of `old`. A major version that `new` lacks is not compared."""
     after = {(path, method): operation for path, method, operation in operations(new)}
     majors = {major(path) for path, _ in after}
     found: list[str] = []
@@ -62,7 +62,7 @@ def _parameters(before: Schema, after: Schema, old: Schema, new: Schema) -> Iter
 
 
 def _accepted(before: Schema, after: Schema, old: Schema, new: Schema) -> Iterator[str]:
-    """What a parameter took and takes no more."""
+    """Report values that a parameter no longer takes."""
     earlier, later = _values(before, old), _values(after, new)
     if later and (lost := sorted((earlier or {"any text"}) - later)):
         yield f"no longer takes {', '.join(lost)}."
@@ -83,7 +83,7 @@ def _responses(before: Schema, after: Schema, old: Schema, new: Schema) -> Itera
         later = after["responses"].get(status)
         if later is None:
             if status.startswith("2"):
-                yield f"there is no answer {status} any more."
+                yield f"the answer {status} was removed."
             continue
         for name in response.get("headers", {}).keys() - later.get("headers", {}).keys():
             yield f"the answer {status} no longer has the header {name}."
@@ -96,7 +96,7 @@ def _responses(before: Schema, after: Schema, old: Schema, new: Schema) -> Itera
 
 
 def _answered(before: Schema, after: Schema, old: Schema, new: Schema, at: str, depth: int = 0) -> Iterator[str]:
-    """What an answer held and does not hold for sure any more."""
+    """Report content of an answer that is no longer guaranteed."""
     was, now = _resolved(before, old), _resolved(after, new)
     if depth > _DEEPEST or not was:
         return

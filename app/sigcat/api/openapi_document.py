@@ -87,7 +87,7 @@ LINKS: Mapping[str, Mapping[str, Mapping[str, Any]]] = {
         for generator in platform.generators
     },
 }
-"""Which operation goes on from the answer of which, and with what of it."""
+"""Operations that continue from the answer of another one, with the part of the answer that they use."""
 
 
 def openapi_document(app: FastAPI) -> Document:
@@ -112,7 +112,7 @@ def _documented(app: FastAPI) -> Document:
 
 
 def _contact(settings: Settings) -> dict[str, str]:
-    """Who answers for the service, as far as its operator says."""
+    """Return the contact for the service, as far as its operator states it."""
     stated = {"name": settings.contact_name, "url": settings.contact_url, "email": settings.contact_email}
     return {name: value for name, value in stated.items() if value}
 
@@ -186,7 +186,7 @@ def operations(document: Mapping[str, Any]) -> Iterator[tuple[str, str, dict[str
 
 
 def _complete_forms(response: dict[str, Any]) -> None:
-    """Problems have a media type of their own; what is JSON and YAML has one schema."""
+    """Problems have their own media type; JSON and YAML of the same data have one schema."""
     content = response.get("content", {})
     schema = content.get(JSON, {}).get("schema", {})
     if schema.get("$ref") in _PROBLEMS:

@@ -9,7 +9,7 @@ _LISTS = ("anyOf", "oneOf", "allOf")
 
 
 def answered(schema: Schema) -> Schema:
-    """A schema of an answer: what is not there yet may come, so nobody refuses a field that he does not know."""
+    """A schema of an answer: fields may be added, so clients must not refuse unknown fields."""
     plain: Schema = _simple(schema)
     if plain.get("additionalProperties") is False:
         plain.pop("additionalProperties")

@@ -54,7 +54,7 @@ def _unknown(table: Mapping[str, Any], file: Path | None) -> Iterator[Finding]:
         if name not in Settings.model_fields:
             fix = did_you_mean(name, Settings.model_fields) or "`sigcat config` lists them."
             yield codes.SETTING_UNKNOWN.finding(
-                f"There is no setting {name!r} in [{TABLE}].", str(file or ""), pointer=name, fix=fix
+                f"Unknown setting {name!r} in [{TABLE}].", str(file or ""), pointer=name, fix=fix
             )
 
 
@@ -66,11 +66,11 @@ def _unknown_variables(variables: Mapping[str, str]) -> Iterator[Finding]:
             yield codes.SETTING_UNKNOWN.finding(f"The environment has {name}.", fix=fix)
         elif name not in known:
             fix = did_you_mean(name, known) or "`sigcat config` lists the settings."
-            yield codes.SETTING_UNKNOWN.finding(f"There is no setting {name!r} for the environment.", fix=fix)
+            yield codes.SETTING_UNKNOWN.finding(f"Unknown setting {name!r} for the environment.", fix=fix)
 
 
 def _places(variables: Iterable[str], options: Iterable[str]) -> dict[str, str]:
-    """Where settings stand that are not in the file, as a user spells them."""
+    """Return where settings that are not in the file are set, as a user spells them."""
     return {name: f"{PREFIX}{name.upper()}" for name in variables} | {name: f"--{name}" for name in options}
 
 

@@ -70,7 +70,7 @@ def refuse_address_in_use(host: str, port: int) -> None:
 
 
 def prepare(application: FastAPI, settings: Settings) -> None:
-    """What a process needs that serves: its log, what is wrong with its catalogues in it, and fewer runs of the garbage collector."""
+    """Prepare a serving process: its log, the errors of its catalogues, fewer runs of the garbage collector."""
     log_as_json(logging.INFO if settings.log == "json" else logging.WARNING)
     if settings.log == "json":
         application.state.request_notes.log = RequestLines(sys.stderr).add
@@ -85,7 +85,7 @@ def prepare(application: FastAPI, settings: Settings) -> None:
 
 
 def uvicorn_config(application: FastAPI, settings: Settings) -> uvicorn.Config:
-    """How uvicorn is set up for these settings."""
+    """Return the configuration of uvicorn for these settings."""
     return uvicorn.Config(
         application,
         host=settings.host,

@@ -33,7 +33,7 @@ class ServiceRules:
         """The rule with this code. Raises NotFound with the nearest codes."""
         rule = self._by_id.get(rule_id)
         if rule is None:
-            raise NotFound(f"There is no rule {rule_id!r}.", nearest(rule_id[:100], self._by_id))
+            raise NotFound(f"Unknown rule {rule_id!r}.", nearest(rule_id[:100], self._by_id))
         return rule
 
     def findings_in(self, catalogue: Catalogue) -> tuple[Finding, ...]:

@@ -1,4 +1,4 @@
-"""What an operator of the service may set: in `[service]` of sigcat.toml, and as SIGCAT_… in the environment."""
+"""Settings of the service: in `[service]` of sigcat.toml, and as SIGCAT_… in the environment."""
 
 from typing import Annotated, Any, Literal
 
@@ -24,7 +24,7 @@ Tokens = Annotated[tuple[Annotated[Token, BeforeValidator(_token)], ...], Before
 
 
 class Settings(BaseModel):
-    """Bounds on requests, each with a clear answer where it is met, and how the service stands in its network."""
+    """Bounds on requests, each with a clear answer when it is exceeded, and the place of the service in its network."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
@@ -40,11 +40,11 @@ class Settings(BaseModel):
     )
     contact_url: str = Field(
         default="",
-        description="Address of a page where they are reached; stands there too.",
+        description="Address of their contact page; shown there too.",
         pattern=r"^(https?://\S+)?$",
     )
     contact_email: str = Field(
-        default="", description="Their address for mail; stands there too.", pattern=r"^([^@\s]+@[^@\s]+)?$"
+        default="", description="Their e-mail address; shown there too.", pattern=r"^([^@\s]+@[^@\s]+)?$"
     )
     trusted_proxies: Texts = Field(
         default=(),
@@ -116,9 +116,9 @@ class Settings(BaseModel):
     tree_nodes: int = Field(default=20_000, description="Most nodes in one answer of the tree; more: 422.", ge=1)
     query_characters: int = Field(default=200, description="Longest text to search for; longer: 422.", ge=1)
     heavy_requests: int = Field(
-        default=2, description="Compositions, lints and diffs under way at once, each in a process of its own.", ge=1
+        default=2, description="Compositions, lints and diffs under way at once, each in its own process.", ge=1
     )
-    exports: int = Field(default=2, description="Exports under way at once, each in processes of its own.", ge=1)
+    exports: int = Field(default=2, description="Exports under way at once, each in separate processes.", ge=1)
     long_answers: int = Field(default=2, description="Answers of many nodes that are made at once.", ge=1)
     heavy_waiting: int = Field(
         default=32, description="Further ones of each kind that wait; more: 503 with `Retry-After`.", ge=0

@@ -17,7 +17,7 @@ _WRITTEN = re.compile(rf"({_NAME}):([a-z+]+):([0-9a-f]{{64}})")
 
 
 class Token(NamedTuple):
-    """What is kept of a token."""
+    """A token, as it is stored."""
 
     name: str
     scopes: frozenset[str]

@@ -70,7 +70,7 @@ ABBREVIATIONS: Mapping[str, tuple[str, ...]] = {
     "wndw": ("window",),
     "wpr": ("wiper",),
 }
-"""Texts whose words, each a beginning, stand for the abbreviation."""
+"""Texts whose words, each a beginning, mean the abbreviation."""
 
 OF_CODE: Mapping[str, tuple[str, ...]] = {
     "ag": ("angle",),

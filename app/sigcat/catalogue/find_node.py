@@ -31,7 +31,7 @@ def find_node(text: str, catalogue: Catalogue) -> Found:
             return Found(node, folded, instances)
     near = _near(path, catalogue)
     hint = f" Did you mean {' or '.join(near)}?" if near else ""
-    raise NotFound(f"there is no node {text!r}.{hint}", near)
+    raise NotFound(f"unknown node {text!r}.{hint}", near)
 
 
 def _near(path: str, catalogue: Catalogue) -> tuple[str, ...]:

@@ -14,18 +14,18 @@ from sigcat.catalogue.search_words import Bits, Words, numbers_in, words_of_path
 from sigcat.names import last_name, parent_path, words
 
 PLACEHOLDER = "TODO"
-"""Branch of the paths that are to be chosen, such as `Vehicle.TODO.EngSpd`; no tree has it."""
+"""Branch of the paths that the author must choose, such as `Vehicle.TODO.EngSpd`; no tree has it."""
 
 _EMPTY = frozenset(("in", "out", "inp", "outp", "input", "output", "sig", "signal", "val", "value", "raw", "flt", "filt",
                     "meas", "bus", "data", "var", "can", "u", "y", "x"))  # fmt: skip
-"""Words that say nothing of what is meant."""
+"""Words without a meaning for the search."""
 _MOST_WORDS, _MOST_COMPARED, _SHORTEST_BEGINNING, _SHORTEST_WORD = 6, 200, 3, 3
 _LEAST_WEIGHT = 2.0
 """Words that more than a quarter of all paths have say nothing alone, such as that of the root."""
 
 
 def is_to_be_chosen(path: str) -> bool:
-    """Whether a path only holds the place of one that is to be chosen."""
+    """Whether a path is a placeholder for one that the author must choose."""
     return last_name(parent_path(path)) == PLACEHOLDER
 
 
@@ -40,11 +40,11 @@ class Near(NamedTuple):
     beyond: int
     """Words of the path that the name does not have, without the root."""
     beyond_last: int
-    """Those of them in the last name."""
+    """Words among them in the last name."""
     weight: float
-    """Return the weight of the matched words: a word that few paths have weighs more."""
+    """Weight of the matched words: a word that few paths have weighs more."""
     whole: int
-    """Words that stand for whole words of the path, not for their beginnings."""
+    """Words that match whole words of the path, not their beginnings."""
     shares_word: bool
     """Whether one of these, and the word that it matches, has three letters or more."""
 
@@ -60,7 +60,7 @@ class Near(NamedTuple):
 
 
 class NearSignals:
-    """The signals of a catalogue by the words of their paths. Instances of one definition stand for themselves."""
+    """The signals of a catalogue by the words of their paths. Instances of one definition are separate."""
 
     def __init__(self, catalogue: Catalogue) -> None:
         nodes = list(catalogue.nodes.values())
@@ -165,7 +165,7 @@ def _meanings(word: str) -> tuple[str, ...]:
 
 
 class _Match(NamedTuple):
-    """Return the words of a path that match a word of a name: whole words, or words that begin so."""
+    """Words of a path that match a word of a name: whole words, or words that begin so."""
 
     names: tuple[str, ...]
     is_whole: bool

@@ -104,7 +104,7 @@ class SearchIndex:
         `text` may also be a static id, or have generated names in it. `filters` are exact values by facet: type,
         datatype, unit, category, asil, overlay, deprecated (`yes`, `no`). A name that was given whole comes first,
         then matches in the name, the path, the description; without words, all in the order of the tree. Instances
-        that share a definition are one hit, unless `each_instance` is wanted. Raises UsageError for too many words.
+        that share a definition are one hit, unless `each_instance` is set. Raises UsageError for too many words.
         """
         allowed = {facet: self._facets[facet].get(value, 0) for facet, value in (filters or {}).items()}
         chosen = _common(allowed.values(), self._everything)
@@ -142,7 +142,7 @@ class SearchIndex:
         return wanted, ranks
 
     def _taken_apart(self, word: str) -> list[str]:
-        """A word as it stands if something has it; of a name, its words."""
+        """A word unchanged if something has it; of a name, its words."""
         is_name = _GENERATED.fullmatch(word) and not self._in_path.knows(word.lower())
         if not is_name or self._in_name.knows(word.lower()) or ("_" not in word and self._in_text.knows(word.lower())):
             return [word.lower()]
@@ -174,7 +174,7 @@ class SearchIndex:
 
     @cached_property
     def _with_static_id(self) -> Mapping[str, Bits]:
-        """Nodes by static id: computed when somebody asks for one, since that takes long for large trees."""
+        """Nodes by static id: computed at the first request, since that takes long for large trees."""
         numbers: defaultdict[str, list[int]] = defaultdict(list)
         for number, node in enumerate(self._nodes):
             numbers[static_id(node).lower()].append(number)
@@ -274,7 +274,7 @@ class _Groups:
         return self._first[number]
 
     def last_of(self, number: int) -> int:
-        """The last number of a group, which stands for it."""
+        """The last number of a group, which represents it."""
         return self._last[number]
 
     def touched(self, found: Bits) -> Bits:

@@ -1,4 +1,4 @@
-"""Which nodes have which words, as sets of node numbers.
+"""Index of nodes by their words, as sets of node numbers.
 
 A set of nodes is an integer with one bit for each node. Union, intersection and counting of 100,000 nodes then take
 microseconds.
@@ -17,7 +17,7 @@ from sigcat.catalogue.model.interfaces import interface_name
 from sigcat.names import parent_path, words
 
 Bits = int
-"""A set of nodes: bit n stands for the node with the number n."""
+"""A set of nodes: bit n is the node with the number n."""
 
 Numbered = Iterable[tuple[int, Iterable[str]]]
 """Numbers of nodes, each with words of the node."""
@@ -26,7 +26,7 @@ _BLOCK = 1024
 _LAST = "\U0010ffff"
 """Sorts after every letter: what begins with a prefix sorts before the prefix and this."""
 _END = " "
-"""Stands behind a whole name, so that it is told from the same word in a longer name. No word that is looked for has one."""
+"""Ends a whole name, to distinguish it from the same word in a longer name. No search word has one."""
 
 
 class Words:
@@ -48,13 +48,13 @@ class Words:
         self._blocks = [bits_of(self._numbers[start : start + _BLOCK]) for start in range(0, whole, _BLOCK)]
 
     def knows(self, word: str) -> bool:
-        """Whether any word begins so, or with the words that an abbreviation stands for."""
+        """Whether any word begins so, or with the words of an abbreviation."""
         position = bisect_left(self.words, word)
         begins = position < len(self.words) and self.words[position].startswith(word)
         return begins or (word in ABBREVIATIONS and bool(self.beginning(word)))
 
     def beginning(self, word: str) -> Bits:
-        """Nodes with a word that begins so, or with the words that an abbreviation stands for."""
+        """Nodes with a word that begins so, or with the words of an abbreviation."""
         found = self._with_prefix(word)
         for meaning in ABBREVIATIONS.get(word, ()):
             found |= reduce(and_, map(self._with_prefix, meaning.split()))

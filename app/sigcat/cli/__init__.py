@@ -1,4 +1,4 @@
-"""The command line: parse, call, print. Each command stands in a file of its own and loads its code when it runs.
+"""The command line: parse, call, print. Each command has its own file and loads its code when it runs.
 
 Exit status: 0 done, or nothing worse than a note; 1 findings, or changes that --fail-on names; 2 could not run.
 """
@@ -9,11 +9,14 @@ import os
 import sys
 from collections.abc import Sequence
 from importlib import import_module
+from io import TextIOWrapper
 
 from sigcat import __version__
 from sigcat.cli.command_parser import CommandParser
+from sigcat.cli.ended_by_signals import remembering_interrupts, was_interrupted
 from sigcat.cli.output_options import refuse_overwriting
 from sigcat.errors import InputRefused, SigcatError, must_be_a_file
+from sigcat.terminal_text import printable_lines
 
 COMMANDS = (
     "init",
@@ -41,7 +44,7 @@ COMMANDS = (
     "mcp",
     "lsp",
 )
-"""Names of the commands; each stands in the module of its name."""
+"""Names of the commands; each is in the module of its name."""
 _MODULES = {"try": "try_overlay", "version-bump": "version_bump"}
 """Modules of commands whose names cannot be names of modules."""
 
@@ -51,6 +54,12 @@ def main(argv: Sequence[str] | None = None) -> int:
     set_up_process()
     if sys.stdout is None:  # closed by the caller, as `>&-` does
         sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123, SIM115 — stands until the end
+    with remembering_interrupts():
+        return _run(argv)
+
+
+def _run(argv: Sequence[str] | None) -> int:
+    """The exit status of the command, whatever it raises."""
     try:
         if argv is None and "_ARGCOMPLETE" in os.environ:
             _complete()
@@ -60,8 +69,9 @@ def main(argv: Sequence[str] | None = None) -> int:
         status: int = arguments.run(arguments)
         sys.stdout.flush()
     except InputRefused as error:
-        for finding in error.findings:
-            print(finding.line_of_text, file=sys.stderr)
+        from sigcat.cli.output import print_findings
+
+        print_findings(error.findings)
         return _failed(str(error), 1 if error.findings else 2)  # without any, nothing was found out
     except SigcatError as error:
         return _failed(str(error), 2)
@@ -72,7 +82,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     except Exception as error:
         if os.environ.get("SIGCAT_DEBUG"):
             raise
-        return _failed(f"internal error: {type(error).__name__}: {error} (SIGCAT_DEBUG=1 shows where)", 2)
+        return _broken(error)
     return status
 
 
@@ -84,14 +94,17 @@ def _complete() -> None:
 
 
 def set_up_process() -> None:
-    """Spare a short process what a long one may need."""
-    gc.set_threshold(1_000_000, 20)  # most of what a command makes stays to its end: seldom looked through
+    """Spare a short process what a long one may need, and let it print every character."""
+    gc.set_threshold(1_000_000, 20)  # most objects of a command live to its end: seldom looked through
     atexit.register(gc.freeze)  # what is left at the end need not be looked through
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # it would look for some in every package installed
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, TextIOWrapper):  # a terminal of another encoding shows escapes
+            stream.reconfigure(errors="backslashreplace")
 
 
 def parser_of(wanted: str) -> CommandParser:
-    """The parser of the command `wanted`; of all commands where it is none of them, such as `--help`."""
+    """The parser of the command `wanted`; of all commands if it is not one, such as `--help`."""
     parser = CommandParser(
         prog="sigcat",
         description="A signal catalogue: browse, lint and export VSS trees with their interfaces, build functions.",
@@ -105,8 +118,15 @@ def parser_of(wanted: str) -> CommandParser:
 
 
 def _failed(message: str, status: int) -> int:
-    print(f"sigcat: {message}", file=sys.stderr)
+    print(f"sigcat: {printable_lines(message)}", file=sys.stderr)
     return status
+
+
+def _broken(error: Exception) -> int:
+    """Report an error of sigcat; 130 if it follows from an interrupt that a library has swallowed."""
+    if was_interrupted():
+        return 130
+    return _failed(f"internal error: {type(error).__name__}: {error} (SIGCAT_DEBUG=1 shows where)", 2)
 
 
 def _reason(error: OSError) -> str:

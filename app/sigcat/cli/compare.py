@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from sigcat.cli.command_parser import positive
 from sigcat.cli.ended_by_signals import ended_by_signals
 from sigcat.cli.function_options import deployment_of, project_functions
-from sigcat.cli.output import make_folder, write_bytes, write_text
+from sigcat.cli.output import make_folder, print_findings, write_bytes, write_text
 from sigcat.cli.output_options import add_outputs
 from sigcat.cli.project_options import project_of
 from sigcat.cli.tree_options import add_dbc, add_tree_options, read_tree
@@ -27,11 +27,10 @@ if TYPE_CHECKING:
     from sigcat.comparison.faults.scenario import Scenario
     from sigcat.comparison.report.model import Report
     from sigcat.comparison.running.runner import Subject
-    from sigcat.findings import Finding
 
 _FORMS = (".md", ".json", ".html")
 FREE_RUN = 20.0
-"""Seconds of free run, if nobody says otherwise."""
+"""Seconds of free run by default."""
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -103,10 +102,10 @@ def compare(arguments: argparse.Namespace) -> int:
         with ended_by_signals():
             report = _compared(arguments)
     except (KeyboardInterrupt, SystemExit):
-        _tell("Ended before it was done: nothing goes on running, and there is no report.")
+        _tell("Interrupted: all processes were ended, and no report was written.")
         raise
     except InputRefused as refused:  # 1 says that a value differs
-        _print(refused.findings)
+        print_findings(refused.findings)
         raise UsageError(str(refused)) from None
     for path in arguments.output:
         _write(report, path)
@@ -151,7 +150,7 @@ def _asked(arguments: argparse.Namespace, folder: Path) -> "Asked":
     compared = read_compared(arguments.functions or project_functions(arguments))
     trace = arguments.trace or compared.trace
     if trace is None:
-        raise UsageError("say with --trace TRACE what is played to the functions")
+        raise UsageError("pass `--trace TRACE`, the drive to play to the functions")
     tree = read_tree(arguments)
     subject = _subject(arguments, compared, tree)
     if is_bag(trace):
@@ -207,14 +206,14 @@ def _carried(
         compared.trace,
         folder,
     )
-    _print(carried.findings)
+    print_findings(carried.findings)
     for line in carried.counts:
         _tell(line)
     return carried
 
 
 def _scenarios(path: Path, trace: Path, subject: "Subject") -> "tuple[Scenario, ...]":
-    """The faults of a file. Raises InputRefused with what is wrong with them."""
+    """The faults of a file. Raises InputRefused with their errors."""
     from sigcat.comparison.faults.drives import read_texts
     from sigcat.comparison.faults.reading import read_scenarios
 
@@ -226,7 +225,7 @@ def _scenarios(path: Path, trace: Path, subject: "Subject") -> "tuple[Scenario, 
 
 
 def _platforms(text: str | None) -> tuple[str, ...]:
-    """Those that are named, all where nothing is said. Raises UsageError."""
+    """Return the named platforms; all without a name. Raises UsageError."""
     from sigcat.comparison.running.table import RUNNERS
 
     if text is None:
@@ -250,7 +249,7 @@ def _subject(arguments: argparse.Namespace, compared: "ComparedSet", tree: "Cata
     read, findings = read_functions([(path.read_bytes(), str(path)) for path in compared.functions], tree)
     functions = tuple(sorted(read, key=lambda function: function.name))  # as on platforms: by name, not by file
     prepared = prepare(functions)
-    _print((*findings, *prepared.findings))
+    print_findings((*findings, *prepared.findings))
     path = deployment_of(arguments, compared.deployment)
     deployment = deployment_of_file(path, os.environ) if path else DEFAULT_DEPLOYMENT
     return Subject(functions, prepared, deployment)
@@ -261,7 +260,7 @@ def _span(trace: Path, subject: "Subject") -> tuple[int, int]:
     from sigcat.runs.recording.trace_file import moments, open_trace
 
     opened = open_trace(trace, subject.prepared.known_in_drive)
-    _print(opened.findings)
+    print_findings(opened.findings)
     if not opened.taken:
         raise UsageError(f"{trace} has no column that one of the functions receives: there is nothing to play")
     first = last = -1
@@ -270,11 +269,6 @@ def _span(trace: Path, subject: "Subject") -> tuple[int, int]:
     if last <= first:
         raise UsageError(f"{trace} has no rows after its beginning: there is nothing to play")
     return first, last
-
-
-def _print(findings: "Iterable[Finding]") -> None:
-    for finding in findings:
-        print(finding.line_of_text, file=sys.stderr)
 
 
 # -- what is written ----------------------------------------------------------------------------------------------

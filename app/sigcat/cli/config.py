@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from sigcat.cli.catalogue_options import add_catalogue_options, hosted_sources, served_project
 from sigcat.cli.tree_options import add_tree_options, tree_options
+from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
     from sigcat.api.settings import Settings
@@ -65,7 +66,7 @@ def _show(arguments: argparse.Namespace) -> None:
     width = min(60, max(len(f"{line.name} = {line.value}") for line in lines))
     for line in lines:
         text = f"{line.name} = {line.value}"
-        print(f"{text:{width}}  # {line.origin}" if line.origin else text)
+        print(printable(f"{text:{width}}  # {line.origin}" if line.origin else text))
 
 
 def _found(arguments: argparse.Namespace, project: "Project") -> str:

@@ -1,7 +1,6 @@
 """`sigcat export FORMAT`."""
 
 import argparse
-import sys
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
@@ -11,7 +10,7 @@ from sigcat.catalogue.exporting.exporter import TIMEOUT, Exporter, Option
 from sigcat.catalogue.exporting.exporters import EXPORTERS
 from sigcat.catalogue.exporting.shared_options import EXPAND, STRICT
 from sigcat.cli.command_parser import CommandParser, positive
-from sigcat.cli.output import make_folder, write_bytes
+from sigcat.cli.output import make_folder, print_findings, write_bytes
 from sigcat.cli.output_options import Output, add_output, name_output, outputs_of, refuse_overwriting
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import UsageError
@@ -60,8 +59,7 @@ def export(arguments: argparse.Namespace) -> int:
     catalogue = read_tree(arguments, expanded=expanded, for_export=not options.get(STRICT.name))
     name = _name(output, exporter)
     result = exported(catalogue, exporter.name, options, output_name=name, timeout=arguments.timeout)
-    for finding in result.findings:
-        print(finding.line_of_text, file=sys.stderr)
+    print_findings(result.findings)
     targets = list(_targets(result.files, exporter, output, arguments))
     read = (file.name for file in catalogue.files)
     named = {real_path(path) for path in outputs_of(arguments).values()}

@@ -6,11 +6,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
 from sigcat.cli.function_options import add_function, add_functions, functions_of, one_function
-from sigcat.cli.output import write_text
+from sigcat.cli.output import print_findings, write_text
 from sigcat.cli.output_options import add_output
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import UsageError
-from sigcat.findings import has_errors
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -148,8 +147,7 @@ def build(arguments: argparse.Namespace) -> int:
 
     file = one_function(arguments)
     function, findings = build_function(file.read_bytes(), str(file), read_tree(arguments), check_code=code_problems)
-    for finding in findings:
-        print(finding.line_of_text, file=sys.stderr)
+    print_findings(findings)
     write_text(to_json(function).decode("utf-8"), arguments.output)
     return 0
 
@@ -207,8 +205,7 @@ def _imported(arguments: argparse.Namespace, folder: Path, schema: str) -> str:
         arguments.define,
         arguments.define_under or "",
     )
-    for finding in made.findings:
-        print(finding.line_of_text, file=sys.stderr)
+    print_findings(made.findings)
     print(f"{arguments.from_c}: {made.summary}", file=sys.stderr)
     for line in made.to_do:
         print(f"To do: {line}", file=sys.stderr)
@@ -232,8 +229,7 @@ def update(arguments: argparse.Namespace) -> int:
         arguments.define,
         arguments.define_under or "",
     )
-    for finding in merged.findings:
-        print(finding.line_of_text, file=sys.stderr)
+    print_findings(merged.findings)
     for line in merged.report:
         print(line)
     if merged.text.encode() != data.removeprefix(b"\xef\xbb\xbf"):
@@ -250,9 +246,8 @@ def overlay(arguments: argparse.Namespace) -> int:
     file = one_function(arguments)
     made = overlay_of(file.read_bytes(), str(file), read_tree(arguments))
     if made.types and arguments.types_output is None:
-        raise UsageError("struct types stand in a file of their own: name it with --types-output FILE")
-    for finding in made.findings:
-        print(finding.line_of_text, file=sys.stderr)
+        raise UsageError("struct types need a separate file: pass `--types-output FILE`")
+    print_findings(made.findings)
     if made.types:
         write_text(made.types, arguments.types_output)
     if made.text:
@@ -261,14 +256,14 @@ def overlay(arguments: argparse.Namespace) -> int:
 
 
 def validate(arguments: argparse.Namespace) -> int:
-    """Report findings; 1 if a file cannot be used, or files cannot be used together."""
+    """Report findings; 1 if one is worse than a note."""
     from sigcat.adapter.core.clashes import code_problems
     from sigcat.function.sets.check_set import check_functions
 
     files = [(file.read_bytes(), str(file)) for file in functions_of(arguments)]
     findings = check_functions(files, read_tree(arguments), is_whole=len(files) > 1, check_code=code_problems)
     _print(findings, arguments.format)
-    return int(has_errors(findings))
+    return int(any(finding.severity != "info" for finding in findings))
 
 
 def _print(findings: "Sequence[Finding]", form: str) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.command_parser import positive
-from sigcat.cli.output import make_folder, write_lines, write_text
+from sigcat.cli.output import make_folder, print_findings, write_lines, write_text
 from sigcat.cli.output_options import FORMATS, add_output
 from sigcat.cli.project_options import project_of
 from sigcat.cli.tree_options import add_dbc, add_tree_options, read_tree
@@ -62,7 +62,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     add_output(parser, "-o", "--output", metavar="TRACE", help="write the trace here (default: standard output)")
     parser.add_argument(
         "--send", metavar="INTERFACE:CHANNEL",
-        help="send to this bus, or into a log that is named, what the catalogue maps to CAN of a trace, or of what functions send",
+        help="send signals of a trace or of functions, as the catalogue maps them to CAN, to this bus or into a log",
     )  # fmt: skip
     parser.add_argument(
         "--defaults",
@@ -86,7 +86,7 @@ def _add_functions(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     to.add_argument(
         "--lock-step", action="store_true",
-        help="as fast as it goes, with functions that wait for each other; nothing is lost",
+        help="run in lock step: as fast as possible, without losing messages",
     )  # fmt: skip
     add_output(to, "--recorded", metavar="TRACE", help="write what the functions send here")
     to.add_argument(
@@ -98,7 +98,7 @@ def _add_functions(parser: argparse.ArgumentParser) -> None:
 
 
 def gateway(arguments: argparse.Namespace) -> int:
-    """Carry, and write a report of what was found if one is wanted."""
+    """Carry, and write a report of the findings if `--report` asks for one."""
     from sigcat.rules.report import report, sources_of
 
     found: list[Finding] = []
@@ -127,7 +127,7 @@ def _gateway(arguments: argparse.Namespace, found: "list[Finding]") -> int:
         return _send_trace(arguments, found)
     frames, name = _frames(arguments, found)
     prepared = prepare(read_tree(arguments), _databases(arguments))
-    _tell(prepared.findings)
+    print_findings(prepared.findings)
     found += prepared.findings
     translation = Translation(
         prepared.database,
@@ -145,8 +145,8 @@ def _gateway(arguments: argparse.Namespace, found: "list[Finding]") -> int:
             write_lines(lines_of(joined(rows), columns), arguments.output)
     else:
         _to_functions(arguments, prepared, translation, moments, found, name)
-    found += [*translation.findings, *_clock_doubts(arguments, translation), *doubts(translation, name)]
-    _tell(found[told:])
+    found += [*translation.findings, *_clock_doubts(arguments, translation), *doubts(translation, name, found)]
+    print_findings(found[told:])
     for line in translation.counts.lines():
         print(f"{name}: {line}", file=sys.stderr)
     return int(has_errors(found))
@@ -201,13 +201,13 @@ def _send_trace(arguments: argparse.Namespace, found: "list[Finding]") -> int:
     if not arguments.send or arguments.to is not None:
         raise UsageError("a trace goes to CAN: name a bus or a log with --send")
     prepared = prepare(read_tree(arguments), _databases(arguments), is_sending=True)
-    _tell(prepared.findings)
+    print_findings(prepared.findings)
     rows, columns = trace_rows(existing_file(arguments.log))
     sender = Sender(prepared.database, prepared.outgoing, _defaults(arguments, prepared, found))
     with open_bus(arguments.send) as bus:
         bus.send_at_times(frames_of(rows, columns, sender))
     told = [*sender.findings(str(arguments.log))]
-    _tell(told)
+    print_findings(told)
     print(f"{arguments.log}: {sender.line()}", file=sys.stderr)
     found += [*prepared.findings, *told]
     return int(has_errors(found))
@@ -222,7 +222,7 @@ def _defaults(
     if arguments.defaults is None:
         return {}
     values, findings = read_defaults(existing_file(arguments.defaults), prepared.database)
-    _tell(findings)
+    print_findings(findings)
     found += findings
     return values
 
@@ -257,7 +257,7 @@ def _to_functions(
     found: "list[Finding]",
     name: str,
 ) -> None:
-    """Send to functions, and write what they send; what goes wrong with them is added to `found`."""
+    """Send to functions, and write what they send; their errors are added to `found`."""
     from sigcat import codes
     from sigcat.gateway.heard import Heard
     from sigcat.gateway.onward import Handed
@@ -376,8 +376,3 @@ def _clock_doubts(arguments: argparse.Namespace, translation: "Translation") -> 
         doubt = clock_doubt(added_trace(arguments.add, ()), 0 if translation.is_from_zero else first)
         if doubt is not None:
             yield doubt
-
-
-def _tell(findings: "Iterable[Finding]") -> None:
-    for finding in findings:
-        print(finding.line_of_text, file=sys.stderr)

@@ -1,10 +1,10 @@
 """`sigcat generate core FUNCTION... -o DIR`."""
 
 import argparse
-import sys
 
 from sigcat.cli.function_options import add_functions, functions_of
 from sigcat.cli.generated_folder import add_folder, paths_in, write_generated
+from sigcat.cli.output import print_findings
 from sigcat.cli.output_options import refuse_overwriting
 from sigcat.cli.tree_options import add_tree_options, read_tree
 
@@ -33,8 +33,7 @@ def run(arguments: argparse.Namespace) -> int:
     sources = [(path.read_bytes(), str(path)) for path in functions_of(arguments)]
     functions, findings = read_functions(sources, read_tree(arguments))
     files, warnings = cores(functions)
-    for finding in (*findings, *warnings):
-        print(finding.line_of_text, file=sys.stderr)
+    print_findings((*findings, *warnings))
     refuse_overwriting(arguments, written=paths_in(arguments.output, files))
     write_generated(files, arguments.output, "core", is_whole=False, force=arguments.force)
     return 0

@@ -1,4 +1,4 @@
-"""The folder that files are generated into. What stands there is replaced only if sigcat has written it, and it is as it was.
+"""The folder that files are generated into. Existing files are replaced only if sigcat wrote them and they are unchanged.
 
 A function that left the set leaves no files behind.
 """
@@ -45,7 +45,7 @@ def paths_in(folder: Path, files: "Sequence[GeneratedFile]") -> list[Path]:
 def write_generated(
     files: "Sequence[GeneratedFile]", folder: Path, generator: str, *, is_whole: bool, force: bool
 ) -> None:
-    """Write the files of a generator; if they are all that there is of it, remove what it has written there before.
+    """Write the files of a generator; if they are all of its files, remove files that it wrote there before.
 
     The folder is created. Raises UsageError, before anything is written, if something would be lost that
     sigcat has not written.
@@ -70,7 +70,7 @@ def write_generated(
 
 
 def _would_lose(path: Path, file: "GeneratedFile", entry: _Entry | None) -> bool:
-    """Whether something else stands there than what is written now, or was written before."""
+    """Whether the file differs from the one that is written now, and from the one written before."""
     if not os.path.lexists(path) or path.is_dir():
         return False
     same = (digest_of(file.data), entry.digest if entry else "")

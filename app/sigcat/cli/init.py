@@ -1,6 +1,7 @@
 """`sigcat init [FOLDER]`: a project to start from, or the project file for a repository that is there."""
 
 import argparse
+import os
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -39,7 +40,7 @@ def init(arguments: argparse.Namespace) -> int:
     folder: Path = arguments.folder or arguments.existing or Path()
     texts = _existing(arguments.existing, folder) if arguments.existing else _new(folder)
     texts = {**texts, **_pipelines(arguments.ci)}
-    taken = [str(folder / name) for name in texts if (folder / name).exists()]
+    taken = [str(folder / name) for name, text in texts.items() if _would_lose(folder / name, text)]
     if taken:
         raise UsageError(f"nothing was written: {', '.join(taken)} {'is' if len(taken) == 1 else 'are'} there already")
     for name, text in texts.items():
@@ -48,6 +49,11 @@ def init(arguments: argparse.Namespace) -> int:
     run = "`sigcat lint`" if arguments.existing else f"`sigcat lint`, `{_SIMULATE}` and `sigcat serve`"
     print(f"Try {run}{'' if folder == Path() else f' in {folder}'}.", file=sys.stderr)
     return 0
+
+
+def _would_lose(path: Path, text: str) -> bool:
+    """Whether another file is there; one of the same content is left by a run that was interrupted."""
+    return os.path.lexists(path) and not (path.is_file() and path.read_bytes() == text.encode())
 
 
 _SIMULATE = "sigcat simulate --trace functions/cabin_air/trace.csv"

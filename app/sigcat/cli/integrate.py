@@ -2,21 +2,17 @@
 
 import argparse
 import os
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.function_options import add_functions, deployment_of, functions_of
-from sigcat.cli.output import write_bytes
+from sigcat.cli.output import print_findings, write_bytes
 from sigcat.cli.output_options import add_output
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import existing_file
 from sigcat.platforms.table import PLATFORMS
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from sigcat.findings import Finding
     from sigcat.function.function_json.resolved_function import ResolvedFunction
     from sigcat.integration.deployment import Deployment
 
@@ -67,7 +63,7 @@ def run(arguments: argparse.Namespace) -> int:
 
     functions = _functions(arguments)
     integrated = integrate(arguments.platform, functions, _deployment(arguments), _previous(arguments))
-    _print(integrated.findings)
+    print_findings(integrated.findings)
     write_bytes(integrated.document, arguments.output)
     if arguments.report is not None:
         write_bytes(written_as(integrated.report, arguments.report.suffix), arguments.report)
@@ -79,7 +75,7 @@ def _functions(arguments: argparse.Namespace) -> "tuple[ResolvedFunction, ...]":
 
     files = [(path.read_bytes(), str(path)) for path in functions_of(arguments)]
     functions, findings = read_functions(files, read_tree(arguments))
-    _print(findings)
+    print_findings(findings)
     return functions
 
 
@@ -97,8 +93,3 @@ def _deployment(arguments: argparse.Namespace) -> "Deployment":
 def _previous(arguments: argparse.Namespace) -> tuple[bytes, str] | None:
     path: Path | None = getattr(arguments, "previous", None)
     return None if path is None else (existing_file(path).read_bytes(), str(path))
-
-
-def _print(findings: "Iterable[Finding]") -> None:
-    for finding in findings:
-        print(finding.line_of_text, file=sys.stderr)

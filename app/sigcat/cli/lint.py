@@ -43,7 +43,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         nargs="*",
         type=Path,
         metavar="PATH",
-        help="files and folders; - for standard input (default: this folder)",
+        help="files and folders; - for standard input (default: the folder of the project, else this one)",
     )
     _add_selection(parser)
     _add_context(parser)
@@ -74,7 +74,7 @@ def _add_context(parser: argparse.ArgumentParser) -> None:
     add_many(group, "-u", "--units", "units, added to those of the tree")
     add_many(group, "-q", "--quantities", "quantities, added to those of the tree")
     add_many(group, "-t", "--types", "struct types")
-    add_dbc(group, "CAN database (DBC) that mappings are held against")
+    add_dbc(group, "CAN database (DBC) that mappings are checked against")
     add_project_options(group)
 
 
@@ -114,8 +114,9 @@ def lint(arguments: argparse.Namespace) -> int:
 def _lint(arguments: argparse.Namespace) -> int:
     from sigcat.rules.linting.lint import lint_paths
 
-    paths = arguments.paths or [Path()]
-    project = project_of(arguments, paths[0] if paths[0].is_dir() else paths[0].parent)
+    start = arguments.paths[0] if arguments.paths else Path()
+    project = project_of(arguments, start if start.is_dir() else start.parent)
+    paths = arguments.paths or [_folder_of(project, arguments)]
     options = _chosen(arguments, project).options
     result = _lint_input(paths, project, arguments) if _INPUT in paths else lint_paths(paths, options)
     refuse_overwriting(arguments, (*result.files, *result.beside, *project.files, *_configured(options)))
@@ -134,8 +135,15 @@ def _lint(arguments: argparse.Namespace) -> int:
     return int(result.fails)
 
 
+def _folder_of(project: "Project", arguments: argparse.Namespace) -> Path:
+    """The folder to lint where none is named: that of the project around the current one, else the current one."""
+    if project.file is None or arguments.config is not None:
+        return Path()
+    return Path(os.path.relpath(project.file.parent))
+
+
 def _lint_input(paths: "Sequence[Path]", project: "Project", arguments: argparse.Namespace) -> "LintResult":
-    """Lint standard input: functions, a tree of its own, or an overlay as it would be in this folder."""
+    """Lint standard input: functions, a separate tree, or an overlay as it would be in this folder."""
     from sigcat.catalogue.hosting.source import load
     from sigcat.file_kind import holds_function, root_branch, root_name
     from sigcat.rules.linting.context import tree_near
@@ -151,7 +159,8 @@ def _lint_input(paths: "Sequence[Path]", project: "Project", arguments: argparse
         raise UsageError("- is linted by itself, without --fix, --diff and baselines: name a file for these")
     text = sys.stdin.buffer.read()
     if holds_function(text):
-        findings, beside = _check_functions(tree, [(text, _INPUT_NAME)], is_whole=False, is_on_disk=False)
+        checked = _check_functions(tree, [(text, _INPUT_NAME)], is_whole=False, is_on_disk=False)
+        findings, beside = tuple(checked.findings), checked.beside
     else:
         every_rule = rules_for(options)
         rules, known = RuleSet(selected(every_rule, options)), frozenset(rule.id for rule in every_rule)
@@ -175,7 +184,7 @@ def _chosen(arguments: argparse.Namespace, project: "Project", near: Path | None
         select=_codes(arguments.select) or options.select,
         ignore=options.ignore + _codes(arguments.ignore),
         extend_select=options.extend_select + _codes(arguments.extend_select),
-        dbc=(*options.dbc, *map(existing_file, arguments.dbc)),
+        dbc=tuple(map(existing_file, arguments.dbc)) or options.dbc,
         baseline=arguments.baseline or (None if arguments.write_baseline else options.baseline),
         check_functions=partial(_check_functions, chosen.tree),
     )
@@ -240,9 +249,9 @@ def _repaired(result: "LintResult", arguments: argparse.Namespace) -> "LintResul
 
 
 def _texts_of(findings: "Sequence[Finding]") -> dict[str, str]:
-    """Texts of the files that findings are about, byte for byte; a file that is no UTF-8 has nothing to repair."""
+    """Texts of the files that findings are about, byte for byte; a file that is not UTF-8 has nothing to repair."""
     texts = {}
-    for name in dict.fromkeys(finding.file for finding in findings):
+    for name in filter(os.path.isfile, dict.fromkeys(finding.file for finding in findings)):  # a pipe would wait
         with suppress(OSError, ValueError):
             texts[name] = Path(name).read_bytes().decode("utf-8")
     return texts

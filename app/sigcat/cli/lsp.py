@@ -34,7 +34,7 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError("the language server needs the extra `lsp`: run `pip install 'sigcat[lsp]'`") from None
     logging.getLogger("pygls").setLevel(logging.ERROR)  # standard error is shown to users by editors
     with os.fdopen(os.dup(0), "rb") as requests, os.fdopen(os.dup(1), "wb") as answers:
-        os.dup2(2, 1)  # what is printed is no message of the protocol
+        os.dup2(2, 1)  # printed text is not a message of the protocol
         make_server(_finder(arguments)).start_io(requests, answers)
     return 0
 

@@ -5,10 +5,13 @@ import os
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
+from io import BytesIO, FileIO
 from pathlib import Path
 from typing import BinaryIO
 
+from sigcat.cli.ended_by_signals import ended_by_signals
 from sigcat.errors import InputRefused, UsageError, must_be_a_file
+from sigcat.findings import Finding
 
 
 def write_text(text: str, output: Path | None) -> None:
@@ -83,17 +86,13 @@ def make_folder(folder: Path) -> None:
 def _replacing(target: Path) -> Iterator[BinaryIO]:
     """A file that takes the place of another one when the block ends without an error."""
     temporary = target.with_name(f".{target.name}.{os.urandom(6).hex()}")
-    with _named_as(target):
-        try:
-            opening = temporary.open("xb")
-        except PermissionError:
-            if not target.exists():
-                raise
-            with target.open("wb") as file:  # a file that may be written, in a folder that may not
+    with _named_as(target), ended_by_signals():
+        if target.exists() and not os.access(target.parent, os.W_OK):
+            with _in_place(target) as file:
                 yield file
             return
         try:
-            with opening as file:
+            with temporary.open("xb") as file:
                 yield file
             if target.exists():
                 temporary.chmod(target.stat().st_mode & 0o777)
@@ -103,12 +102,34 @@ def _replacing(target: Path) -> Iterator[BinaryIO]:
 
 
 @contextmanager
+def _in_place(target: Path) -> Iterator[BinaryIO]:
+    """A file in a folder that may not be written: its content is replaced at the end, and put back if that fails."""
+    made = BytesIO()
+    yield made
+    before = target.read_bytes()
+    with target.open("r+b", buffering=0) as file:
+        try:
+            _overwrite(file, made.getvalue())
+        except BaseException:
+            _overwrite(file, before)  # needs no more room than it has
+            raise
+
+
+def _overwrite(file: FileIO, data: bytes) -> None:
+    file.seek(0)
+    left = memoryview(data)
+    while left:
+        left = left[file.write(left) :]
+    file.truncate(len(data))
+
+
+@contextmanager
 def _named_as(target: Path) -> Iterator[None]:
-    """Name the file that the user knows in errors of a temporary one beside it."""
+    """Name the file that the user knows in errors of a temporary one beside it, and in those that name none: no space left."""
     try:
         yield
     except OSError as error:
-        if Path(str(error.filename)).name.startswith(f".{target.name}."):
+        if error.filename is None or Path(str(error.filename)).name.startswith(f".{target.name}."):
             raise OSError(error.errno, error.strerror, str(target)) from error
         raise
 
@@ -126,6 +147,11 @@ def _put_in_place(temporary: Path, target: Path) -> None:
 
 def could_not_run(error: InputRefused) -> UsageError:
     """Error of a command whose configuration or rules cannot be used; the findings are printed."""
-    for finding in error.findings:
-        print(finding.line_of_text, file=sys.stderr)
+    print_findings(error.findings)
     return UsageError(str(error))
+
+
+def print_findings(findings: Iterable[Finding]) -> None:
+    """Print each finding to standard error."""
+    for finding in findings:
+        print(finding.line_of_text, file=sys.stderr)

@@ -9,6 +9,7 @@ from sigcat.cli.project_options import add_project_options, project_of
 from sigcat.data import INTERFACE_RULES
 from sigcat.errors import InputRefused, NotFound
 from sigcat.names import nearest
+from sigcat.terminal_text import printable, printable_lines
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -36,9 +37,9 @@ def show_rule(arguments: argparse.Namespace) -> int:
     rules = _rules(arguments)
     if arguments.code is None:
         for rule in rules:
-            print(_line(rule))
+            print(printable(_line(rule)))
     else:
-        print(_page(_find(arguments.code, rules)), end="")
+        print(printable_lines(_page(_find(arguments.code, rules))), end="")
     return 0
 
 
@@ -58,7 +59,7 @@ def _find(wanted: str, rules: "Sequence[Rule]") -> "Rule":
             return rule
     near = nearest(wanted, [*(rule.id for rule in rules), *(rule.name for rule in rules)])
     hint = f" Did you mean {' or '.join(near)}?" if near else ""
-    raise NotFound(f"there is no rule {wanted!r}.{hint}", near)
+    raise NotFound(f"unknown rule {wanted!r}.{hint}", near)
 
 
 def _line(rule: "Rule") -> str:

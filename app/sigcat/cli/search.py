@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from sigcat.cli.command_parser import positive
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.names import either
+from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
     from sigcat.catalogue.search import Hit, SearchResult
@@ -47,7 +48,7 @@ def search(arguments: argparse.Namespace) -> int:
         print(_json(result.hits))
     else:
         for hit in result.hits:
-            print(_line(hit))
+            print(printable(_line(hit)))
     _say(result)
     return int(not result.total)
 

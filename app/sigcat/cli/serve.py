@@ -6,6 +6,7 @@ from contextlib import ExitStack, nullcontext
 from typing import TYPE_CHECKING
 
 from sigcat.cli.catalogue_options import add_catalogue_options, hosted_sources, served_project
+from sigcat.cli.ended_by_signals import was_interrupted
 from sigcat.cli.project_options import add_project_options
 from sigcat.cli.tree_options import add_tree_options, tree_options
 from sigcat.errors import UsageError, without_signals
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
     from sigcat.catalogue.hosting.source import Source
     from sigcat.project.project import Project
 
+_HIGHEST_PORT = 65535
+
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add the command."""
@@ -28,10 +31,16 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "browser tree and REST API. `sigcat config` lists what else can be set.",
     )
     parser.add_argument("--host", help="address to listen on (default: 127.0.0.1)")
-    parser.add_argument("--port", type=int, help="port to listen on; 0 picks a free one (default: 8000)")
+    parser.add_argument("--port", type=_port, help="port to listen on; 0 picks a free one (default: 8000)")
     add_catalogue_options(parser)
     add_tree_options(parser)
     parser.set_defaults(run=serve)
+
+
+def _port(text: str) -> int:
+    if not (text.isascii() and text.isdecimal() and len(text) < 6 and int(text) <= _HIGHEST_PORT):
+        raise argparse.ArgumentTypeError(f"must be a port from 0 to {_HIGHEST_PORT}, not {text[:80]!r}")
+    return int(text)
 
 
 def serve(arguments: argparse.Namespace) -> int:
@@ -55,6 +64,8 @@ def serve(arguments: argparse.Namespace) -> int:
     library = Library(sources)
     _refuse_without_signals(library, project)
     functions = FunctionLibrary(project.functions, has_shipped=project.has_shipped_functions, catalogues=library)
+    if was_interrupted():
+        raise KeyboardInterrupt
     with Watch(library, functions) if project.is_watching else nullcontext():
         run(create_site(library, settings, functions), settings)
     return 0

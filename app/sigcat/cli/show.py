@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from sigcat.cli.tree_options import add_tree_options, read_tree
+from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
     from sigcat.catalogue.model.catalogue import Node
@@ -15,7 +16,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser = commands.add_parser(
         "show",
         help="show a node: every attribute, and where it was written",
-        description="Show a node with every attribute, where it was written, and what stands below it. Of a branch with instances, "
+        description="Show a node with every attribute, its origin, and the nodes below it. Of a branch with instances, "
         "the path without their names shows the definition and its instances.",
     )
     parser.add_argument("path", metavar="PATH", help="such as Vehicle.Speed")
@@ -39,15 +40,15 @@ def show(arguments: argparse.Namespace) -> int:
 
 
 def _print_text(node: "Node", instances: "Sequence[Node]" = ()) -> None:
-    print(node.path)
+    print(printable(node.path))
     for name, value in node.values.items():
         for position, (written, origin) in enumerate(reversed(node.definition.history(name))):
-            by = f" ({origin.overlay})" if origin.overlay else ""
+            by = f" ({origin.overlay})" if origin.overlay not in ("", origin.file) else ""
             shown = value if position == 0 else f"was {written}"
-            print(f"  {name if position == 0 else '':14} {shown}  [{origin.file}:{origin.line}{by}]")
+            print(printable(f"  {name if position == 0 else '':14} {shown}  [{origin.file}:{origin.line}{by}]"))
     if node.template != node.path:
-        print(f"  {'instance of':14} {node.template}")
+        print(printable(f"  {'instance of':14} {node.template}"))
     for position, instance in enumerate(instances):
-        print(f"  {'' if position else f'{len(instances)} instances':14} {instance.path}")
+        print(printable(f"  {'' if position else f'{len(instances)} instances':14} {instance.path}"))
     for child in node.children:
-        print(f"  {child.name + ('.' if child.children else ''):28} {child.type}")
+        print(printable(f"  {child.name + ('.' if child.children else ''):28} {child.type}"))

@@ -3,20 +3,21 @@
 import argparse
 import sys
 from contextlib import ExitStack
+from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.command_parser import positive
 from sigcat.cli.ended_by_signals import ended_by_signals
 from sigcat.cli.function_options import add_functions, deployment_of, functions_of
-from sigcat.cli.output import make_folder, opened, write_text
+from sigcat.cli.output import make_folder, opened, print_findings, write_text
 from sigcat.cli.output_options import FORMATS, add_output, add_outputs
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import InputRefused, UsageError, existing_file
 
 if TYPE_CHECKING:
     import ctypes
-    from collections.abc import Collection, Iterable
+    from collections.abc import Callable, Collection, Iterable
 
     from sigcat.adapter.toolchain import Toolchain
     from sigcat.findings import Finding
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
     from sigcat.runs.recording.ros2_bag import BagColumns
     from sigcat.runs.recording.trace_file import Trace
     from sigcat.runs.running.rows import Block
-    from sigcat.runs.simulate import Settings
+    from sigcat.runs.simulate import Settings, Simulated, Take
     from sigcat.runs.stored_file import Stored, StoredFile
     from sigcat.runs.written import Form
 
@@ -36,7 +37,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "simulate",
         help="run functions with a recorded trace",
         description=(
-            "Build functions with their C sources, run them in simulated time with a recorded trace, as fast as it goes, "
+            "Build functions with their C sources, run them in simulated time with a recorded trace, as fast as possible, "
             "and write what they send. It takes gcc, clang, or the compiler of the package ziglang."
         ),
     )
@@ -109,7 +110,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 
 def simulate(arguments: argparse.Namespace) -> int:
-    """Run the functions, and write a report of what was found if one is wanted."""
+    """Run the functions, and write a report of the findings if `--report` asks for one."""
     from sigcat.rules.report import report, sources_of
 
     found: list[Finding] = []
@@ -127,6 +128,7 @@ def simulate(arguments: argparse.Namespace) -> int:
 def _simulate(arguments: argparse.Namespace, found: "list[Finding]") -> int:
     """Write what the functions send, also if they do not come to the end: then InputRefused is raised."""
     from sigcat.adapter.toolchain import toolchain
+    from sigcat.runs.simulate import NO_INPUTS
     from sigcat.runs.simulate import simulate as run
     from sigcat.runs.stored_file import EMPTY, stored_text
     from sigcat.runs.written import check_plotted, echoes, form_of, signals_of
@@ -135,23 +137,22 @@ def _simulate(arguments: argparse.Namespace, found: "list[Finding]") -> int:
     tools = toolchain()
     _check(arguments, tools)
     prepared, trace, paths = _prepared(arguments, found)
+    if trace is None and arguments.duration is None:
+        raise UsageError(NO_INPUTS)
     check_plotted(arguments.plot, signals_of(prepared, trace))
     expected = _expected(arguments, prepared, paths, found)
     stored = _stored(arguments.stored, prepared) if arguments.stored is not None else EMPTY
     settings = _settings(arguments, stored.values)._replace(echoes=echoes([form for _, form in listed]))
     with ExitStack() as files:
-        forms: list[Form] = [
-            form_of(form, files.enter_context(opened(path)), prepared, trace, arguments.plot) for path, form in listed
-        ]
-        forms += [expected] if expected else []
 
-        def take(block: "Block", library: "ctypes.CDLL | None") -> None:
-            for form in forms:
-                form.take(block, library)
+        def begin() -> "list[Form]":
+            forms = [
+                form_of(form, files.enter_context(opened(path)), prepared, trace, arguments.plot)
+                for path, form in listed
+            ]
+            return [*forms, expected] if expected else forms
 
-        simulated = run(prepared, trace, settings, tools, take)
-        for form in forms:
-            form.finish()
+        simulated = _written(partial(run, prepared, trace, settings, tools), begin)
     _told(simulated.findings, found)
     for each in simulated.memory:
         print(each.text, file=sys.stderr)
@@ -164,6 +165,20 @@ def _simulate(arguments: argparse.Namespace, found: "list[Finding]") -> int:
     if expected is not None:
         _refuse_differences(arguments.expect, expected)
     return 0
+
+
+def _written(run: "Callable[[Take], Simulated]", begin: "Callable[[], list[Form]]") -> "Simulated":
+    """Give each block of rows to the outputs. They begin with the first one: a build that fails writes nothing."""
+    begun = cache(begin)
+
+    def take(block: "Block", library: "ctypes.CDLL | None") -> None:
+        for form in begun():
+            form.take(block, library)
+
+    simulated = run(take)
+    for form in begun():
+        form.finish()
+    return simulated
 
 
 def _check(arguments: argparse.Namespace, tools: "Toolchain") -> None:
@@ -222,7 +237,7 @@ def _forms(arguments: argparse.Namespace) -> "list[tuple[Path | None, str]]":
             raise UsageError(f"{path} must end in {', '.join(FORMS[:-1])} or {FORMS[-1]}: that says what is written")
     has_picture = any(form == SVG for _, form in forms)
     if has_picture and not arguments.plot:
-        raise UsageError("say with --plot NAME what the picture shows")
+        raise UsageError("pass `--plot NAME`, a signal for the picture")
     if arguments.plot and not has_picture:
         raise UsageError("name a file for the picture: -o FILE.svg")
     return [(path, form or CSV) for path, form in forms] or [(None, CSV)]
@@ -264,9 +279,9 @@ def _mapped(arguments: argparse.Namespace, prepared: "Prepared") -> "BagColumns"
 
 
 def _told(findings: "Iterable[Finding]", found: "list[Finding]") -> None:
-    for finding in findings:
-        print(finding.line_of_text, file=sys.stderr)
-        found.append(finding)
+    told = tuple(findings)
+    print_findings(told)
+    found += told
 
 
 def _stored(path: Path, prepared: "Prepared") -> "StoredFile":

@@ -1,14 +1,15 @@
 """The options that name a tree, spelled as those of `vspec export`."""
 
 import argparse
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from sigcat.cli.output import print_findings
 from sigcat.cli.output_options import refuse_overwriting
 from sigcat.cli.project_options import add_project_options, project_of
 from sigcat.errors import InputRefused, UsageError, existing_file, without_signals
 from sigcat.findings import has_errors
+from sigcat.real_path import real_path
 
 if TYPE_CHECKING:
     from sigcat.catalogue.model.catalogue import Catalogue
@@ -51,10 +52,12 @@ def add_dbc(group: argparse._ActionsContainer, text: str) -> None:
     group.add_argument("--dbc", type=Path, action="append", default=[], metavar="FILE", help=f"{text}; may be repeated")
 
 
-def read_tree(arguments: argparse.Namespace, *, expanded: bool = True, for_export: bool = False) -> "Catalogue":
+def read_tree(
+    arguments: argparse.Namespace, *, expanded: bool = True, for_export: bool = False, without: Path | None = None
+) -> "Catalogue":
     """The catalogue that the options name. Its warnings go to standard error; errors raise InputRefused.
 
-    `for_export`: an error with which vss-tools exports a tree is a warning.
+    `for_export`: an error with which vss-tools exports a tree is a warning. `without`: an overlay that is left out.
     """
     from sigcat.catalogue.exporting.stopping import with_exported_errors_as_warnings
     from sigcat.catalogue.hosting.source import load
@@ -62,16 +65,19 @@ def read_tree(arguments: argparse.Namespace, *, expanded: bool = True, for_expor
 
     project = project_of(arguments)
     source = chosen_tree(project, tree_options(arguments))
+    if without is not None:
+        source = source._replace(
+            overlays=tuple(each for each in source.overlays if real_path(each) != real_path(without))
+        )
     is_of_project = source.id in (each.id for each in project.catalogues)
     catalogue = load(source if is_of_project else source._replace(id=source.spec.stem), expanded=expanded)
     refuse_overwriting(arguments, (*project.files, *(file.name for file in catalogue.files)))
     catalogue = with_exported_errors_as_warnings(catalogue) if for_export else catalogue
     if has_errors(catalogue.findings):
         raise InputRefused("the tree has errors; nothing was done", catalogue.findings)
-    if is_of_project and not catalogue.has_signals:
+    if is_of_project and not catalogue.has_signals and without is None:
         raise UsageError(without_signals(source.spec))
-    for finding in catalogue.findings:
-        print(finding.line_of_text, file=sys.stderr)
+    print_findings(catalogue.findings)
     return catalogue
 
 

@@ -8,10 +8,11 @@ from sigcat.cli.diff import is_coloured
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import existing_file
 from sigcat.findings import has_errors
+from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
     from sigcat.catalogue.comparing.trial import Trial
-    from sigcat.catalogue.model.catalogue import Catalogue, Node
+    from sigcat.catalogue.model.catalogue import Node
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -19,7 +20,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser = commands.add_parser(
         "try",
         help="try an overlay: resulting nodes, findings and changes",
-        description="Apply an overlay to a tree and show what comes of it: findings, changes, nodes. Stores nothing.",
+        description="Apply an overlay to a tree and show the result: findings, changes, nodes. Stores nothing. An overlay of the "
+        "project is applied to the tree without it.",
         epilog="Exit status: 1 if the overlay brings errors.",
     )
     parser.add_argument("overlay", metavar="OVERLAY", help="overlay file; - for standard input")
@@ -30,7 +32,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def try_overlay(arguments: argparse.Namespace) -> int:
     """Show what the overlay would do; 1 if it brings errors."""
-    trial = _trial(read_tree(arguments), arguments)
+    trial = _trial(arguments)
     if arguments.format == "json":
         import json
 
@@ -40,18 +42,21 @@ def try_overlay(arguments: argparse.Namespace) -> int:
     return int(has_errors(trial.findings))
 
 
-def _trial(base: "Catalogue", arguments: argparse.Namespace) -> "Trial":
+def _trial(arguments: argparse.Namespace) -> "Trial":
+    """Try the overlay over the tree; over the tree without it, if it is one of the project's."""
     from sigcat.catalogue.comparing import trial
     from sigcat.catalogue.reading.layers import read_layer
 
     if arguments.overlay == "-":
-        return trial.try_overlay(base, sys.stdin.buffer.read(), "standard input")
+        return trial.try_overlay(read_tree(arguments), sys.stdin.buffer.read(), "standard input")
     path = existing_file(arguments.overlay)
-    return trial.try_layer(base, read_layer(path, arguments.include_dirs, is_overlay=True))
+    return trial.try_layer(
+        read_tree(arguments, without=path), read_layer(path, arguments.include_dirs, is_overlay=True)
+    )
 
 
 def _print_text(trial: "Trial") -> None:
-    from sigcat.catalogue.comparing.diff_report import printable, text_report
+    from sigcat.catalogue.comparing.diff_report import text_report
 
     for finding in trial.findings:
         print(finding.line_of_text)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import NotFound, UsageError
+from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -45,7 +46,7 @@ def units(arguments: argparse.Namespace) -> int:
     if arguments.format == "json":
         print(json.dumps([_data(unit) for units in found.values() for unit in units], indent=2, ensure_ascii=False))
     else:
-        print("\n".join(_lines(found, vocabulary)))
+        print("\n".join(map(printable, _lines(found, vocabulary))))
     return 0
 
 

@@ -1,3 +1,3 @@
-"""What comes in: functions, a deployment, a trace, and the platforms that are installed.
-What goes out: what each platform sent, how long its calls took and what it cost, side by side.
+"""Input: functions, a deployment, a trace, and the platforms that are installed.
+Output: sent values, durations of calls and resources of each platform, side by side.
 """

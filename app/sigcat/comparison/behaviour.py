@@ -1,8 +1,8 @@
-"""What a platform has sent, held against what another one has sent: every bit of every value, or aligned by time.
+"""Comparison of the values that two platforms sent: every bit of every value, or aligned by time.
 
-In lock step both have the same times: what was sent at a time under a name is the same, or a difference. In free run each call
-begins when its platform gets to it, so that a value is a little early or late, and may have seen an input that the other call has
-not: values are aligned in their order, and each is explained.
+In lock step both have the same times: the values sent at a time under a name are equal, or differ. In free run each
+call begins when its platform gets to it. A value is then a little early or late, and its call may have seen an input
+that the other call has not: values are aligned in their order, and each difference is explained.
 """
 
 import json
@@ -14,7 +14,7 @@ from typing import NamedTuple
 from sigcat.comparison.report.model import Aligned, Difference, Kind, Output
 
 Sent = Mapping[str, Sequence[tuple[int, str]]]
-"""What was sent, by name: times in ns and values as text."""
+"""Values that were sent, by name: times in ns and values as text."""
 
 
 class Behaviour(NamedTuple):
@@ -24,12 +24,12 @@ class Behaviour(NamedTuple):
 
     @property
     def values(self) -> int:
-        """That were compared."""
+        """Number of values that were compared."""
         return sum(each.values for each in self.outputs)
 
     @property
     def wrong(self) -> int:
-        """Of them, how many are not equal."""
+        """Number of values that are not equal."""
         return sum(each.wrong for each in self.outputs)
 
     @property
@@ -89,7 +89,7 @@ def _by_time(values: Iterable[tuple[int, str]]) -> dict[int, list[str]]:
 
 
 def bits_of(text: str) -> object:
-    """What two equal values have in common, however they are spelled: of a float its bits, of what is no number the text."""
+    """Return what equal values have in common, however they are spelled: the bits of a number, else the text."""
     try:
         value = json.loads(_SPELLED.get(text, text))
     except ValueError:
@@ -143,7 +143,7 @@ def _aligned(name: str, expected: Sequence[tuple[int, str]], found: Sequence[tup
 def _near(
     expected: Sequence[tuple[int, str]], ours: Sequence[object], at: int, time: int, cycle: int
 ) -> Iterator[object]:
-    """What was sent within two cycles before or after a time, at most two values away from the nearest."""
+    """Yield values sent within two cycles before or after a time, at most two values away from the nearest."""
     for index in range(max(0, at - 2), min(len(expected), at + 3)):
         if abs(expected[index][0] - time) <= 2 * cycle:
             yield ours[index]
@@ -161,7 +161,7 @@ class Change(NamedTuple):
 
 
 def changes(sent: Sent, names: Iterable[str]) -> tuple[Change, ...]:
-    """Those of errors, safety reactions and modes, in order of time: what people read of a fault."""
+    """Return changes of errors, safety reactions and modes, in order of time: the visible effects of a fault."""
     found: list[Change] = []
     for name in names:
         before: str | None = None

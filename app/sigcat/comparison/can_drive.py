@@ -21,14 +21,14 @@ _MOST_TIMES = 1_000_000
 
 
 class Carried(NamedTuple):
-    """What became of a log."""
+    """Result of reading a log."""
 
     trace: Path
     translation_ns: Sequence[int]
-    """Of each frame: from where it was read to where its row is written."""
+    """Time for each frame: from reading it to writing its row."""
     findings: tuple[Finding, ...]
     counts: tuple[str, ...]
-    """What became of frames and values, in lines."""
+    """Counts of frames and values, as lines."""
 
 
 def carry(log: Path, databases: Sequence[Path], catalogue: Catalogue, added: Path | None, folder: Path) -> Carried:
@@ -42,7 +42,7 @@ def carry(log: Path, databases: Sequence[Path], catalogue: Catalogue, added: Pat
     trace = folder / f"{log.name}.csv"
     rows = rows_of(translation.moments(_timed(read_log(log, found), times), str(log)))
     _write(rows, prepared, added, trace)
-    told = (*prepared.findings, *found, *translation.findings, *doubts(translation, str(log)))
+    told = (*prepared.findings, *found, *translation.findings, *doubts(translation, str(log), found))
     if not translation.counts.sent:
         raise InputRefused(
             f"{log} has no value of a signal that is mapped: {'; '.join(translation.counts.lines())}", told

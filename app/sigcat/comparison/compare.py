@@ -28,14 +28,14 @@ BESIDE_BASELINE = "ros2-cpp"
 """The platform that what people wrote is built beside, and measured against."""
 _FOLDERS = {"ros2-cpp": "ros2", "ros2-py": "ros2"}
 """Platforms that share what is built."""
-_BUILT_BEFORE = "Parts were built before: times to build are of what had changed, and the whole has no time."
+_BUILT_BEFORE = "Parts were built before: build times cover only what had changed, and the total time is not measured."
 Play = Callable[[Built, Subject, Drive], Recording]
 Tell = Callable[[str], None]
-"""What says how far it is."""
+"""Reports progress."""
 
 
 class Asked(NamedTuple):
-    """What is compared, and how."""
+    """Settings of a comparison."""
 
     compared: ComparedSet
     subject: Subject
@@ -43,19 +43,19 @@ class Asked(NamedTuple):
     end_ns: int
     platforms: tuple[str, ...]
     free_ns: int
-    """How long each platform runs freely; 0: not at all."""
+    """Length of each platform's free run; 0: none."""
     folder: Path
-    """Where everything is built."""
+    """Folder in which everything is built."""
     scenarios: tuple[Scenario, ...] = ()
     """Faults that are injected."""
     translation_ns: Sequence[int] = ()
-    """Of each frame of CAN, if that is where the trace comes from."""
+    """Times for each CAN frame, if the trace comes from CAN."""
     notes: tuple[str, ...] = ()
-    """What a reader has to know of what was asked."""
+    """Notes for readers about the settings."""
 
 
 def compare(asked: Asked, tools: Toolchain, tell: Tell) -> Material:
-    """What each platform did. One that is not installed, or cannot be built, is left out with the reason."""
+    """Play to each platform. One that is not installed, or cannot be built, is skipped with the reason."""
     clock, here = _Clock(), machine(tools)
     is_fresh = not any(each.is_dir() for each in asked.folder.iterdir())
     built = _all_built(asked, tools, tell)
@@ -87,7 +87,7 @@ def compare(asked: Asked, tools: Toolchain, tell: Tell) -> Material:
 
 
 class _Clock:
-    """How long each phase took, in s."""
+    """Duration of each phase, in s."""
 
     def __init__(self) -> None:
         self.phases: dict[str, float] = {}
@@ -144,7 +144,7 @@ def _built(runner: Runner, asked: Asked, tools: Toolchain, tell: Tell) -> Played
 
 
 def _built_by_hand(package: Path, built: Sequence[Played], asked: Asked, tell: Tell) -> list[Played]:
-    """What people wrote, if what it is measured against is there."""
+    """Build the package written by hand, if its counterpart was built."""
     beside = next((each.built for each in built if each.name == BESIDE_BASELINE), None)
     if beside is None:
         return []
@@ -227,7 +227,7 @@ def _shortest_cycle(subject: Subject) -> int:
 
 
 def _written(compared: ComparedSet) -> Iterator[WrittenLines]:
-    """What a person wrote: declarations and the deployment for all platforms, the baseline for one."""
+    """Count lines written by hand: declarations and the deployment for all platforms, the baseline for one."""
     for what, path in compared.written:
         counted = count_lines([(path.name, path.read_text(encoding="utf-8", errors="replace"))])
         yield WrittenLines(f"{what} {path.parent.name}/{path.name}", "", counted)

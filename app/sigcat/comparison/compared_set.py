@@ -1,4 +1,4 @@
-"""Which functions are compared, with which drive: a folder that says so in its compare.yaml, or files of functions."""
+"""Set to compare: a folder that describes it in its compare.yaml, or files of functions."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -16,7 +16,7 @@ FILE = "compare.yaml"
 
 
 class SetFile(DeclarationModel):
-    """What a compare.yaml says; paths begin at its folder."""
+    """Content of a compare.yaml; paths begin at its folder."""
 
     name: Text | None = Field(None, description="Name of the set; that of the folder if absent.")
     functions: list[Text] = Field(min_length=1, description="Files of the functions.")
@@ -38,13 +38,13 @@ class ComparedSet(NamedTuple):
 
     @property
     def written(self) -> tuple[tuple[str, Path], ...]:
-        """What a person wrote for it."""
+        """Files written by hand for the set, with their kinds."""
         deployment = [("deployment", self.deployment)] if self.deployment else []
         return (*(("declaration", path) for path in self.functions), *deployment)
 
 
 def read_compared(named: Sequence[Path]) -> ComparedSet:
-    """The set of a folder, or of files of functions. Raises UsageError, or InputRefused with what is wrong."""
+    """The set of a folder, or of files of functions. Raises UsageError, or InputRefused with its errors."""
     if len(named) == 1 and named[0].is_dir():
         return _of_folder(named[0])
     functions = tuple(existing_file(path) for path in named)

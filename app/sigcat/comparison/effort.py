@@ -1,4 +1,4 @@
-"""Lines of what people write and of what is generated: those with code, and all of them.
+"""Lines of hand-written and of generated files: those with code, and all of them.
 
 A line has code if something is left of it without comments and blanks. Descriptions in a declaration count: a person wrote them.
 """
@@ -26,7 +26,7 @@ class Counted(NamedTuple):
 
 
 def count_lines(files: Iterable[tuple[str, str]]) -> Counted:
-    """Of (name, text); what a comment is, the ending of the name says."""
+    """Count lines of files, given as (name, text); the ending of the name decides what a comment is."""
     counts = [
         (_code_lines(text, _KINDS.get(PurePath(name).suffix, "")), len(text.splitlines())) for name, text in files
     ]

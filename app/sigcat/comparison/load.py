@@ -1,4 +1,4 @@
-"""What processes took of a machine, beside what others took for the same."""
+"""Processor time and memory of processes, and the overhead of one over another."""
 
 from typing import NamedTuple
 
@@ -18,19 +18,19 @@ class Load(NamedTuple):
 
     @property
     def share(self) -> float:
-        """Of one core, as if the drive had been played in real time."""
+        """Share of one core, as if the drive had been played in real time."""
         return self.cpu / self.drive if self.drive else 0.0
 
 
 class Overhead(NamedTuple):
-    """How much more than by hand, as a share: 0.1 is 10 %."""
+    """Additional processor time and memory over code written by hand, as a share: 0.1 is 10 %."""
 
     cpu: float
     memory: float
 
 
 def overhead(generated: Load, by_hand: Load) -> Overhead:
-    """Of what was generated, over what was written by hand."""
+    """Return the overhead of generated code over code written by hand."""
     return Overhead(_more(generated.cpu, by_hand.cpu), _more(generated.peak, by_hand.peak))
 
 

@@ -12,7 +12,7 @@ _CPU = Path("/proc/cpuinfo")
 
 
 def machine(tools: Toolchain) -> tuple[tuple[str, str], ...]:
-    """What figures depend on, as (name, value)."""
+    """Return properties of the machine that figures depend on, as (name, value)."""
     return tuple(_facts(tools))
 
 

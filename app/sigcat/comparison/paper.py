@@ -1,4 +1,4 @@
-"""What the paper has measured and counted (section 5.6), with the place of each figure and what differs in the set-up."""
+"""Figures of the paper (section 5.6), with the place of each and the differences of the set-up."""
 
 from typing import NamedTuple
 
@@ -17,7 +17,7 @@ class Figure(NamedTuple):
     text: str
     differs: str
     value: float | None = None
-    """In the unit of what it stands beside: ns, a share of a core, lines, seconds."""
+    """In the unit of the measured figure: ns, a share of a core, lines, seconds."""
 
 
 _ALL = (

@@ -1,4 +1,4 @@
-"""What a platform did while a drive was played to it: the same shape for all of them, so that they can be held side by side."""
+"""Recording of a platform while a drive was played to it: the same shape for all platforms."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -12,7 +12,7 @@ Sent = tuple[int, str]
 
 
 class CallTime(NamedTuple):
-    """How long one call took, by the four points of measurement of its core."""
+    """Durations of one call, by the four points of measurement of its core."""
 
     function: str
     call: str
@@ -51,7 +51,7 @@ class Supervised(NamedTuple):
 
 
 class ProcessLoad(NamedTuple):
-    """What a process took from its start to its end."""
+    """Resources that a process used from its start to its end."""
 
     name: str
     cpu_s: float
@@ -59,7 +59,7 @@ class ProcessLoad(NamedTuple):
     executable_bytes: int
     """Its program, with the libraries that were built for it; of Python with its modules."""
     is_player: bool = False
-    """Whether it plays and records, and is no part of the platform."""
+    """Whether it plays and records, and is not part of the platform."""
 
 
 class Built(NamedTuple):
@@ -68,15 +68,15 @@ class Built(NamedTuple):
     platform: str
     folder: Path
     generated: tuple[GeneratedFile, ...]
-    """What sigcat writes for this platform alone, and that runs in production: without what a comparison adds."""
+    """Files that sigcat writes for this platform alone, and that run in production: without those for a comparison."""
     generate_s: float
     build_s: float
     notes: tuple[str, ...] = ()
-    """What of the platform is not the platform's own: `rclcpp: sigcat's subset of rclcpp 28`."""
+    """Parts that sigcat provides instead of the real platform: `rclcpp: sigcat's subset of rclcpp 28`."""
 
 
 class Recording(NamedTuple):
-    """What was sent, how long it took, what it cost, and how it ended."""
+    """Sent values, durations, resources, and the end of a run."""
 
     platform: str
     mode: Mode

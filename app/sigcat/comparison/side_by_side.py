@@ -1,4 +1,4 @@
-"""Tasks that wait for processes of their own, several at a time."""
+"""Tasks that each wait for a process, several at a time."""
 
 import os
 from collections.abc import Callable, Iterable
@@ -11,7 +11,7 @@ Answer = TypeVar("Answer")
 
 
 def side_by_side(tasks: Iterable[Callable[[], Answer]]) -> list[Answer]:
-    """What each task returns, in their order; as many run at a time as there are cores. Whoever interrupts them ends their processes."""
+    """Return the results of tasks in their order; as many run at a time as there are cores. An interrupt ends them."""
     with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
         try:
             asked = [pool.submit(task) for task in tasks]

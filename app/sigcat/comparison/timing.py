@@ -1,11 +1,11 @@
-"""How long calls take, as distributions: what is shown of thousands of durations, and what a report can keep of them."""
+"""Distributions of durations: figures of thousands of durations that a report can keep and show."""
 
 import math
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 BINS_PER_DECADE = 12
-"""Of a histogram on a logarithmic axis."""
+"""Resolution of a histogram on a logarithmic axis."""
 _SHORTEST = 10.0
 """In ns: what is shorter counts as this."""
 
@@ -21,11 +21,11 @@ class Distribution(NamedTuple):
     first_bin: int
     """Bin `n` begins at `10 ** (n / BINS_PER_DECADE)` ns."""
     bins: tuple[int, ...]
-    """How many durations each bin has, from the first one on."""
+    """Number of durations in each bin, from the first one on."""
 
 
 def distribution(durations: Iterable[float]) -> Distribution | None:
-    """Of durations in ns; None of none."""
+    """Return the distribution of durations in ns; None if there are none."""
     ordered = sorted(durations)
     if not ordered:
         return None

@@ -1,5 +1,7 @@
-"""Files of the code that a declaration names and that are not there."""
+"""Files of the code that a declaration names and that are missing or cannot be read."""
 
+import errno
+import stat
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path, PurePosixPath
 
@@ -10,33 +12,60 @@ from sigcat.function.function_json.code import CodeInterface, is_inside
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 
 CodeCheck = Callable[[ResolvedFunction], Iterable[Finding]]
-"""Finds what is wrong with the files of the code beside a declaration."""
-IsThere = Callable[[str, str], bool]
-"""Whether there is a file or folder, by the name of the declaration and the path that stands in it."""
+"""Finds faults of the files of the code next to a declaration."""
+_START = 8_000
+"""Bytes of a file that show whether it is a text."""
 
 
-def is_on_disk(declaration: str, path: str) -> bool:
-    """Whether there is one beside a declaration that was read from a disk."""
-    try:
-        return (Path(declaration).parent / path).exists()
-    except OSError:  # no file can have such a name
-        return False
+def missing_files(function: ResolvedFunction) -> Iterator[Finding]:
+    """A finding for each source, header or folder that is missing or cannot be read.
 
-
-def missing_files(function: ResolvedFunction, is_there: IsThere) -> Iterator[Finding]:
-    """A finding for each source, header or folder that is not there. Of Function JSON it is not known where they are."""
+    Of Function JSON it is not known where the files are.
+    """
     code = function.function.code
     if code is None or function.origin is None:
         return
+    folder = Path(function.document.name).parent
     for pointer, what, path, places in _named(code):
-        if is_inside(path) and not any(is_there(function.document.name, place) for place in places):
-            message = f"There is no {what} {path!r}."
-            fix = "Correct the path, or add the file." if what != "folder" else "Correct the path, or add the folder."
-            yield function.finding(codes.CODE_FILE_MISSING, pointer, message, fix)
+        faults = [_fault(folder / place, is_folder=what == "folder") for place in places] if is_inside(path) else [""]
+        if all(faults):
+            fault = next((each for each in faults if each != _MISSING), _MISSING)
+            yield function.finding(codes.CODE_FILE_MISSING, pointer, *_about(what, path, fault))
+
+
+_MISSING = "missing"
+
+
+def _about(what: str, path: str, fault: str) -> tuple[str, str]:
+    """The message and the fix of a finding about a file of the code."""
+    if fault == _MISSING:
+        return (
+            f"There is no {what} {path!r}.",
+            f"Correct the path, or add the {'folder' if what == 'folder' else 'file'}.",
+        )
+    return f"{path!r} {fault}.", f"Name a {'folder' if what == 'folder' else 'C or C++ file that can be read'}."
+
+
+def _fault(path: Path, *, is_folder: bool) -> str:
+    """The end of a sentence about a file or folder that cannot be used; empty for one that can."""
+    try:
+        mode = path.stat().st_mode
+        if is_folder:
+            return "" if stat.S_ISDIR(mode) else "must be a folder, not a file"
+        if stat.S_ISDIR(mode):
+            return "must be a file, not a folder"
+        if not stat.S_ISREG(mode):
+            return "must be a regular file"  # a pipe would be waited for
+        with path.open("rb") as file:
+            return "is not a text in UTF-8 or a similar encoding" if b"\0" in file.read(_START) else ""
+    except (FileNotFoundError, NotADirectoryError, ValueError):
+        return _MISSING
+    except OSError as error:
+        return _MISSING if error.errno == errno.ENAMETOOLONG else f"cannot be read: {error.strerror}"
 
 
 def _named(code: CodeInterface) -> Iterator[tuple[Pointer, str, str, tuple[str, ...]]]:
-    """What the code names: where, what it is, its path, and where it may be."""
+    """Files that the code names: pointer, kind, path, and possible places."""
     for index, path in enumerate(code.sources or ()):
         yield ("Code", "Sources", index), "file", path, (path,)
     folders = code.include_folders or ()

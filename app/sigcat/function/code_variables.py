@@ -136,13 +136,22 @@ def _compared(
     types = {each.place.line: each.type for each in answers.variables if each.name.startswith(_PROBE)}
     provided = {pointer for pointer, _, item in data(function.function) if item.role == PROVIDER}
     datatypes = {each.reference: each for each in function.function.datatypes}
+    is_complete = not any(map(lacks_system_header, answers.errors))
     for line, question in enumerate(questions, before + 1):
         if question.is_definition:
             if line in wrong:
                 yield _not_definable(function, question, wrong[line])
-        elif question.variable and line in types and line not in wrong:
+        elif question.variable and line in wrong:
+            if is_complete and question.variable.defined_by != _ADAPTER:
+                yield _not_declared(function, question, question.variable, wrong[line])
+        elif question.variable and line in types:
             is_read = question.pointer[:-1] in provided
             yield from _unfit(function, question.variable, types[line], datatypes, is_read=is_read)
+
+
+def _not_declared(function: ResolvedFunction, question: _Question, variable: CodeVariable, said: str) -> Finding:
+    message = f"The headers must declare {variable.expression!r}; clang says: {said}."
+    return function.finding(codes.CODE_UNFIT, question.pointer, message, "Correct this line, or the code.")
 
 
 def _not_definable(function: ResolvedFunction, question: _Question, said: str) -> Finding:

@@ -80,7 +80,7 @@ _UNRESOLVED = frozenset(
 
 
 _MISSPELLED = codes.VALUE_MISSPELLED.id
-"""What VSS takes with a warning a function may be unable to hold: that is then said instead."""
+"""Rule for values that VSS allows with a warning; if a function cannot hold one, that is reported instead."""
 _ABOUT_REFERENCES = frozenset(
     rule.id
     for rule in (
@@ -89,7 +89,7 @@ _ABOUT_REFERENCES = frozenset(
         codes.INTERFACE_OF_ANOTHER_FUNCTION,
     )
 )
-"""Rules that say what is wrong with the name of an interface, which may stand alone or under `interface`."""
+"""Rules about errors in the name of an interface, which may stand alone or under `interface`."""
 
 
 def read_function_file(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> FunctionFile:
@@ -110,8 +110,9 @@ def check_declaration(declared: Declared, definitions: Definitions, catalogue: C
     resolved, unplaced, missing = resolve(declaration, document, context)
     unresolved = tuple(told_once(unplaced, declaration, context))
     defined = definition_findings(definitions, document, catalogue)
+    known_errors = frozenset(context.names("error"))
     problems = without_consequences(
-        chain(check_consistency(resolved.function, frozenset(context.names("error"))), check_inputs(resolved.function)),
+        chain(check_consistency(resolved.function, known_errors, resolved.origin), check_inputs(resolved.function)),
         missing,
         partial(_is_reported, definitions, defined, _attributes_of(unresolved), context),
         context.path_of,
@@ -150,7 +151,7 @@ Attributes = frozenset[tuple[str, str]]
 
 
 def _attributes_of(problems: Iterable[Problem]) -> Attributes:
-    """What problems are about, where they name attributes of the catalogue."""
+    """Return the attributes of the catalogue that problems name."""
     subjects = (problem.subject for problem in problems if problem.subject)
     return frozenset((subject.name, attribute) for subject in subjects for attribute in subject.attributes)
 
@@ -205,7 +206,7 @@ def _code(checked: CheckedFunction, check_code: CodeCheck | None) -> Iterable[Fi
 
 
 def _unused(checked: CheckedFunction, definitions: Definitions, used: frozenset[str]) -> Iterator[Finding]:
-    """What a declaration defines and does not use. Where a reference is wrong, it may have meant any of it."""
+    """Report definitions that a declaration does not use. A wrong reference may have meant any of them."""
     if checked.is_incomplete or not checked.is_declaration:
         return
     is_incomplete = any(finding.rule == codes.CALLS_INCOMPLETE.id for finding in checked.findings)

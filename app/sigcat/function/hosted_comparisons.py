@@ -18,7 +18,7 @@ class HostedComparison(NamedTuple):
     id: str
     """Name in addresses: that of its folder."""
     name: str
-    """What notes call it."""
+    """Name in notes."""
     path: Path
 
 
@@ -33,7 +33,7 @@ def comparisons_among(paths: Iterable[Path], folder: Path) -> Iterator[HostedCom
 
 
 def told_apart(comparisons: Iterable[HostedComparison]) -> HostedComparisons:
-    """Those of one's own before shipped ones, each id once."""
+    """The operator's own before shipped ones, each id once."""
     known: dict[str, HostedComparison] = {}
     for each in comparisons:
         number, free = 1, each.id
@@ -48,5 +48,5 @@ def comparison_named(comparison_id: str, comparisons: Sequence[HostedComparison]
     """A comparison by its id. Raises NotFound with the nearest ids."""
     known = {each.id: each for each in comparisons}
     if comparison_id not in known:
-        raise NotFound(f"There is no comparison {comparison_id[:100]!r}.", nearest(comparison_id[:100], known))
+        raise NotFound(f"Unknown comparison {comparison_id[:100]!r}.", nearest(comparison_id[:100], known))
     return known[comparison_id]

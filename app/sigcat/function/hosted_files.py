@@ -26,7 +26,7 @@ class HostedFile(NamedTuple):
     id: str
     """Name in addresses: of `NAME/function.yaml` its folder, of any other file its own."""
     name: str
-    """What findings call it."""
+    """Name in findings."""
     data: bytes
     group: str
     """The folder that the configuration names; files of one group are read together."""
@@ -50,7 +50,7 @@ class HostedFile(NamedTuple):
 
     @property
     def path(self) -> Path:
-        """Where a file of one's own is."""
+        """Path of a file of the operator."""
         return Path(self.group, *PurePosixPath(self.name).parts[1:])
 
 
@@ -131,7 +131,7 @@ def _own_id(below: Path, folder: Path) -> str:
 
 
 def with_ids(own: Iterable[HostedFile], shipped: HostedFiles) -> HostedFiles:
-    """Files with ids of their own: declarations before Function JSON, and those of one's own before shipped ones."""
+    """Files with unique ids: declarations before Function JSON, and the operator's own before shipped ones."""
     by_id: dict[str, HostedFile] = {}
     for file in sorted(own, key=lambda each: ending_of(each.name) == ".json"):
         number, free = 1, file.id

@@ -27,10 +27,10 @@ class HostedRun(NamedTuple):
     id: str
     """Name in addresses: of `NAME/run.csv` its folder, of any other file its own."""
     name: str
-    """What notes call it."""
+    """Name in notes."""
     path: Path
     group: str
-    """That of the functions which it may be of."""
+    """Group of the functions that the run may belong to."""
     columns: tuple[str, ...]
 
 
@@ -43,7 +43,7 @@ def is_run_name(name: str) -> bool:
 
 
 def runs_among(paths: Iterable[Path], folder: Path, group: str) -> Iterator[HostedRun]:
-    """The runs among files below a folder, with ids of their own."""
+    """The runs among files below a folder, with unique ids."""
     found = [(path, columns) for path in paths if is_run_name(path.name) and (columns := run_columns(path))]
     if len(found) > RUNS:
         _log.warning("%s: of %d runs the first %d are shown", folder, len(found), RUNS)
@@ -99,5 +99,5 @@ def run_named(run_id: str, runs: Sequence[HostedRun]) -> HostedRun:
     """A run of a function by its id, the first one if that is empty. Raises NotFound with the nearest ids."""
     known = {run.id: run for run in runs}
     if not runs or (run_id and run_id not in known):
-        raise NotFound(f"There is no run {run_id[:100]!r}.", nearest(run_id[:100], known))
+        raise NotFound(f"Unknown run {run_id[:100]!r}.", nearest(run_id[:100], known))
     return known[run_id] if run_id else runs[0]

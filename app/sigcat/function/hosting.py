@@ -108,7 +108,7 @@ class FunctionLibrary:
         return is_changed
 
     def _faults(self, files: HostedFiles) -> Faults:
-        """What is wrong with files where they fit best; without catalogues nobody can say that one is good."""
+        """Return findings of files over the catalogue that fits each best; without catalogues no file counts as good."""
         found: dict[Path, tuple[Finding, ...]] = {}
         for hosted in self._catalogues:
             for each in built_over(files, expanded_of(hosted.catalogue)):
@@ -145,7 +145,7 @@ def file_of(files: HostedFiles, function_id: str) -> HostedFile:
 
 def _named(function_id: str, known: Mapping[str, Found]) -> Found:
     if function_id not in known:
-        raise NotFound(f"There is no function {function_id!r}.", nearest(function_id[:100], known))
+        raise NotFound(f"Unknown function {function_id!r}.", nearest(function_id[:100], known))
     return known[function_id]
 
 

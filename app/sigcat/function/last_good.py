@@ -1,4 +1,4 @@
-"""Function files that changed: each is taken as it is now, or stays as it was last good, with what is wrong with it now."""
+"""Function files that changed: each is taken as it is now, or as it was last good, with its present errors."""
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -7,13 +7,13 @@ from sigcat.findings import Finding
 from sigcat.function.hosted_files import HostedFiles
 
 Faults = Mapping[Path, tuple[Finding, ...]]
-"""What keeps files from being built, by their paths: nothing for those that are good."""
+"""Findings that keep files from being built, by path: none for files that are good."""
 
 
 def with_last_good(fresh: HostedFiles, before: HostedFiles, faults_of: Callable[[HostedFiles], Faults]) -> HostedFiles:
     """The files as they are now, but for those that were good before and are not any more.
 
-    Files use what others of their folder define: as long as another one is found broken, the rest is judged again without it.
+    Files use what others of their folder define: as long as another one is found broken, the rest is checked again without it.
     """
     earlier = {file.path: file for file in before}
     changed = [file.path for file in fresh if file.path in earlier and file.data != earlier[file.path].data]

@@ -1,4 +1,4 @@
-"""Which functions use a node, or one below it: what the tree, a search and the page of a node tell of functions."""
+"""Functions that use a node, or one below it: for the tree, a search and the page of a node."""
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -16,32 +16,32 @@ from sigcat.names import parent_path
 
 
 class NodeUse(NamedTuple):
-    """That a function uses a node."""
+    """Use of a node by a function."""
 
     function_id: str
     function: str
     path: str
-    """The node; of a definition that stands for its instances, the instance."""
+    """The node; of a definition that is shown for its instances, the instance."""
     verb: str
     """consumes, provides, is set by, reports, reacts to, receives, sends, runs"""
     call: str
     name: str
-    """Name inside the function, where it has one of its own."""
+    """Name inside the function, if it differs."""
     component: str
     """The component whose call it is; empty for a mode, which concerns the whole function."""
 
 
 class UseBelow(NamedTuple):
-    """That a function uses nodes below a branch."""
+    """Uses of nodes below a branch by a function."""
 
     function_id: str
     function: str
     counts: tuple[tuple[str, int], ...]
-    """How many nodes for each verb."""
+    """Number of nodes for each verb."""
 
 
 class Uses(NamedTuple):
-    """Which functions use the nodes of a catalogue."""
+    """Functions that use the nodes of a catalogue."""
 
     of_node: Mapping[str, Sequence[NodeUse]]
     """By the path that the catalogue shows: of folded instances, that of their definition."""

@@ -90,7 +90,7 @@ class Counts:
         return "".join(f", {count:,} {what}" for count, what in parts if count)
 
     def _identifiers(self) -> str:
-        """Those that the database does not have. Of very many, not all are told apart."""
+        """Describe identifiers that the database does not have. Of very many, not all are counted separately."""
         count = len(self.unknown)
         if count == 1:
             return "an identifier that the database does not have"

@@ -1,7 +1,7 @@
 """Doubts of a run of the gateway: whether the log is of the bus of the database, and what was skipped."""
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from sigcat import codes
 from sigcat.findings import Finding
@@ -12,10 +12,11 @@ _MOST = 20
 """Names that one finding lists."""
 
 
-def doubts(translation: Translation, name: str) -> Iterator[Finding]:
-    """Return one doubt that the trace is complete; `name` is the log in findings."""
+def doubts(translation: Translation, name: str, found: Collection[Finding]) -> Iterator[Finding]:
+    """Doubts that the trace is complete; `name` is the log in findings, `found` those about its form."""
     counts = translation.counts
-    if not counts.sent:
+    is_refused = any(each.rule == codes.LOG_MALFORMED.id and each.severity == "error" for each in found)
+    if not (counts.sent or (is_refused and not counts.frames)):
         yield _nothing(translation, name)
     if translation.channel is None:
         yield from _merged(counts, name)
@@ -34,9 +35,7 @@ def _nothing(translation: Translation, name: str) -> Finding:
     fix = "Name the database and the channel of this bus."
     if not counts.frames:
         fix = f"Look whether {name} is a log in the form that its name says."
-        return codes.LOG_OF_ANOTHER_BUS.finding(
-            "There is no frame that can be read: no trace is written.", name, fix=fix
-        )
+        return codes.LOG_OF_ANOTHER_BUS.finding("No readable frame found: no trace is written.", name, fix=fix)
     if sum(counts.others.values()) + counts.passed.total() == counts.frames and counts.others:
         message = f"No frame is of channel {translation.channel}: there are {_listed(counts.others)}."
         return codes.LOG_OF_ANOTHER_BUS.finding(message, name, fix="Name one of these.")

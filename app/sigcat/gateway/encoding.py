@@ -26,7 +26,7 @@ class Outgoing(NamedTuple):
 
     path: str
     name: str
-    """That of its column."""
+    """Name of its column."""
     datatype: str
     mapping: SignalMapping
 
@@ -58,7 +58,7 @@ class Place(NamedTuple):
     message: Any
     signal: Any
     mapping: SignalMapping
-    """That of the signal, with the markers of this signal of the network."""
+    """Mapping of the signal, with the markers of this signal of the network."""
 
     def raw(self, text: str) -> float:
         """The number that is transmitted for a cell of a trace. Raises Unfit."""
@@ -134,7 +134,7 @@ def _of_list(value: Value, mapping: SignalMapping) -> float | str:
 
 
 def _of_profile(value: Value, mapping: SignalMapping) -> str | _Raw:
-    """A text stands for the number beside it; a number that stands beside a name of the network, for that."""
+    """A text has the number next to it; a number next to a name of the network has that name."""
     for choice in mapping.choices:
         if isinstance(value, str) and choice.meant == value:
             return _Raw(choice.given)
@@ -168,7 +168,7 @@ def _place(outgoing: Outgoing, message: Any, signal: Any) -> Place:
 
 
 class MessageState:
-    """Return the values of all signals of a message: the last one, else a default, else the start value of the database, else 0."""
+    """Values of all signals of a message: the last one, else a default, else the start value of the database, else 0."""
 
     def __init__(self, message: Any, defaults: Mapping[str, float | str]) -> None:
         self._message = message

@@ -16,7 +16,7 @@ _WAIT = 0.2
 
 
 def read_bus(interface: str, channel: str, seconds: float | None) -> Iterator[Frame | Passed]:
-    """The frames of a bus: until the time is over, or the process is told to end. Raises UsageError."""
+    """The frames of a bus: until the time is over, or the process is asked to end. Raises UsageError."""
     bus = _opened(interface, channel)
     end = None if seconds is None else time.monotonic() + seconds
     try:

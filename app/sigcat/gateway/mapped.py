@@ -16,7 +16,7 @@ class Mapped(NamedTuple):
 
     path: str
     name: str
-    """That of its column: its path, or of a mode, an error or a safety reaction the name of the interface."""
+    """Name of its column: its path, or of a mode, an error or a safety reaction the name of the interface."""
     datatype: str
     allowed: frozenset[Any]
     mapping: SignalMapping
@@ -47,7 +47,7 @@ def _mapped(node: Node) -> Iterator[Mapped]:
 
 
 def _default(node: Node, mapping: SignalMapping, datatype: str) -> Value | None:
-    """Lint tells of one that is no value."""
+    """Lint reports one that is not a value."""
     given = node.values[mapping.attribute].get("default") if mapping.is_profile else None
     try:
         return None if given is None or isinstance(given, dict | list) else in_datatype(given, datatype)

@@ -1,4 +1,4 @@
-"""Rows go to functions that run, by way of a player, and everything that goes is counted."""
+"""Rows go to running functions through a player, and every sent value is counted."""
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence

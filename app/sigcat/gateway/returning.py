@@ -151,14 +151,14 @@ class Returning:
 
     def _take(self, moment: int, name: str, text: str) -> None:
         self._begin = self._begin or time.monotonic() - moment / 1e9
-        if moment > self._time:  # what came together goes together
+        if moment > self._time:  # values that were received together are sent together
             self._send(self._sender.due(self._time))
             self._send(_waiting(self._sender, moment))
             self._time = moment
         self._sender.take(name, text)
 
     def _patience(self) -> float | None:
-        """Seconds until something that waits is due; in lock step, time goes on with what comes."""
+        """Seconds until a waiting value is due; in lock step, time advances with received rows."""
         due = self._sender.next_time()
         if due is None or self._is_lock_step or self._begin is None:
             return None

@@ -114,7 +114,9 @@ class Sender:
         if self.unmapped:
             names = sorted(self.unmapped)
             message = f"Nothing maps to CAN: {', '.join(names[:_MOST])}{' and more' if len(names) > _MOST else ''}."
-            yield codes.FRAME_UNFIT.graded("info").finding(message, name)  # most of what functions send stays with them
+            yield codes.FRAME_UNFIT.graded("info").finding(
+                message, name
+            )  # most values that functions send stay with them
 
 
 _MOST = 20

@@ -34,7 +34,7 @@ def rows_of(moments: Iterable[Moment]) -> Iterator[Row]:
 
 
 def joined(rows: Iterable[Row]) -> Iterator[Row]:
-    """Rows of one time as one, as long as no column has two values then: what comes at once stands together."""
+    """Merge rows of equal time unless a column would get two values."""
     last: Row | None = None
     for row in rows:
         if last is not None and last.time == row.time and last.cells.keys().isdisjoint(row.cells):
@@ -77,13 +77,13 @@ class Added(NamedTuple):
     shapes: Mapping[int, Number] = {}
     """Indexes of columns that are signals with numbers: their cells are checked."""
     findings: tuple[Finding, ...] = ()
-    """Columns that may be misspelled: a function may define signals of its own."""
+    """Columns that may be misspelled: a function may define its own signals."""
 
 
 def added_trace(file: Path, mapped: Iterable[Mapped], datatypes: Mapping[str, str] | None = None) -> Added:
-    """A trace by its header, without the columns that there are, by path or by the name of the interface. Raises InputRefused.
+    """A trace by its header, without known columns, by path or by the name of the interface. Raises InputRefused.
 
-    Where datatypes of signals are known, a cell is refused that is none of its datatype, and a name that is none is told.
+    Where datatypes of signals are known, a cell that does not fit its datatype is refused, and an unknown name is reported.
     """
     header = next(_cells(file), (1, []))[1]
     if not header or header[0].strip() != "time":
@@ -134,7 +134,7 @@ def _rows(added: Added, first: int) -> Iterator[Row]:
 
 
 def _check(text: str, shape: Number, file: Path, line: int) -> None:
-    """Raises InputRefused for a cell that is no value."""
+    """Raises InputRefused for a cell that is not a value."""
     if text:
         try:
             value_of(text, shape)

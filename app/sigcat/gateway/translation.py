@@ -139,5 +139,5 @@ def _is_same(value: Value, other: Value | None) -> bool:
 def _goes_back(time: int, counts: Counts, name: str) -> Finding:
     assert counts.last is not None
     message = f"Frame {counts.frames:,} is of {time / 1e9:.6f} s, after one of {counts.last / 1e9:.6f} s."
-    fix = "It was read up to there. Split the log: each drive is a log of its own."
+    fix = "It was read up to there. Split the log: each drive needs its own log."
     return codes.LOG_TIME_GOES_BACK.finding(message, name, fix=fix)

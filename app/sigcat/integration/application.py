@@ -1,4 +1,4 @@
-"""What every platform derives alike from a set of functions: who answers for it, its name, its date, its components."""
+"""Parts that every platform derives alike from a set of functions: responsible team, name, date, components."""
 
 import datetime as dt
 import re
@@ -30,11 +30,11 @@ class Application(NamedTuple):
     date: dt.date | None
     """The latest of the functions' dates."""
     version: str | None
-    """As the deployment states it: functions have versions of their own."""
+    """As the deployment states it: functions have their own versions."""
     safety_manager: Text | None
-    """Who informs functions of safety conditions."""
+    """Sender of safety conditions."""
     mode_manager: Text | None
-    """Who sends functions their mode."""
+    """Sender of modes."""
     paths: Mapping[str, str]
     """VSS paths of signals that name none, by `Function.Signal`."""
 
@@ -60,7 +60,7 @@ class Part(NamedTuple):
 def application(functions: Sequence[ResolvedFunction], deployment: Deployment = NO_DEPLOYMENT) -> Application:
     """The application of a function or a set. Raises UsageError if there is none, or one twice."""
     if not functions:
-        raise UsageError("There is no function to integrate. Name at least one.")
+        raise UsageError("No function to integrate. Name at least one.")
     ordered = tuple(sorted(functions, key=lambda function: function.name))
     wholes = [function.function for function in ordered]
     infos = [function.info for function in wholes]

@@ -42,7 +42,7 @@ def branch_of(path: str) -> str:
 
 
 def service_name(origin: str) -> str:
-    """Service of what a component or a branch provides: `Vehicle.Chassis` → `VehicleChassisService`."""
+    """Service of a component or a branch: `Vehicle.Chassis` → `VehicleChassisService`."""
     return short_name(f"{camel_case(origin)}Service")
 
 

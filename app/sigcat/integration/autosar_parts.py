@@ -28,7 +28,7 @@ class Item(NamedTuple):
 
 
 def named_parts(functions: Sequence[FunctionJson]) -> tuple[Part, ...]:
-    """Every component under a short name of its own. Two components of one name bear their function's name too."""
+    """Every component under its own short name. Two components of one name have their function's name too."""
     pairs = [(function, component) for function in functions for component in function.components]
     names = [short_name(component.name) for _, component in pairs]
     lowered = [name.lower() for name in names]

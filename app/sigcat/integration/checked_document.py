@@ -23,7 +23,7 @@ M = TypeVar("M", bound=BaseModel)
 
 
 class Problem(NamedTuple):
-    """What a platform cannot be generated from, and where it stands."""
+    """A reason why a platform cannot be generated, and its place."""
 
     pointer: Pointer
     message: str
@@ -41,7 +41,7 @@ class DocumentKind(Generic[M]):
     platform: str
     model: type[M]
     rule: RuleCode
-    """What problems are findings of."""
+    """Rule of the findings about problems."""
     problems: Callable[[M], Iterable[Problem]]
     completed: Callable[[M], M] = _as_it_is
     """Adds what follows by rule, before problems are looked for."""

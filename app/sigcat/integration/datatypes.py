@@ -56,7 +56,7 @@ _BY_KIND = {
 
 
 def of_reference(reference: str, c_definition: str = "") -> Spelling | None:
-    """The primitive that a reference of a document stands for: its C definition decides where its name disagrees.
+    """The primitive of a document's reference: its C definition decides where its name disagrees.
 
     The published example calls `double` `DT_SInt64`: the code that is compiled is right, the name is not. But its
     `DT_Bool` held in an `unsigned char` is a boolean.

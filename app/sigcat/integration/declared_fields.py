@@ -1,4 +1,4 @@
-"""For every field of a function.yaml: where it stands in Function JSON. With it the report of an integration begins."""
+"""For every field of a function.yaml: its place in Function JSON. The report of an integration begins with it."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import PurePath
@@ -13,79 +13,44 @@ from sigcat.integration.report import Entry
 
 _INTERFACE = "Name, VssPath and what the catalogue says of the interface"
 _VALUE = {
-    "path": "VssPath, VssDatatype, VssUnit and what the catalogue says of the signal", "name": "Name",
-    "variable": "Variable", "rangeErrorAction": "RangeErrorAction", "init": "InitValue or InitElements", "min": "Min", "max": "Max",
-    "datatype": "Datatype", "unit": "Units, ConversionFactor, ConversionOffset", "values": "Datatypes and VssSymbols",
-    "factor": "Factor", "offset": "Offset", "definedBy": "DefinedBy", "cType": "CType", "members": "Members", "rangeError": "RangeError",
+    "path": "VssPath, VssDatatype, VssUnit and what the catalogue says of the signal", "init": "InitValue or InitElements",
+    "unit": "Units, ConversionFactor, ConversionOffset", "values": "Datatypes and VssSymbols",
 }  # fmt: skip
-_MODE = {
-    key: f"ModeInterfaceList: {target}"
-    for key, target in {"variable": "Variable", "definedBy": "DefinedBy", "cType": "CType", "values": "Values"}.items()
-}
-TARGETS: Mapping[type[DeclarationModel], Mapping[str, str]] = {
-    yaml.Declaration: {
+_MODES = "ModeInterfaceList"
+TARGETS: Mapping[type[DeclarationModel], tuple[str, Mapping[str, str]]] = {
+    yaml.Declaration: ("", {
         "function": "FunctionInfo: FunctionName", "description": "FunctionInfo: Description",
         "responsible": "FunctionInfo: FunctionResponsible", "version": "FunctionInfo: Version",
         "authority": "MetaInfo: Authority", "author": "MetaInfo: SchemaAuthor", "date": "MetaInfo: Date",
         "define": "Provenance: Definitions, TypeDefinitions, and each interface that refers to it",
-    },
-    yaml.ComponentItem: {"name": "ComponentList: Name"},
-    yaml.RunnableItem: {
-        "interface": f"functionList: {_INTERFACE}", "contract": "funcContractList: Type",
-        "parallel": "functionList: ParallelProcessing", "events": "functionList: EventList",
-        "symbol": "functionList: Symbol", "arguments": "functionList: Arguments",
-        "success": "functionList: SuccessValue", "before": "functionList: PreProcessing",
-        "after": "functionList: PostProcessing", "overrunError": "functionList: OverrunError",
-    },
-    yaml.DataItem: {key: f"SignalList or DataQList: {target}" for key, target in {
-        **_VALUE, "role": "Role", "asil": "AsilLevel, AsilInfo of a queue", "access": "Access", "timeout": "Timeout",
-        "timeoutError": "TimeoutError", "provider": "ExternalProvider", "queueLength": "QueueLength",
-        "timeoutStart": "TimeoutStart", "timeoutValue": "TimeoutValue", "timeoutRecovery": "TimeoutRecovery",
-        "e2eError": "E2eError", "overflow": "Overflow", "overflowError": "OverflowError", "valuesPerStep": "ValuesPerStep",
-        "countVariable": "CountVariable",
-    }.items()},
-    yaml.ParameterItem: {key: f"ParameterList: {target}" for key, target in {
-        **_VALUE, "kind": "Interfacetype", "attribute": "Attribute", "asil": "Asillevel", "key": "Key", "storage": "Storage",
-    }.items()},
-    yaml.ErrorItem: {
-        "interface": f"ErrorList: {_INTERFACE}", "occurrenceCountLimit": "ErrorList: OccurenceCountLimit",
-        "ignitionCountLimit": "ErrorList: IgnitionCountLimit", "variable": "ErrorList: Variable",
-        "statusVariable": "ErrorList: StatusVariable", "definedBy": "ErrorList: DefinedBy",
-        "cType": "ErrorList: CType", "reset": "ErrorList: Reset",
-    },
-    yaml.ReactionItem: {
-        "interface": f"SafetyReactionList: {_INTERFACE}", "variable": "SafetyReactionList: Variable",
-        "definedBy": "SafetyReactionList: DefinedBy", "cType": "SafetyReactionList: CType", "initial": "SafetyReactionList: Initial",
-        "timeout": "SafetyReactionList: Timeout",
-    },
-    yaml.MethodItem: {
-        "name": "MethodList: Name", "description": "MethodList: Description", "role": "MethodList: Role",
-        "symbol": "MethodList: Symbol", "timeout": "MethodList: Timeout",
-        "requestVariable": "MethodList: RequestVariable", "statusVariable": "MethodList: StatusVariable",
-    },
-    yaml.ArgumentItem: {key: f"InDataTypeList or OutDataTypeList: {target}" for key, target in {
-        "name": "Name", "datatype": "Datatype", "unit": "Units", "variable": "Variable",
-    }.items()},
-    yaml.ModesItem: {"interfaces": f"ModeInterfaceList: {_INTERFACE}"},
-    yaml.ModeInItem: {**_MODE, **{key: f"ModeInterfaceList: {target}" for key, target in {
-        "initial": "Initial", "unknown": "UnknownAction", "unknownError": "UnknownError",
-    }.items()}},
-    yaml.ModeOutItem: _MODE,
-    code.CodeSection: {key: f"Code: {target}" for key, target in {
-        "signature": "Signature", "sources": "Sources", "headers": "Headers", "includeFolders": "IncludeFolders",
-        "definitions": "Macros", "class": "ClassName", "storage": "Storage", "accessors": "Accessors",
-    }.items()},
-    code.ObjectItem: {key: f"Code: Objects: {target}" for key, target in {
-        "name": "Name", "type": "Type", "length": "Length", "member": "Member", "definedBy": "DefinedBy",
-    }.items()},
-    code.CheckpointItem: {key: f"functionList: Checkpoint: {target}" for key, target in {
-        "initial": "BeginsSequence", "final": "EndsSequence", "next": "Next",
-    }.items()},
-    yaml.ActiveMode: {
-        "mode": "ModesList: Name", "description": "ModesList: Description", "runnables": "ModesList: RunnablesList",
-    },
+    }),
+    yaml.ComponentItem: ("ComponentList", {}),
+    yaml.RunnableItem: ("functionList", {
+        "interface": _INTERFACE, "contract": "funcContractList: Type", "parallel": "ParallelProcessing", "events": "EventList",
+        "success": "SuccessValue", "before": "PreProcessing", "after": "PostProcessing",
+    }),
+    yaml.DataItem: ("SignalList or DataQList", {**_VALUE, "asil": "AsilLevel, AsilInfo of a queue", "provider": "ExternalProvider"}),
+    yaml.ParameterItem: ("ParameterList", {**_VALUE, "kind": "Interfacetype", "asil": "Asillevel"}),
+    yaml.ErrorItem: ("ErrorList", {"interface": _INTERFACE, "occurrenceCountLimit": "OccurenceCountLimit"}),
+    yaml.ReactionItem: ("SafetyReactionList", {"interface": _INTERFACE}),
+    yaml.MethodItem: ("MethodList", {}),
+    yaml.ArgumentItem: ("InDataTypeList or OutDataTypeList", {"unit": "Units"}),
+    yaml.ModesItem: (_MODES, {"interfaces": _INTERFACE}),
+    yaml.ModeInItem: (_MODES, {"unknown": "UnknownAction"}),
+    yaml.ModeOutItem: (_MODES, {}),
+    code.CodeSection: ("Code", {"definitions": "Macros", "class": "ClassName"}),
+    code.ObjectItem: ("Code: Objects", {}),
+    code.CheckpointItem: ("functionList: Checkpoint", {"initial": "BeginsSequence", "final": "EndsSequence"}),
+    yaml.ActiveMode: ("ModesList", {"mode": "Name", "runnables": "RunnablesList"}),
 }  # fmt: skip
-"""Targets of each field of a function.yaml, without those that hold other parts of it."""
+"""Places of the parts of a function.yaml in Function JSON, with the fields whose names differ there by more than the first capital."""
+
+
+def target(part: type[DeclarationModel], key: str) -> str:
+    """Return the place of a field of a function.yaml in Function JSON."""
+    place, names = TARGETS[part]
+    name = names.get(key) or key[0].upper() + key[1:]
+    return f"{place}: {name}" if place else name
 
 
 def declared_fields(functions: Sequence[ResolvedFunction]) -> tuple[Entry, ...]:
@@ -108,7 +73,7 @@ def _of_part(part: DeclarationModel, at: Pointer, function: ResolvedFunction) ->
             for pointer, each in inner:
                 yield from _of_part(each, pointer, function)
         elif value not in (None, []):
-            yield _entry((*at, key), TARGETS[type(part)].get(key, ""), function)
+            yield _entry((*at, key), target(type(part), key), function)
 
 
 def _parts(value: Any, at: Pointer) -> Iterator[tuple[Pointer, DeclarationModel]]:
@@ -118,6 +83,6 @@ def _parts(value: Any, at: Pointer) -> Iterator[tuple[Pointer, DeclarationModel]
             yield pointer, each
 
 
-def _entry(at: Pointer, target: str, function: ResolvedFunction) -> Entry:
+def _entry(at: Pointer, goes_to: str, function: ResolvedFunction) -> Entry:
     place = f"{PurePath(function.document.name).name}:{function.document.position(at).line}"
-    return Entry(function.name, place, "declaration", ".".join(map(str, at)), f"Function JSON, {target}")
+    return Entry(function.name, place, "declaration", ".".join(map(str, at)), f"Function JSON, {goes_to}")

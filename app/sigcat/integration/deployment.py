@@ -1,4 +1,4 @@
-"""What a deployment says for every platform: who answers for the documents, and what they are called."""
+"""Settings of a deployment for every platform: responsible team and names of documents."""
 
 import datetime as dt
 from typing import Annotated, Self
@@ -12,7 +12,7 @@ from sigcat.function.document.field_types import VERSION, Name, VssPath
 
 
 class Deployment(DeclarationModel):
-    """What differs from the defaults that `derive` takes, whatever the platform. All of it is optional."""
+    """Settings that differ from the defaults of `derive`, whatever the platform. All of it is optional."""
 
     name: Text | None = Field(None, description="Name of the application; made from the functions' names if absent.")
     description: Text | None = Field(None, description="What the application does; the functions' own words if absent.")

@@ -1,4 +1,4 @@
-"""What `derive` finds on its way, each at the part of a function that it is about."""
+"""Findings of `derive`, each at the part of a function that it is about."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -18,7 +18,7 @@ class Subject(NamedTuple):
     """A part of a function that findings may be about."""
 
     name: str
-    """What findings call it; empty if the part has no name of its own."""
+    """Name of the part in findings; empty if the part itself has no name."""
     part: BaseModel
 
     def __str__(self) -> str:
@@ -40,7 +40,7 @@ class FindingCollector:
         self._found[self._finding(rule, message, subject, fix, key)] = None
 
     def report_deployment(self, rule: RuleCode, message: str, pointer: Pointer, fix: str, path: str) -> None:
-        """Report one about a place in the deployment file, which says something of what `path` names."""
+        """Report one about a place in the deployment file, which has a setting for `path`."""
         self._found[self.deployment.finding(rule, pointer, message, fix, path)] = None
 
     @property
@@ -56,7 +56,7 @@ class FindingCollector:
 
     @cached_property
     def _parts(self) -> dict[int, tuple[ResolvedFunction, Pointer]]:
-        """Every part of the functions by its identity: equal parts of two calls stand in two places."""
+        """Every part of the functions by its identity: equal parts of two calls have two places."""
         return {
             id(part): (function, pointer) for function in self.functions for pointer, part in parts(function.function)
         }

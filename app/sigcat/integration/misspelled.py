@@ -10,7 +10,7 @@ from sigcat.function.document.document import Document
 from sigcat.function.document.near_keys import near_keys
 
 _CARRIED = "SourceFunctionList"
-"""Function JSON as it was given: its own keys were told of when it was integrated."""
+"""Function JSON as it was given: its own keys were reported when it was integrated."""
 
 
 def misspelled_keys(document: Document, model: type[BaseModel]) -> Iterator[Finding]:

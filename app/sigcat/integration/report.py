@@ -1,4 +1,4 @@
-"""Where each field of each interface went: nothing that a function declares is dropped in silence."""
+"""Place of each field of each interface in the result: nothing that a function declares is dropped in silence."""
 
 import json
 from collections.abc import Iterable, Mapping
@@ -21,13 +21,13 @@ class Entry(NamedTuple):
     field: str
     """Name in Function JSON."""
     target: str
-    """Where its value stands in the result, or `not carried`."""
+    """Place of its value in the result, or `not carried`."""
     note: str = ""
     """Why it went there, or why it is not carried; empty if that is plain."""
 
 
 class FieldTarget(NamedTuple):
-    """What becomes of a field, whatever the interface."""
+    """Target of a field, whatever the interface."""
 
     target: str
     note: str = ""

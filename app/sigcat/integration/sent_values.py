@@ -28,7 +28,7 @@ def sent(value: float | None, interface: Scaled) -> int | float | None:
 def initial(
     interface: Scaled, *, names: Mapping[int, str] | None = None, numbers: Mapping[str, int] | None = None
 ) -> Any:
-    """What an interface has before the first value, as it is sent; None if the declaration says nothing.
+    """Start value of an interface, as it is sent; None if the declaration has none.
 
     Of an enumeration, `names` has what the numbers of the code are called, `numbers` what is sent for these names.
     """

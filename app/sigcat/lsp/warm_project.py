@@ -34,7 +34,7 @@ from sigcat.rules.tree import Tree
 
 Result = TypeVar("Result")
 FindProject = Callable[[Path], Path | None]
-"""What finds the project file of a folder."""
+"""Finds the project file of a folder."""
 _FUNCTION_FILES = 500
 """Function files of a folder without a project that are searched for uses of a signal."""
 _UNREADABLE = frozenset(

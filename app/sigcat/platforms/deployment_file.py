@@ -1,4 +1,4 @@
-"""The deployment file: what holds for every platform, and a section for each platform of the table."""
+"""The deployment file: settings for every platform, and a section for each platform of the table."""
 
 from collections.abc import Mapping
 from pathlib import Path

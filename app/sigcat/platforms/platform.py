@@ -44,7 +44,7 @@ class Generator(NamedTuple):
     """Content of the files, for help texts."""
     media_type: str
     report: "Callable[[bytes, str, Limits], tuple[Entry, ...]]"
-    """Return the target of each field of an Integration JSON. Raises InputRefused if it cannot be used."""
+    """Returns the target of each field of an Integration JSON. Raises InputRefused if it cannot be used."""
     generate: "Callable[[bytes, str, Limits, Options], tuple[GeneratedFile, ...]]"
     """The files, from the bytes and the name of an Integration JSON. Raises InputRefused if it cannot be used."""
     releases: tuple[str, ...] = ()
@@ -83,7 +83,7 @@ class Platform(NamedTuple):
     if the platform has no versions. Raises InputRefused if that document cannot be used."""
 
     with_files: "Callable[[Deployment, Path, Mapping[str, str]], Deployment] | None" = None
-    """A deployment with the files of this machine that it names, relative to the folder of its own file, given an
+    """A deployment with the files of this machine that it names, relative to the folder of its file, given an
     environment; None if the platform names none."""
 
     @property

@@ -59,5 +59,5 @@ SCHEMAS: Mapping[str, Callable[[], dict[str, Any]]] = {
 def schema(name: str) -> dict[str, Any]:
     """The schema of a name. Raises NotFound with the nearest names."""
     if name not in SCHEMAS:
-        raise NotFound(f"There is no schema {name!r}.", nearest(name, SCHEMAS))
+        raise NotFound(f"Unknown schema {name!r}.", nearest(name, SCHEMAS))
     return SCHEMAS[name]()

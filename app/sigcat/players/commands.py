@@ -15,7 +15,7 @@ from sigcat.adapter.files import GeneratedFile
 _FIRST_ERROR = re.compile(r"\berror:|\bError at\b|undefined reference|multiple definition", re.IGNORECASE)
 """Words before errors in the output of compilers, linkers and CMake."""
 _MOST = 6000
-"""Characters of what a command said that are kept."""
+"""Characters of a command's output that are kept."""
 
 
 class BuildFails(Exception):
@@ -23,7 +23,7 @@ class BuildFails(Exception):
 
     @property
     def first_error(self) -> str:
-        """The line that says what is wrong; CMake says it in the next one."""
+        """The line with the error; CMake has it in the next one."""
         lines = [line.strip() for line in str(self).splitlines() if line.strip()]
         first = next((number for number, line in enumerate(lines) if _FIRST_ERROR.search(line)), len(lines) - 1)
         return " ".join(lines[first : first + 2] if lines[first].endswith(":") else lines[first : first + 1])
@@ -43,7 +43,7 @@ class Groups:
 
     @contextmanager
     def started(self, command: Sequence[str], **options: Any) -> "Iterator[subprocess.Popen[Any]]":
-        """A process that leads a group of its own, which ends with the context. Raises Interrupted when all are ended meanwhile."""
+        """A process that leads its own group, which ends with the context. Raises Interrupted when all are ended meanwhile."""
         with self._lock:
             self._refuse_when_ended()
             process = subprocess.Popen(command, process_group=0, **options)  # noqa: S603 - no shell

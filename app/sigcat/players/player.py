@@ -13,7 +13,7 @@ from typing import Self
 from sigcat.players.program import Mode, Program
 
 Hear = Callable[[int, str, str], None]
-"""Takes the time of what a function has sent, in ns, its name and its value, in a thread of its own."""
+"""Takes the time of a value that a function sent, in ns, its name and the value, in a separate thread."""
 _LAST_LINES = 8
 _CELLS = 3
 
@@ -109,4 +109,4 @@ class Player:
         self._words.seek(0)
         lines = self._words.read()[-4000:].decode("utf-8", "replace").splitlines()
         words = " ".join(line.removeprefix("player: ") for line in lines[-_LAST_LINES:] if line.strip())
-        return PlayerEnded(words or f"It ended with status {status}, without a word.")
+        return PlayerEnded(words or f"It ended with status {status}, with no output.")

@@ -33,7 +33,7 @@ class Ros2(NamedTuple):
     wheels: Path | None = None
     """The environment of a checkout; None: ROS 2 was sourced, and its variables are there."""
     rclcpp: Path | None = None
-    """Source of what is to be built in the place of rclcpp."""
+    """Source to build in place of rclcpp."""
 
     @property
     def note(self) -> str:

@@ -12,7 +12,7 @@ from sigcat.adapter.autosar_adaptive.application.player_source import CPP as CEL
 from sigcat.adapter.files import GeneratedFile, shipped
 from sigcat.adapter.ros2.cpp.names import header_of
 from sigcat.adapter.ros2.plan import InterfaceType
-from sigcat.function.document.text_filters import c_header, c_string
+from sigcat.adapter.templates import rendered
 
 _OWN = Path(__file__).with_name("ros2_player")
 _SHARED = ("cell.cpp", "cell.h", "times.h", "trace.cpp", "trace.h")
@@ -54,6 +54,49 @@ class _Topic(NamedTuple):
     is_reliable: bool
     keeps: bool
     depth: int
+    takers: Sequence[int] = ()
+    """Numbers of all nodes that subscribe to it."""
+
+    @property
+    def type(self) -> str:
+        """Its message in C++."""
+        return _type(self.message)
+
+
+class _Member(NamedTuple):
+    """A member of a message, with its name in a recording, and the text before its value there."""
+
+    field: str
+    name: str
+    key: str
+
+
+class _Struct(NamedTuple):
+    """A message that is a member of others."""
+
+    type: str
+    members: Sequence[_Member]
+
+
+class _Project(NamedTuple):
+    """Plan of `CMakeLists.txt` and `step_service.h`: the package of messages, and others that have some."""
+
+    interfaces: str
+    others: Sequence[str]
+
+
+class _Topics(NamedTuple):
+    """Plan of `topics.cpp`; a cycle is its period and offset, in ns."""
+
+    headers: Sequence[str]
+    structs: Sequence[_Struct]
+    nodes: Sequence[str]
+    functions: Sequence[str]
+    """Each of the node with its number."""
+    cycles: Sequence[tuple[int, int]]
+    has_events: bool
+    offered: Sequence[_Topic]
+    heard: Sequence[_Topic]
 
 
 def player_files(document: Mapping[str, Any]) -> tuple[GeneratedFile, ...]:
@@ -61,24 +104,14 @@ def player_files(document: Mapping[str, Any]) -> tuple[GeneratedFile, ...]:
     interfaces = document["InterfacePackageList"][0]["Name"]
     shared = (GeneratedFile(f"player/{name}", (CELLS / name).read_bytes()) for name in _SHARED)
     own = [file._replace(name=f"{'' if '/' in file.name else 'player/'}{file.name}") for file in shipped(_OWN)]
+    others = {topic.message.partition("/")[0] for topic in _topics(document)} - {interfaces}
+    project = _Project(interfaces, sorted(others))
     return (
         *shared,
         *own,
-        _file(
-            "player/step_service.h",
-            _STEP_SERVICE.format(interfaces=interfaces, header=c_string(f"{interfaces}/srv/step.hpp")),
-        ),
-        _file("player/topics.cpp", _topics_source(document)),
-        _file("CMakeLists.txt", _cmake(document, interfaces)),
-    )
-
-
-def _cmake(document: Mapping[str, Any], interfaces: str) -> str:
-    others = sorted({topic.message.partition("/")[0] for topic in _topics(document)} - {interfaces})
-    return _CMAKE.format(
-        interfaces=interfaces,
-        found="".join(f"find_package({each} REQUIRED)\n" for each in others),
-        targets="".join(f" ${{{each}_TARGETS}}" for each in others),
+        _file("player/step_service.h", rendered("players/step_service.h.j2", project)),
+        _file("player/topics.cpp", rendered("players/topics.cpp.j2", _plan(document))),
+        _file("CMakeLists.txt", rendered("players/CMakeLists.txt.j2", project)),
     )
 
 
@@ -139,40 +172,34 @@ def _topic(topic: Mapping[str, Any], node: int, fields: tuple[_Field, ...]) -> _
     )  # fmt: skip
 
 
-# -- what is written ----------------------------------------------------------------------------------------------
-
-
-def _topics_source(document: Mapping[str, Any]) -> str:
+def _plan(document: Mapping[str, Any]) -> _Topics:
     topics = list(_topics(document))
     takers: defaultdict[str, set[int]] = defaultdict(set)
     for topic in topics:
         if topic.role == "Subscription":
             takers[topic.name].add(topic.node)
-    heard = _joined(topic for topic in topics if topic.role == "Publisher")
-    given = _joined(topic for topic in topics if topic.role == "Subscription" and topic.name not in heard)
-    parts = [
-        *(_offered(topic, takers[topic.name]) for topic in given.values()),
-        *(_heard(topic, takers[topic.name]) for topic in heard.values()),
-    ]
+    heard = _joined((topic for topic in topics if topic.role == "Publisher"), takers)
+    given = _joined((topic for topic in topics if topic.role == "Subscription" and topic.name not in heard), takers)
     types = sorted({topic.message for topic in (*heard.values(), *given.values())})
-    return _TOPICS.format(
-        includes="\n".join(f"#include {c_header(header_of(InterfaceType(*each.split('/'))))}" for each in types),
-        structs="".join(_structs(document)),
-        nodes=", ".join(c_string(node["NodeName"]) for node in _nodes(document)),
-        functions=", ".join(f"{{{c_string(node['FunctionName'])}, {n}}}" for n, node in enumerate(_nodes(document))),
-        cycles=", ".join(f"{{{period}U, {offset}U}}" for period, offset in _cycles(document)),
-        events="true" if any(each.get("Topics") for each in _schedules(document)) else "false",
-        connections="\n".join(parts),
+    return _Topics(
+        [header_of(InterfaceType(*each.split("/"))) for each in types],
+        list(_structs(document)),
+        [node["NodeName"] for node in _nodes(document)],
+        [node["FunctionName"] for node in _nodes(document)],
+        _cycles(document),
+        any(each.get("Topics") for each in _schedules(document)),
+        list(given.values()),
+        list(heard.values()),
     )
 
 
-def _joined(topics: Iterable[_Topic]) -> Mapping[str, _Topic]:
-    """A topic once, with the fields of all its ends."""
+def _joined(topics: Iterable[_Topic], takers: Mapping[str, set[int]]) -> Mapping[str, _Topic]:
+    """A topic once, with the fields of those of its ends, and the nodes that subscribe to it."""
     found: dict[str, _Topic] = {}
     for topic in topics:
         known = found.get(topic.name)
         fields = tuple(dict.fromkeys((*(known.fields if known else ()), *topic.fields)))
-        found[topic.name] = topic._replace(fields=fields)
+        found[topic.name] = topic._replace(fields=fields, takers=sorted(takers.get(topic.name, ())))
     return found
 
 
@@ -195,74 +222,15 @@ def _cycles(document: Mapping[str, Any]) -> list[tuple[int, int]]:
     ]  # fmt: skip
 
 
-def _offered(topic: _Topic, takers: Iterable[int]) -> str:
-    nodes = ", ".join(map(str, sorted(takers)))
-    quality = f"Quality(true, {_bool(topic.keeps)}, {topic.depth})"
-    offer = f"auto& out = ports.Offer<{_type(topic.message)}>({c_string(topic.name)}, {quality}, {{{nodes}}});"
-    columns = [
-        f"        ports.Column({c_string(each.name)}, out, [](auto& message, const Item& item) {{ {_filled(each)} }});"
-        for each in topic.fields
-    ]
-    return "\n".join(["    {", f"        {offer}", *columns, "    }"])
-
-
-def _filled(field: _Field) -> str:
-    place = f"message.{field.field}"
-    if field.factor:
-        number = f"(Read<double>(item) - {field.offset}) / {field.factor}"
-        return f"{place} = static_cast<std::decay_t<decltype({place})>>({number});"
-    if not field.symbols or field.is_array:
-        return f"{place} = Read<std::decay_t<decltype({place})>>(item);"
-    if not field.is_text:
-        return _numbered(place, field)
-    number = f" {_numbered(f'message.{field.number_field}', field)}" if field.number_field else ""
-    return f"{place} = item.text;{number}"
-
-
-def _numbered(place: str, field: _Field) -> str:
-    return f"{place} = static_cast<std::decay_t<decltype({place})>>(NumberOf(item.text, {_symbols(field)}));"
-
-
-def _heard(topic: _Topic, takers: Iterable[int]) -> str:
-    nodes = ", ".join(map(str, sorted(takers)))
-    values = ", ".join(f"{{{c_string(each.name)}, {_told(each)}}}" for each in topic.fields)
-    quality = f"Quality({_bool(topic.is_reliable)}, {_bool(topic.keeps)}, {topic.depth})"
-    return (
-        f"    ports.Hear<{_type(topic.message)}>({c_string(topic.name)}, {quality}, {topic.node}, {{{nodes}}}, "
-        f"[](const auto& message) {{\n        return Values{{{values}}};\n    }});"
-    )
-
-
-def _told(field: _Field) -> str:
-    place = f"message.{field.field}"
-    if field.factor:
-        return f"Text(static_cast<double>({place}) * {field.factor} + {field.offset})"
-    if field.symbols and not field.is_text and not field.is_array:
-        return f"SymbolOf({place}, {_symbols(field)})"
-    return f"Text({place})"
-
-
-def _symbols(field: _Field) -> str:
-    names = ", ".join(f"{{{c_string(text)}, {number}}}" for text, number in field.symbols)
-    return f"{{{names}}}"
-
-
-def _structs(document: Mapping[str, Any]) -> Iterator[str]:
-    """Cells of messages that are members of others, inner ones first."""
+def _structs(document: Mapping[str, Any]) -> Iterator[_Struct]:
+    """Messages that are members of others, inner ones first."""
     messages = _messages(document)
     members = _members(document, messages)
-    for name in _nested(document, messages):
-        fields = [each["Name"] for each in messages[name]["Fields"]]
-        both = list(zip(members.get(name, fields), fields, strict=True))
-        texts = " + ".join(
-            c_string(f"{', ' if number else ''}{json.dumps(member)}: ") + f" + player::Text(value.{field})"
-            for number, (member, field) in enumerate(both)
-        )
-        reads = "".join(
-            f"        value.{field} = player::Read<std::decay_t<decltype(value.{field})>>(item.At({c_string(member)}));\n"
-            for member, field in both
-        )
-        yield _STRUCT.format(type=_type(name), reads=reads, texts=texts)
+    for message in _nested(document, messages):
+        fields = [each["Name"] for each in messages[message]["Fields"]]
+        pairs = enumerate(zip(fields, members.get(message, fields), strict=True))
+        keyed = [_Member(field, name, f"{', ' if n else ''}{json.dumps(name)}: ") for n, (field, name) in pairs]
+        yield _Struct(_type(message), keyed)
 
 
 def _members(document: Mapping[str, Any], messages: Mapping[str, Mapping[str, Any]]) -> Mapping[str, Sequence[str]]:
@@ -313,81 +281,3 @@ def _message_of(datatype: str, document: Mapping[str, Any]) -> str:
 
 def _type(message: str) -> str:
     return message.replace("/", "::")
-
-
-def _bool(value: bool) -> str:
-    return "true" if value else "false"
-
-
-_TOPICS = """// Topics of the player. Generated by sigcat.
-
-#include "player/ports.h"
-
-{includes}
-
-namespace player {{
-
-using Values = std::vector<std::pair<const char*, std::string>>;
-
-{structs}const std::vector<std::string>& Nodes() {{
-    static const std::vector<std::string> names{{{nodes}}};
-    return names;
-}}
-
-const std::map<std::string, std::size_t>& Functions() {{
-    static const std::map<std::string, std::size_t> numbers{{{functions}}};
-    return numbers;
-}}
-
-const std::vector<std::pair<std::uint64_t, std::uint64_t>>& Cycles() {{
-    static const std::vector<std::pair<std::uint64_t, std::uint64_t>> cycles{{{cycles}}};
-    return cycles;
-}}
-
-bool HasEvents() {{ return {events}; }}
-
-void Connect(Ports& ports) {{
-{connections}
-}}
-
-}}  // namespace player
-"""
-_STRUCT = """template <>
-struct Cell<{type}, void> final {{
-    static {type} Read(const Item& item) {{
-        {type} value;
-{reads}        return value;
-    }}
-    static std::string Text(const {type}& value) {{ return std::string("{{") + {texts} + "}}"; }}
-}};
-
-"""
-_STEP_SERVICE = """#ifndef PLAYER_STEP_SERVICE_H
-#define PLAYER_STEP_SERVICE_H
-
-#include {header}
-
-namespace player {{
-
-using StepService = {interfaces}::srv::Step;
-
-}}  // namespace player
-
-#endif  // PLAYER_STEP_SERVICE_H
-"""
-_CMAKE = """cmake_minimum_required(VERSION 3.16)
-project(player LANGUAGES CXX)
-set(CMAKE_CXX_STANDARD 17)
-set(CMAKE_CXX_STANDARD_REQUIRED ON)
-find_package(ament_cmake REQUIRED)
-{found}find_package(lifecycle_msgs REQUIRED)
-find_package(rclcpp REQUIRED)
-find_package({interfaces} REQUIRED)
-find_package(Threads REQUIRED)
-add_executable(player player/cell.cpp player/main.cpp player/ports.cpp player/steps.cpp player/topics.cpp player/trace.cpp)
-set_target_properties(player PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 20)
-target_compile_options(player PRIVATE -O1)
-target_include_directories(player PRIVATE "${{CMAKE_CURRENT_SOURCE_DIR}}")
-target_link_libraries(player PRIVATE ${{{interfaces}_TARGETS}}{targets} ${{lifecycle_msgs_TARGETS}} rclcpp::rclcpp Threads::Threads)
-install(TARGETS player DESTINATION lib/player)
-"""

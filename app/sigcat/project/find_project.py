@@ -23,7 +23,7 @@ def nearest_project(start: Path, top: Path | None = None) -> Path | None:
     for folder in (real_path(start), *real_path(start).parents):
         for name in FILES:
             path = folder / name
-            if path.is_file() and (name == FILE_NAME or b"[tool.sigcat" in path.read_bytes()):
+            if path.exists() if name == FILE_NAME else path.is_file() and b"[tool.sigcat" in path.read_bytes():
                 return near_path(path)
         if folder == top:
             break

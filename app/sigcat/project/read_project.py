@@ -15,10 +15,11 @@ overlays = ["overlays/*.vspec"]       # in the order in which they apply
 Paths are relative to the file. Everything wrong with it is reported at once, with lines.
 """
 
+import os
 import re
 import sys
 import tomllib
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -31,6 +32,7 @@ from sigcat.findings import Finding, RuleCode, in_order
 from sigcat.limits import CONFIGURATION_BYTES
 from sigcat.names import did_you_mean
 from sigcat.open_files import read_bytes, size_of
+from sigcat.path_faults import path_fault
 from sigcat.project.chosen_tree import with_additions
 from sigcat.project.project import Project
 from sigcat.real_path import near_path
@@ -156,9 +158,12 @@ class _Reading:
         """The name of a table in the file."""
         return ".".join(filter(None, (self._prefix, table)))
 
-    def report(self, rule: RuleCode, message: str, table: str, number: int, key: str = "", fix: str = "") -> None:
-        line = self.lines.line(self.place(table), number, key)
-        self.findings.append(rule.finding(message, str(self.file), line, pointer=key, fix=fix))
+    def report(
+        self, rule: RuleCode, message: str, table: str, number: int, key: str = "", fix: str = "", value: str = ""
+    ) -> None:
+        """Report a fault of a key, at `value` where that is in its value."""
+        line, column = self.lines.position(self.place(table), number, key, value)
+        self.findings.append(rule.finding(message, str(self.file), line, column, pointer=key, fix=fix))
 
     def check(self, values: Mapping[str, Any], known: Mapping[str, type], table: str, number: int = 0) -> None:
         """Report unknown keys, and values of the wrong kind."""
@@ -185,10 +190,17 @@ class _Reading:
     def _placed(self, finding: Finding, table: str) -> Finding:
         if finding.line or finding.file != str(self.file):  # the environment has no lines
             return finding
-        return finding._replace(line=self.lines.line_below(table, finding.pointer or finding.path))
+        line, column = self.lines.position_below(table, finding.pointer or finding.path)
+        return finding._replace(line=line, column=column)
 
     def path(self, text: str) -> Path:
-        return near_path(self.file.parent / Path(text).expanduser())
+        """The path that the file names."""
+        return self.near(self.file.parent / Path(text).expanduser())
+
+    def near(self, path: Path) -> Path:
+        """A path as the user names it; a link to nothing keeps its name."""
+        is_broken = os.path.islink(path) and not os.path.exists(path)  # noqa: PTH110, PTH114 — no OSError
+        return near_path(path.parent) / path.name if is_broken else near_path(path)
 
 
 def _text(file: Path) -> str:
@@ -278,18 +290,16 @@ def _base(values: Mapping[str, Any], number: int, reading: _Reading) -> Source |
         return None
     if isinstance(spec, str):
         path = reading.path(spec)
-        if path.is_dir():
-            fix = "Name the root .vspec file in it."
-            message = f"`spec` must be a file, not the folder {str(path)!r}."
-            reading.report(codes.FILE_MISSING, message, "catalogue", number, "spec", fix)
-        elif not path.is_file():
-            reading.report(codes.FILE_MISSING, f"There is no file {str(path)!r}.", "catalogue", number, "spec")
+        if message := path_fault(path):
+            fix = "Name the root .vspec file in it." if path.is_dir() else ""
+            reading.report(codes.FILE_MISSING, message, "catalogue", number, "spec", fix, spec)
         return Source("", "", path)
     try:
         return release_source(release) if isinstance(release, str) else None
     except (NotFound, UsageError) as error:
         message = str(error)
-        reading.report(codes.FILE_MISSING, message[:1].upper() + message[1:], "catalogue", number, "release")
+        text = message[:1].upper() + message[1:]
+        reading.report(codes.FILE_MISSING, text, "catalogue", number, "release", value=str(release))
         return None
 
 
@@ -298,8 +308,8 @@ def _deployment(data: Mapping[str, Any], reading: _Reading) -> Path | None:
     if not isinstance(text, str):
         return None
     path = reading.path(text)
-    if not path.is_file():
-        reading.report(codes.FILE_MISSING, f"There is no file {str(path)!r}.", "", 0, "deployment")
+    if message := path_fault(path):
+        reading.report(codes.FILE_MISSING, message, "", 0, "deployment", value=text)
     return path
 
 
@@ -311,24 +321,47 @@ def _paths(values: Mapping[str, Any], name: str, table: str, number: int, readin
         if isinstance(listed, list):
             reading.report(codes.SETTING_UNFIT, f"`{name}` must be a list of texts.", table, number, key)
         return ()
-    kind, is_there = ("folder", Path.is_dir) if name in _OF_FOLDERS else ("file", Path.is_file)
+    kind = "folder" if name in _OF_FOLDERS else "file"
     found: list[Path] = []
     for item in listed:
-        matches = [path for path in _matches(item, reading) if is_there(path)]
-        if not matches:
-            shown = item if "*" in item else str(reading.path(item))
-            reading.report(codes.FILE_MISSING, f"There is no {kind} {shown!r}.", table, number, key)
-        found += matches
+        paths, faults = _matches(item, kind, reading) if "*" in item else _named(item, kind, reading)
+        found += paths
+        for fault in faults:
+            reading.report(codes.FILE_MISSING, fault, table, number, key, value=item)
     return tuple(dict.fromkeys(found))
 
 
-def _matches(text: str, reading: _Reading) -> Iterator[Path]:
-    if "*" not in text:
-        yield reading.path(text)
-        return
+_Matches = tuple[Sequence[Path], Sequence[str]]
+"""Paths, and sentences about those that cannot be used."""
+
+
+def _named(text: str, kind: str, reading: _Reading) -> _Matches:
+    path = reading.path(text)
+    fault = path_fault(path, kind)
+    return ([], [fault]) if fault else ([path], [])
+
+
+def _matches(text: str, kind: str, reading: _Reading) -> _Matches:
+    """The files that match a wildcard. Folders are not meant, unless one is called like a tree."""
     path = reading.file.parent / Path(text).expanduser()
     folder = Path(path.anchor)
-    yield from map(near_path, sorted(folder.glob(str(path.relative_to(folder)))))
+    matches = [reading.near(match) for match in sorted(folder.glob(str(path.relative_to(folder))))]
+    faults = {match: path_fault(match, kind) for match in matches}
+    found = [match for match, fault in faults.items() if not fault]
+    told = [fault for match, fault in faults.items() if fault and (match.suffix == ".vspec" or not match.is_dir())]
+    return (found, told) if found or told else ([], [_without_matches(text, path, kind)])
+
+
+def _without_matches(text: str, path: Path, kind: str) -> str:
+    """A sentence about a wildcard that nothing matches: its folder cannot be read, or has no such file."""
+    folder = next(parent for parent in path.parents if "*" not in str(parent))
+    try:
+        os.scandir(folder).close()
+    except PermissionError as error:
+        return f"{str(near_path(folder))!r} cannot be read: {error.strerror}."
+    except OSError:
+        pass
+    return f"There is no {kind} {text!r}."
 
 
 def _key(values: Mapping[str, Any], name: str) -> str:

@@ -15,7 +15,7 @@ class Attribute(NamedTuple):
     name: str
     value: Any
     origin: "Origin"
-    """Where the value was written."""
+    """Place where the value was written."""
     history: "tuple[tuple[Any, Origin], ...]"
     """Every value that the tree and its overlays gave it, first to last."""
 
@@ -68,7 +68,7 @@ class Node:
 
     @property
     def origin(self) -> "Origin":
-        """Where the node was written first."""
+        """Place where the node was written first."""
         return self._node.definition.origin()
 
     @property

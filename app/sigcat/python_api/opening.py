@@ -1,4 +1,4 @@
-"""Where catalogues come from: the project of a folder, or a tree with what is added to it."""
+"""Sources of catalogues: the project of a folder, or a tree with its additions."""
 
 from collections.abc import Iterable
 from pathlib import Path

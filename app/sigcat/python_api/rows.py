@@ -18,7 +18,7 @@ _NAMES = {"boolean": "bool_", "float": "float32", "double": "float64"}
 
 
 class Row(NamedTuple):
-    """What was sent at a time."""
+    """Values that were sent at a time."""
 
     time: int
     """In nanoseconds, on the clock of the trace."""

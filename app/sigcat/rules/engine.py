@@ -1,6 +1,5 @@
 """The engine: rules and a catalogue in, findings out. Knows nothing of files, formats or the command line."""
 
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -18,12 +17,11 @@ from sigcat.rules.patterns import SlowPattern
 from sigcat.rules.problem import Problem, Repair, Subject
 from sigcat.rules.record import Rule
 from sigcat.rules.rule_set import NodeRule, RuleSet, Selection
+from sigcat.rules.templates import filled
 from sigcat.rules.tree import Tree
 
 if TYPE_CHECKING:
     from sigcat.catalogue.network.can_database import CanDatabase
-
-_FIELD = r"\{(\w+)(!r)?\}"
 
 Found = tuple[Finding, Repair | None]
 """A finding, and the change of bytes that repairs it, if there is one."""
@@ -42,9 +40,9 @@ def found_in(
     attributes: Iterable[str] = (),
     can: "CanDatabase | None" = None,
 ) -> Iterator[Found]:
-    """Findings with their repairs. `among` are the definitions that are judged; without it, all are.
+    """Findings with their repairs. `among` are the definitions that are checked; without it, all are.
 
-    There may be findings in the files of others too; a caller who judges only some leaves these out. `attributes` are names of extended attributes that count as known, beside those of the rules' tables; `can` is the CAN database that mappings are held against.
+    There may be findings in the files of others too; a caller who checks only some leaves these out. `attributes` are names of extended attributes that count as known, beside those of the rules' tables; `can` is the CAN database that mappings are checked against.
     """
     tree = Tree(catalogue, rules.attributes.union(attributes), among, can)
     yield from _composition(catalogue, tree, rules)
@@ -113,7 +111,7 @@ def _for_values(selection: Selection, values: Mapping[str, Any]) -> Iterator[Nod
 
 
 def _is_first(name: str, needs: Sequence[str], values: Mapping[str, Any]) -> bool:
-    """Whether an attribute is the first one there of those that a rule needs: it judges a node once."""
+    """Whether an attribute is the first one there of those that a rule needs: it checks a node once."""
     return len(needs) == 1 or next(each for each in needs if values.get(each) is not None) == name
 
 
@@ -152,18 +150,6 @@ def _name_origin(subject: Subject, attribute: str) -> Origin:
     return subject.origin_of_key(attribute)
 
 
-def filled(template: str, facts: Mapping[str, Any]) -> str:
-    """A rule's own message with its facts. Plain names only: a template cannot reach into objects."""
-
-    def fact(match: re.Match[str]) -> str:
-        if match[1] not in facts:
-            return match[0]
-        value = facts[match[1]]
-        return repr(value) if match[2] else str(value)
-
-    return re.sub(_FIELD, fact, template)
-
-
 def _composition(catalogue: Catalogue, tree: Tree, rules: RuleSet) -> Iterator[Found]:
     """Return the findings of composing, without those that follow from a reported one."""
     changes_are_reported = any(rule.check == "overlay-unknown-node" for rule in rules.rules)
@@ -195,7 +181,7 @@ def _with_instances_proposed(finding: Finding, tree: Tree) -> Finding:
 
 
 def _need_not_be_written(branch: str, tree: Tree, *, changes_are_reported: bool) -> bool:
-    """Whether a branch is an instance, which `instances` defines, or has nothing below it but what is told already."""
+    """Whether a branch is an instance, which `instances` defines, or has nothing below it but what was reported already."""
     if tree.is_instance(branch):
         return True
     below = [definition for path, definition in tree.definitions.items() if path.startswith(f"{branch}.")]

@@ -21,12 +21,6 @@ from sigcat.findings import Finding, Severity, in_order
 from sigcat.open_files import read_bytes
 from sigcat.rules.record_faults import REQUIRED, Scope, faults_of
 
-MAKERS = frozenset((
-    "adapter", "composition", "configuration", "export", "function", "gateway", "import", "integration", "lint", "request",
-    "simulation",
-))  # fmt: skip
-"""Values of `check` for rules whose findings are made elsewhere, not by a check of this room."""
-
 
 class Nodes(NamedTuple):
     """Nodes that a check sees; an empty field allows all."""
@@ -35,7 +29,7 @@ class Nodes(NamedTuple):
     datatypes: frozenset[str] = frozenset()
     interfaces: frozenset[str] = frozenset()
     path: str = ""
-    """A glob, in which `*` stands for any text."""
+    """A glob, in which `*` matches any text."""
 
 
 class Rule(NamedTuple):
@@ -81,7 +75,7 @@ def load_rule_files(
 ) -> tuple[Rule, ...]:
     """The rules of these files, in the order of their codes. Raises InputRefused with all findings.
 
-    `tried` finds what is wrong with the options of checks; it is asked where the rules are refused anyway.
+    `tried` finds errors in the options of checks; it is asked where the rules are refused anyway.
     """
     rules: dict[str, Rule] = {}
     findings: list[Finding] = []
@@ -107,9 +101,10 @@ def parse_rules(data: bytes, name: str, *, trusted: bool) -> RuleFile:
     findings = list(document.findings)
     if document.root is None:
         return RuleFile((), tuple(findings))
-    if not isinstance(document.root, MappingNode):
+    if not isinstance(document.root, MappingNode) or _is_list_of_rules(document.root):
         message = "A file of rules must be a mapping of codes to records."
-        return RuleFile((), (codes.RULE_UNUSABLE.finding(message, name, 1, 1),))
+        fix = "Write `ACME001:` at the beginning of a line, and the fields of the rule below it."
+        return RuleFile((), (codes.RULE_UNUSABLE.finding(message, name, *position(document.root), fix=fix),))
     findings.extend(
         codes.RULE_UNUSABLE.finding(f"Rule {key.value} is defined twice.", name, *position(key), key.value)
         for key in duplicate_keys(document.root)
@@ -117,6 +112,11 @@ def parse_rules(data: bytes, name: str, *, trusted: bool) -> RuleFile:
     with collector_paused():
         file = _records(document.root, name, trusted=trusted)
     return file._replace(findings=(*findings, *file.findings))
+
+
+def _is_list_of_rules(root: MappingNode) -> bool:
+    """Whether a file has its rules below `rules`, as those of other linters do."""
+    return [key.value for key, _ in root.value] == ["rules"]
 
 
 def _read(path: Path, *, trusted: bool) -> RuleFile:

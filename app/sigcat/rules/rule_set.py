@@ -1,4 +1,4 @@
-"""The rules that run, made ready once for however many texts they judge: their checks found, their options tried."""
+"""The rules that run, made ready once for however many texts they check: their checks found, their options tried."""
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -15,7 +15,8 @@ from sigcat.patterns import BadPattern
 from sigcat.rules.checks import CHECKS
 from sigcat.rules.checks.attributes import extended_attributes
 from sigcat.rules.checks.kind import BadOption, Check, LineCheck, LineTest, NodeCheck, TreeCheck, check_options
-from sigcat.rules.record import MAKERS, Rule
+from sigcat.rules.record import Rule
+from sigcat.rules.record_faults import MAKERS
 from sigcat.rules.tree import Tree
 
 
@@ -52,7 +53,7 @@ class RuleSet:
         self.codes = tuple(rule.id for rule in self.rules)
         self.severities: Mapping[str, Severity] = {rule.id: rule.severity for rule in self.rules}
         self.of_composition = {rule.id: rule.severity for rule in self.rules if rule.check == "composition"}
-        """Severities of what composing a catalogue finds."""
+        """Severities of findings of composing a catalogue."""
         self.node_rules: list[NodeRule] = []
         self.tree_rules: list[tuple[Rule, TreeCheck]] = []
         self.line_rules: list[tuple[Rule, LineTest]] = []
@@ -67,7 +68,7 @@ class RuleSet:
         return extended_attributes(self.rules)
 
     def select(self, node_type: str, category: str, *, has_overlays: bool) -> Selection:
-        """The rules for nodes of a type and category; those of what overlays do only where there are some."""
+        """The rules for nodes of a type and category; rules about changes by overlays only if there are overlays."""
         key = (node_type if node_type in self._types else "", category, has_overlays)
         if key not in self._selections:
             usable = (each for each in self.node_rules if has_overlays or not each.check.of_overlays)
@@ -76,12 +77,12 @@ class RuleSet:
 
     @cached_property
     def of_whole_trees(self) -> frozenset[str]:
-        """Codes of the rules that judge a whole tree: of a part alone they say what is not so."""
+        """Codes of the rules that check a whole tree: on a partial tree they give false positives."""
         return frozenset(rule.id for rule in self.rules if _needs_whole_tree(rule))
 
     @cached_property
     def for_parts(self) -> "RuleSet":
-        """The rules that can judge a part of a tree alone."""
+        """The rules that can check a part of a tree alone."""
         return RuleSet(rule for rule in self.rules if rule.id not in self.of_whole_trees)
 
     @cached_property
@@ -133,7 +134,7 @@ def _no_tree() -> Tree:
 def _check_of(rule: Rule) -> Check:
     check = CHECKS.get(rule.check)
     if check is None:
-        fix = f"{did_you_mean(rule.check, CHECKS)} The checks are {', '.join(sorted(CHECKS))}.".lstrip()
+        fix = did_you_mean(rule.check, CHECKS) or f"Use one of {', '.join(sorted(CHECKS))}."
         raise BadOption(f"Unknown check {rule.check!r} of rule {rule.id}.", fix)
     if not rule.trusted:
         check_options(rule, check)

@@ -36,9 +36,9 @@ class Tree:
         self.attributes = frozenset(attributes)
         """Extended attributes that the rules or the configuration know."""
         self.judged = self.definitions.values() if judged is None else tuple(judged)
-        """The definitions that are judged; the others are there to be looked up."""
+        """The definitions that are checked; the others are there to be looked up."""
         self.can = can
-        """The CAN database that mappings are held against, if there is one."""
+        """The CAN database that mappings are checked against, if there is one."""
         self._holders: dict[str, bool] = {}
 
     @property
@@ -62,7 +62,7 @@ class Tree:
 
     @cached_property
     def expanded(self) -> Mapping[str, Definition]:
-        """The definition of every path with instances expanded; the paths as written where there is no tree."""
+        """The definition of every path with instances expanded; the paths as written without a tree."""
         written = self.definitions
         expanded = {path: written[own] for path, own in expanded_paths(self.catalogue) if own in written}
         return expanded or written

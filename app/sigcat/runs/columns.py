@@ -1,4 +1,4 @@
-"""What of a run is of one function: the columns that it sends and receives, and its calls."""
+"""Parts of a run that belong to one function: the columns that it sends and receives, and its calls."""
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -66,7 +66,7 @@ def _received(each: Entry, kinds: Mapping[str, Kind], good: Mapping[str, int]) -
 
 
 def _kinds(plan: CorePlan) -> dict[str, Kind]:
-    """What is no signal, by its name in the context."""
+    """Return the kinds of statuses and modes, by their names in the context."""
     kinds: dict[str, Kind] = {each.name: "error" for each in plan.foreign_errors}
     kinds |= {each.named.name: "error" for each in plan.errors}
     kinds |= {each.named.name: "safety reaction" for each in plan.reactions}

@@ -1,4 +1,4 @@
-"""What the functions of a set receive and send, and who is connected to whom: by path, else by the name of the interface."""
+"""Connections of a set: received and sent values, joined by path, else by the name of the interface."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
@@ -28,11 +28,11 @@ class Member(NamedTuple):
     function: ResolvedFunction
     plan: CorePlan
     folder: Path
-    """Where the paths of its code begin."""
+    """Folder at which the paths of its code begin."""
 
     @property
     def name(self) -> str:
-        """What all names of its adapter begin with."""
+        """Beginning of all names of its adapter."""
         return self.plan.function
 
 
@@ -44,7 +44,7 @@ class Entry(NamedTuple):
     receiver: str
     """The end of the name of the function in C that takes it: `EgoSpd` of `…_Receive_EgoSpd`."""
     names: tuple[str, ...]
-    """What it is called: its path, its name, or both."""
+    """Its names: the path, the name, or both."""
     wire: WireType
     shape: Shape
     pointer: Pointer | None
@@ -60,7 +60,7 @@ class Exit(NamedTuple):
     field: str
     """Its name in `out` and `publish`."""
     names: tuple[str, ...]
-    """What it is called; the first one is that of its column."""
+    """Its names; the first one is that of its column."""
     wire: WireType
     shape: Shape
     unit: str = ""
@@ -70,12 +70,12 @@ class Exit(NamedTuple):
 
     @property
     def name(self) -> str:
-        """What it is called in recordings."""
+        """Name in recordings."""
         return self.names[0]
 
 
 class Server(NamedTuple):
-    """Who answers the requests of a method that a function of the set uses: another one of them."""
+    """Function of the set that answers the requests of a method that another one uses."""
 
     member: int
     method: int
@@ -95,7 +95,7 @@ class Connections(NamedTuple):
 
     @property
     def received(self) -> Mapping[str, Shape]:
-        """What comes from outside, by every name that it has."""
+        """Values from outside, by each of their names."""
         return {name: entry.shape for entry in self._outside for name in entry.names}
 
     @property
@@ -111,7 +111,7 @@ class Connections(NamedTuple):
 
     @property
     def units(self) -> Mapping[str, str]:
-        """Units of the catalogue, by every name of what has one."""
+        """Units of the catalogue, by every name of a value that has one."""
         ends = [(each.names, each.unit) for each in self.entries] + [(each.names, each.unit) for each in self.exits]
         return {name: unit for names, unit in ends for name in names if unit}
 
@@ -264,7 +264,7 @@ def _exits(index: int, member: Member) -> Iterator[Exit]:
 
 
 class Names(NamedTuple):
-    """What an interface is called, and the unit in which it is received or sent."""
+    """Names of an interface, and the unit in which it is received or sent."""
 
     name: str
     path: str
@@ -272,17 +272,17 @@ class Names(NamedTuple):
 
     @property
     def path_or_name(self) -> tuple[str]:
-        """That of a signal, whose name is that of its function alone."""
+        """Name of a signal: its path, as its other name belongs to its function alone."""
         return (self.path or self.name,)
 
     @property
     def both(self) -> tuple[str, ...]:
-        """Those of an error, a reaction or a mode, whose name is known everywhere."""
+        """Names of an error, a reaction or a mode, whose name is known everywhere."""
         return tuple(dict.fromkeys(filter(None, (self.name, self.path))))
 
 
 def names_of(member: Member) -> Mapping[Pointer, Names]:
-    """What each interface of a function is called, by where it stands."""
+    """Return the names of each interface of a function, by pointer."""
     return {
         pointer: Names(item.name, *(getattr(item, field, None) or "" for field in ("vss_path", "vss_unit")))
         for pointer, item in parts(member.function.function)
@@ -317,7 +317,7 @@ def _symbols(reference: str, context: Context) -> Symbols:
 
 
 def shape_of(wire: WireType, structs: Structs | None = None) -> Shape:
-    """What is received or sent is made of."""
+    """Return the shape of a received or sent value."""
     inner = _record(wire.c, structs) if wire.is_struct and structs else _number(wire.c, wire.symbols)
     return inner if wire.length is None else Array(inner, wire.length)
 
@@ -343,7 +343,7 @@ def _shape_of_mode(mode: ModeIn | ModeOut) -> Shape:
 
 
 def _fit(one: Shape, other: Shape) -> bool:
-    """Whether values of one are values of the other: symbols that both have stand for the same numbers."""
+    """Whether values of one are values of the other: symbols that both have mean the same numbers."""
     if isinstance(one, Number) and isinstance(other, Number):
         numbers = {symbol.upper(): number for symbol, number in one.symbols}
         same = all(numbers.get(symbol.upper(), number) == number for symbol, number in other.symbols)

@@ -1,4 +1,4 @@
-"""What functions keep from one ignition cycle to the next: counts of errors, and parameters."""
+"""Values that functions keep from one ignition cycle to the next: counts of errors, and parameters."""
 
 from collections.abc import Iterator, Sequence
 from typing import Literal, NamedTuple
@@ -11,12 +11,12 @@ COUNTS = Record((
     ("occurrences", Number("uint16")), ("ignitionCycles", Number("uint16")),
     ("hasFailed", Number("boolean")), ("isTested", Number("boolean")),
 ))  # fmt: skip
-"""Of an error."""
+"""Counts of an error."""
 Section = Literal["ignitionCycle", "errors", "parameters"]
 
 
 class Kept(NamedTuple):
-    """A part of what a function keeps."""
+    """A part of the values that a function keeps."""
 
     member: int
     section: Section
@@ -28,7 +28,7 @@ class Kept(NamedTuple):
 
 
 def kept_of(members: Sequence[Member]) -> tuple[Kept, ...]:
-    """All parts of what the functions keep, function by function."""
+    """All parts of the values that the functions keep, function by function."""
     return tuple(each for index, member in enumerate(members) for each in _kept(index, member))
 
 

@@ -1,4 +1,4 @@
-"""How many calls a run has. What a mistyped time would make of it is refused before it begins."""
+"""Length of a run, in calls. A mistyped time that makes it too long is refused before it begins."""
 
 from collections.abc import Sequence
 
@@ -15,16 +15,15 @@ def check_length(members: Sequence[Member], start: int, end: int, trace: Trace |
     calls = cyclic_calls(members, end - start)
     if calls <= RUN_CALLS:
         return
-    times = f"From {seconds(start)} s to {seconds(end)} s"
-    said = f"{times} are {calls:,} cyclic calls; a run must have at most {RUN_CALLS:,}"
+    said = f"A run from {seconds(start)} s to {seconds(end)} s has {calls:,} cyclic calls; it must have at most {RUN_CALLS:,}"
     if trace is None or line is None:
         raise UsageError(f"{said[0].lower()}{said[1:]}: give a shorter duration")
-    fix = "Correct the time, or say with --duration how long to run."
+    fix = "Correct the time, or pass `--duration` with the length of the run."
     finding = codes.RUN_TOO_LONG.finding(f"{said}.", str(trace.file), line, 1, fix=fix)
     raise InputRefused("The run would be too long.", (finding,))
 
 
 def cyclic_calls(members: Sequence[Member], duration: int) -> int:
-    """How often the calls of functions are due in so many ns."""
+    """Return how often the calls of functions are due in so many ns."""
     cycles = [step.cycle for member in members for step in member.plan.steps if step.cycle]
     return sum(duration // cycle for cycle in cycles)

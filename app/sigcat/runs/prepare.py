@@ -1,4 +1,4 @@
-"""Functions that are to be run: their files are there, their cores planned, and they are connected."""
+"""Functions, ready to run: their files are there, their cores planned, and they are connected."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
@@ -7,7 +7,7 @@ from typing import NamedTuple
 from sigcat.adapter.core.cores import plans
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, in_order
-from sigcat.function.code_files import is_on_disk, missing_files
+from sigcat.function.code_files import missing_files
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.runs.connections import Connections, Member, connect
 from sigcat.runs.driver.numbering import Numbers, numbers_of
@@ -25,11 +25,11 @@ class Prepared(NamedTuple):
 
     @property
     def columns(self) -> Mapping[str, Shape]:
-        """What is sent, by name."""
+        """Values that are sent, by name."""
         return {each.name: each.shape for each in self.connections.exits}
 
     def known_columns(self, paths: Iterable[str]) -> Known:
-        """What the columns of a trace may be; `paths` are paths and interfaces of the catalogue."""
+        """Return the allowed columns of a trace; `paths` are paths and interfaces of the catalogue."""
         connections = self.connections
         durations = {call.interface: SECONDS for call in self.numbers.calls if call}
         names = [each.names for each in connections.entries] + [each.names for each in connections.exits]
@@ -44,17 +44,17 @@ class Prepared(NamedTuple):
 
     @property
     def known_in_drive(self) -> Known:
-        """What the columns of a drive may be, which has more than these functions need."""
+        """Return the allowed columns of a drive, which has more than these functions need."""
         return self.known_columns(())._replace(others=None, inputs=())
 
 
 def prepare(functions: Sequence[ResolvedFunction]) -> Prepared:
-    """The functions, planned and connected. Raises InputRefused with everything that stands in the way."""
-    missing = [
-        each._replace(severity="error") for function in functions for each in missing_files(function, is_on_disk)
-    ]
+    """The functions, planned and connected. Raises InputRefused with all errors."""
+    missing = [each._replace(severity="error") for function in functions for each in missing_files(function)]
     if missing:
-        raise InputRefused("The functions cannot be run: files of their code are missing.", in_order(missing))
+        raise InputRefused(
+            "The functions cannot be run: files of their code are missing or cannot be read.", in_order(missing)
+        )
     planned = plans(functions)
     members = [
         Member(function, each.plan, Path(function.document.name).parent)

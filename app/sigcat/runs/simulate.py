@@ -32,6 +32,7 @@ from sigcat.runs.running.sandbox import sandbox
 from sigcat.runs.running.written_input import Span, targets_by_column, write_kept, write_rows
 from sigcat.runs.stops import refusal
 
+NO_INPUTS = "no inputs: pass --trace FILE with a row, or --duration SECONDS to run without inputs"
 INPUT, RESULTS = "input", "results"
 MIB = 1 << 20
 LONG_BYTES, LONG_CALLS = MIB, 50_000
@@ -39,7 +40,7 @@ LONG_BYTES, LONG_CALLS = MIB, 50_000
 
 
 class Settings(NamedTuple):
-    """How a run goes."""
+    """Settings of a run."""
 
     duration: int | None = None
     """In ns, from the first row of the trace on; None: until its last row."""
@@ -47,10 +48,10 @@ class Settings(NamedTuple):
     step_limit: float = 10.0
     """Seconds that a call may take."""
     kept: Mapping[Kept, Value] = {}
-    """What the functions kept from before."""
+    """Values that the functions kept from the run before."""
     tells_memory: bool = False
     gone: Mapping[str, int] = {}
-    """Functions that end without a word, by name, and when, in ns."""
+    """Functions that end silently, by name, and when, in ns."""
     prints: Path | None = None
     """A file for what functions print; None: it goes where our errors go."""
     memory_limit: int = 2048 * MIB
@@ -65,15 +66,15 @@ class Settings(NamedTuple):
 
 
 class Simulated(NamedTuple):
-    """What happened in a run."""
+    """Result of a run."""
 
     kept: Mapping[Kept, Value]
-    """What the functions keep for the next ignition cycle."""
+    """Values that the functions keep for the next ignition cycle."""
     findings: tuple[Finding, ...]
     stop: InputRefused | None
     """Why it did not come to its end."""
     memory: tuple[Memory, ...] = ()
-    """What the core of each function takes, if that was asked for."""
+    """Memory of each function's core, if it was asked for."""
 
 
 Take = Callable[[Block, ctypes.CDLL | None], None]
@@ -184,7 +185,7 @@ def _times(span: Span, settings: Settings) -> tuple[int, int]:
     if settings.duration is not None:
         return start, start + settings.duration
     if span.last is None:
-        raise UsageError("no inputs: pass --trace FILE with a row, or --duration SECONDS to run without inputs")
+        raise UsageError(NO_INPUTS)
     return start, span.last
 
 

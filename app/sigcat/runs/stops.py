@@ -1,4 +1,4 @@
-"""Why a run did not come to its end, and with which inputs, in words."""
+"""Why a run did not come to its end, and with which inputs, as text."""
 
 from collections.abc import Mapping
 
@@ -96,6 +96,6 @@ def _from_trace(trace: Trace | None, time: int) -> dict[str, Value]:
 
 
 def _from_functions(prepared: Prepared, sent: Mapping[int, Value]) -> dict[str, Value]:
-    """What functions of the set sent last, of what others receive, by all of its names."""
+    """Return the last values that functions of the set sent to others, by each of their names."""
     exits = prepared.connections.exits
     return {name: value for number, value in sent.items() if exits[number].is_shared for name in exits[number].names}

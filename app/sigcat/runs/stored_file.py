@@ -1,4 +1,4 @@
-"""What functions keep from one run to the next, as a file of JSON: parameters, counts of errors, the ignition cycle."""
+"""JSON file of values that functions keep from one run to the next: parameters, error counts, the ignition cycle."""
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
@@ -40,12 +40,12 @@ def _text(value: Any, depth: int) -> str:
 
 
 class StoredFile(NamedTuple):
-    """What a file has."""
+    """Content of a file."""
 
     values: Stored
-    """Of the functions of the run."""
+    """Values of the functions of the run."""
     others: Mapping[str, Any]
-    """Of all other functions, as it stands."""
+    """Values of all other functions, unchanged."""
 
 
 EMPTY = StoredFile({}, {})

@@ -14,30 +14,30 @@ from sigcat.runs.recording.trace_file import Known, Moment, Trace, moments, open
 
 
 class CallTimes(NamedTuple):
-    """How often a call came, and when. Times are in ns."""
+    """Number and times of a call's runs. Times are in ns."""
 
     name: str
     total: int
     first: int
     last: int
     longest: int
-    """Longest time from one to the next; 0 if there are no two."""
+    """Longest time from one to the next; 0 if there are fewer than two."""
     longest_from: int
 
 
 class StoredRun(NamedTuple):
-    """What was read."""
+    """Content of a stored run."""
 
     first: int
     last: int
     """Times of the first and the last row, in ns."""
     rows: int
     series: Mapping[str, Series]
-    """Of the columns that were asked for and have values, in the order in which they were asked for."""
+    """Requested columns that have values, in the requested order."""
     calls: tuple[CallTimes, ...]
-    """Those of the function, in its order."""
+    """Calls of the function, in its order."""
     findings: tuple[Finding, ...]
-    """What could not be read; the rest is there."""
+    """Findings about unreadable parts; the rest was read."""
 
 
 def read_run(file: Path, name: str, wanted: Sequence[str], function: FunctionColumns) -> StoredRun:

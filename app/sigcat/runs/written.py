@@ -26,14 +26,14 @@ FORMS = (CSV, MCAP, SVG)
 
 
 class Signals(NamedTuple):
-    """What a run received and sent."""
+    """Values that a run received and sent."""
 
     shapes: Mapping[str, Shape]
     units: Mapping[str, str]
 
 
 def signals_of(prepared: Prepared, trace: Trace | None) -> Signals:
-    """The columns of a trace and those of what is sent; not how long calls take."""
+    """The columns of a trace and those of sent values; not durations of calls."""
     columns = zip(trace.columns, trace.shapes, strict=True) if trace else ()
     received = {name: shape for name, shape in columns if shape is not None and shape != SECONDS}
     return Signals({**received, **prepared.columns}, prepared.connections.units)

@@ -3,6 +3,8 @@
 from collections.abc import Iterable, Mapping
 from urllib.parse import quote, urlencode
 
+_OF_ONE_CATALOGUE = ("cursor", "part", "change", "below")
+"""Parameters that mean something in one catalogue only."""
 _IN_QUERY = {
     "functions": "catalogue",
     "wiring": "catalogue",
@@ -27,8 +29,12 @@ class Addresses:
         """A page by the parts of its address."""
         return "/".join((self.base, *(quote(part, safe="") for part in parts)))
 
+    def chapter(self, name: str) -> str:
+        """A chapter of the documentation by the path of its file."""
+        return f"{self.base}/docs/{quote(name)}"
+
     def query(self, given: Mapping[str, str]) -> str:
-        """A query of what is not empty, with its question mark; empty if nothing is left."""
+        """A query of the values that are not empty, with its question mark; empty if nothing is left."""
         kept = {name: value for name, value in given.items() if value}
         return f"?{urlencode(kept)}" if kept else ""
 
@@ -41,7 +47,7 @@ class Addresses:
         if not parameter and "{catalogue}" not in parts:
             return self.tree(catalogue)
         known = {**{f"{{{name}}}": value for name, value in names.items()}, "{catalogue}": catalogue}
-        kept = [(name, value) for name, value in query if name not in (parameter, "cursor", "part")]
+        kept = [(name, value) for name, value in query if name not in (parameter, *_OF_ONE_CATALOGUE)]
         given = urlencode([*kept, (parameter, catalogue)] if parameter else kept)
         return self.page(*(known.get(part, part) for part in parts)) + (f"?{given}" if given else "")
 

@@ -23,13 +23,20 @@ from sigcat.web.template_filters import breakable, count, datatype, date, marked
 from sigcat.web.visits import Visit, visit_of
 
 TYPE_LETTERS = {
-    "branch": "", "sensor": "S", "actuator": "A", "attribute": "P", "struct": "{}", "property": "·",
+    "branch": "", "sensor": "sen", "actuator": "act", "attribute": "att", "struct": "{}", "property": "·",
 }  # fmt: skip
-"""Words before a name in the tree: an attribute of VSS is a parameter to all other readers."""
+"""Marks before a name in the tree, which need no legend."""
 
 CATEGORY_WORDS = {
     "data": "Data", "error": "Error", "safety_reaction": "Safety reaction", "mode": "Mode", "scheduling": "Scheduling",
 }  # fmt: skip
+
+CHAPTER_OF = {
+    "tree": "reference/interfaces.md", "functions": "reference/functions.md",
+    "changes": "reference/compatibility.md", "try": "how-to/own-catalogue-and-rules.md", "rules": "reference/linting.md",
+    "units": "how-to/define-a-unit.md", "docs": "reference/api.md", "catalogue": "how-to/own-catalogue-and-rules.md",
+}  # fmt: skip
+"""The chapter of the documentation about a page; the index where there is none."""
 
 _ENVIRONMENT = Environment(
     loader=FileSystemLoader(Path(__file__).parent / "templates"),
@@ -49,11 +56,13 @@ _ENVIRONMENT.filters.update(
     with_code=with_code,
 )
 _ENVIRONMENT.filters.update(shown_file=shown_file, shown_finding=finding_schema)
-_ENVIRONMENT.globals.update(count=count, letters=TYPE_LETTERS, category_words=CATEGORY_WORDS, version=__version__)
+_ENVIRONMENT.globals.update(
+    count=count, letters=TYPE_LETTERS, category_words=CATEGORY_WORDS, chapter_of=CHAPTER_OF, version=__version__
+)
 
 
 def compile_templates() -> None:
-    """Compile all of them, which otherwise happens to each when it is first rendered: in each worker anew."""
+    """Compile all of them, which otherwise happens to each when it is first rendered: in each worker again."""
     for name in _ENVIRONMENT.list_templates():
         _ENVIRONMENT.get_template(name)
 

@@ -24,9 +24,11 @@ from sigcat.web.pages import (
     catalogue_pages,
     change_pages,
     comparison_pages,
+    documentation_pages,
     function_pages,
     rule_pages,
     set_pages,
+    start_page,
     try_pages,
 )
 from sigcat.web.rendering import compile_templates, problem_page
@@ -35,6 +37,7 @@ from sigcat.web.static_files import CheckedStaticFiles
 from sigcat.web.visits import refuse_unknown
 
 _PAGES = (
+    start_page,
     comparison_pages,
     function_pages,
     set_pages,
@@ -43,6 +46,7 @@ _PAGES = (
     catalogue_pages,
     rule_pages,
     api_reference,
+    documentation_pages,
 )
 _STATIC = Path(__file__).parent / "static"
 

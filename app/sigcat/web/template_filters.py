@@ -47,7 +47,7 @@ def datatype(values: Mapping[str, Any]) -> str:
 
 
 def date(text: str) -> str:
-    """A date in words, `12.09.2025` or `2025-09-12` → `12 September 2025`; any other text as it stands."""
+    """A date as text, `12.09.2025` or `2025-09-12` → `12 September 2025`; any other text unchanged."""
     for form in ("%d.%m.%Y", "%Y-%m-%d"):
         try:
             day = datetime.strptime(text, form).replace(tzinfo=UTC)
@@ -82,7 +82,7 @@ def marked(text: str, sought: Iterable[str]) -> Markup:
 
 
 def with_code(text: str) -> Markup:
-    """`text` escaped, with what stands between backticks as code."""
+    """`text` escaped, with the text between backticks as code."""
     parts = text.split("`")
     if len(parts) % 2 == 0:
         return escape(text)

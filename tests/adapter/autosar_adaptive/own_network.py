@@ -1,4 +1,4 @@
-"""A network that a test has for itself: loopback alone, in a namespace of its own."""
+"""A network for one test: only loopback, in a separate namespace."""
 
 import os
 import queue
@@ -28,7 +28,7 @@ def _is_possible() -> bool:
 
 
 own_network = pytest.mark.skipif(
-    not _is_possible(), reason="a network of its own for each test: Linux with unshare, nsenter and ip"
+    not _is_possible(), reason="a separate network for each test: Linux with unshare, nsenter and ip"
 )
 
 
@@ -56,15 +56,15 @@ class Program:
         self.process.stdin.flush()
         return self
 
-    def tells(self, *wanted: str, within: float = PATIENCE) -> Self:
+    def tells(self, *expected: str, within: float = PATIENCE) -> Self:
         """It says each of these lines, in this order, whatever it says between them."""
-        for line in wanted:
+        for line in expected:
             self._await(line, time.monotonic() + within)
         return self
 
-    def tells_in_any_order(self, *wanted: str, within: float = PATIENCE) -> Self:
+    def tells_in_any_order(self, *expected: str, within: float = PATIENCE) -> Self:
         """It says each of these lines, whichever comes first: the peer or two threads decide."""
-        missing, end = set(wanted), time.monotonic() + within
+        missing, end = set(expected), time.monotonic() + within
         while missing:
             missing.discard(self._next(f"{sorted(missing)}", end))
         return self
@@ -79,16 +79,16 @@ class Program:
         self.told.append(line)
         return line
 
-    def _await(self, wanted: str, end: float) -> None:
-        while self._next(repr(wanted), end) != wanted:
+    def _await(self, expected: str, end: float) -> None:
+        while self._next(repr(expected), end) != expected:
             pass
 
-    def _next(self, wanted: str, end: float) -> str:
+    def _next(self, expected: str, end: float) -> str:
         try:
             line = self._queue.get(timeout=max(end - time.monotonic(), 0.0))
         except queue.Empty:
             line = None
-        assert line is not None, f"It must say {wanted}. {self._all()}"
+        assert line is not None, f"It must say {expected}. {self._all()}"
         self.told.append(line)
         return line
 
@@ -120,7 +120,7 @@ class Program:
 
     @property
     def errors(self) -> str:
-        """What it said as errors."""
+        """The lines that it has written as errors."""
         return self._errors.read_text()
 
     def _all(self) -> str:

@@ -81,7 +81,7 @@ def built(folder: Path, paths: tuple[Path, ...], *flags: str) -> Path:
 
 
 class Played(NamedTuple):
-    """What components sent, and what services were told."""
+    """The values that components sent, and the calls of services."""
 
     sent: Mapping[str, list[tuple[int, str]]]
     """Times in ns and texts, by name."""
@@ -119,7 +119,7 @@ def _told(path: Path) -> list[tuple[int, str, str, str]]:
 
 
 def subject(paths: Sequence[Path]) -> Subject:
-    """What is compared."""
+    """The compared parts."""
     found = functions(tuple(paths))
     return Subject(found, prepare(found), DEFAULT_DEPLOYMENT)
 

@@ -1,4 +1,4 @@
-"""What the components look like in C, to compilers and to those who read them."""
+"""The components in C, for compilers and for readers."""
 
 import json
 import re
@@ -23,9 +23,9 @@ from tests.adapter.autosar_classic.generated import (
     files_of,
     written,
 )
-from tests.adapter.core.judges import STRICT, compilers
+from tests.adapter.core.compilers import STRICT, compilers
 from tests.adapter.core.test_strict import CPPCHECK, LOOK, PAGE, deviation
-from tests.judges import judged_by
+from tests.reference_tools import checked_with
 
 APPLICATION = Path(__file__).parent / "application"
 LANES = tuple(APPLICATION / f"lanes/{name}.yaml" for name in ("monitor", "display"))
@@ -91,7 +91,7 @@ def test_headers_of_the_contract_phase_are_cpp_too(name, tmp_path):
         assert done.returncode == 0, done.stderr
 
 
-@judged_by("cppcheck", "Software components for AUTOSAR Classic have nothing but documented deviations from MISRA C")
+@checked_with("cppcheck", "Software components for AUTOSAR Classic have only documented deviations from MISRA C")
 @pytest.mark.parametrize("name", ["ecocontrol", "everything", "methods", "protected data"])
 def test_cppcheck_finds_documented_deviations(name, tmp_path):
     if not CPPCHECK.exists():
@@ -107,7 +107,7 @@ def test_cppcheck_finds_documented_deviations(name, tmp_path):
 
 
 def _documented() -> set[str]:
-    """What the page says of components, in its last section."""
+    """The statements of the page about components, in its last section."""
     section = PAGE[PAGE.index("## Software components for AUTOSAR Classic") :]
     return set(re.findall(r"^- \*\*([\d.]+)\*\*", section, re.MULTILINE))
 
@@ -235,7 +235,7 @@ def test_statuses_of_the_rte_have_the_numbers_of_its_specification():
 
 
 def test_everything_that_is_called_is_declared_for_the_component():
-    """A function of the RTE that nobody declares would be an error of the linker on the ECU alone."""
+    """A function of the RTE without a declaration would only be an error of the linker on the ECU."""
     for name, text in files(ECOCONTROL).items():
         if name.startswith("swc/"):
             component = Path(name).stem

@@ -10,7 +10,7 @@ from tests.adapter.core.traces import Tracer
 
 
 def disagreement(document: FunctionJson, seed: int, lines: int, folder: Path, flags: tuple[str, ...]) -> str:
-    """Where the two part, and from what: empty if they do not."""
+    """Return where the two differ, and in which values: empty if they do not."""
     made = subject(document)
     (folder / "function.json").write_bytes(to_json(document))
     script = Tracer(made, seed).script(lines)
@@ -30,7 +30,7 @@ def difference(made: Subject, script: Script, printed: list[str]) -> str:
 
 
 def _parts(found: list[str], expected: list[str]) -> list[str]:
-    """What differs, piece by piece."""
+    """List the differences, piece by piece."""
     pairs = zip(" ".join(found).split(), " ".join(expected).split(), strict=False)
     return [f"core {core}, model {model}" for core, model in pairs if core != model][:8] or [
         f"core {found}, model {expected}"

@@ -57,7 +57,7 @@ def compiled(
 
 
 def run(program_file: Path, script: Script) -> list[str]:
-    """What a script prints."""
+    """Return the output of a script."""
     done = subprocess.run(
         [program_file], input=written(script), capture_output=True, text=True, timeout=_LONGEST, check=False
     )

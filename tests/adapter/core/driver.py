@@ -16,7 +16,7 @@ CLASS_NAME = "F_Code"
 
 
 def header(subject: Subject, guard: str = "F_H") -> str:
-    """What the function declares: its variables and its calls."""
+    """Declarations of the function: its variables and its calls."""
     return f"""#ifndef {guard}
 #define {guard}
 #include <stdbool.h>
@@ -169,7 +169,7 @@ def _taken(leaves: Iterable[Leaf], name: str) -> str:
 
 
 def _printed(label: str, item: Item, name: str, *, is_sent: bool = False) -> str:
-    """Print all numbers of a value; of what is sent, bit by bit."""
+    """Print all numbers of a value; of a sent value, bit by bit."""
     parts = [f'printf(" {label}=");']
     for leaf in item.leaves:
         place = f"{name}{leaf.place}"
@@ -225,7 +225,7 @@ def _passed(item: Item) -> str:
 
 
 def _told(subject: Subject, own: str, word: str, ports: Collection[str]) -> str:
-    """What the core is told of a port, beside values."""
+    """Inputs of the core for a port, in addition to values."""
     bodies = [f"{own}_{word.title()}_{item.c}(self, t);" if item.c in ports else "" for item in subject.ports]
     return f"""static void {word}(int port, uint64_t t)
 {{

@@ -1,4 +1,4 @@
-"""Functions that Hypothesis makes: small, and with every combination of what a declaration can say of an adapter."""
+"""Functions that Hypothesis makes: small, and with every combination of the keys of a declaration."""
 
 import json
 import re
@@ -81,7 +81,7 @@ _VARIABLE = re.compile(r'("(?:\w*Variable)": ")')
 
 
 class Choice:
-    """What Hypothesis draws: the first of a list is the simplest."""
+    """Choices of Hypothesis: the first of a list is the simplest."""
 
     def __init__(self, draw: Callable[..., Any]) -> None:
         self._draw = draw
@@ -185,7 +185,7 @@ def _checkpoint(choice: Choice, names: list[str]) -> Json:
 
 
 def _contents(choice: Choice, name: str, errors: tuple[str, ...]) -> list[Json]:
-    """What a call reads and writes. Names say where it belongs."""
+    """Variables that a call reads and writes. Names say to what they belong."""
     letter = name[0]
     found = [_input(choice, f"{letter}In{number}", errors) for number in range(choice.count(0, 3))]
     found += [_queue(choice, f"{letter}Queue{number}", errors) for number in range(choice.count(0, 1))]
@@ -235,7 +235,7 @@ def _datatype(choice: Choice) -> str:
 
 
 def _value(choice: Choice, datatype: str) -> Json:
-    """How a value is held, limited, and what stands in for it."""
+    """Datatype, limits and substitute of a value."""
     fields: Json = {}
     if datatype in OTHER_NUMBERS and choice.is_so():
         fields = {"VssDatatype": choice.one("string", "uint16"), "VssSymbols": OTHER_NUMBERS[datatype]}

@@ -5,20 +5,20 @@ import math
 from collections.abc import Iterator
 
 from sigcat.adapter.core.plan import GLOBALS
-from sigcat.adapter.model.adapter import Adapter
-from sigcat.adapter.model.parts.errors import Counts, is_confirmed
-from sigcat.adapter.model.parts.methods import Reply
-from sigcat.adapter.model.running import Stored, Variables
-from sigcat.adapter.model.values.value import Value, numbers_of
 from tests.adapter.core.script import Line, Script, bits, text, value
 from tests.adapter.core.subject import Item, Subject
+from tests.adapter.reference.adapter import Adapter
+from tests.adapter.reference.parts.errors import Counts, is_confirmed
+from tests.adapter.reference.parts.methods import Reply
+from tests.adapter.reference.running import Stored, Variables
+from tests.adapter.reference.values.value import Value, numbers_of
 
 _STAGES = ["NOT_TESTED", "PASSED", "PREFAILED", "FAILED", "HEALING"]
 _REPLIES = [Reply.OK, Reply.EXCLUDED, Reply.BAD_ARGUMENT]
 
 
 def run(subject: Subject, script: Script) -> list[str]:
-    """What a script prints: for each of its lines what the calls have seen and answered, and then the state."""
+    """Return the output of a script: for each line the inputs and answers of the calls, and then the state."""
     return [line for each in ModelSide(subject).run(script) for line in each]
 
 
@@ -35,10 +35,10 @@ class ModelSide:
         self._result = 0
         self._printed: list[str] = []
         self._texts: dict[str, tuple[Value | None, str]] = {}
-        """What was shown last, and how: most values stay from one line to the next."""
+        """The values shown last, and their form: most values stay from one line to the next."""
 
     def run(self, script: Script) -> Iterator[list[str]]:
-        """What each line prints."""
+        """Output of each line."""
         for line in script:
             self._printed = []
             self._execute(line)

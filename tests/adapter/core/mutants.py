@@ -8,12 +8,12 @@ class Mutant(NamedTuple):
 
     name: str
     function: str
-    """Of `fixed.py`: the function that has the text."""
+    """Function in `fixed.py` that has the text."""
     pattern: str
     """Regular expression."""
     replacement: str
     most: int = 0
-    """How many are replaced; 0: all."""
+    """Number of replacements; 0: all."""
 
 
 def _m(function: str, *rows: tuple[str, str, str] | tuple[str, str, str, int]) -> list[Mutant]:
@@ -24,9 +24,9 @@ MUTANTS = [
     *_m(
         "time_outs",
         ("equal is late", r"\(t - (last_?)\) > time_out", r"(t - \1) >= time_out"),
-        ("clocks do not begin anew", r"is_there && \(reception->time > entered\)", "is_there"),
+        ("clocks do not restart", r"is_there && \(reception->time > entered\)", "is_there"),
         ("recovery takes one value more", r">= recovery\)", "> recovery)"),
-        ("recovery does not begin anew", r"clock->count = reception->count;", ""),
+        ("recovery does not restart", r"clock->count = reception->count;", ""),
         ("the first value is awaited by all but those that should", r"is_there \|\| !starts", "is_there || starts"),
         (
             "nothing received is in time",
@@ -70,17 +70,17 @@ MUTANTS = [
             r"\1",
         ),
         ("more is given than there is room for", r"\n\s+count_? = 3U;", "\n        count = 2U;"),
-        ("too many is no overflow", r"\(count > 3U\) \? F_ADAPTER_PRESENT", "(count > 3U) ? F_ADAPTER_ABSENT"),
+        ("too many is not an overflow", r"\(count > 3U\) \? F_ADAPTER_PRESENT", "(count > 3U) ? F_ADAPTER_ABSENT"),
         ("one bad value of several is forgotten", r"are_within = are_within && is_within;", "are_within = is_within;"),
     ),
     *_m(
         "rejections",
         (
-            "a rejected message is told after the next one alone",
+            "a rejected message is reported only after the next one",
             r"(Step\.in\.Plain\.)is_rejected = true;",
             r"\1is_rejected = false;",
         ),
-        ("a rejection is told for ever", r"\n.*is_rejected = false;", ""),
+        ("a rejection is reported for ever", r"\n.*is_rejected = false;", ""),
         ("a message that passes heals nothing", r"\n.*e2e = F_ADAPTER_ABSENT;", ""),
         ("a rejection heals by itself", r"\n.*self->received\.\w+\.e2e = F_ADAPTER_PRESENT;", ""),
         ("the other call is not told", r"\n.*Second\.in\.SharedToo\.is_rejected = true;", ""),
@@ -139,7 +139,7 @@ MUTANTS = [
         ("maturation takes longer", r">= maturation\)", "> maturation)"),
         ("the reset takes longer", r">= reset\)", "> reset)"),
         (
-            "healing goes on when it is present",
+            "healing continues when it is present",
             r"next = has_failed \? F_ADAPTER_FAILED : F_ADAPTER_PREFAILED;",
             "next = has_failed ? error->state : F_ADAPTER_PREFAILED;",
         ),
@@ -174,7 +174,7 @@ MUTANTS = [
         ),
         ("a stranger is not heard", r"self->received\.Stranger\.value != 0U", "false"),
         ("a status is not written", r"\n\s+early_sts = .*;", ""),
-        ("errors of excluded calls go on", r"F_Adapter_Suspend\(&self->error\.\w+\);", ""),
+        ("errors of excluded calls continue", r"F_Adapter_Suspend\(&self->error\.\w+\);", ""),
         ("suspended is passed", r"error->state = error->before;", "error->state = F_ADAPTER_PASSED;"),
     ),
     *_m(
@@ -251,7 +251,7 @@ MUTANTS = [
     ),
     *_m(
         "classes",
-        ("the object of a class is not made anew", r"\n.*self->object\.~F_Code\(\);\n.*\bnew \(.*;", ""),
+        ("the object of a class is not made again", r"\n.*self->object\.~F_Code\(\);\n.*\bnew \(.*;", ""),
         ("an enumeration of a class is another one", r"(Put\(self->object\.gear, )known_0", r"\1(known_0 + 1)"),
     ),
     *_m(
@@ -267,7 +267,7 @@ MUTANTS = [
         ("stored values are not taken", r"if \(self->stored\.Gain\.is_there\)", "if (false)"),
         ("a bad stored value is taken", r"if \(F_Adapter_IsWithin_Size\(self->stored\.Size\.value\)\)", "if (true)"),
         (
-            "a bad stored value is no error",
+            "a bad stored value is not an error",
             r"(self->parameter\.Gain\.range) = F_ADAPTER_PRESENT;",
             r"\1 = F_ADAPTER_ABSENT;",
         ),

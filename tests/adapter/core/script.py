@@ -4,9 +4,9 @@ import math
 import struct
 from collections.abc import Sequence
 
-from sigcat.adapter.model.values.number_format import Number, NumberFormat
-from sigcat.adapter.model.values.value import Value, numbers_of
 from tests.adapter.core.subject import Leaf
+from tests.adapter.reference.values.number_format import Number, NumberFormat
+from tests.adapter.reference.values.value import Value, numbers_of
 
 Line = tuple[str | int, ...]
 """A word, and what belongs to it: numbers, and values as the bits of their numbers."""

@@ -7,18 +7,18 @@ from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.derive import derive
 from sigcat.adapter.core.plan import CLASS, CorePlan, WireType
 from sigcat.adapter.core.plan import Argument as PlannedArgument
-from sigcat.adapter.model.function import Function
-from sigcat.adapter.model.parts.methods import Argument
-from sigcat.adapter.model.reading.data import port_key
-from sigcat.adapter.model.reading.read import read
-from sigcat.adapter.model.reading.shape import shape_of
-from sigcat.adapter.model.values.number_format import NumberFormat
-from sigcat.adapter.model.values.transfer import Transfer
 from sigcat.function.function_json import walk
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
+from tests.adapter.reference.function import Function
+from tests.adapter.reference.parts.methods import Argument
+from tests.adapter.reference.reading.data import port_key
+from tests.adapter.reference.reading.read import read
+from tests.adapter.reference.reading.shape import shape_of
+from tests.adapter.reference.values.number_format import NumberFormat
+from tests.adapter.reference.values.transfer import Transfer
 from tests.adapter.written import enumeration
 from tests.function.shipped import resolved
 
@@ -71,7 +71,7 @@ class Item:
     is_single: bool = True
     transfer: Transfer | None = None
     length: int = 0
-    """How many values are sent at most, of a queue."""
+    """Largest number of values sent, for a queue."""
 
 
 @dataclass(frozen=True)
@@ -103,11 +103,11 @@ class Subject:
 
     @property
     def signature(self) -> str:
-        """How calls take their data: Globals, Pointers or Class."""
+        """Access of calls to their data: Globals, Pointers or Class."""
         return self.plan.code.signature
 
     def place(self, item: Item) -> str:
-        """Where a variable is, seen from the driver."""
+        """Expression for a variable, in the driver."""
         return Scope(self.plan).variable(item.c)
 
     @property
@@ -172,7 +172,7 @@ class _Reading:
         self.methods = [item for _, _, item in walk.methods(document)]
 
     def places(self, reference: str) -> list[str]:
-        """Where the numbers of a datatype are, after the name of a value: `[0].x`."""
+        """Accesses to the numbers of a datatype, after the name of a value: `[0].x`."""
         paths = [leaf.path for leaf in shape_of(reference, self.table).leaves]
         return ["".join(f"[{key}]" if isinstance(key, int) else f".{key}" for key in path) for path in paths]
 
@@ -207,7 +207,7 @@ class _Reading:
 
 
 def subject(document: FunctionJson) -> Subject:
-    """What can be given to a function and seen of it."""
+    """Inputs and observable values of a function."""
     reading = _Reading(document)
     return Subject(
         document,
@@ -246,7 +246,7 @@ def _variable(reading: _Reading, variable: str, reference: str, count: int) -> I
 
 
 def _named_variables(reading: _Reading) -> Iterator[tuple[str | None, str, int]]:
-    """Expressions, datatypes, and how many values they have room for; 0 if they are no array."""
+    """Expressions, datatypes, and the number of values that they have room for; 0 if they are not arrays."""
     for item in reading.data:
         yield item.variable, item.datatype, _places(item)
         if isinstance(item, DataQueue):
@@ -275,7 +275,7 @@ def _places(item: Signal | DataQueue) -> int:
 
 
 def _ports(reading: _Reading) -> tuple[Item, ...]:
-    """What is received."""
+    """Received values."""
     function, plan = reading.function, reading.plan
     transfers = {each.port: each.transfer for call in function.calls for each in call.inputs}
     references = {port_key(item): item.datatype for item in reversed(reading.data) if item.role == CONSUMER}
@@ -290,7 +290,7 @@ def _ports(reading: _Reading) -> tuple[Item, ...]:
 
 
 def _provided(reading: _Reading) -> list[str]:
-    """Datatypes of what steps provide, in the order of the file."""
+    """Datatypes of the outputs of steps, in the order of the file."""
     steps = {step.name for step in reading.function.steps}
     return [
         item.datatype
@@ -304,7 +304,7 @@ def _status(name: str, c: str, wire: WireType) -> Item:
 
 
 def _outs(reading: _Reading) -> tuple[Item, ...]:
-    """What is sent."""
+    """Sent values."""
     function, plan = reading.function, reading.plan
     pairs = [
         (output, planned)

@@ -10,16 +10,16 @@ import pytest
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 
-from sigcat.adapter.model.values.number_format import NumberFormat
 from sigcat.adapter.toolchain import EXACT
 from sigcat.function.function_json.model import FunctionJson, to_json
 from tests.adapter.core import core_side
 from tests.adapter.core.compared import difference, disagreement
+from tests.adapter.core.compilers import SANITIZERS, has_fused_products, sanitizers
 from tests.adapter.core.fixed import FIXED
 from tests.adapter.core.functions import functions
-from tests.adapter.core.judges import SANITIZERS, has_fused_products, sanitizers
 from tests.adapter.core.script import bits
 from tests.adapter.core.subject import subject
+from tests.adapter.reference.values.number_format import NumberFormat
 from tests.adapter.written import DOUBLE, function, signal, step
 from tests.properties import FUZZ, IS_SEARCH, examples
 
@@ -28,7 +28,7 @@ LINES = 5000 if FUZZ else 2000
 
 @pytest.fixture(scope="session")
 def flags():
-    """How cores are compiled: with every sanitizer that there is."""
+    """Return the compiler options of cores: every available sanitizer."""
     level = "-O2" if FUZZ else "-O0"
     return (level, "-w", *SANITIZERS) if sanitizers() else (level, "-w")
 

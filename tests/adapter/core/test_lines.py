@@ -3,7 +3,7 @@
 import pytest
 from clang.cindex import Index, TokenKind
 
-from sigcat.adapter.core.c.lines import WIDEST, Line, at_now, code_of, function, lines, replaced, wrapped
+from sigcat.adapter.core.c.lines import WIDEST, Line, code_of, lines, replaced, wrapped
 from sigcat.function.document.text_filters import block_comment, c_string
 
 HOSTILE = "evil(evil, evil) || evil = evil /* evil */ evil; " * 8
@@ -34,19 +34,6 @@ def test_a_comment_stays_one():
 
 
 COMMENTS = ("/* t, self */", '"t, self"', "// t, self", "/* t\n * self */")
-
-
-@pytest.mark.parametrize("comment", COMMENTS)
-def test_a_word_of_a_comment_or_a_string_uses_no_argument(comment):
-    made = function("void f(int *self, int t)", [lines(f"g(); {comment}")])
-    assert {"    (void)self;", "    (void)t;"} <= {line.text for line in made}
-
-
-@pytest.mark.parametrize("comment", COMMENTS)
-def test_a_word_of_a_comment_or_a_string_is_not_the_time(comment):
-    made = at_now([lines(f"g(t); {comment}")], "F")
-    assert "\n".join(line.text for line in made) == f"const uint64_t now = F_Now(self, t);\ng(now); {comment}"
-    assert at_now([lines(comment)], "F")[0].text == "(void)F_Now(self, t);"
 
 
 @pytest.mark.parametrize("comment", COMMENTS)

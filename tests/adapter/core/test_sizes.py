@@ -75,38 +75,38 @@ NAMED = {
     "elements": "as_many_elements_as_declared",
     "must be": "than_declared",
 }
-"""What the name of an array says in C99, which has no message, by what the message of C11 has."""
+"""Names of arrays in C99, which has no message, by the message of C11."""
 CASES = [*(READ.items()), *((f"provided {name}", case) for name, case in WRITTEN.items())]
 
 
 @pytest.mark.parametrize("standard", ["c99", "c11"])
-@pytest.mark.parametrize(("item", "members", "wanted"), [case for _, case in CASES], ids=[name for name, _ in CASES])
-def test_a_size_that_is_not_the_declared_one_does_not_compile(item, members, wanted, standard, tmp_path):
+@pytest.mark.parametrize(("item", "members", "expected"), [case for _, case in CASES], ids=[name for name, _ in CASES])
+def test_a_size_that_is_not_the_declared_one_does_not_compile(item, members, expected, standard, tmp_path):
     done = compiled(item, members, f"-std={standard}", tmp_path)
-    assert (done.returncode == 0) is (wanted == ""), done.stderr
+    assert (done.returncode == 0) is (expected == ""), done.stderr
     if standard == "c11":
-        assert wanted in done.stderr
-    elif wanted not in ("", "subscript"):
-        assert NAMED[next(word for word in NAMED if word in wanted)] in done.stderr
+        assert expected in done.stderr
+    elif expected not in ("", "subscript"):
+        assert NAMED[next(word for word in NAMED if word in expected)] in done.stderr
 
 
 @pytest.mark.parametrize("standard", ["c11", "gnu99"])
-@pytest.mark.parametrize(("item", "members", "wanted"), KINDS.values(), ids=KINDS)
-def test_a_kind_or_sign_that_is_not_the_declared_one_does_not_compile(item, members, wanted, standard, tmp_path):
+@pytest.mark.parametrize(("item", "members", "expected"), KINDS.values(), ids=KINDS)
+def test_a_kind_or_sign_that_is_not_the_declared_one_does_not_compile(item, members, expected, standard, tmp_path):
     done = compiled(item, members, f"-std={standard}", tmp_path)
-    assert (done.returncode == 0) is (wanted == ""), done.stderr
-    assert wanted in done.stderr
+    assert (done.returncode == 0) is (expected == ""), done.stderr
+    assert expected in done.stderr
 
 
-@pytest.mark.parametrize(("item", "members", "wanted"), KINDS.values(), ids=KINDS)
-def test_so_it_is_in_a_class_of_cpp(item, members, wanted, tmp_path):
+@pytest.mark.parametrize(("item", "members", "expected"), KINDS.values(), ids=KINDS)
+def test_so_it_is_in_a_class_of_cpp(item, members, expected, tmp_path):
     (tmp_path / "f.hpp").write_text(
         f"#include <cstdint>\nclass F {{ public: struct {{ {members} }} io; void F_Step(); }};\n"
     )
     code = {"Signature": "Class", "ClassName": "F", "Headers": ["f.hpp"]}
     done = compile_core(step({**item, "Variable": "io.a"}), code, ["-std=c++17"], tmp_path)
-    assert (done.returncode == 0) is (wanted == ""), done.stderr
-    assert wanted in done.stderr
+    assert (done.returncode == 0) is (expected == ""), done.stderr
+    assert expected in done.stderr
 
 
 def compiled(item, members, standard, tmp_path):

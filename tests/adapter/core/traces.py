@@ -6,11 +6,11 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from random import Random
 
-from sigcat.adapter.model.parts.schedule import Timing
-from sigcat.adapter.model.values.number_format import Number, NumberFormat
-from sigcat.adapter.model.values.transfer import Element
 from tests.adapter.core.script import Line, Script, bits, size
 from tests.adapter.core.subject import Item, Leaf, Subject
+from tests.adapter.reference.parts.schedule import Timing
+from tests.adapter.reference.values.number_format import Number, NumberFormat
+from tests.adapter.reference.values.transfer import Element
 
 MS = 10**6
 _BITS = {4: (0x7FC01234, 0xFFC00000, 0x80000000, 0x00000001, 0x7F7FFFFF, 0x7F800000, 0xFF800000, 0x807FFFFF),
@@ -109,7 +109,7 @@ class Tracer:
                 yield ("finish", index, t, end)
 
     def _step(self) -> Iterator[Line]:
-        """What is due, from its answer to its end."""
+        """Due calls, from their answer to their end."""
         yield ("next", self._time())
         yield from self._assignments("then")
         for index in range(len(self._subject.calls)):
@@ -121,7 +121,7 @@ class Tracer:
         yield ("advance", self._random.randrange(len(self._subject.calls)), self._time())
 
     def _assignments(self, word: str) -> Iterator[Line]:
-        """What the code writes; now and then to what the adapter writes, too."""
+        """Values that the code writes; sometimes also to variables of the adapter."""
         for index, item in enumerate(self._subject.variables):
             elements = self._written.get(item.name)
             if self._random.random() < (0.02 if elements is None else 0.6):
@@ -188,7 +188,7 @@ class Tracer:
             given = self._value(item, item.transfer.elements if item.transfer else ())
             yield ("store", index, "-" if self._random.random() < 0.2 else given)
 
-    # -- beginning anew -------------------------------------------------------------------------------------------
+    # -- restarting -----------------------------------------------------------------------------------------------
 
     def _starting(self) -> Iterator[Line]:
         """A later Start: at any time, or at the very time of a release after one that was answered."""
@@ -296,7 +296,7 @@ def _spans(subject: Subject) -> set[int]:
 
 
 def _durations(subject: Subject) -> list[int]:
-    """How long calls take: on the limits of a supervision, beside them, or any time."""
+    """Durations of calls: on the limits of a supervision, next to them, or any time."""
     limits = [step.deadline for step in subject.function.steps if step.deadline]
     bounds = [bound + nudge for each in limits for bound in (each.least, each.most) for nudge in (-1, 0, 1)]
     return [0, 0, MS, 3 * MS, *(bound for bound in bounds if bound >= 0)]

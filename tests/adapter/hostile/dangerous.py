@@ -84,7 +84,7 @@ class Dangerous(NamedTuple):
 
 
 def refusals(kind: str, data: bytes) -> Sequence[Finding]:
-    """What every generator that takes a document says of it when it reads it."""
+    """Return the findings of every generator that takes a document, when it reads the document."""
     try:
         READERS[kind](data, "a.json", DEFAULT_LIMITS)
     except InputRefused as refused:
@@ -181,7 +181,7 @@ def _without_blamed(
 def _largest(
     kind: str, whole: Any, strings: Mapping[Pointer, tuple[str, Grammar]], accepted: Changes, wanted: Changes
 ) -> Changes:
-    """Those of the wanted changes that are accepted together, half by half."""
+    """Return those of the requested changes that are accepted together, half by half."""
     if not wanted or not refusals(kind, changed(whole, strings, {**accepted, **wanted})):
         return wanted
     if len(wanted) == 1:

@@ -59,7 +59,7 @@ def whole_of(kind: str) -> Any:
 
 
 def typed(kind: str, whole: Any) -> tuple[list[Pointer], list[Pointer]]:
-    """Where strings with a type are: values, and the first key of each mapping."""
+    """Places of strings with a type: values, and the first key of each mapping."""
     model = DEPLOYMENT_FILE if kind == "deployment" else MODELS[kind]
     values: list[Pointer] = []
     keys: dict[Pointer, Pointer] = {}

@@ -45,7 +45,7 @@ def places(whole: Any) -> list[Pointer]:
     return list(found.values())
 
 
-@pytest.mark.parametrize("large", LARGE)
+@pytest.mark.parametrize("large", LARGE, ids=("positive", "negative"))
 @pytest.mark.parametrize("kind", DOCUMENTS)
 def test_json_with_one_is_refused_by_every_generator(kind, large):
     found = places(json.loads(document(kind)))
@@ -58,7 +58,7 @@ def test_json_with_one_is_refused_by_every_generator(kind, large):
                 generator.generate(data, "a.json", DEFAULT_LIMITS, Options(bench=generator.has_bench))
 
 
-@pytest.mark.parametrize("large", LARGE)
+@pytest.mark.parametrize("large", LARGE, ids=("positive", "negative"))
 def test_a_declaration_with_one_is_refused(large):
     whole = yaml.safe_load(FUNCTION.read_text())
     for at in places(whole):
@@ -68,7 +68,7 @@ def test_a_declaration_with_one_is_refused(large):
         assert has_errors(refused.value.findings), pointer_text(at)
 
 
-@pytest.mark.parametrize("large", LARGE)
+@pytest.mark.parametrize("large", LARGE, ids=("positive", "negative"))
 def test_a_deployment_with_one_is_refused(large):
     for at in places(DEPLOYMENT):
         data = yaml.safe_dump(_with(DEPLOYMENT, at, large), sort_keys=False).encode()
@@ -100,7 +100,7 @@ ATTRIBUTES: dict[str, Any] = {
 }
 
 
-@pytest.mark.parametrize("large", LARGE)
+@pytest.mark.parametrize("large", LARGE, ids=("positive", "negative"))
 @pytest.mark.parametrize("name", ATTRIBUTES)
 @pytest.mark.parametrize("datatype", ["float", "uint8", "string", "double[]"])
 def test_a_tree_with_one_is_refused_by_every_reader(tmp_path, capsys, name, datatype, large):

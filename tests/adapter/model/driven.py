@@ -4,12 +4,12 @@ from collections import defaultdict
 from collections.abc import Callable
 from typing import Any
 
-from sigcat.adapter.model.adapter import Adapter
-from sigcat.adapter.model.parts.errors import Stage
-from sigcat.adapter.model.reading.read import read
-from sigcat.adapter.model.running import Variables
-from sigcat.adapter.model.values.value import Value
 from sigcat.function.function_json.model import FunctionJson
+from tests.adapter.reference.adapter import Adapter
+from tests.adapter.reference.parts.errors import Stage
+from tests.adapter.reference.reading.read import read
+from tests.adapter.reference.running import Variables
+from tests.adapter.reference.values.value import Value
 
 MS = 10**6
 
@@ -21,7 +21,7 @@ class Driven:
         self.variables: dict[str, Value] = defaultdict(int)
         self.called: list[str] = []
         self.seen: list[dict[str, Value]] = []
-        """What the variables were in each call of a step."""
+        """Return the variables in each call of a step."""
         self._code = code
         self.adapter = Adapter(read(document), self._call, self.variables)
 
@@ -71,7 +71,7 @@ class Driven:
         return self.adapter.running.diagnosis.states[error].stage
 
     def published(self) -> set[str]:
-        """What is to be sent; it is sent then."""
+        """Return the values to send; they count as sent."""
         names = set(self.adapter.publish)
         self.adapter.published()
         return names

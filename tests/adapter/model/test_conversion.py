@@ -6,8 +6,8 @@ from fractions import Fraction
 
 import pytest
 
-from sigcat.adapter.model.values.number_format import NumberFormat
 from tests.adapter.model.driven import Driven
+from tests.adapter.reference.values.number_format import NumberFormat
 from tests.adapter.written import (
     BOOL,
     DOUBLE,
@@ -35,7 +35,7 @@ TO_KMH = {"ConversionFactor": "18/5", "ConversionOffset": "0"}
 
 
 def received(value, datatype, wire, **fields):
-    """What the code gets."""
+    """Value in the code."""
     run = Driven(function(step(signal("A", datatype, VssDatatype=wire, **fields)))).start()
     run.receive("A", value, 0)
     run.steps(0)
@@ -43,7 +43,7 @@ def received(value, datatype, wire, **fields):
 
 
 def sent(value, datatype, wire, **fields):
-    """What the catalogue gets."""
+    """Value in the catalogue."""
     document = function(step(output("A", datatype, VssDatatype=wire, **fields)))
     run = Driven(document, F_Step=lambda variables: variables.update(a=value)).start()
     run.steps(0)
@@ -69,7 +69,7 @@ def sent(value, datatype, wire, **fields):
         (2**64 - 1, U64, "uint64", {}, 2**64 - 1),
         (2**63, S16, "uint64", {}, 32767),
         (2**25 + 3, FLOAT, "uint32", {}, float(2**25 + 4)),
-        (2**60 + 2**36 + 1, FLOAT, "uint64", {}, float(2**60 + 2**37)),  # by way of a double it would be 2**60
+        (2**60 + 2**36 + 1, FLOAT, "uint64", {}, float(2**60 + 2**37)),  # through a double it would be 2**60
         (1e300, FLOAT, "double", {}, LARGEST),
         (-1e300, FLOAT, "double", {}, -LARGEST),
         (3.4028235677973366e38, FLOAT, "double", {}, LARGEST),

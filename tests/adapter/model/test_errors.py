@@ -2,8 +2,8 @@
 
 import pytest
 
-from sigcat.adapter.model.parts.errors import Counts, Error, Stage, is_confirmed
 from tests.adapter.model.driven import Driven
+from tests.adapter.reference.parts.errors import Counts, Error, Stage, is_confirmed
 from tests.adapter.written import S8, call, enumeration, error, function, mode_interface, signal, step, watchdog
 
 NOT_TESTED, PASSED, PREFAILED, FAILED, HEALING = Stage
@@ -38,7 +38,7 @@ def stages(run, *seen):
          [FAILED, HEALING, FAILED, HEALING, HEALING, PASSED]),
         ({"Reset": "Restart"}, [(0, 1), (10, 0), (20, 0)], [FAILED, FAILED, FAILED]),
     ],
-    ids=["no times", "maturation is inclusive", "a gap begins anew", "reset is inclusive", "again while healing", "restart"],
+    ids=["no times", "maturation is inclusive", "a gap restarts", "reset is inclusive", "again while healing", "restart"],
 )  # fmt: skip
 def test_states(fields, seen, expected):
     times = [(t, is_set) for (t, is_set), stage in zip(seen, expected, strict=True) if stage]
@@ -107,7 +107,7 @@ def test_the_status_variable_has_what_is_sent():
     assert [each["s"] for each in run.seen] == [5, 7, 5]
 
 
-def test_any_cause_makes_it_present_and_those_that_are_not_judged_do_not_count():
+def test_any_cause_makes_it_present_and_those_that_are_not_tested_do_not_count():
     late = signal("A", Timeout="20", TimeoutError="E")
     other = signal("B", Min=0, Max=1, RangeError="E")
     run = Driven(function(step(late, other, error("E")))).start()

@@ -1,7 +1,7 @@
 """Section 1: life."""
 
-from sigcat.adapter.model.parts.schedule import NEVER
 from tests.adapter.model.driven import Driven
+from tests.adapter.reference.parts.schedule import NEVER
 from tests.adapter.written import call, function, mode_interface, output, parameter, reaction, signal, step
 
 

@@ -2,8 +2,8 @@
 
 import pytest
 
-from sigcat.adapter.model.parts.methods import Reply
 from tests.adapter.model.driven import MS, Driven
+from tests.adapter.reference.parts.methods import Reply
 from tests.adapter.written import U8, U16, call, enumeration, function, method, mode_interface, step
 
 GEAR = enumeration("DT_Gear", PARK=0, DRIVE=5)
@@ -95,7 +95,7 @@ def test_another_request_waits_until_the_first_is_answered():
     assert (run.variables["ask"], slot.number, slot.arguments) == (0, 2, (8,))
 
 
-def test_the_time_out_is_judged_in_the_snapshot_and_a_late_answer_is_dropped():
+def test_the_timeout_is_checked_in_the_snapshot_and_a_late_answer_is_dropped():
     run = using(Timeout="20")
     asked(run, 0)
     assert [status(run, 10), status(run, 20)] == [PENDING, PENDING]

@@ -2,8 +2,8 @@
 
 import pytest
 
-from sigcat.adapter.model.parts.errors import Stage
 from tests.adapter.model.driven import Driven
+from tests.adapter.reference.parts.errors import Stage
 from tests.adapter.written import error, function, mode_interface, on_event, queue, signal, step, symbols, watchdog
 
 OFF, ON, OTHER, UNKNOWN = 10, 11, 12, 99

@@ -4,9 +4,9 @@ import math
 
 import pytest
 
-from sigcat.adapter.model.parts.errors import Stage
-from sigcat.adapter.model.running import Stored
 from tests.adapter.model.driven import Driven
+from tests.adapter.reference.parts.errors import Stage
+from tests.adapter.reference.running import Stored
 from tests.adapter.written import FLOAT, U8, U16, array, call, error, function, parameter, step
 
 KM = {"VssDatatype": "double", "ConversionFactor": "1/1000", "ConversionOffset": "0"}

@@ -4,8 +4,8 @@ import math
 
 import pytest
 
-from sigcat.adapter.model.parts.errors import Stage
 from tests.adapter.model.driven import Driven
+from tests.adapter.reference.parts.errors import Stage
 from tests.adapter.written import (
     FLOAT,
     U8,
@@ -28,7 +28,7 @@ NAMES = enumeration("DT_Gear", PARK=0, DRIVE=5)
 
 
 def given(document, *values):
-    """What calls see of these values."""
+    """Return the values that calls see for these inputs."""
     run = Driven(document).start()
     for t, value in enumerate(values):
         run.receive("A", value, t * 10)
@@ -124,7 +124,7 @@ def test_an_output_without_a_name_is_sent_as_before():
     assert run.adapter.out["A"] == 5
 
 
-def test_the_error_stays_as_long_as_no_other_value_comes_and_is_not_judged_before_the_first():
+def test_the_error_stays_as_long_as_no_other_value_comes_and_is_not_tested_before_the_first():
     run = Driven(one(Min=0, Max=10, RangeError="Out")).start()
     run.steps(0)
     assert run.stage("Out") is Stage.NOT_TESTED

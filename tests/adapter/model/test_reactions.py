@@ -7,7 +7,7 @@ from tests.adapter.written import enumeration, error, function, reaction, step
 
 
 def seen(run, *times):
-    """What calls at these times see."""
+    """Return the values that calls at these times see."""
     run.steps(*times)
     return [each["stop"] for each in run.seen[-len(times) :]]
 

@@ -13,7 +13,7 @@ def checked(**more):
 
 
 def sent(run, t):
-    """What is sent of the error after a call at this time; None before its first verdict."""
+    """Return the sent value of the error after a call at this time; None before its first verdict."""
     run.steps(t)
     return run.adapter.out["Broken"] if "Broken" in run.adapter.running.diagnosis.sent else None
 
@@ -33,7 +33,7 @@ def test_one_that_was_followed_by_a_good_one_is_present_in_one_snapshot():
     assert (sent(run, 0), sent(run, 10)) == (1, 0)
 
 
-def test_before_the_first_message_it_is_not_judged():
+def test_before_the_first_message_it_is_not_tested():
     assert sent(checked(), 0) is None
 
 
@@ -68,7 +68,7 @@ def test_no_call_is_due_by_it_and_the_next_good_one_tells():
 
 
 @pytest.mark.parametrize("errors", [("Broken", "Other"), ("Other", "Broken")])
-def test_each_call_judges_by_itself(errors):
+def test_each_call_decides_by_itself(errors):
     first, second = errors
     document = function(
         step(signal("A", VssPath="Vehicle.A", E2eError=first), error(first)),

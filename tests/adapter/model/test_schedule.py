@@ -2,9 +2,9 @@
 
 import pytest
 
-from sigcat.adapter.model.parts.errors import Stage
-from sigcat.adapter.model.parts.schedule import NEVER
 from tests.adapter.model.driven import MS, Driven
+from tests.adapter.reference.parts.errors import Stage
+from tests.adapter.reference.parts.schedule import NEVER
 from tests.adapter.written import error, function, on_event, queue, signal, step
 
 
@@ -47,7 +47,7 @@ def test_a_call_that_runs_long_is_not_answered_before_it_has_ended():
         ((step(name="A", PrevRunnable="F_Init"), step(name="B")), "AB"),
         ((step(name="A", Priority="high"), step(name="B", Priority="1")), "BA"),
     ],
-    ids=["file", "priority", "previous", "chain", "init is no step", "a priority in words is none"],
+    ids=["file", "priority", "previous", "chain", "init is not a step", "a priority as text is none"],
 )  # fmt: skip
 def test_the_order_of_what_is_due_at_the_same_time(steps, order):
     run = Driven(function(*steps)).start()

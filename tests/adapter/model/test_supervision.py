@@ -2,8 +2,8 @@
 
 import pytest
 
-from sigcat.adapter.model.parts.errors import Stage
 from tests.adapter.model.driven import MS, Driven
+from tests.adapter.reference.parts.errors import Stage
 from tests.adapter.written import call, error, function, step, watchdog
 
 NOT_TESTED, PASSED, FAILED = Stage.NOT_TESTED, Stage.PASSED, Stage.FAILED
@@ -101,7 +101,7 @@ def test_supervise_finds_a_call_that_hangs():
 
 
 def graph(*letters):
-    """A function whose calls A, B, C have to come in this order, which may go on from C with A."""
+    """A function whose calls A, B, C must come in this order; after C, A may follow."""
     calls = [
         on_order("A", {"BeginsSequence": True, "Next": ["F_B"]}),
         on_order("B", {"Next": ["F_B", "F_C"]}),

@@ -2,8 +2,8 @@
 
 import pytest
 
-from sigcat.adapter.model.parts.errors import Stage
 from tests.adapter.model.driven import Driven
+from tests.adapter.reference.parts.errors import Stage
 from tests.adapter.written import Json, error, function, queue, reaction, signal, step
 
 LATE = error("Late")
@@ -27,7 +27,7 @@ def test_a_value_as_old_as_the_time_out_is_in_time_and_one_nanosecond_more_is_la
     assert run.adapter.out["Late"] == 1
 
 
-def test_never_received_counts_from_start_and_is_not_judged_before_it_expires():
+def test_never_received_counts_from_start_and_is_not_tested_before_it_expires():
     run = late()
     run.steps(0, 20)
     assert run.stage("Late") is Stage.NOT_TESTED

@@ -9,7 +9,7 @@ WATCHED = error("Lost")
 
 
 def seen(run, variable, *times):
-    """What calls at these times see."""
+    """Return the values that calls at these times see."""
     found = []
     for t in times:
         run.steps(t)
@@ -98,7 +98,7 @@ def test_outputs_are_sent_with_every_call():
 
 
 def given(run, t, *values):
-    """What is sent of values that a call gives."""
+    """Return the sent values for the outputs of a call."""
     run.variables.update(a=(*values[:3], *[0] * (3 - len(values))), n=len(values))
     run.steps(t)
     return run.adapter.out["A"], "A" in run.published()

@@ -1,1 +1,1 @@
-"""Packages for ROS 2, judged by the real one: what `make ros2` installs, and a subset of rclcpp, which no registry has."""
+"""Packages for ROS 2, tested with the real one: the installation of `make ros2`, and a subset of rclcpp, which no registry has."""

@@ -21,9 +21,9 @@ class Node(CoreAccNode):  # type: ignore[misc]  # generated where the test runs
         self.create_timer(0.1, lambda: self.ask(client, GetState.Request(), self.refuse))
 
     def refuse(self, response: Any, time: int) -> None:
-        """Take no answer; that nobody offers the service yet is none."""
+        """Take no answer; a service without a server is not an error."""
         if response is not None:
-            raise ValueError("nobody wants it")
+            raise ValueError("rejected")
 
 
 if sys.argv[1] == "True":

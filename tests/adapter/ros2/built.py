@@ -23,11 +23,11 @@ from tests.needs import sampled
 NODES = {"core_acc": "core_acc_node", "eco_control_mpc": "eco_control_mpc_node"}
 LANGUAGES = {"C++": "eco_control", "Python": "eco_control_py"}
 USUAL = sampled(LANGUAGES, usual=("C++",))
-"""Python nodes have tests of their own; what those in C++ do is asked of them, too, in `make slow`."""
+"""Python nodes have separate tests; in `make slow` they also run the tests of C++ nodes."""
 FLAGS = "-O0 -Werror"
 _MAKERS = (ros2_environment.REQUIREMENTS, Path(ros2_packages.__file__))
 Made = Callable[[], Mapping[str, str]]
-"""What gives the files of a workspace, by name."""
+"""Function that returns the files of a workspace, by name."""
 DAY = 24 * 3600
 """Seconds after which what was built and not used again is removed."""
 
@@ -114,7 +114,7 @@ def preloaded(source: str, folder: Path) -> Path:
 def running(
     language: str, folder: Path, *nodes: str, arguments: tuple[str, ...] = (), made: Made = ecocontrol
 ) -> Iterator[Peer]:
-    """Nodes in processes of their own, and a peer at the other end of their topics and services."""
+    """Nodes in separate processes, and a peer at the other end of their topics and services."""
     built = workspace(made)
     executables = [built.prefix / "lib" / LANGUAGES[language] / NODES[node] for node in nodes]
     with own_domain() as number:
@@ -125,7 +125,7 @@ def running(
 
 
 def ended(language: str, folder: Path, node: str, *arguments: str) -> tuple[int, str]:
-    """How a node ends that does not run for long, and what it says."""
+    """Return how a short-lived node ends, and its output."""
     built = workspace()
     executable = built.prefix / "lib" / LANGUAGES[language] / NODES[node]
     with own_domain() as number:

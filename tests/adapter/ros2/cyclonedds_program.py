@@ -58,7 +58,7 @@ class Reaction(IdlStruct, typename="eco_control_interfaces::msg::dds_::SafetyRea
 
 
 def first(reader: DataReader) -> Any:
-    """What comes first."""
+    """Return the first message."""
     end = time.monotonic() + PATIENCE
     while time.monotonic() < end:
         for sample in reader.take(1):

@@ -1,10 +1,10 @@
 """Processes of ROS 2 that find each other on this machine alone, and share no memory.
 
-Fast DDS opens a port of shared memory anew whose reader seems to be dead, as that of a process that got no processor for a second. A process
-that ends in that moment crashes, since the thread that closes the port does not know of the one that opens it anew (up to Fast DDS 3.6).
+Fast DDS reopens a port of shared memory whose reader seems to be dead, such as that of a process that got no processor for a second. A process
+that ends in that moment crashes, since the thread that closes the port does not know of the one that reopens it (up to Fast DDS 3.6).
 Where tests run side by side, that happens.
 
-With a discovery range of its own, ROS has shared memory whatever else is said. With that of the system, all is as the profile says.
+With a separate discovery range, ROS always uses shared memory. With that of the system, the profile decides.
 """
 
 from pathlib import Path

@@ -11,7 +11,7 @@ class Node(CoreAccNode):  # type: ignore[misc]  # generated where the test runs
 
     def hand_over(self, receive: Any, value: Any, *, wakes: bool = False) -> None:
         """Take nothing."""
-        raise ValueError("nobody wants it")
+        raise ValueError("rejected")
 
 
 spin(Node, [])

@@ -1,4 +1,4 @@
-"""A node at the other end, in a process of its own: see other_end_program.py for what it does."""
+"""A node at the other end, in a separate process: see other_end_program.py for its commands."""
 
 import json
 import subprocess
@@ -51,7 +51,7 @@ class Peer:
             assert self.change(node, transition), f"{node} refuses {transition} in state {self.state(node)}"
 
     def hears(self, topic: str, is_right: Callable[[list[Mapping[str, Any]]], object]) -> list[Mapping[str, Any]]:
-        """What has come on a topic, as soon as it is right."""
+        """Return the message received on a topic, as soon as it is right."""
         wait_until(lambda: is_right(self.heard(topic)), f"{topic} is not heard as it should be")
         return list(self.heard(topic))
 

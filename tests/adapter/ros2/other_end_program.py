@@ -1,4 +1,4 @@
-"""A node that does what it is told: each line is a command, and is answered by a line; both are JSON.
+"""A node that follows commands: each line is a command, and is answered by a line; both are JSON.
 
 A program for the interpreter that has rclpy.
 """
@@ -48,13 +48,13 @@ class Peer:
         return self._ask(GetState, f"{node}/get_state", GetState.Request()).current_state.label
 
     def set_parameters(self, node: str, values: dict[str, Any]) -> list[tuple[bool, str]]:
-        """What becomes of each."""
+        """Return the result of each."""
         request = SetParameters.Request(parameters=_parameters(values))
         results = self._ask(SetParameters, f"{node}/set_parameters", request).results
         return [(result.successful, result.reason) for result in results]
 
     def set_all_parameters(self, node: str, values: dict[str, Any]) -> tuple[bool, str]:
-        """What becomes of all of them together."""
+        """Return the result of all of them together."""
         request = SetParametersAtomically.Request(parameters=_parameters(values))
         result = self._ask(SetParametersAtomically, f"{node}/set_parameters_atomically", request).result
         return result.successful, result.reason
@@ -66,7 +66,7 @@ class Peer:
         return [parameter_value_to_python(value) for value in values]
 
     def described(self, node: str, name: str) -> dict[str, Any]:
-        """What a parameter says of itself."""
+        """Return the description of a parameter."""
         request = DescribeParameters.Request(names=[name])
         (found,) = self._ask(DescribeParameters, f"{node}/describe_parameters", request).descriptors
         ranges = [(each.from_value, each.to_value) for each in found.floating_point_range]
@@ -93,11 +93,11 @@ class Peer:
         publisher.publish(message)
 
     def takers(self, topic: str) -> Any:
-        """How many subscriptions fit the publisher."""
+        """Return the number of subscriptions that match the publisher."""
         return self._publishers[topic].get_subscription_count()
 
     def listen(self, topic: str, message: str, quality: dict[str, Any]) -> None:
-        """Keep what comes on a topic from now on."""
+        """Store messages of a topic from now on."""
         self._subscriptions.append(
             self._node.create_subscription(
                 _type(message), topic, lambda each: self._heard[topic].append(_fields(each)), _quality(quality)
@@ -105,7 +105,7 @@ class Peer:
         )
 
     def heard(self, topic: str) -> list[dict[str, Any]]:
-        """What has come."""
+        """Return the received messages."""
         return self._heard[topic]
 
     def diagnostics(self) -> dict[str, dict[str, Any]]:

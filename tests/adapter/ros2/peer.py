@@ -1,6 +1,6 @@
 """Another process of ROS 2, which asks nodes and says what they answer: one JSON value for each line that comes.
 
-A program for the interpreter that has rclpy. It knows nothing of what is generated.
+A program for the interpreter that has rclpy. It does not know the generated code.
 """
 
 import importlib
@@ -26,7 +26,7 @@ PATIENCE = 60.0
 
 
 class Peer:
-    """What it has asked and heard."""
+    """Requests and received messages."""
 
     def __init__(self) -> None:
         self.node = rclpy.create_node("peer")
@@ -87,7 +87,7 @@ class Peer:
         return [parameter_value_to_python(value) for value in values]
 
     def describe(self, node: str, name: str) -> Mapping[str, Any]:
-        """What a parameter says of itself."""
+        """Return the description of a parameter."""
         request = DescribeParameters.Request(names=[name])
         (found,) = self.ask(f"{node}/describe_parameters", DescribeParameters, request).descriptors
         ranges = [(each.from_value, each.to_value) for each in found.floating_point_range]
@@ -100,7 +100,7 @@ class Peer:
         return {"success": answer.success, "message": answer.message, "received": answer.received, "sent": answer.sent}
 
     def publish(self, topic: str, message: str, fields: Mapping[str, Any], reliability: str) -> None:
-        """Send a message, once somebody is there or has refused to be."""
+        """Send a message, once a subscriber has matched or refused."""
         kind, key = _type(message), (topic, reliability)
         if key not in self.publishers:
             quality = QoSProfile(depth=10, reliability=ReliabilityPolicy[reliability.upper()],
@@ -122,19 +122,19 @@ class Peer:
         self.publishers["/clock", "reliable"].publish(clock)
 
     def listen(self, topic: str, message: str) -> None:
-        """Note what comes on a topic from now on."""
+        """Note messages of a topic from now on."""
         quality = QoSProfile(depth=100, reliability=ReliabilityPolicy.BEST_EFFORT)
         self.heard[topic] = []
         self.node.create_subscription(_type(message), topic, self.heard[topic].append, quality)
         self.until(lambda: self.node.count_publishers(topic) > 0)
 
     def stamps(self, topic: str, count: int) -> list[int]:
-        """Stamps of what has come, once there are so many."""
+        """Return the stamps of received messages, once there are so many."""
         self.until(lambda: len(self.heard[topic]) >= count)
         return [each.stamp.sec * 10**9 + each.stamp.nanosec for each in self.heard[topic]]
 
     def diagnostics(self, node: str, name: str, key: str, value: Any) -> Mapping[str, Any]:
-        """What a node tells under a name, once one of it is so; else what it told last."""
+        """Return the status of a node under a name, once it matches; else its last status."""
         self.until(lambda: self.told.get(node, {}).get(name, {}).get(key) == value)
         found: Mapping[str, Any] = self.told.get(node, {}).get(name, {})
         return found

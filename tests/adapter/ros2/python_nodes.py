@@ -1,4 +1,4 @@
-"""The package in Python, installed; its nodes as processes, and another process that asks them, in a domain of their own."""
+"""The package in Python, installed; its nodes as processes, and another process that sends requests, in a separate domain."""
 
 import fcntl
 import json
@@ -29,7 +29,7 @@ class Installed(NamedTuple):
 
     @property
     def source(self) -> Path:
-        """Where the files are that were installed."""
+        """Folder of the installed files."""
         return self.prefix.parent / "source"
 
 
@@ -78,7 +78,7 @@ def variables(where: Installed, folder: Path) -> Mapping[str, str]:
 
 
 class Node:
-    """A node in a process of its own."""
+    """A node in a separate process."""
 
     def __init__(
         self, where: Installed, package: str, executable: str, settings: Mapping[str, object], folder: Path

@@ -1,4 +1,4 @@
-"""What starts a workspace, and what people read: launch file, parameter files, README."""
+"""Files that start a workspace, and files for people: launch file, parameter files, README."""
 
 import json
 import re
@@ -259,7 +259,7 @@ def picture(made):
 
 
 def test_the_picture_has_the_nodes_and_who_feeds_them():
-    """A topic stands there once, whoever hears it, with those that go the same way."""
+    """A topic is listed once, whatever its subscribers, with those that have the same direction."""
     lines = picture(ecocontrol())
     assert lines[:3] == [
         "flowchart LR", '  outside1(["Brake control unit"]):::outside', '  outside2(["Steering control unit"]):::outside',

@@ -42,7 +42,7 @@ def test_the_same_document_gives_the_same_bytes(made):
 
 
 def test_each_value_is_traced_to_its_path_and_unit():
-    """Where a message meets the core, the reader finds the catalogue's path and unit."""
+    """At the place where a message meets the core, the reader finds the catalogue's path and unit."""
     text = source(generated.ecocontrol(), "core_acc")
     assert "// Vehicle.Speed [km/h]\n        CoreAcc_Adapter_Receive_EgoVehSpd(" in text
     assert (
@@ -88,7 +88,7 @@ def test_a_queue_sends_a_message_for_each_of_its_values():
 
 
 def test_an_enumeration_is_sent_as_text_and_as_number():
-    """The two fields agree; what comes is taken by its number."""
+    """The two fields agree; the number of a received message is used."""
     text = source(generated.full(), "full")
     assert (
         "message.gear_out = symbol_text(kGearOutSymbols, out.GearOut);\n    message.gear_out_number = out.GearOut;"
@@ -98,7 +98,7 @@ def test_an_enumeration_is_sent_as_text_and_as_number():
 
 
 def test_a_method_that_is_offered_waits_for_the_call_that_runs_and_tells_whether_it_answered():
-    """An excluded or refused request is no answer with zeros."""
+    """An excluded or refused request does not return an answer with zeros."""
     text = body(source(generated.full(), "full"), "answer_do_")
     assert "lock_guard<std::mutex> call(call_mutex_);" in text
     assert "response.success = reply == FULL_ADAPTER_OK;" in text
@@ -115,13 +115,13 @@ def test_a_function_with_globals_has_one_node_in_a_process():
     ("release", "quality"), [("jazzy", "rclcpp::ServicesQoS()"), ("humble", "rmw_qos_profile_services_default")]
 )
 def test_the_release_decides_what_a_service_takes(release, quality):
-    """Jazzy warns of what Humble needs."""
+    """Jazzy warns about functions that Humble needs."""
     made = generated.files(generated.ECOCONTROL.read_bytes(), release)
     assert f"{quality}, answering_);" in source(made, "core_acc")
 
 
 def test_only_the_newest_diagnostics_wait_to_be_sent():
-    """In both languages, as with `diagnostic_updater`: each message has all that there is to say."""
+    """In both languages, as with `diagnostic_updater`: each message has all statuses."""
     made = generated.ecocontrol()
     assert '*this, "/diagnostics", rclcpp::QoS(rclcpp::KeepLast(1)));' in source(made, "core_acc")
     module = made["eco_control_py/eco_control_py/support/function_node.py"]
@@ -129,7 +129,7 @@ def test_only_the_newest_diagnostics_wait_to_be_sent():
 
 
 def test_the_launch_test_leaves_the_nodes_and_the_files_of_the_user_alone():
-    """It has a domain of its own, and a folder of its own for what is stored."""
+    """It has a separate domain, and a separate folder for stored values."""
     made = generated.ecocontrol()
     settings = made["eco_control/CMakeLists.txt"]
     assert 'add_launch_test(test/test_launch.py\n    RUNNER "${ament_cmake_ros_DIR}/run_test_isolated.py")' in settings
@@ -181,7 +181,7 @@ def test_a_function_with_two_nodes_is_refused_since_its_core_is_one_object():
 
 
 def test_a_queue_that_shares_its_message_is_refused():
-    """It sends as many messages as it has values; what stands beside it would be sent as often."""
+    """It sends as many messages as it has values; other fields of the message would be sent as often."""
     document = generated.integration(FULL / "function.yaml", deployment={"ros2": {"topics": "function"}})
     with pytest.raises(InputRefused) as refused:
         generated.files(document)
@@ -230,7 +230,7 @@ def test_an_enumeration_that_leaves_no_number_free_is_refused_with_what_to_do(tm
     with pytest.raises(InputRefused) as refused:
         with_texts(256, tmp_path)
     (finding,) = refused.value.findings
-    assert "must have a number that is no value" in finding.message
+    assert "must have an unused number" in finding.message
     assert "`number`" in finding.fix
 
 

@@ -9,15 +9,15 @@ import pytest
 from scripts import ros2_environment
 from tests.adapter.ros2.built import USUAL, running
 from tests.adapter.ros2.other_end import ACTIVATE, CONFIGURE
-from tests.judges import judged_by
 from tests.needs import ros2
+from tests.reference_tools import checked_with
 
 pytestmark = ros2
 
 PROGRAM = Path(__file__).with_name("cyclonedds_program.py")
 
 
-@judged_by("cyclonedds", "Topics of the nodes are read and written by another implementation of DDS")
+@checked_with("cyclonedds", "Topics of the nodes are read and written by another implementation of DDS")
 @pytest.mark.parametrize("language", USUAL)
 def test_cyclonedds_is_heard_and_hears(language, tmp_path):
     with running(language, tmp_path, "eco_control_mpc") as peer:

@@ -1,4 +1,4 @@
-"""A package of the user links a generated node, and derives from it: for publishers, timers and transforms of its own."""
+"""A package of the user links a generated node, and derives from it: for its publishers, timers and transforms."""
 
 from pathlib import Path
 

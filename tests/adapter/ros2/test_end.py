@@ -1,4 +1,4 @@
-"""A node that is told to end does so with status 0, whatever it is doing."""
+"""A node that receives SIGTERM ends with status 0, whatever it is doing."""
 
 from contextlib import contextmanager
 
@@ -70,7 +70,7 @@ Context::~Context()
 
 @contextmanager
 def running(preload, folder):
-    """The node, with a library before those of rclcpp; who asks it, and what was told."""
+    """The node, with a library before those of rclcpp; the peer, and the log."""
     library, told = preloaded(preload, folder), folder / "told.txt"
     built = workspace()
     node = [built.prefix / "lib/eco_control" / NODES[NODE]]

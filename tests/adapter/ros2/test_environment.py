@@ -12,7 +12,7 @@ from tests.needs import ros2
 
 @ros2
 def test_a_second_run_does_nothing() -> None:
-    """What is made of today's list stays as it is."""
+    """The list of today gives an unchanged list."""
     before = ros2_environment.PYTHON.lstat().st_mtime_ns
     assert ros2_environment.main() == 0
     assert ros2_environment.PYTHON.lstat().st_mtime_ns == before

@@ -1,4 +1,4 @@
-"""An exception in a thread of a node in C++ is told and stays there: the node lives on, and so do others in its process.
+"""An exception in a thread of a C++ node is logged and stays there: the node continues, and so do others in its process.
 
 A library that comes before that of the core throws in its place.
 """
@@ -23,7 +23,7 @@ SPEED = ("vehicle/speed", "eco_control_interfaces/msg/Speed")
 
 @contextmanager
 def throwing(function, folder):
-    """The node, in which a function of the core throws; who asks it, and how often something was told."""
+    """The node, in which a function of the core throws; the peer, and the number of log entries of a text."""
     library, told = preloaded(THROWS.format(function=function), folder), folder / "told.txt"
     built = workspace()
     with own_domain() as number:
@@ -39,7 +39,7 @@ def throwing(function, folder):
 def test_a_call_that_throws_ends_the_calls(tmp_path):
     with throwing("SetInput_Step", tmp_path) as (other, told):
         other.switch_on(NODE)
-        wait_until(lambda: told("The calls have ended: no more bread"), "it is told")
+        wait_until(lambda: told("The calls have ended: no more bread"), "it is logged")
         status = other.finds(f"{NODE}: scheduling", lambda found: found["message"])
         assert status["message"] == "the calls have ended: see the log"
 
@@ -49,6 +49,6 @@ def test_a_message_that_throws_is_left_out_and_the_next_one_is_received(tmp_path
         other.advertise(*SPEED, {"reliability": "BEST_EFFORT"})
         wait_until(lambda: other.takers(SPEED[0]) == 1, "it takes the speed")
         other.publish(SPEED[0], {"speed": 1.0})
-        wait_until(lambda: told("A message was not taken: no more bread") == 1, "it is told")
+        wait_until(lambda: told("A message was not taken: no more bread") == 1, "it is logged")
         other.publish(SPEED[0], {"speed": 2.0})
         wait_until(lambda: told("A message was not taken: no more bread") == 2, "the next one, too")

@@ -10,8 +10,8 @@ from sigcat.errors import InputRefused
 from sigcat.integration.ros2.document import read_integration
 from tests.adapter.autosar_adaptive.application.generated import FULL
 from tests.adapter.ros2.generated import ECOCONTROL, ecocontrol, files, full, integration, small, storing, write
-from tests.judges import judged_by
 from tests.needs import ros2
+from tests.reference_tools import checked_with
 
 INTERFACES = "eco_control_interfaces"
 
@@ -64,7 +64,7 @@ def run_in_ros2(script, *arguments):
 
 
 def parsed(made, folder):
-    """What rosidl reads in the messages and services of a workspace."""
+    """Return the messages and services that rosidl reads in a workspace."""
     write(made, folder)
     (package,) = folder.glob("*_interfaces*")
     return json.loads(run_in_ros2(PARSED, package))
@@ -98,7 +98,7 @@ def test_every_message_and_service_is_built():
     assert listed == {name.removeprefix(f"{INTERFACES}/") for name in made if name.endswith((".msg", ".srv"))}
 
 
-@judged_by("rosidl", "Messages and services are read with every field, constant and comment")
+@checked_with("rosidl", "Messages and services are read with every field, constant and comment")
 @ros2
 @pytest.mark.parametrize("workspace", [ecocontrol, full, small, storing])
 def test_rosidl_reads_every_field_with_its_unit(workspace, tmp_path):
@@ -108,7 +108,7 @@ def test_rosidl_reads_every_field_with_its_unit(workspace, tmp_path):
     assert all(comment for each in found.values() for *_, comment in each.get("fields", ()))
 
 
-@judged_by("rosidl", "Messages and services are read with every field, constant and comment")
+@checked_with("rosidl", "Messages and services are read with every field, constant and comment")
 @ros2
 def test_rosidl_reads_what_the_integration_has(tmp_path):
     found = parsed(ecocontrol(), tmp_path)
@@ -125,7 +125,7 @@ def test_rosidl_reads_what_the_integration_has(tmp_path):
 HOSTILE = 'ends */ a comment, "quotes" it, \\ breaks it \\\nuint8 more\n[bar] 20 °C # % ${x} @(x)'
 
 
-@judged_by("rosidl", "Messages and services are read with every field, constant and comment")
+@checked_with("rosidl", "Messages and services are read with every field, constant and comment")
 @ros2
 def test_no_description_leaves_its_comment(tmp_path):
     def describe(document):
@@ -143,7 +143,7 @@ def test_no_description_leaves_its_comment(tmp_path):
     assert "\\" not in text
 
 
-@judged_by("catkin_pkg", "Descriptions of packages are read, whatever text they have")
+@checked_with("catkin_pkg", "Descriptions of packages are read, with any text")
 @ros2
 def test_the_description_of_the_package_is_one_of_catkin(tmp_path):
     def describe(document):

@@ -32,11 +32,11 @@ MADE = {
 """Transitions that a lifecycle node makes when it is asked to; all others leave it where it is."""
 REACHED = {"unconfigured": (), "inactive": (CONFIGURE,), "active": (CONFIGURE, ACTIVATE)}
 ASKED = (*range(9), 10, 30, 41, 60, 99, 255)
-"""Numbers of requests: public ones, those of callbacks' results, and some that nobody knows."""
+"""Numbers of requests: public ones, those of callbacks' results, and some unknown ones."""
 
 
 def cycles(folder: Path) -> int:
-    """How often what is kept has been written: the ignition cycle grows with each good Init, and is written after Terminate."""
+    """Number of writes of the stored file: the ignition cycle grows with each successful Init, and is written after Terminate."""
     (file,) = folder.glob("eco_control/*.txt")
     (line,) = (line for line in file.read_text().splitlines() if line.startswith("ignition_cycle: "))
     return int(line.partition(": ")[2])
@@ -94,7 +94,7 @@ def test_a_file_that_is_not_whole_is_left_aside(language, text, tmp_path):
 
 
 def test_what_another_version_has_stored_stays(language, tmp_path):
-    """A function that is updated and set back keeps what it has learned; bytes that are no text do no harm."""
+    """A function that is updated and set back keeps its learned values; bytes that are not text do no harm."""
     with running(language, tmp_path, NODE) as peer:
         file = stored_file(peer, tmp_path)
         file.write_bytes(b"sigcat 1\nOfAnotherVersion: 5\nignition_cycle: 7\n\xff: \xfe\n")

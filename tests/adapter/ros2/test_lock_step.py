@@ -15,7 +15,7 @@ REQUEST = "Vehicle.ADAS.EcoControl.AccelerationRequest"
 
 @pytest.fixture(scope="module")
 def expected(tmp_path_factory):
-    """What the simulation sends."""
+    """Values that the simulation sends."""
     return recordings.simulated(tmp_path_factory.mktemp("simulated") / "out.csv", SECONDS)
 
 

@@ -21,14 +21,14 @@ from tests.function.shipped import interfaces
 BURSTS = Path(__file__).parents[2] / "runs/cases/events_in_bursts"
 EXISTING = Path(__file__).with_name("existing")
 INSTALLED = {"AMENT_PREFIX_PATH": str(ros2_environment.ENVIRONMENT)}
-"""Where ROS 2 has its messages."""
+"""Folder of the messages of ROS 2."""
 
 pytestmark = [needs.ros2, pytest.mark.parametrize("language", USUAL)]
 RUNNER = {"C++": "ros2-cpp", "Python": "ros2-py"}
 
 
 def played(language: str, case: Path, folder: Path) -> list[Mapping[str, tuple[Sent, ...]]]:
-    """What the simulation sends, then what a node of the function sends."""
+    """Values that the simulation sends, then those of a node of the function."""
     path, deployment = case / "function.yaml", case / "deployment.yaml"
     functions, _ = read_functions([(path.read_bytes(), str(path))], interfaces())
     chosen = deployment_of_file(deployment, INSTALLED) if deployment.exists() else DEFAULT_DEPLOYMENT

@@ -19,6 +19,7 @@ pytestmark = [ros2, c_compiler, pytest.mark.xdist_group("python_nodes")]
 
 CODE = {name: (node, EXAMPLES / node) for name, node in (("CoreAcc", "core_acc"), ("EcoControlMpc", "eco_control_mpc"))}
 ANSWER_NOT_TAKEN = Path(__file__).parent / "answer_not_taken_program.py"
+REFUSED_PARAMETER = Path(__file__).parent / "refused_parameter_program.py"
 MESSAGE_NOT_TAKEN = Path(__file__).parent / "message_not_taken_program.py"
 STEP = "eco_control_interfaces/srv/Step"
 TRANSITIONS = {"configure": 1, "cleanup": 2, "activate": 3, "deactivate": 4, "shutdown of unconfigured": 5}
@@ -53,7 +54,7 @@ def running(where, tmp_path):
 
 
 def kept(folder):
-    """What is stored, as lines."""
+    """Stored values, as lines."""
     return stored_file(folder).read_text().splitlines()
 
 
@@ -98,18 +99,18 @@ def test_an_answer_that_cannot_be_taken_ends_the_node_with_its_exception(has_thr
     ended = subprocess.run(
         command, env=variables(where, tmp_path), capture_output=True, text=True, timeout=60, check=False
     )
-    assert (ended.returncode, ended.stderr.splitlines()[-1]) == (1, "ValueError: nobody wants it")
+    assert (ended.returncode, ended.stderr.splitlines()[-1]) == (1, "ValueError: rejected")
 
 
 def test_a_message_that_cannot_be_taken_is_left_out_and_told(ask, where, tmp_path):
     """As in C++: the node lives on."""
     said = tmp_path / "said.txt"
     speed = ("publish", "vehicle/speed", "eco_control_interfaces/msg/Speed", {"speed": 50.0}, "reliable")
-    told = lambda: said.read_text().count("A message was not taken: nobody wants it")  # noqa: E731
+    told = lambda: said.read_text().count("A message was not taken: rejected")  # noqa: E731
     with run_ros2.started([(ros2_environment.PYTHON, MESSAGE_NOT_TAKEN)], variables(where, tmp_path), said):
         assert ask("change", "core_acc", "configure")
         ask(*speed)
-        wait_until(lambda: told() == 1, "it is told")
+        wait_until(lambda: told() == 1, "it is logged")
         ask(*speed)
         wait_until(lambda: told() == 2, "the next one, too")
         assert ask("state", "core_acc") == "inactive"
@@ -204,6 +205,14 @@ def test_parameters_change_all_or_none(ask, where, tmp_path):
         assert ask("get", "eco_control_mpc", names) == [30.0, 0.5]
 
 
+def test_a_parameter_that_another_callback_refuses_does_not_reach_the_core(where, tmp_path):
+    command = (ros2_environment.PYTHON, REFUSED_PARAMETER)
+    ended = subprocess.run(
+        command, env=variables(where, tmp_path), capture_output=True, text=True, timeout=60, check=False
+    )
+    assert ended.stdout.splitlines() == ["6.0 False 3.0", "4.0 True 4.0"], ended.stderr
+
+
 def test_a_node_does_not_start_with_a_parameter_out_of_range(where, tmp_path):
     with started(where, "eco_control_py", "core_acc_node", tmp_path, a_lat_max=20.0) as node:
         assert node.process.wait(30.0) == 1
@@ -211,7 +220,7 @@ def test_a_node_does_not_start_with_a_parameter_out_of_range(where, tmp_path):
         assert "Traceback" not in node.said.read_text()
 
 
-# -- what is told -------------------------------------------------------------------------------------------------
+# -- logged messages ----------------------------------------------------------------------------------------------
 
 OK, WARN, ERROR = range(3)
 
@@ -328,7 +337,7 @@ def test_two_nodes_that_end_together_both_store(where, tmp_path):
 
 
 def test_the_tests_of_the_package_pass_in_a_domain_of_their_own(where, tmp_path):
-    """As pytest runs them for `colcon test`, where nobody has said which domain it is."""
+    """As pytest runs them for `colcon test`, without a domain in the environment."""
     source = where.source / "eco_control_py"
     own = {name: value for name, value in variables(where, tmp_path).items() if name != "ROS_DOMAIN_ID"}
     done = subprocess.run(

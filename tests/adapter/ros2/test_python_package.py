@@ -77,7 +77,7 @@ def test_the_linters_of_ros_find_nothing(linter, tmp_path):
 
 
 def ran(made, package, library, script, folder):
-    """What a script says that has the package of a core, but no ROS."""
+    """Return the output of a script that has the package of a core, but no ROS."""
     generated.write({name: text for name, text in made.items() if name.startswith(f"{package}/")}, folder)
     code = f"from pathlib import Path\nlibrary = Path({str(library)!r})\n{script}"
     command = [str(ros2_environment.PYTHON), "-c", code]
@@ -202,8 +202,8 @@ print(refused())
 def test_a_library_that_does_not_fit_is_refused_before_anything_is_read(full, tmp_path):
     done = ran(generated.full(), "full_py", full, REFUSED, tmp_path)
     assert done.stdout.splitlines() == [
-        "was generated from another Full: build it anew",
-        "has another layout than this machine: build it anew",
+        "was generated from another Full: build it again",
+        "has another layout than this machine: build it again",
         "does not have the core of Empty",
         "None",
     ], done.stderr  # fmt: skip

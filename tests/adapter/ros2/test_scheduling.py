@@ -1,4 +1,4 @@
-"""The thread that runs the calls has the policy that a parameter names, and the declared priority; a refusal is told."""
+"""The thread that runs the calls has the policy of a parameter, and the declared priority; a refusal is logged."""
 
 import os
 import subprocess
@@ -20,7 +20,7 @@ pytestmark = [ros2, pytest.mark.parametrize("language", USUAL)]
 
 NODE = "core_acc"
 PRIORITY = 10
-"""Of the step of CoreAcc, as its function.yaml declares it."""
+"""Priority of the step of CoreAcc, as its function.yaml declares it."""
 USUAL_THREAD = (os.SCHED_OTHER, 0)
 WARN = 1
 _ASKING = "import os; os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(1))"

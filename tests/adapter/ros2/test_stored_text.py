@@ -1,4 +1,4 @@
-"""What nodes keep means the same in C++ and in Python: one list of cases, which both read and write."""
+"""Stored values mean the same in C++ and in Python: one list of cases, which both read and write."""
 
 import subprocess
 from math import inf, nan
@@ -133,7 +133,7 @@ WRITTEN_SINGLES = [
 
 
 class Language(Protocol):
-    """How a language reads and writes what is kept."""
+    """Reader and writer of stored values in a language."""
 
     def parse(self, data: bytes) -> bytes | None: ...
     def read(self, datatype: str, text: str) -> Any: ...
@@ -144,14 +144,14 @@ class Python:
     """The module of every package in Python."""
 
     def parse(self, data: bytes) -> bytes | None:
-        """What would be written of a file again."""
+        """Return the text that would be written from a file again."""
         try:
             return stored_text.stored_text(stored_text.parse(data))
         except stored_text.BrokenFile:
             return None
 
     def read(self, datatype: str, text: str) -> Any:
-        """The value of a text, as it stands in a file."""
+        """Return the value of a text in a file."""
         kept = text.encode().decode("ascii", "surrogateescape")
         try:
             if datatype == "float[3]":
@@ -176,11 +176,11 @@ class Cpp(NamedTuple):
         return done.stdout if done.returncode == 0 else None
 
     def parse(self, data: bytes) -> bytes | None:
-        """What would be written of a file again."""
+        """Return the text that would be written from a file again."""
         return self._ask(data, "parse")
 
     def read(self, datatype: str, text: str) -> Any:
-        """The value of a text, as it stands in a file."""
+        """Return the value of a text in a file."""
         told = self._ask(text.encode(), "read", datatype)
         if told is None:
             return None
@@ -223,7 +223,7 @@ def test_a_file_has_the_same_lines_and_all_of_them_stay(language, data, again):
 
 
 def test_a_value_has_one_text_and_a_text_one_value(language):
-    """Compared as text: a zero has a sign, and what is no number equals nothing."""
+    """Compared as text: a zero has a sign, and NaN equals nothing."""
     read = [(datatype, text, language.read(datatype, text)) for datatype, text, _ in VALUES]
     assert list(map(repr, read)) == list(map(repr, VALUES))
 

@@ -6,8 +6,8 @@ import pytest
 
 from scripts import ros2_environment
 from tests.adapter.ros2.generated import ecocontrol, full, small, storing, write
-from tests.judges import judged_by
 from tests.needs import ros2, sampled
+from tests.reference_tools import checked_with
 
 pytestmark = ros2
 
@@ -21,7 +21,7 @@ LINTERS = {
 """Commands, and what they are for. Cores are C of every platform, with its own rules."""
 
 
-@judged_by("ament", "Packages have nothing that the linters of ROS 2 find")
+@checked_with("ament", "Packages have no findings of the linters of ROS 2")
 @pytest.mark.parametrize("linter", LINTERS)
 @pytest.mark.parametrize("workspace", sampled([ecocontrol, full, small, storing], usual=[ecocontrol]))
 def test_a_linter_has_nothing_to_say(linter, workspace, tmp_path):

@@ -18,7 +18,7 @@ PASSED, FAILED = 0, 1
 
 
 def test_a_publisher_that_does_not_fit_is_counted_and_told(language, tmp_path):
-    """The proposal is wanted within 1.5 s, which one who promises nothing does not offer."""
+    """The proposal is required within 1.5 s, which a publisher without a promise does not offer."""
     status = f"{NODE}: subscription {PROPOSAL[0]}"
     with running(language, tmp_path, NODE) as peer:
         peer.bring(NODE, CONFIGURE, ACTIVATE)
@@ -55,11 +55,11 @@ def sends_until(node: Peer, sender: Peer, is_right) -> None:
         heard = node.heard(TIMEOUT[0])
         return bool(heard) and is_right(heard[-1]["status"])
 
-    wait_until(is_told, "the time-out is told")
+    wait_until(is_told, "the time-out is logged")
 
 
 def test_a_publisher_that_is_killed_is_an_error_of_the_core_which_heals_with_its_return(language, tmp_path):
-    """SIGKILL: nobody says goodbye, and only the core's own time-out tells."""
+    """SIGKILL: the middleware reports nothing, and only the core's own timeout detects it."""
     with running(language, tmp_path, NODE) as node:
         node.listen(*TIMEOUT, {"durability": "TRANSIENT_LOCAL"})
         node.bring(NODE, CONFIGURE, ACTIVATE)

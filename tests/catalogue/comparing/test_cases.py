@@ -1,4 +1,4 @@
-"""What `sigcat diff` tells: each folder of `cases/` has an old tree, a new tree, and the expected text."""
+"""Output of `sigcat diff`: each folder of `cases/` has an old tree, a new tree, and the expected text."""
 
 import json
 from pathlib import Path
@@ -23,7 +23,7 @@ def test_a_tree_does_not_differ_from_itself(name, monkeypatch, capsys):
     assert capsys.readouterr().out == "No differences.\n"
 
 
-# What says that a node moved stands on one side only.
+# The evidence of a move is only on one side.
 @pytest.mark.parametrize("name", [name for name in CHANGES.names if "moved" not in name and "former" not in name])
 def test_the_other_way_round_as_many_leaves_come_as_went(name, monkeypatch, capsys):
     monkeypatch.chdir(CASES / name)

@@ -40,7 +40,7 @@ def rule(attribute, old, new, **others):
 
 
 IN_THE_NODES = {"delete", "instantiate", "instances", "is_instance", "instances_relation", "type"}
-"""Attributes whose changes show in the nodes that there are, or are a case of their own."""
+"""Attributes whose changes are changes of nodes, or are separate cases."""
 
 
 @pytest.mark.parametrize("attribute", sorted(CORE_ATTRIBUTES - IN_THE_NODES))

@@ -1,4 +1,4 @@
-"""What holds for every comparison."""
+"""Requirements for every comparison."""
 
 from functools import partial
 

@@ -1,4 +1,4 @@
-"""What changed from VSS 5.0 to 6.0, checked by hand against both trees."""
+"""Changes from VSS 5.0 to 6.0, checked by hand against both trees."""
 
 from collections import Counter
 from functools import cache, partial

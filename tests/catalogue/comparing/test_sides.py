@@ -75,7 +75,7 @@ def test_overlays_of_a_folder_are_not_applied_and_are_no_tree(tmp_path):
 
 
 def test_a_folder_with_struct_types_beside_the_tree_has_both(tmp_path):
-    """Types are no second tree, and what uses them finds them, in parts too."""
+    """Types are not a second tree, and trees that use them find them, also in parts."""
     write_tree(tmp_path, "car.vspec")
     with (tmp_path / "car.vspec").open("a") as tree:
         tree.write("Vehicle.Lane:\n  type: sensor\n  datatype: Types.Point\n  description: L.\n")
@@ -100,7 +100,7 @@ def test_a_folder_with_two_trees_asks_for_one(tmp_path):
 
 
 def test_a_folder_without_a_tree_is_refused(tmp_path):
-    with pytest.raises(UsageError, match="there is no tree"):
+    with pytest.raises(UsageError, match="no tree found"):
         paths(tmp_path)
 
 
@@ -367,7 +367,8 @@ def test_what_changed_since_a_revision(repository, capsys):
 @pytest.mark.parametrize(
     ("side", "message"),
     [
-        ("git:missing:spec", "Needed a single revision"),
+        ("git:missing:spec", "has no such branch, tag or commit. `git branch --all` and `git tag` list"),
+        ("git:frist:spec", "Did you mean 'first'?"),
         ("git:", "name a revision"),
         ("git:--output=x:spec", "name a revision"),
         ("git:first:missing", "the revision has no 'missing'"),

@@ -99,3 +99,15 @@ def test_an_exporter_of_ones_own_takes_one_record(monkeypatch):
 def test_the_documentation_lists_every_exporter():
     text = (Path(__file__).parents[3] / "docs" / "reference" / "exports.md").read_text()
     assert [name for name in EXPORTERS if f"`{name}`" not in text] == []
+
+
+@pytest.mark.parametrize("text", ["Speed. */ int evil = 1; /*", "Speed.\nint evil = 1;"])
+@pytest.mark.parametrize(("name", "is_unescaped"), [("ddsidl", True), ("protobuf", False)])
+def test_a_text_that_ends_the_comment_of_the_file_is_reported(name, is_unescaped, text):
+    speed = f"Vehicle.Speed:\n  type: sensor\n  datatype: float\n  description: {json.dumps(text)}\n"
+    made = exported(catalogue_of(ROOT + speed), name)
+    assert [(each.rule, each.path, each.line) for each in made.findings] == (
+        [("X005", "Vehicle.Speed", 7)] if is_unescaped else []
+    )
+    bare = [line for file in made.files for line in file.data.decode().splitlines() if line.startswith("int evil")]
+    assert bool(bare) == (is_unescaped and "\n" in text)

@@ -1,4 +1,4 @@
-"""vss-tools runs in a process of its own: whatever it does there, nothing here changes, and users are told why."""
+"""vss-tools runs in a separate process: it cannot change anything here, and its errors are reported to users."""
 
 import io
 import subprocess
@@ -49,7 +49,7 @@ LEFT_OUT = {
         ("Vehicle.Distance", "max"),
     },
 }
-"""What of a tree of before the checks of today vss-tools would refuse."""
+"""Trees from before today's checks that vss-tools would refuse."""
 
 
 def text_of(catalogue: Catalogue, name: str, options: Mapping[str, Any] | None = None) -> str:

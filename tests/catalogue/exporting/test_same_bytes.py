@@ -13,9 +13,9 @@ from sigcat.catalogue.exporting.export import export
 from sigcat.catalogue.exporting.exporters import EXPORTERS
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.data import ROOT_FILE
-from tests.catalogue.exporting.judging import judged
-from tests.judges import judged_by
+from tests.catalogue.exporting.reference_export import reference_export
 from tests.needs import OFFICIAL, official_releases, sampled
+from tests.reference_tools import checked_with
 
 TREE = Path(__file__).parent / "tree"
 V5 = OFFICIAL / "v5.0" / "spec" / "VehicleSignalSpecification.vspec"
@@ -78,7 +78,7 @@ FIRST = {case.format: case for case in reversed(CASES)}
 """One export of each format; `make slow` takes them with other options too."""
 
 
-@judged_by("vss-tools", "Every export has the same bytes")
+@checked_with("vss-tools", "Every export has the same bytes")
 @pytest.mark.parametrize("case", sampled(CASES, list(FIRST.values())), ids=named)
 def test_a_tree_with_everything(case, tmp_path):
     tree = tree_without_structs(tmp_path) if not case.types else TREE / "tree.vspec"
@@ -88,7 +88,7 @@ def test_a_tree_with_everything(case, tmp_path):
         "-s", str(tree), *case.arguments,
         *(f"-l{path}" for path in overlays), *(f"-t{path}" for path in types),
     ]  # fmt: skip
-    expected = judged(EXPORTERS[case.format], arguments, tmp_path / "judge")
+    expected = reference_export(EXPORTERS[case.format], arguments, tmp_path / "reference")
     catalogue = read_catalogue(tree, overlays, types=types)
     assert catalogue.findings == () or case.overlay
     files = export(catalogue, case.format, case.options)
@@ -119,22 +119,22 @@ SLOW = ("id", "s2dm", "vhal")
 WHOLE = [name for name, exporter in EXPORTERS.items() if not exporter.needs_types]
 
 
-@judged_by("vss-tools", "Every export has the same bytes")
+@checked_with("vss-tools", "Every export has the same bytes")
 @pytest.mark.parametrize("name", sampled(WHOLE, {"csv"}))
 def test_the_shipped_tree(name, tmp_path):
-    expected = judged(EXPORTERS[name], ["-s", str(ROOT_FILE)], tmp_path / "judge")
+    expected = reference_export(EXPORTERS[name], ["-s", str(ROOT_FILE)], tmp_path / "reference")
     assert {file.name: file.data for file in export(shipped(), name)} == expected
 
 
-@judged_by("vss-tools", "Every export has the same bytes")
+@checked_with("vss-tools", "Every export has the same bytes")
 @official_releases
 @pytest.mark.parametrize("name", sampled([name for name in WHOLE if name not in SLOW], {"ros2interface"}))
 def test_an_official_release_with_its_overlay(name, tmp_path):
-    expected = judged(EXPORTERS[name], ["-s", str(V5), "-l", str(DOORS)], tmp_path / "judge")
+    expected = reference_export(EXPORTERS[name], ["-s", str(V5), "-l", str(DOORS)], tmp_path / "reference")
     assert {file.name: file.data for file in export(official(), name)} == expected
 
 
-@judged_by("vss-tools", "Every export has the same bytes")
+@checked_with("vss-tools", "Every export has the same bytes")
 def test_units_that_are_given(tmp_path):
     """vss-tools lists the units that it was given alone; where these suffice, sigcat does so too."""
     tree = tree_without_structs(tmp_path)
@@ -144,6 +144,6 @@ def test_units_that_are_given(tmp_path):
     quantities = tmp_path / "given_quantities.yaml"
     quantities.write_text(f"{(TREE / 'quantities.yaml').read_text()}\nsmell:\n  definition: How much it smells.\n")
     arguments = ["-s", str(tree), "-u", str(units), "-q", str(quantities)]
-    expected = judged(EXPORTERS["s2dm"], arguments, tmp_path / "judge")
+    expected = reference_export(EXPORTERS["s2dm"], arguments, tmp_path / "reference")
     catalogue = read_catalogue(tree, units=[units], quantities=[quantities])
     assert {file.name: file.data for file in export(catalogue, "s2dm")} == expected

@@ -10,8 +10,8 @@ from vss_tools.utils.idgen_utils import fnv1_32_hash
 
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.catalogue.exporting.static_id import fnv1, static_id
-from tests.catalogue.judging import Job, verdicts
-from tests.judges import judged_by
+from tests.catalogue.vss_tools_output import Job, outputs
+from tests.reference_tools import checked_with
 
 TREE = """\
 Vehicle: {type: branch, description: A vehicle.}
@@ -28,7 +28,7 @@ UNITS = "km/h: {definition: Speed, unit: kilometer per hour, quantity: velocity,
 QUANTITIES = "velocity: {definition: Rate of change of position}\n"
 
 
-@judged_by("vss-tools", "Static identifiers are the same")
+@checked_with("vss-tools", "Static identifiers are the same")
 @given(st.binary(max_size=200))
 def test_the_hash_is_that_of_vss_tools(data: bytes) -> None:
     assert fnv1(data) == fnv1_32_hash(data)
@@ -43,17 +43,17 @@ def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def judged(tree: Path) -> dict[str, str | None]:
+def expected_outputs(tree: Path) -> dict[str, str | None]:
     usual = ["-s", tree.name, "-u", "units.yaml", "-q", "quantities.yaml"]
     options = {"usual": usual, "case-sensitive": [*usual, "--case-sensitive"]}
-    return verdicts({name: Job("id", tree.parent, given) for name, given in options.items()})
+    return outputs({name: Job("id", tree.parent, given) for name, given in options.items()})
 
 
-@judged_by("vss-tools", "Static identifiers are the same")
+@checked_with("vss-tools", "Static identifiers are the same")
 @pytest.mark.parametrize("name", ["usual", "case-sensitive"])
-def test_ids_are_those_that_vss_tools_exports(tree: Path, judged: dict[str, str | None], name: str) -> None:
-    verdict = judged[name]
-    assert verdict is not None
+def test_ids_are_those_that_vss_tools_exports(tree: Path, expected_outputs: dict[str, str | None], name: str) -> None:
+    output = expected_outputs[name]
+    assert output is not None
     nodes = read_catalogue(tree).nodes
     ids = {path: static_id(node, case_sensitive=name == "case-sensitive") for path, node in nodes.items()}
-    assert ids == {path: values["staticUID"] for path, values in yaml.safe_load(verdict).items()}
+    assert ids == {path: values["staticUID"] for path, values in yaml.safe_load(output).items()}

@@ -14,9 +14,9 @@ from sigcat.catalogue.exporting.stopping import DECISIONS
 from sigcat.data import INTERFACE_RULES, ROOT_FILE, VSPEC
 from sigcat.errors import InputRefused
 from sigcat.rules.compiled import compiled_rules
-from tests.catalogue.judging import Job, verdicts
-from tests.judges import judged_by
+from tests.catalogue.vss_tools_output import Job, outputs
 from tests.needs import OFFICIAL, official_releases
+from tests.reference_tools import checked_with
 
 ERRORS = [rule for rule in compiled_rules(INTERFACE_RULES) if rule.check == "composition" and rule.severity == "error"]
 ROOT = "Vehicle: {type: branch, description: A vehicle.}\n"
@@ -82,8 +82,8 @@ def cases(tmp_path_factory) -> dict[str, Job]:
 
 
 @pytest.fixture(scope="module")
-def judged(cases) -> dict[str, str | None]:
-    return verdicts(cases)
+def expected_outputs(cases) -> dict[str, str | None]:
+    return outputs(cases)
 
 
 def ours(job: Job) -> str | None:
@@ -100,19 +100,25 @@ def test_every_error_of_a_tree_is_decided():
     assert {rule.id for rule in ERRORS} == set(DECISIONS)
 
 
-@judged_by("vss-tools", "What vss-tools exports is exported, with the same bytes; what stops it stops sigcat")
+@checked_with(
+    "vss-tools",
+    "sigcat exports every tree that vss-tools exports, with the same bytes, and refuses those that it refuses",
+)
 @pytest.mark.parametrize("name", EXAMPLES)
-def test_an_error_stops_an_export_where_it_stops_that_of_vss_tools(name, cases, judged):
+def test_an_error_stops_an_export_where_it_stops_that_of_vss_tools(name, cases, expected_outputs):
     decision, _ = EXAMPLES[name]
-    assert (judged[name] is not None) == (decision == "exported") or decision == "limit"
-    assert ours(cases[name]) == (None if decision == "limit" else judged[name])
+    assert (expected_outputs[name] is not None) == (decision == "exported") or decision == "limit"
+    assert ours(cases[name]) == (None if decision == "limit" else expected_outputs[name])
 
 
-@judged_by("vss-tools", "What vss-tools exports is exported, with the same bytes; what stops it stops sigcat")
+@checked_with(
+    "vss-tools",
+    "sigcat exports every tree that vss-tools exports, with the same bytes, and refuses those that it refuses",
+)
 @pytest.mark.parametrize("name", [*MORE, *OVERLAYS])
-def test_what_vss_tools_exports_has_the_same_bytes(name, cases, judged):
-    assert judged[name] is not None
-    assert ours(cases[name]) == judged[name]
+def test_what_vss_tools_exports_has_the_same_bytes(name, cases, expected_outputs):
+    assert expected_outputs[name] is not None
+    assert ours(cases[name]) == expected_outputs[name]
 
 
 @cache
@@ -130,10 +136,13 @@ def public_jobs() -> dict[str, Job]:
     }  # fmt: skip
 
 
-@judged_by("vss-tools", "What vss-tools exports is exported, with the same bytes; what stops it stops sigcat")
+@checked_with(
+    "vss-tools",
+    "sigcat exports every tree that vss-tools exports, with the same bytes, and refuses those that it refuses",
+)
 @official_releases
 def test_every_public_overlay_that_vss_tools_exports_is_exported():
-    told = verdicts(public_jobs())
+    told = outputs(public_jobs())
     exported = {name: text for name, text in told.items() if text is not None}
     assert exported
     assert {name: ours(public_jobs()[name]) == text for name, text in exported.items()} == dict.fromkeys(exported, True)

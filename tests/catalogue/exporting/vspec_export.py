@@ -1,4 +1,4 @@
-"""Real vss-tools as the judge of exports, for as long as the tests run.
+"""Real vss-tools as the reference for exports, for as long as the tests run.
 
 Each line of standard input is a JSON object with `format`, `arguments` and `folder`; each line of standard output is
 the exit status of `vspec export` with them. Every export runs in a fork: vss-tools keeps units and types in globals.

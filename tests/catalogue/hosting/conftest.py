@@ -1,4 +1,4 @@
-"""The misbehaving server, and a data folder that is nobody's."""
+"""The misbehaving server, and an empty data folder."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""A local HTTP server that misbehaves: each path a fault of its own."""
+"""A local HTTP server that misbehaves: each path has a separate fault."""
 
 import contextlib
 import threading
@@ -37,7 +37,7 @@ class Handler(BaseHTTPRequestHandler):
         self.end_headers()
 
     def good(self) -> None:
-        """What was asked for."""
+        """Requested paths."""
         self.head(len(GOOD))
         self.wfile.write(GOOD)
 
@@ -47,7 +47,7 @@ class Handler(BaseHTTPRequestHandler):
         self.wfile.write(GOOD)
 
     def truncated(self) -> None:
-        """Half of what was announced."""
+        """Half of the announced bytes."""
         self.head(len(GOOD))
         self.wfile.write(GOOD[: len(GOOD) // 2])
 

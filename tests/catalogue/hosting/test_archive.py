@@ -1,4 +1,4 @@
-"""What is unpacked of an archive, and which archives are refused before anything is written."""
+"""Unpacking of an archive, and archives that are refused before anything is written."""
 
 import gzip
 import io
@@ -143,7 +143,7 @@ def test_what_grows_without_measure_is_refused(tmp_path, pack):
 
 
 def counted(monkeypatch: pytest.MonkeyPatch, kind: Any) -> list[int]:
-    """How many bytes each read of such a packed file gives, from now on."""
+    """Number of bytes that each read of such a packed file returns, from now on."""
     read, sizes = kind.read, []
 
     def counting(self, *size):

@@ -175,7 +175,7 @@ def test_a_watch_outlives_what_goes_wrong(library, tree, monkeypatch, caplog):
 
     monkeypatch.setattr(library, "reload_changed", fail)
     with Watch(library, seconds=0.01):
-        wait_until(lambda: "disk on fire" in caplog.text, "what goes wrong is logged")
+        wait_until(lambda: "disk on fire" in caplog.text, "the failure is logged")
         monkeypatch.undo()
         (tree / "overlay.vspec").write_text(signal("Depth"))
         wait_until(lambda: leaves(library) == ["Speed", "Depth"], "the changed overlay is read")

@@ -34,7 +34,7 @@ SIGCAT = (sys.executable, "-m", "sigcat.cli")
 
 @contextmanager
 def served(*arguments: str) -> Iterator[tuple[str, subprocess.Popen[str]]]:
-    """A service in a process of its own, and its address."""
+    """A service in a separate process, and its address."""
     command = [*SIGCAT, "serve", "--port", "0", *arguments]
     with (
         tempfile.TemporaryFile("w+") as log,
@@ -50,7 +50,7 @@ def served(*arguments: str) -> Iterator[tuple[str, subprocess.Popen[str]]]:
 
 
 def hosted_in(address: str) -> Mapping[str, str]:
-    """Content hashes of what a service hosts, by id."""
+    """Content hashes of the hosted catalogues of a service, by id."""
     with urllib.request.urlopen(f"{address}/health/ready", timeout=10) as answer:
         hosted: Mapping[str, str] = json.load(answer)["digests"]
     return hosted

@@ -1,4 +1,4 @@
-"""Pulling a release: it stands in the data folder whole, or not at all."""
+"""Pulling a release: it is in the data folder completely, or not at all."""
 
 import hashlib
 import json
@@ -265,11 +265,11 @@ pull("v5.0", address, allows_private=True)
 
 
 def pulling(address: str, killed_at: str = "") -> "subprocess.Popen[bytes]":
-    """A pull in a process of its own, which kills itself before the first step in the data folder that is this one."""
+    """A pull in a separate process, which kills itself before the first step in the data folder that is this one."""
     return subprocess.Popen([sys.executable, "-c", _PULL, address, killed_at], stderr=subprocess.DEVNULL)
 
 
-@pytest.mark.skipif(os.name != "posix", reason="POSIX, where a dead process is told from a living one")
+@pytest.mark.skipif(os.name != "posix", reason="POSIX, where a dead process is distinguished from a living one")
 @pytest.mark.parametrize(
     "step",
     ["open release.json", "os.mkdir releases", "open archive", "os.mkdir content", "open Cabin.vspec", "open LICENSE",

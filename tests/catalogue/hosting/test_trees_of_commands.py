@@ -1,4 +1,4 @@
-"""What -s names: a pulled release is read as one, with its own errors as warnings, and an export is no tree."""
+"""Values of -s: a pulled release is read with its errors as warnings, and an export is not a tree."""
 
 import pytest
 
@@ -55,7 +55,7 @@ def test_a_name_that_nothing_has_is_not_taken_for_a_release_to_pull(capsys):
     for command in (["show", "-s", "vs", "Vehicle"], ["diff", "vs", "interfaces"]):
         assert main(command) == 2
         message = capsys.readouterr().err
-        assert message.startswith("sigcat: there is no file, folder or release 'vs'. Did you mean vss?")
+        assert message.startswith("sigcat: no file, folder or release is named 'vs'. Did you mean vss?")
         assert "pull" not in message
 
 

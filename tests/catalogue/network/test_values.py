@@ -1,4 +1,4 @@
-"""What mappings make of values of a network."""
+"""Mappings of network values."""
 
 import math
 
@@ -79,7 +79,7 @@ def test_a_representation_gives_a_number_for_a_name_of_the_network():
 
 
 def test_beside_a_formula_a_representation_says_which_numbers_are_words():
-    """As the tilt of the profile's own page: 2 V are -20 %, and 255 as transmitted is no tilt."""
+    """Like the tilt on the profile's page: 2 V are -20 %, and a transmitted 255 is not a tilt."""
     assert made("network_serialization", TILT, number(2.0, raw=100), "int8") == -20
     assert made("network_serialization", TILT, number(5.1, raw=255), "int8") == "words where a number belongs"
 

@@ -50,7 +50,7 @@ def test_a_trace_is_written_as_it_was_read(tmp_path):
 def test_what_is_no_trace_is_refused(tmp_path):
     other = tmp_path / "other.csv"
     other.write_text("name,A\nx,1\n")
-    with pytest.raises(UsageError, match="is no trace"):
+    with pytest.raises(UsageError, match="is not a trace"):
         read_texts(other)
 
 

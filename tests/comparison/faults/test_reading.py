@@ -1,4 +1,4 @@
-"""A file of faults: what it says, and what is wrong with it where."""
+"""A file of faults: its scenarios, and its errors with their lines."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""What each fault does to a trace, row by row."""
+"""Effect of each fault on a trace, row by row."""
 
 from sigcat.comparison.faults.scenario import Slow, Spoilt
 from sigcat.comparison.faults.spoiling import TextRow, TextTrace, spoil

@@ -1,4 +1,4 @@
-"""How old what a value depends on is: the newest row that its call has seen, by the clock of the machine."""
+"""Age of the inputs of a value: the newest row that its call has seen, by the clock of the machine."""
 
 from pathlib import Path
 

@@ -68,7 +68,7 @@ def test_a_process_that_dies_when_it_is_told_to_end_is_told(end, how, tmp_path):
     begun = tmp_path / "begun"
     dying = WAITS.replace("exit 0", f"echo no more bread >&2; {end}")
     outcome = launched([process("node", dying, begun)], process("player", waiting(begun)), tmp_path / "run")
-    assert outcome.last_words == f"node ended with {how} when it was told to end: no more bread"
+    assert outcome.last_words == f"node ended with {how} when it was asked to end: no more bread"
 
 
 def test_a_player_that_fails_is_told_with_its_words(tmp_path):

@@ -33,7 +33,7 @@ def folder(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def play(folder):
-    """What a platform does; what is built is built once."""
+    """Run a platform; a build is made once."""
 
     def played(name: str, drive: Drive) -> Recording:
         runner = RUNNERS[name]
@@ -46,7 +46,7 @@ def play(folder):
 def expected_and_found(
     play, name: str, drive: Drive
 ) -> tuple[dict[str, tuple[Sent, ...]], dict[str, tuple[Sent, ...]]]:
-    """A field of AUTOSAR has a value from the beginning: of it, what comes after that counts."""
+    """A field of AUTOSAR has a value from the beginning: only later values count."""
     both = [dict(play(each, drive).sent) for each in ("simulate", name)]
     if name == "autosar-adaptive":
         both = [{key: changes(key, values) for key, values in sent.items()} for sent in both]
@@ -89,7 +89,7 @@ def begun_at(begin: int) -> str:
 @needs.ros2
 @needs.slow
 def test_functions_that_are_due_at_one_time_run_in_the_order_of_the_set(folder):
-    """What one sends the next one has: the function that gives comes first here."""
+    """A value that one function sends is received by the next: the providing function is first here."""
     turned = subject(("eco_control_mpc", "core_acc"))
     drive = Drive(DRIVE, 35 * SECOND)
     sent = []

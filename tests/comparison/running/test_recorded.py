@@ -1,4 +1,4 @@
-"""What players record has the words of the simulation: the same bits, the same text."""
+"""Recordings of players have the format of the simulation: the same bits, the same text."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""What the linter finds in a function.yaml."""
+"""Findings of the linter in a function.yaml."""
 
 import contextlib
 import io

@@ -1,4 +1,4 @@
-"""C code of each shape gives the function.yaml that stands beside it, and lints up to its paths."""
+"""C code of each shape gives the function.yaml next to it, and lints up to its paths."""
 
 import pytest
 

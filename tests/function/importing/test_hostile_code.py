@@ -1,4 +1,4 @@
-"""Whatever stands in a folder of C code, what is wrong with it is a finding, within a time that is bounded."""
+"""Errors in a folder of C code are findings, whatever the folder contains, within a bounded time."""
 
 import os
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""What a comment says: port, unit, range, scale and cycle time, in the styles that code has."""
+"""Contents of a comment: port, unit, range, scale and cycle time, in the styles of code."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""What is imported is enough for the core of an adapter, which compiles with the code."""
+"""Imported declarations are enough for the core of an adapter, which compiles with the code."""
 
 import re
 import subprocess

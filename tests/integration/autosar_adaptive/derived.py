@@ -1,4 +1,4 @@
-"""What stands in a derived Integration JSON."""
+"""Parts of a derived Integration JSON."""
 
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
 

@@ -11,8 +11,8 @@ from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import integration_schema, to_json
 from tests.integration.autosar_adaptive.derived import events, rules, services
 from tests.integration.autosar_adaptive.sets import at, deployed, derive, example, examples, function, signal
-from tests.judges import judged_by
 from tests.published.schemas import schema
+from tests.reference_tools import checked_with
 
 
 def test_each_function_is_carried_whole():
@@ -27,13 +27,13 @@ def test_the_examples_are_integrated_without_a_finding_but_for_their_asil():
     assert {finding.rule for finding in derive(examples()).findings} == {"A019"}
 
 
-@judged_by("jsonschema", "What is written is valid under our schemas, and they are valid ones")
+@checked_with("jsonschema", "Documents are valid under our schemas, and the schemas are valid")
 def test_the_document_validates_under_our_schema():
     document = json.loads(to_json(derive(examples()).model))
     jsonschema.Draft202012Validator(integration_schema()).validate(document)
 
 
-@judged_by("published", "What is written is valid under their schemas")
+@checked_with("published", "Documents that sigcat writes are valid under their schemas")
 @pytest.mark.parametrize("name", ["CoreAcc", "EcoControlMpc", "WheelSpeedCalculation", "all"])
 def test_the_document_validates_under_the_published_schema(name):
     document = json.loads(to_json(derive(examples() if name == "all" else [example(name)]).model))
@@ -214,7 +214,7 @@ def test_a_datatype_that_contains_itself_is_refused():
     assert [(finding.rule, finding.severity) for finding in derived.findings] == [("A006", "error")]
 
 
-@judged_by("published", "What is written is valid under their schemas")
+@checked_with("published", "Documents that sigcat writes are valid under their schemas")
 def test_arrays_of_texts_and_structs_validate_under_the_published_schema():
     texts = {
         "typeRef": "DT_StringArray",

@@ -1,4 +1,4 @@
-"""Several processes of one executable, each with instances of services of its own."""
+"""Several processes of one executable, each with separate instances of services."""
 
 import pytest
 
@@ -27,13 +27,13 @@ def test_a_process_offers_and_uses_the_instances_that_are_named_for_it():
 @pytest.mark.parametrize(
     ("stated", "word"),
     [
-        ({"RearWheel": {}}, "of its own, not 2"),
-        ({"RearWheel": {"WheelService": 2}}, "of its own, not 2"),
-        ({"RearWheel": {"WheelService": 3}, "Spare": {"WheelService": 3}}, "of its own, not 3"),
+        ({"RearWheel": {}}, "its own instance of WheelService, not 2"),
+        ({"RearWheel": {"WheelService": 2}}, "its own instance of WheelService, not 2"),
+        ({"RearWheel": {"WheelService": 3}, "Spare": {"WheelService": 3}}, "its own instance of WheelService, not 3"),
         ({"RearWheel": {"WheelService": 0xFF00}}, "must be from 1 to 65279"),
         ({"RearWheel": {"WheelService": 3, "WhelService": 3}}, "offer or use WhelService"),
-        ({"WheelProcess": {"WheelService": 3}}, "a name of its own"),
-        ({"brake": {"WheelService": 3}}, "a name of its own"),
+        ({"WheelProcess": {"WheelService": 3}}, "a unique name"),
+        ({"brake": {"WheelService": 3}}, "a unique name"),
     ],
 )
 def test_a_process_that_cannot_be_is_refused(stated, word):

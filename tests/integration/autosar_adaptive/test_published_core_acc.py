@@ -1,6 +1,6 @@
 """The published CoreAcc example: what its authors wrote by hand beside what is derived from their Function JSON.
 
-Each line below is one difference, with its reason. What does not stand there is the same.
+Each line below is one difference, with its reason. Everything else is the same.
 """
 
 import json
@@ -123,6 +123,4 @@ def test_without_a_deployment_each_signal_without_a_path_is_told():
     assert len(without_path) == 6
     assert all("Set its path in the deployment file" in finding.fix for finding in without_path)
     others = {(finding.rule, finding.path) for finding in findings if finding.rule != "A002"}
-    assert others == {("A017", "CoreAcc_Step"), ("A018", "enum"), ("A018", "rad")}, (
-        "a priority in words, units of their own"
-    )
+    assert others == {("A017", "CoreAcc_Step"), ("A018", "enum"), ("A018", "rad")}, "a priority as text, separate units"

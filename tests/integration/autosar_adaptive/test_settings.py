@@ -1,4 +1,4 @@
-"""What the deployment file may say for AUTOSAR adaptive, and where nonsense in it is told."""
+"""Settings of the deployment file for AUTOSAR adaptive, and the places of findings about invalid ones."""
 
 import pytest
 
@@ -8,8 +8,8 @@ from sigcat.platforms.deployment_file import read_deployment
 BAD = {
     "release: R19-11": (2, "`release` must be 'R20-11', 'R21-11'"),
     "namespace: 'eco.control'": (2, "`namespace` must be C++ namespaces such as eco::control, not 'eco.control'."),
-    "namespace: 'eco::class'": (2, "`namespace` must have no word of C++, and not begin with ara or std"),
-    "typeNamespace: 'std::eco'": (2, "`typeNamespace` must have no word of C++, and not begin with ara or std"),
+    "namespace: 'eco::class'": (2, "`namespace` must not contain keywords of C++, and not begin with ara or std"),
+    "typeNamespace: 'std::eco'": (2, "`typeNamespace` must not contain keywords of C++, and not begin with ara or std"),
     "transformation: {byteOrder: big}": (2, "`byteOrder` must be 'big-endian' or 'little-endian', not 'big'."),
     "transformation: {stringLength: 0}": (2, "`stringLength` must be 1, 2 or 4, not 0."),
     "transformation: {alignment: 7}": (2, "`alignment` must be 8, 16, 32, 64, 128 or 256, not 7."),

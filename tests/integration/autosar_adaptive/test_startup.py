@@ -32,6 +32,7 @@ def started(calls, run_types=(), **stated):
         ([("RR", "12"), ("Preemptive", "13")], ("SCHED_FIFO", 13)),
         ([("Preemptive", "9"), ("Preemptive", "10")], ("SCHED_FIFO", 10)),
         ([("Preemptive", None)], ("SCHED_OTHER", 0)),
+        ([("Preemptive", " +7 ")], ("SCHED_FIFO", 7)),
     ],
 )
 def test_the_most_urgent_call_decides(calls, expected):
@@ -39,7 +40,14 @@ def test_the_most_urgent_call_decides(calls, expected):
 
 
 @pytest.mark.parametrize(
-    ("priority", "written"), [("100", ("SCHED_FIFO", 99)), ("high", ("SCHED_OTHER", 0)), ("0", ("SCHED_OTHER", 0))]
+    ("priority", "written"),
+    [
+        ("100", ("SCHED_FIFO", 99)),
+        ("high", ("SCHED_OTHER", 0)),
+        ("0", ("SCHED_OTHER", 0)),
+        ("-3", ("SCHED_OTHER", 0)),
+        ("1.5", ("SCHED_OTHER", 0)),
+    ],
 )
 def test_a_priority_that_no_process_has_is_told_unless_the_deployment_states_one(priority, written):
     assert started([("Preemptive", priority)]) == (written, ["Call0"])

@@ -42,7 +42,7 @@ def accesses(of: Component, name: str):
 
 
 def starts(of: Component, name: str):
-    """What starts a runnable: kind, and port, mode or period."""
+    """Trigger of a runnable: kind, and port, mode or period."""
     return {
         (each.kind, each.mode or each.port or each.period or each.source)
         for each in of.events

@@ -434,7 +434,7 @@ def test_the_shorter_the_period_the_higher_the_priority_of_its_task(whole):
     assert len({task.priority for task in whole.ecu.tasks}) == len(whole.ecu.tasks)
 
 
-def test_windows_that_may_end_at_any_tick_are_judged_after_steps(whole):
+def test_windows_that_may_end_at_any_tick_are_evaluated_after_steps(whole):
     """Those of calls that a mode excludes: they begin when the call comes back."""
     (windows,) = [task for task in whole.ecu.tasks if task.name == "Task_Windows"]
     assert (windows.period, [event.component for event in windows.events]) == (

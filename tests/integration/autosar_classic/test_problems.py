@@ -1,4 +1,4 @@
-"""What an RTE generator would refuse is a finding first, where it stands in the document."""
+"""Errors that an RTE generator would report are findings first, at their place in the document."""
 
 import json
 
@@ -17,7 +17,7 @@ def written():
 
 
 def problems(written, change):
-    """Pointers and messages of what is found after a change; none if the document is accepted."""
+    """Pointers and messages of the findings after a change; none if the document is accepted."""
     document = json.loads(written)
     change(document)
     try:
@@ -115,7 +115,7 @@ def two_enumerations(document, prefix=""):
 CHANGES = {
     "two ports of one name": (lambda d: copied(first(d)["Ports"]), "is one already"),
     "two names that differ in case": (lambda d: first(d)["Runnables"][0].update(Name="STEP"), "is one already"),
-    "a name that is no identifier": (lambda d: d["ClassicDeployment"].update(Package="Eco Control"), "short name"),
+    "a name that is not an identifier": (lambda d: d["ClassicDeployment"].update(Package="Eco Control"), "short name"),
     "a name that is a word of C++": (lambda d: d["ClassicDeployment"].update(Package="class"), "identifier of C"),
     "a name that is too long": (lambda d: d["ClassicDeployment"].update(Package="A" * 129), "at most 128 characters"),
     "one C function for two runnables": (
@@ -128,7 +128,7 @@ CHANGES = {
     "an event in two tasks": (
         lambda d: d["Ecu"]["Tasks"][0]["Events"].append(d["Ecu"]["Tasks"][1]["Events"][0]), "must be in one task",
     ),
-    "what is no init event before the tasks run": (
+    "an event that is not an init event before the tasks run": (
         lambda d: d["Ecu"]["InitBatches"][0]["Events"].append(d["Ecu"]["Tasks"][0]["Events"].pop()), "must be an init event",
     ),
     "two init events at one position": (
@@ -226,7 +226,7 @@ CHANGES = {
     ),
     "one name for two numbers": (lambda d: literals(d)[1].update(Symbol=literals(d)[0]["Symbol"]), "name of one value"),
     "one number for two names": (lambda d: literals(d)[1].update(Value=literals(d)[0]["Value"]), "number of one value"),
-    "a name that is a word of C": (lambda d: literals(d)[0].update(Symbol="switch"), "no keyword"),
+    "a name that is a word of C": (lambda d: literals(d)[0].update(Symbol="switch"), "not a keyword"),
     "a name that is a piece of C": (lambda d: literals(d)[0].update(Symbol="A 1\n#define B"), "short name"),
     "one name for two enumerations of a component": (two_enumerations, "one number in the code of CoreAcc"),
     "a datatype that is called as a limit": (

@@ -1,4 +1,4 @@
-"""What is wrong with the section of the deployment file is told at its line, before anything is derived."""
+"""Errors in the section of the deployment file are reported at their lines, before anything is derived."""
 
 import pytest
 
@@ -26,7 +26,7 @@ WRONG = {
     "more errors than a window has": (
         "e2e:\n    elements:\n      Vehicle.Speed:\n        init: {maxErrorState: 2}", 5, "`maxErrorState` must be at most",
     ),
-    "a state that there is not": ("e2e: {deinit: {windowSize: 3}}", 2, "deinit"),
+    "an unknown state": ("e2e: {deinit: {windowSize: 3}}", 2, "deinit"),
     "one element twice": (
         "signals:\n    Vehicle.Speed: {signal: Spd}\n    Vehicle.Speed: {signal: Spd2}", 4, "is given twice",
     ),

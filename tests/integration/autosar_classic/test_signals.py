@@ -1,4 +1,4 @@
-"""A signal of a bus carries what comes from outside or goes there, and every value of it; else the deployment says so at its line."""
+"""A signal of a bus carries values from or to outside the set, and every value of them; else the deployment has a finding at its line."""
 
 import pytest
 
@@ -11,7 +11,7 @@ C_OF = {"boolean": "bool", "float": "float", "double": "double"}
 
 
 def found(signals, *functions):
-    """Findings about the signals of a deployment file: rule, line, message, fix. Each stands in a line of its own, from 3 on."""
+    """Findings about the signals of a deployment file: rule, line, message, fix. Each signal has a separate line, from 3 on."""
     lines = "".join(f"    {key}: {value}\n" for key, value in signals.items())
     text = f"autosarClassic:\n  signals:\n{lines}"
     derived = derive(functions, read_deployment(text.encode(), "deployment.yaml"))

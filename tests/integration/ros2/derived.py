@@ -1,4 +1,4 @@
-"""What stands in a derived Integration JSON."""
+"""Parts of a derived Integration JSON."""
 
 from tests.integration.ros2.functions import (
     document,

@@ -11,16 +11,16 @@ import pytest
 from sigcat.function.function_file import check_function_json
 from sigcat.integration.ros2.names import FIELD
 from tests.integration.ros2.functions import document, example, settings
-from tests.judges import judged_by
 from tests.needs import published, published_files
 from tests.published.schemas import schema
+from tests.reference_tools import checked_with
 
 _META = "who made the document, and when: their two files differ, ours takes it from the Function JSON"
 _SIGNAL = "their integration file has lost what their Function JSON says of the signal; ours keeps it"
 _TOPIC = "theirs follow the structures of the C code, which are not published; ours are in or out of the function"
 _FIELD = "rosidl refuses capitals in the names of fields"
 _TYPE = "messages have float32, float64 and bool, not float and boolean; the code has double, as its C definition says"
-_VARIABLE = "their Function JSON names no variables; function.yaml and ours do, and here the signal's name stands in"
+_VARIABLE = "their Function JSON names no variables; function.yaml and ours do, and here the signal's name replaces it"
 _OWN = "what the published schema lacks: optional there"
 
 EXPLAINED = {
@@ -36,7 +36,7 @@ EXPLAINED = {
     "/ComponentList/*/functionList/*/funcContractList/*/SignalList/*/Default": _SIGNAL,
     "/ComponentList/*/functionList/*/funcContractList/*/SignalList/*/InitValue": _SIGNAL,
     "/ComponentList/*/functionList/*/funcContractList/*/SignalList/*/Units": _SIGNAL,
-    "/CommunicationList/*/RunnableName": "CoreAcc_Runnable is no call of their document; CoreAcc_Step is",
+    "/CommunicationList/*/RunnableName": "CoreAcc_Runnable is not a call of their document; CoreAcc_Step is",
     "/CommunicationList/*/ROSTopicList": "bus_Measurement_PRE carries a signal that their Function JSON does not have",
     "/CommunicationList/*/ROSTopicList/*/TopicName": _TOPIC,
     "/CommunicationList/*/ROSTopicList/*/InterfaceName": _TOPIC,
@@ -84,7 +84,7 @@ SIDE_BY_SIDE = {
     ),
     "core_outputs.bus_Measurement_PRE.PRE_GaccEnbFlg": (
         ("bus_Measurement_PRE", "GaccEnbFlg", "boolean"),
-        None,  # no signal of the function: it stands in no other list of either document
+        None,  # not a signal of the function: no other list of either document contains it
     ),
     "core_inputs.bus_ACCIn.Bus_Cust.EnaGACC": (
         None,  # a signal of the function that their file maps to nothing
@@ -125,7 +125,7 @@ def differences(theirs, ours, at=""):
     return set() if theirs == ours else {at}
 
 
-@judged_by("published", "Their examples are read, and every difference is explained")
+@checked_with("published", "Their examples are read, and every difference is explained")
 @published_files
 def test_every_difference_from_their_file_is_explained():
     assert differences(by_hand(), derived_from_theirs()) == set(EXPLAINED)
@@ -148,7 +148,7 @@ def test_none_of_their_field_names_would_pass_rosidl():
     assert not any(FIELD.fullmatch(name) for name in names)
 
 
-@judged_by("published", "Their examples are read, and every difference is explained")
+@checked_with("published", "Their examples are read, and every difference is explained")
 @published_files
 def test_their_own_file_is_read_by_our_model():
     from sigcat.integration.ros2.model import Ros2Integration
@@ -156,7 +156,7 @@ def test_their_own_file_is_read_by_our_model():
     assert Ros2Integration.model_validate(by_hand(), by_name=False)
 
 
-@judged_by("published", "What is written is valid under their schemas")
+@checked_with("published", "Documents that sigcat writes are valid under their schemas")
 @pytest.mark.parametrize("name", ["core_acc", "eco_control_mpc", "wheel_speed_calculation"])
 @pytest.mark.parametrize("topics", ["signal", "branch", "function"])
 def test_what_is_derived_is_valid_under_their_schema(name, topics):

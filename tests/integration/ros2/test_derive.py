@@ -14,10 +14,10 @@ from tests.integration.ros2.functions import (
     example,
     examples,
 )
-from tests.judges import judged_by
+from tests.reference_tools import checked_with
 
 
-@judged_by("jsonschema", "What is written is valid under our schemas, and they are valid ones")
+@checked_with("jsonschema", "Documents are valid under our schemas, and the schemas are valid")
 def test_the_examples_are_derived_valid_under_our_schema():
     jsonschema.Draft202012Validator(integration_schema()).validate(document(examples()))
 
@@ -45,5 +45,5 @@ def test_every_name_is_one_of_rosidl():
 def test_a_set_has_each_function_once_and_one_at_least():
     with pytest.raises(UsageError, match="once, not twice: CoreAcc"):
         derived([example("core_acc"), example("core_acc")])
-    with pytest.raises(UsageError, match="There is no function"):
+    with pytest.raises(UsageError, match="No function to integrate"):
         derived([])

@@ -35,6 +35,12 @@ def test_a_cyclic_call_has_a_timer_and_runs_in_its_modes():
     assert step["ActiveModes"] == ["STANDBY", "ACTIVE"]
 
 
+@pytest.mark.parametrize(("priority", "number"), [(" +7 ", 7), ("0", None), ("1.5", None), ("high", None)])
+def test_a_priority_is_a_whole_number_from_1_to_99(priority, number):
+    (step,) = node([function(signal(), call={"Priority": priority})])["Schedules"]
+    assert step.get("ThreadPriority") == number
+
+
 def test_an_event_triggered_call_runs_on_what_it_consumes():
     call = {"Runtype": "EventTriggered", "Cycletime": None, "DebounceDelay": "5"}
     (step,) = node([function(signal(), call=call)])["Schedules"]

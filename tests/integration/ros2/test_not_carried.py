@@ -1,4 +1,4 @@
-"""What ROS 2 cannot express, and where everything went."""
+"""Facts that ROS 2 cannot express, and the targets of all fields."""
 
 import pytest
 from pydantic import BaseModel

@@ -1,4 +1,4 @@
-"""Repairs of comments: codes that suppress nothing go, and what they stand beside stays."""
+"""Repairs of comments: codes that suppress nothing are removed, and the text next to them stays."""
 
 import pytest
 

@@ -1,6 +1,8 @@
 """No input ends a lint: bytes of any kind, values of any kind at any place."""
 
 import json
+import os
+from pathlib import Path
 
 from hypothesis import given
 from hypothesis import strategies as st
@@ -8,9 +10,11 @@ from hypothesis import strategies as st
 from sigcat.catalogue.composing.compose import compose
 from sigcat.catalogue.composing.compose_part import compose_part
 from sigcat.catalogue.reading.layers import layer_from_text
+from sigcat.cli import main
 from sigcat.data import INTERFACE_RULES
 from sigcat.rules.compiled import compiled_rules
 from sigcat.rules.engine import found_in
+from sigcat.rules.linting.lint import lint_paths
 from sigcat.rules.linting.posted import lint_text
 from sigcat.rules.rule_set import RuleSet
 from tests.properties import examples
@@ -66,7 +70,7 @@ def test_a_list_among_the_values_of_the_tree_does_not_end_the_lint_of_an_overlay
 
 @given(NODES, NODES, NODES)
 @examples(60)
-def test_an_overlay_has_the_findings_that_it_has_when_the_whole_tree_is_judged(tree, other, overlay):
+def test_an_overlay_has_the_findings_that_it_has_when_the_whole_tree_is_checked(tree, other, overlay):
     named = {"tree": {"Vehicle": {"type": "branch"}, **tree}, "other": other, "posted": overlay}
     layers = [
         layer_from_text(json.dumps(nodes).encode(), name, is_overlay=name != "tree") for name, nodes in named.items()
@@ -87,3 +91,30 @@ def test_an_overlay_has_the_findings_that_it_has_when_the_whole_tree_is_judged(t
 
 def test_an_empty_text_is_not_clean():
     assert [f.rule for f in lint_text(b" \n", "posted", compose([]), EVERY_RULE)] == ["Q003"]
+
+
+def test_what_is_called_like_a_file_and_is_none_is_reported(tmp_path):
+    (tmp_path / "a.vspec").write_text("Vehicle.Cabin: {type: branch, description: The cabin.}\n")
+    (tmp_path / "link.vspec").symlink_to("nothing")
+    (tmp_path / "folder.vspec").mkdir()
+    os.mkfifo(tmp_path / "pipe.vspec")
+    for name in ("units.yaml", "air.function.yaml", "package.json"):
+        (tmp_path / name).symlink_to("nothing")
+    found = lint_paths([tmp_path]).findings
+    unreadable = {
+        Path(finding.file).name: finding.message.removeprefix(repr(finding.file))
+        for finding in found
+        if finding.rule == "R012"
+    }
+    assert unreadable == {
+        "link.vspec": " is a link to nothing.",
+        "folder.vspec": " must be a file, not a folder.",
+        "pipe.vspec": " must be a regular file.",
+        "units.yaml": " is a link to nothing.",
+        "air.function.yaml": " is a link to nothing.",
+    }
+
+
+def test_a_pipe_is_not_waited_for_by_a_repair(tmp_path, capsys):
+    os.mkfifo(tmp_path / "pipe.vspec")
+    assert main(["lint", "--isolated", "--fix", str(tmp_path)]) == 1

@@ -1,4 +1,4 @@
-"""Mappings of signals to those of CAN, where the tree decides what is wrong with them."""
+"""Mappings of signals to those of CAN, where the tree decides about errors."""
 
 from sigcat.catalogue.composing.compose import compose
 from sigcat.catalogue.reading.layers import layer_from_text

@@ -68,3 +68,25 @@ def test_another_definition_of_a_unit_is_reported(files, capsys):
     (files / "units.yaml").write_text(UNITS.replace("hp:", "kW:").replace("horse power", "power of a horse"))
     main(["lint", "overlays", "units.yaml", "quantities.yaml"])
     assert "U004 Unit 'kW' replaces the one in" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("checked", ["units.yaml", "."])
+def test_units_alone_are_compared_with_those_of_vss(files, capsys, checked):
+    (files / "units.yaml").write_text("kmh:\n  definition: Speed.\n  unit: kilometer per hour\n  quantity: velocity\n")
+    assert main(["lint", checked]) == 1
+    said = capsys.readouterr().out
+    assert "U001 Units 'km/h' and 'kmh' share the name 'kilometer per hour'. Remove 'kmh' and use 'km/h'." in said
+
+
+def test_quantities_alone_are_compared_with_those_of_vss(files, capsys):
+    (files / "quantities.yaml").write_text("Velocity:\n  definition: Speed.\n")
+    assert main(["lint", "quantities.yaml"]) == 1
+    assert "U004 Quantity 'Velocity' replaces 'velocity'" in capsys.readouterr().out
+
+
+def test_units_beside_a_tree_of_their_own_are_not_compared_with_those_of_vss(files, capsys):
+    (files / "tree.vspec").write_text("Car: {type: branch, description: A car.}\n")
+    (files / "units.yaml").write_text(UNITS.replace("hp:", "kW:"))
+    (files / "quantities.yaml").write_text(QUANTITIES)
+    main(["lint", "units.yaml"])
+    assert "U004" not in capsys.readouterr().out

@@ -1,4 +1,4 @@
-"""What an overlay makes wrong in the tree below it."""
+"""Errors that an overlay causes in the tree below it."""
 
 import pytest
 

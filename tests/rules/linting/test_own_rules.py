@@ -1,4 +1,4 @@
-"""Rules of a company, in a file of its own."""
+"""Rules of a company, in a separate file."""
 
 import json
 
@@ -19,7 +19,7 @@ ACME001:
   check: name
   nodes: {{types: [signals]}}
   options: {{pattern: '{pattern}'}}
-  message: '{{name!r}} lacks the prefix; {{name.__class__}} stays as it is.'
+  message: '{{name!r}} lacks the prefix; {{min: 0}} stays as it is.'
   source: ACME
 """
 
@@ -28,7 +28,7 @@ def test_a_company_adds_a_naming_convention_in_its_own_file(tree):
     own = tree / "own.yaml"
     own.write_text(OWN.format(pattern="Acme.*"))
     result = lint_paths([tree / "vspec"], LintOptions(rule_files=(own,), select=("ACME",)))
-    assert [f.message for f in result.findings] == ["'Noise' lacks the prefix; {name.__class__} stays as it is."]
+    assert [f.message for f in result.findings] == ["'Noise' lacks the prefix; {min: 0} stays as it is."]
 
 
 def test_a_pattern_that_explodes_ends_its_rule_and_not_the_lint(tree):
@@ -145,3 +145,77 @@ def _usable(kind):
     }  # fmt: skip
     word = kind.name.partition("`")[2].partition("`")[0]
     return good.get(kind.name) or ([word] if kind.name.startswith("list of") else word)
+
+
+RECORD = (
+    OWN.format(pattern="Acme.*") + "  good: |\n    Vehicle.Acme: {type: sensor, datatype: float, description: A.}\n"
+)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        RECORD.replace("  check: name\n", ""),
+        RECORD.replace("ACME001", "acme"),
+        RECORD.replace("ACME001", "acme001"),
+        RECORD.replace("ACME001", "'ACME001'").replace("why: They do.", ""),
+        "rules:\n  - id: ACME001\n    title: T.\n    severity: warning\n    why: They do.\n    check: name\n",
+        "ACME001: {name: a, title: T., severity: error, why: W., source: S}\n",
+    ],
+)
+def test_a_file_of_rules_is_one_whatever_is_wrong_with_it(tree, text):
+    own = tree / "own.yaml"
+    own.write_text(text)
+    for path in (own, tree):
+        findings = lint_paths([path], LintOptions()).findings
+        assert {(finding.rule, finding.line) for finding in findings if finding.file == str(own)} == {("L010", 1)}
+
+
+def test_a_code_in_small_letters_is_written_in_capitals(tree):
+    own = tree / "own.yaml"
+    own.write_text(RECORD.replace("ACME001", "acme001"))
+    assert [finding.fix for finding in lint_paths([own]).findings] == ["Write ACME001."]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Vehicle.Cabin.X: {type: sensor, datatype: float, severity: a, why: b, title: c, description: A.}\n",
+        "C123: {severity: high}\n",
+        "rules:\n- apiGroups: ['']\n  resources: [pods]\n",
+        "rules:\n  a:\n    severity: warn\n    given: $\n",
+    ],
+)
+def test_other_files_are_not_of_rules(tree, text):
+    other = tree / "other.yaml"
+    other.write_text(text)
+    assert not any(finding.rule == "L010" for finding in lint_paths([tree]).findings)
+
+
+def test_a_file_that_the_project_names_as_rules_is_one(tree):
+    own = tree / "own.yaml"
+    own.write_text("# none yet\n")
+    assert lint_paths([own], LintOptions(rule_files=(own,))).findings == ()
+
+
+@pytest.mark.parametrize(
+    ("template", "fault", "fix"),
+    [
+        ("{nmae} is wrong.", "has the unknown placeholder {nmae}", "Did you mean 'name'? Use one of {path}, {name}, "),
+        ("{name.__class__}", "has the unknown placeholder {name.__class__}", "Use one of {path}, {name}, {proposal}"),
+        ("{name:>3} {}", "has the unknown placeholder {name:>3}", "Use one of "),
+        ("{attribute} of {name}", "has the unknown placeholder {attribute}", "Use one of "),
+        ("{name is wrong.", "has a brace without its other half", "Write placeholders such as {name} or {name!r}."),
+        ("name} is {wrong.", "has a brace without its other half", "Write placeholders"),
+    ],
+)
+@pytest.mark.parametrize("key", ["message", "fix"])
+def test_a_broken_template_is_reported_at_its_line(tree, key, template, fault, fix):
+    own = tree / "own.yaml"
+    own.write_text(
+        RECORD.replace("  message: '{name!r} lacks the prefix; {min: 0} stays as it is.'", f"  {key}: '{template}'")
+    )
+    finding = lint_paths([own]).findings[0]
+    assert (finding.rule, finding.line, finding.column) == ("L010", 9, 3)
+    assert finding.message == f"`{key}` {fault}."
+    assert finding.fix.startswith(fix)

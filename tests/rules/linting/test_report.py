@@ -1,4 +1,4 @@
-"""What a report shows of a lint."""
+"""Contents of a report of a lint."""
 
 import json
 from typing import Any

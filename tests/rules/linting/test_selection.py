@@ -1,4 +1,4 @@
-"""Which rules run, and how severe they are."""
+"""Selection of rules, and their severity."""
 
 from typing import Any
 

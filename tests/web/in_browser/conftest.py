@@ -52,7 +52,7 @@ def big_tree() -> str:
 
 @pytest.fixture(scope="session")
 def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    """Address of a service that runs in a process of its own."""
+    """Address of a service that runs in a separate process."""
     big = tmp_path_factory.mktemp("big") / "big.vspec"
     big.write_text(big_tree())
     (big.parent / "rows.vspec").write_text(_ROWS)

@@ -7,11 +7,12 @@ import pytest
 from axe_playwright_python.sync_playwright import Axe  # type: ignore[import-untyped]
 from playwright.sync_api import Page, expect
 
-from tests.judges import judged_by
 from tests.needs import IS_SLOW_RUN
+from tests.reference_tools import checked_with
 from tests.web.in_browser.conftest import Opener, put
 
 PAGES = (
+    "/", "/docs/reference/functions.md", "/docs/how-to/pipeline.md",
     "/tree/interfaces/Vehicle.Function.WheelSpeedCalculation.Scheduling.Step", "/tree/small/Vehicle.OldSpeed",
     "/tree/broken", "/search/small?q=speed", "/search/small?q=sped", "/functions?catalogue=interfaces",
     "/functions/core_acc?catalogue=interfaces", "/functions/core_acc?view=source&catalogue=interfaces",
@@ -34,7 +35,7 @@ VARIANTS = (
 
 
 class Look(NamedTuple):
-    """How a page is shown."""
+    """Look of a page."""
 
     scheme: Literal["light", "dark"]
     width: int
@@ -43,16 +44,16 @@ class Look(NamedTuple):
 
 LAPTOP = Look("light", 1280, 800)
 LOOKS = (LAPTOP, Look("dark", 390, 844), Look("dark", 1280, 800), Look("light", 390, 844))
-"""A usual run judges every other page in the first and the rest in the second, `make slow` every page in all."""
+"""A usual run checks every other page in the first and the rest in the second, `make slow` every page in all."""
 
 
-@judged_by("axe", "No page has a violation, on a laptop and a phone, in light and in dark")
+@checked_with("axe", "No page has a violation, on a laptop and a phone, in light and in dark")
 @pytest.mark.parametrize("address", [*PAGES, *(VARIANTS if IS_SLOW_RUN else ())])
 def test_axe_finds_nothing(open_page: Opener, address: str) -> None:
     _check(open_page(address), LOOKS[PAGES.index(address) % 2] if address in PAGES else LAPTOP)
 
 
-@judged_by("axe", "No page has a violation, on a laptop and a phone, in light and in dark")
+@checked_with("axe", "No page has a violation, on a laptop and a phone, in light and in dark")
 def test_axe_finds_nothing_in_open_menus(open_page: Opener) -> None:
     page = open_page("/tree/interfaces")
     for menu in page.locator("details.menu").all():
@@ -61,21 +62,21 @@ def test_axe_finds_nothing_in_open_menus(open_page: Opener) -> None:
         page.keyboard.press("Escape")
 
 
-@judged_by("axe", "No page has a violation, on a laptop and a phone, in light and in dark")
+@checked_with("axe", "No page has a violation, on a laptop and a phone, in light and in dark")
 def test_axe_finds_nothing_in_what_was_posted(open_page: Opener) -> None:
     page = open_page("/wiring?catalogue=interfaces")
     made = page.request.get(page.url.replace("/wiring", "/functions/eco_control_mpc.json")).text()
-    page.get_by_text("Functions of your own").click()
+    page.get_by_text("Your own functions").click()
     wrong = made.replace('"VssUnit": "m/s^2"', '"VssUnit": "km/h"')
     put(page.get_by_role("textbox", name="Documents"), f"{wrong}\n---\nfunction: Bad\ncomponents: 3\n")
     page.get_by_role("group", name="Together with").get_by_role("checkbox", name="CoreAcc").check()
     page.get_by_role("button", name="Connect these").click()
     expect(page.locator(".wire.mismatched")).to_have_count(1)
-    page.get_by_text("documents of your own").click()
+    page.get_by_text("Edit your").click()
     _check(page)
 
 
-@judged_by("axe", "No page has a violation, on a laptop and a phone, in light and in dark")
+@checked_with("axe", "No page has a violation, on a laptop and a phone, in light and in dark")
 def test_axe_finds_nothing_in_a_text_that_was_checked_without_javascript(open_page: Opener, service: str) -> None:
     page = open_page("/try?catalogue=interfaces")
     form: dict[str, str | float | bool] = {
@@ -88,7 +89,7 @@ def test_axe_finds_nothing_in_a_text_that_was_checked_without_javascript(open_pa
     _check(page)
 
 
-@judged_by("axe", "No page has a violation, on a laptop and a phone, in light and in dark")
+@checked_with("axe", "No page has a violation, on a laptop and a phone, in light and in dark")
 def test_axe_finds_nothing_in_completions(open_page: Opener) -> None:
     page = open_page("/try?change=Vehicle.Chassis.Brake.CylP&catalogue=interfaces")
     field = page.get_by_role("textbox", name="Overlay")
@@ -101,7 +102,7 @@ def test_axe_finds_nothing_in_completions(open_page: Opener) -> None:
     _check(page)
 
 
-@judged_by("axe", "No page has a violation, on a laptop and a phone, in light and in dark")
+@checked_with("axe", "No page has a violation, on a laptop and a phone, in light and in dark")
 def test_axe_finds_nothing_while_the_service_is_busy(open_page: Opener) -> None:
     page = open_page("/try?catalogue=interfaces")
     page.evaluate("document.getElementById('progress').hidden = false")
@@ -121,11 +122,11 @@ _SHORTEN = """() => {
         }
     }
 }"""
-"""Of rows, list entries and sections of one kind the first eight are kept: axe looks at each as if it were the only one."""
+"""Keep only the first eight rows, list entries and sections of one kind: axe checks each as if it were the only one."""
 
 
 def _check(page: Page, look: Look = LAPTOP) -> None:
-    """Judge a page in one look and the first of what it repeats, and in a slow run all of it in all looks."""
+    """Check a page in one look and the first of its repeated parts, and in a slow run all of it in all looks."""
     found = []
     if not IS_SLOW_RUN:
         page.evaluate(_SHORTEN)

@@ -1,4 +1,4 @@
-"""A request that fails is told, can be made again, and leaves what is shown as it was."""
+"""A failed request is reported, can be sent again, and leaves the shown content unchanged."""
 
 from collections.abc import Callable
 

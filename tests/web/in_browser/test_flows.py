@@ -1,4 +1,4 @@
-"""What people do on the pages, each by keyboard; `make slow` does it by mouse as well."""
+"""Tasks of people on the pages, each by keyboard; `make slow` does them by mouse as well."""
 
 from pathlib import Path
 
@@ -128,15 +128,20 @@ def test_a_function_is_read_in_every_form(open_page: Opener, use: Use) -> None:
     use(page.locator(".cards").get_by_role("link", name="CoreAcc"))
     expect(page.locator(".diagram").first).to_be_visible()
     for name, text in (
-        ("Declaration", "function: CoreAcc"),
+        ("Documents", "function: CoreAcc"),
         ("ROS 2", '"FunctionName": "CoreAcc"'),
-        ("ARXML", "<AUTOSAR"),
+        ("AUTOSAR adaptive", '"FunctionName": "CoreAcc"'),
     ):
         use(page.get_by_role("navigation", name="Views").get_by_role("link", name=name, exact=True))
         expect(page.locator("main")).to_contain_text(text)
+    use(page.get_by_role("navigation", name="Files").get_by_role("link", name="types.arxml"))
+    expect(page.get_by_role("region", name="types.arxml")).to_contain_text("<AUTOSAR")
     with page.expect_download() as kept:
-        use(page.get_by_role("link", name="Download").first)
-    assert kept.value.suggested_filename.endswith(".arxml")
+        use(page.get_by_role("link", name="Download types.arxml"))
+    assert kept.value.suggested_filename == "types.arxml"
+    with page.expect_download() as kept:
+        use(page.get_by_role("link", name="Download all"))
+    assert kept.value.suggested_filename == "CoreAcc.autosar-adaptive.zip"
     expect(page.get_by_role("progressbar")).to_be_hidden()
 
 
@@ -151,7 +156,7 @@ def test_functions_of_ones_own_are_connected(open_page: Opener, use: Use, tmp_pa
     mine = tmp_path / "mine.json"
     made = page.request.get(page.url.replace("/wiring", "/functions/eco_control_mpc.json")).text()
     mine.write_text(made.replace('"VssUnit": "m/s^2"', '"VssUnit": "km/h"'))
-    use(page.get_by_text("Functions of your own"))
+    use(page.get_by_text("Your own functions"))
     page.get_by_label("Files").set_input_files([mine])
     use(page.get_by_role("group", name="Together with").get_by_role("checkbox", name="CoreAcc"))
     use(page.get_by_role("button", name="Connect these"))
@@ -159,8 +164,8 @@ def test_functions_of_ones_own_are_connected(open_page: Opener, use: Use, tmp_pa
     expect(page.locator(".wire.mismatched")).to_have_count(1)
     expect(page.locator(".findings").first).to_contain_text("must be km/h")
     use(page.get_by_role("button", name="ROS 2", exact=True))
-    expect(page.locator("#made ~ .notice")).to_have_text("It cannot be made.")
-    expect(page.locator("#made ~ .findings")).to_contain_text("must have one datatype and unit")
+    expect(page.locator(".open-file .notice")).to_have_text("It cannot be made.")
+    expect(page.locator(".open-file > .findings")).to_contain_text("must have one datatype and unit")
     use(page.get_by_role("button", name="AUTOSAR adaptive"))
     expect(page.locator(".document")).to_contain_text('"FunctionName": "CoreAcc and EcoControlMpc"')
     use(page.get_by_role("button", name="Files"))
@@ -222,7 +227,8 @@ def test_a_function_with_mistakes_is_mended_on_the_page_and_its_arxml_kept(open_
         assert wrong in field.evaluate("field => field.value.slice(field.selectionStart).split('\\n')[0]")
         put(field, field.input_value().replace(wrong, right))
         expect(finding).to_have_count(0)
-    use(page.get_by_role("button", name="ARXML", exact=True))
+    use(page.get_by_role("button", name="AUTOSAR adaptive", exact=True))
+    use(page.get_by_role("button", name="interfaces.arxml", exact=True))
     assert height_of(field) == height
     with page.expect_download() as kept:
         use(page.get_by_role("button", name="Download interfaces.arxml"))

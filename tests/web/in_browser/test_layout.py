@@ -9,6 +9,7 @@ from playwright.sync_api import FloatRect, Locator, Page, expect
 from tests.web.in_browser.conftest import Opener, Windows
 
 PAGES = (
+    "/", "/docs/reference/functions.md",
     "/tree/interfaces/Vehicle.Function.WheelSpeedCalculation.Error.RangeError", "/search/interfaces?q=wheel",
     "/functions?catalogue=interfaces", "/functions/core_acc?catalogue=interfaces",
     "/functions/core_acc?view=source&catalogue=interfaces", "/functions/core_acc?view=ros2&catalogue=interfaces",
@@ -48,8 +49,24 @@ def test_nothing_sticks_out_sideways(shown: Page) -> None:
         assert shown.evaluate("document.documentElement.scrollWidth") <= width
 
 
+SCROLLED = "pre, textarea, .side, .source, .document, .bar nav, .scroll:not(.interfaces):not(:has(.attributes))"
+"""Elements that scroll sideways on purpose: text as written, filters on a phone, pictures of time, wide tables."""
+SHORTENED = ".menu summary span, .row .name"
+"""Names that end in an ellipsis: of the chosen catalogue, and in the tree. They are read out whole, and are told elsewhere."""
+_CUT = """purpose => [...document.body.querySelectorAll("*")]
+    .filter(each => getComputedStyle(each).overflowX !== "visible" && each.scrollWidth > each.clientWidth + 1)
+    .filter(each => each.clientWidth && each.textContent.trim() && !each.matches(purpose) && !each.closest(".unseen"))
+    .map(each => `${each.tagName}.${each.className}: ${each.textContent.trim().slice(0, 60)}`)"""
+
+
+def test_no_text_is_cut(shown: Page) -> None:
+    for width in (320, 390, 768, 1024, 1440):
+        shown.set_viewport_size({"width": width, "height": 800})
+        assert shown.evaluate(_CUT, f"{SCROLLED}, {SHORTENED}") == [], width
+
+
 def begins(page: Page) -> list[int]:
-    """Where the content of a page begins, on three widths."""
+    """Left edge of the content of a page, at three widths."""
     places = []
     for width in (1024, 1280, 2560):
         page.set_viewport_size({"width": width, "height": 800})
@@ -59,7 +76,7 @@ def begins(page: Page) -> list[int]:
 
 @pytest.fixture(scope="module")
 def usual_places(windows: Windows, service: str) -> list[int]:
-    """Where the content of the first page begins."""
+    """Left edge of the content of the first page."""
     page = windows.page()
     page.goto(service + PAGES[0])
     places = begins(page)
@@ -183,7 +200,7 @@ def test_a_node_of_an_unknown_type_is_marked_in_the_tree(open_page: Opener) -> N
 
 
 def box_of(what: Locator) -> FloatRect:
-    """Where it stands on the page."""
+    """Position on the page."""
     box = what.bounding_box()
     assert box
     return box

@@ -1,4 +1,4 @@
-"""One walk over HTTP through a service that runs in a process of its own."""
+"""One walk over HTTP through a service that runs in a separate process."""
 
 from tests.plain_http import get, post
 

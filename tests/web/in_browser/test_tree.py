@@ -107,9 +107,34 @@ def test_a_link_to_the_root_opens_it(open_page: Opener) -> None:
         expect(page.locator(".rows .name").get_by_text("Speed", exact=True)).to_be_visible()
 
 
-def test_the_letters_of_the_tree_are_explained(open_page: Opener) -> None:
+def test_escape_returns_from_the_node_to_its_row_and_the_arrows_work_again(open_page: Opener) -> None:
     page = open_page("/tree/small")
-    expect(page.locator(".letters")).to_have_text(re.compile(r"14\s+nodes\s+S\s+sensor\s+A\s+actuator\s+P\s+attribute"))
+    page.get_by_role("tree").focus()
+    page.keyboard.press("ArrowDown")
+    page.keyboard.press("Enter")
+    expect(page.locator("article")).to_be_focused()
+    page.keyboard.press("Tab")
+    page.keyboard.press("Escape")
+    expect(page.get_by_role("tree")).to_be_focused()
+    assert active(page) == "Speed"
+    page.keyboard.press("ArrowUp")
+    assert active(page) == "Vehicle"
+
+
+def test_the_type_of_a_node_needs_no_legend(open_page: Opener) -> None:
+    page = open_page("/tree/small")
+    expect(page.get_by_role("treeitem", name="Label").locator(".letter")).to_have_text("att")
+    expect(page.get_by_role("treeitem", name="Speed", exact=False).first.locator(".letter")).to_have_text("sen")
+
+
+def test_a_datatype_is_shown_whole_or_not_at_all(open_page: Opener) -> None:
+    page = open_page("/tree/interfaces/Vehicle.Speed")
+    page.set_viewport_size({"width": 1024, "height": 800})
+    cut = """rows => rows.filter(row => {
+        const hint = row.querySelector('.hint'), box = hint?.getBoundingClientRect(), around = row.getBoundingClientRect();
+        return hint && (hint.scrollWidth > hint.clientWidth || (box.top < around.bottom && box.right > around.right));
+    }).map(row => row.textContent)"""
+    assert page.get_by_role("treeitem").evaluate_all(cut) == []
 
 
 @pytest.mark.parametrize("width", [360, 1280])

@@ -9,7 +9,7 @@ from sigcat.data import EXAMPLES
 from tests.web.in_browser.conftest import Opener, Windows
 
 PAGES = {
-    "/tree/interfaces/Vehicle.Speed": "Attributes", "/tree/lost": "has no tree", "/search/small?q=speed": "results",
+    "/": "Declare a function", "/docs/README.md": "Look up",     "/tree/interfaces/Vehicle.Speed": "Attributes", "/tree/lost": "has no tree", "/search/small?q=speed": "results",
     "/search/small?q=sped": "Did you mean", "/functions?catalogue=interfaces": "CoreAcc", "/functions/core_acc?catalogue=interfaces": "Signals out",
     "/functions/core_acc?view=source&catalogue=interfaces": "function: CoreAcc", "/functions/core_acc?view=arxml&catalogue=interfaces": "&lt;AUTOSAR",
     "/functions/core_acc?view=run&catalogue=interfaces": "STANDBY", "/wiring?catalogue=interfaces": "fit together", "/changes?old=vss&new=interfaces": "compatible",
@@ -73,7 +73,7 @@ def test_signals_of_a_run_are_chosen_by_a_button(open_page: Opener) -> None:
 
 def test_functions_of_ones_own_are_connected_by_a_button(open_page: Opener) -> None:
     page = open_page("/wiring?catalogue=interfaces", java_script_enabled=False)
-    page.get_by_text("Functions of your own").click()
+    page.get_by_text("Your own functions").click()
     page.get_by_role("textbox", name="Documents").fill("function: A\n")
     page.get_by_role("button", name="Connect these").click()
     expect(page.locator(".findings").first).to_contain_text("is missing")

@@ -1,4 +1,4 @@
-"""For every field of an Integration JSON: where it stands in the ARXML."""
+"""For every field of an Integration JSON: its place in the ARXML."""
 
 from collections.abc import Iterator, Mapping
 

@@ -1,4 +1,4 @@
-"""Where each element stands in the packages."""
+"""Paths of elements in the packages."""
 
 from typing import NamedTuple
 

@@ -44,9 +44,9 @@ def reference(tag_name: str, path: str, kind: str) -> Tag:
 
 
 def namespaces(names: Sequence[str], beside: Iterable[str] = ()) -> Tag | None:
-    """NAMESPACES of what is generated for an element, the outermost first; None without any.
+    """NAMESPACES of the code for an element, the outermost first; None without any.
 
-    A namespace has its own name as short name, unless what stands `beside` it in the element has that name.
+    A namespace has its own name as short name, unless an element `beside` it has that name.
     """
     short_names = distinct({f"{index:03d}": name for index, name in enumerate(names)}, beside)
     return listed(

@@ -23,7 +23,7 @@ def packages(names: Mapping[str, str], described: Mapping[str, UnitSettings], pa
 
 
 def _content(unit: str, si: SiUnit | None, paths: Paths) -> Iterable[Tag]:
-    """How a unit is shown and, where it is linear in SI units, what it is there."""
+    """Name and symbol of a unit and, where it is linear in SI units, its factor and offset."""
     yield tag("DISPLAY-NAME", text=unit)
     if si is not None:
         yield tag("FACTOR-SI-TO-UNIT", text=float(si.from_si.factor))
@@ -42,7 +42,7 @@ def _dimension(dimension: Dimension) -> Tag:
 
 
 def dimension_name(dimension: Dimension) -> str:
-    """What it is made of: `Length_per_Time2` for an acceleration."""
+    """Name of a physical dimension: `Length_per_Time2` for an acceleration."""
     exponents = dimension._asdict().items()
     above = [_power(quantity, number) for quantity, number in exponents if number > 0]
     below = [_power(quantity, -number) for quantity, number in exponents if number < 0]

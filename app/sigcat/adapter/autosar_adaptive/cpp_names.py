@@ -1,6 +1,6 @@
-"""What a generator of ara::com calls things in C++: header files, namespaces, classes, members, instances.
+"""Names in C++ that a generator of ara::com gives: header files, namespaces, classes, members, instances.
 
-The names are those that AUTOSAR R23-11 (SWS_CM, Communication Management) prescribes for what stands in the ARXML, so that
+The names are those that AUTOSAR R23-11 (SWS_CM, Communication Management) prescribes for the elements of the ARXML, so that
 an application compiles against the proxies and skeletons of any vendor's generator.
 """
 
@@ -18,13 +18,13 @@ TEXT = "string"
 
 
 class ServiceNames(NamedTuple):
-    """What is generated for a service interface."""
+    """Generated names of a service interface."""
 
     stem: str
     """Upper camel case of the short name."""
     namespace: tuple[str, ...]
     folders: tuple[str, ...]
-    """Of its headers."""
+    """Folders of its headers."""
 
     @property
     def variable(self) -> str:
@@ -33,7 +33,7 @@ class ServiceNames(NamedTuple):
 
     @property
     def common_header(self) -> str:
-        """Header of what proxy and skeleton share, as it is included."""
+        """Header that proxy and skeleton share, as it is included."""
         return self._header("common")
 
     @property
@@ -94,11 +94,11 @@ def member_name(short_name: str) -> str:
 
 
 class TypeNames(NamedTuple):
-    """Where the implementation datatypes of a document are."""
+    """Namespace and headers of the implementation datatypes of a document."""
 
     namespace: tuple[str, ...]
     folders: tuple[str, ...]
-    """Of the headers."""
+    """Folders of the headers."""
 
     def header(self, word: str) -> str:
         """Header of a datatype of the document, as it is included; of `string` too."""
@@ -129,7 +129,7 @@ def type_names(model: IntegrationModel) -> TypeNames:
 
 
 def instance_specifier(component: Component, interface: ServiceInterface) -> str:
-    """What `ara::core::InstanceSpecifier` is made of for a port: executable, root component and port.
+    """Text of `ara::core::InstanceSpecifier` for a port: executable, root component and port.
 
     ```python
     instance_specifier(component, interface)  # "CoreAccExecutable/CoreAcc_Root/CoreAccService_PPort"

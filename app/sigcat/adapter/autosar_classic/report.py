@@ -1,4 +1,4 @@
-"""What becomes of an Integration JSON in C: which functions of the RTE each runnable calls, and what is the vendor's."""
+"""The report of an Integration JSON in C: the RTE functions of each runnable, and the parts left to the vendor."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -17,7 +17,7 @@ _APIS = {
 }  # fmt: skip
 _VENDOR = "the vendor's RTE and operating system, from the ARXML"
 _MATURED = "PASSED and FAILED, as the core has matured them"
-_CORE = "the core has its limits: the watchdog manager is told checkpoints"
+_CORE = "the core has its limits: the watchdog manager gets checkpoints"
 
 
 def report(data: bytes, name: str, limits: Limits) -> tuple[Entry, ...]:

@@ -12,7 +12,7 @@ from sigcat.adapter.core.plan import CorePlan
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from sigcat.function.c_project.files import headers_of
-from sigcat.function.code_files import is_on_disk, missing_files
+from sigcat.function.code_files import missing_files
 from sigcat.function.code_variables import unfit_variables
 from sigcat.function.function_json.code import CodeInterface, is_inside
 from sigcat.function.function_json.resolved_function import ResolvedFunction
@@ -41,7 +41,7 @@ class _Clash(NamedTuple):
 
 def code_problems(function: ResolvedFunction) -> Iterator[Finding]:
     """Findings about the files of the code beside a declaration: those that are missing, types of variables, replaced names."""
-    yield from missing_files(function, is_on_disk)
+    yield from missing_files(function)
     yield from unfit_variables(function)
     code = function.function.code
     if code is not None and function.origin is not None and code.headers:

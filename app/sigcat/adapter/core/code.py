@@ -1,4 +1,4 @@
-"""How the code of a function is called, and which variables nobody else declares."""
+"""Calls of a function, and the variables that are declared nowhere else."""
 
 import re
 from collections.abc import Iterator
@@ -18,7 +18,7 @@ ADAPTER = "Adapter"
 
 
 def planned_code(context: Context) -> Planning[Code]:
-    """How the code is compiled, included and called. Without `Code`, calls are plain functions over globals."""
+    """Sources, headers and calls of the code. Without `Code`, calls are plain functions over globals."""
     declared = context.function.code or CodeInterface(signature=GLOBALS)
     objects = tuple(CodeObject(each.name, each.type, each.member, each.length) for each in declared.objects or ())
     if declared.signature == CLASS and not declared.class_name:

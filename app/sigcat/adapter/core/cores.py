@@ -20,14 +20,14 @@ class Cores(NamedTuple):
 
 
 def cores(functions: Sequence[ResolvedFunction]) -> Cores:
-    """Header and source of each function. Raises InputRefused with everything that stands in the way of any."""
+    """Header and source of each function. Raises InputRefused with all obstacles."""
     planned = plans(functions)
     files = tuple(file for each in planned for file in core_files(each.plan).files)
     return Cores(files, tuple(finding for each in planned for finding in each.findings))
 
 
 def plans(functions: Sequence[ResolvedFunction]) -> tuple[Planned, ...]:
-    """The plan of each function. Raises InputRefused with everything that stands in the way of any."""
+    """The plan of each function. Raises InputRefused with all obstacles."""
     refuse_doubles([function.name for function in functions])
     planned: list[Planned] = []
     refused: list[InputRefused] = []

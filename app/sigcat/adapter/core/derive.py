@@ -1,4 +1,4 @@
-"""From a resolved function to the plan of its core, and what stands in the way."""
+"""From a resolved function to the plan of its core, and the obstacles."""
 
 from collections.abc import Generator, Iterator
 from typing import NamedTuple, TypeVar
@@ -40,7 +40,7 @@ class Planned(NamedTuple):
 
 
 def derive(function: ResolvedFunction) -> Planned:
-    """The plan of the core. Raises InputRefused with everything that stands in its way."""
+    """The plan of the core. Raises InputRefused with all obstacles."""
     plan, problems = _run(_planned(context_of(function.function)))
     findings = function.findings(problems)
     if has_errors(findings):
@@ -116,7 +116,7 @@ def _status(
 
 
 def _resets(steps: list[Call]) -> Resets:
-    """Where it is known whether an input that resets errors is not 0."""
+    """Places where it is known whether an input that resets errors is not 0."""
     found: dict[str, dict[str, str]] = {}
     for step in steps:
         for item in step.inputs:

@@ -27,7 +27,7 @@ RESTART = "Restart"
 
 
 Resets = Mapping[str, Mapping[str, str]]
-"""Places of what tells whether an input is not 0: by its name, and the call."""
+"""Places of flags that tell whether an input is not 0: by its name, and the call."""
 Names = Mapping[str, str]
 """Identifiers by the names of interfaces."""
 
@@ -52,7 +52,7 @@ def short_names(items: Iterable[Declared], function: str, ending: str, taken: se
 def causes_of(
     steps: Iterable[Call], calls: Iterable[Call], mode: ModeIn | None, parameters: Iterable[Parameter]
 ) -> dict[str, list[Cause]]:
-    """What makes errors present, but their own variables, by their interface names. `calls` are all, init too."""
+    """Causes of errors except their own variables, by interface name. `calls` are all calls, init included."""
     found: dict[str, list[Cause]] = {}
     for name, cause in (*_of_steps(steps), *_of_graph(calls), *_of_others(mode, parameters)):
         if name is not None:

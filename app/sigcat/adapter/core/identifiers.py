@@ -15,7 +15,7 @@ def identifier(name: str) -> str:
 
 
 def unique(name: str, taken: Iterable[str]) -> str:
-    """The name itself, or with the first number behind it that makes it one of its own."""
+    """The name itself, or with the first number behind it that makes it unique."""
     known = set(taken)
     if name not in known:
         return name

@@ -27,7 +27,7 @@ def data_of(call: Runnable, at: Pointer) -> list[tuple[Pointer, Data]]:
 
 
 def named(item: Data | ParameterInterface, at: Pointer, taken: Mapping[str, object]) -> Named:
-    """How an interface is called, beside those that are there."""
+    """A unique name for an interface, beside the existing ones."""
     unit = item.vss_unit or (item.units if item.vss_datatype is None else None)
     text = f"{item.vss_path or item.name}{f' [{unit}]' if unit else ''}"
     return Named(unique(identifier(item.name), taken), text, at)
@@ -36,7 +36,7 @@ def named(item: Data | ParameterInterface, at: Pointer, taken: Mapping[str, obje
 def inputs_of(
     call: Runnable, at: Pointer, ports: Mapping[str, str], resets: frozenset[str], context: Context
 ) -> Planning[tuple[Input, ...]]:
-    """What a call consumes. `ports` has the names under which signals are received, by path or name."""
+    """Inputs of a call. `ports` has the names under which signals are received, by path or name."""
     found: dict[str, Input] = {}
     for pointer, item in data_of(call, at):
         if item.role != CONSUMER:
@@ -48,7 +48,7 @@ def inputs_of(
 
 
 def outputs_of(call: Runnable, at: Pointer, taken: set[str], context: Context) -> Planning[tuple[Output, ...]]:
-    """What a call provides; `taken` are names of what other calls send."""
+    """Outputs of a call; `taken` are names of outputs of other calls."""
     found: dict[str, Output] = {}
     for pointer, item in data_of(call, at):
         if item.role == CONSUMER:
@@ -64,7 +64,7 @@ def outputs_of(call: Runnable, at: Pointer, taken: set[str], context: Context) -
 
 
 def port_key(item: Data) -> str:
-    """What makes two inputs one signal: their path, or their name."""
+    """Identity of an input's signal: its path, or its name."""
     return item.vss_path or item.name
 
 
@@ -126,7 +126,7 @@ def ports_of(calls: list[tuple[Pointer, Runnable]]) -> dict[str, str]:
 
 
 def received(calls: Iterable[Call], steps: frozenset[str]) -> tuple[Port, ...]:
-    """What is received, for all calls; only steps take it later, too."""
+    """Received values, for all calls; only steps receive later values, too."""
     ports: dict[str, Port] = {}
     for call in calls:
         for each in call.inputs:

@@ -77,5 +77,5 @@ def _unchecked(value: Value) -> Value:
 
 
 def _as_signal(item: DeclaredArgument) -> Signal:
-    """An argument has neither range nor unit of its own: a signal whose catalogue is the code."""
+    """An argument has neither its own range nor unit: a signal whose catalogue is the code."""
     return Signal(name=item.name, description=Text(""), role=CONSUMER, datatype=item.datatype)

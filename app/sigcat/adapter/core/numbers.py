@@ -90,7 +90,7 @@ def brought_to(number: Fraction, wanted: NumberType) -> Number:
 
 
 def nearest_float(number: Fraction) -> float:
-    """The nearest number of binary32, ties to even, by way of no other rounding."""
+    """The nearest number of binary32, ties to even, in one rounding."""
     near = float(struct.unpack("f", struct.pack("f", float(number)))[0])
     if near == number:
         return near

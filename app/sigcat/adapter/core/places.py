@@ -1,4 +1,4 @@
-"""Which interface of a function is which place of its core: what every platform asks before it can connect the two."""
+"""Places of the core for the interfaces of a function: every platform needs them to connect the two."""
 
 from collections.abc import Mapping
 from functools import cached_property
@@ -18,7 +18,7 @@ class CorePlaces:
 
     @cached_property
     def data_pointers(self) -> Mapping[tuple[str, str], Pointer]:
-        """Where the data interfaces of the function stand, by call and name."""
+        """Pointers of the data interfaces of the function, by call and name."""
         return {(at.runnable.name, item.name): pointer for pointer, at, item in data(self.function)}
 
     @cached_property
@@ -28,7 +28,7 @@ class CorePlaces:
 
     @cached_property
     def outputs(self) -> Mapping[Pointer, Output]:
-        """What is sent, by where it stands."""
+        """Sent values, by pointer."""
         return {output.named.pointer: output for output in self.core.outputs}
 
     @cached_property

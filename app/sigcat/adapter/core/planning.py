@@ -1,4 +1,4 @@
-"""What all parts of planning know, and how they report what cannot be planned."""
+"""Common knowledge of all parts of planning, and the report of obstacles."""
 
 from collections.abc import Generator, Mapping
 from typing import NamedTuple, TypeVar
@@ -14,7 +14,7 @@ from sigcat.function.function_json.runnable import Runnable
 
 T = TypeVar("T")
 Planning = Generator[Problem, None, T]
-"""Gives a part of the plan, and on the way what is wrong with it."""
+"""Returns a part of the plan, and yields its problems."""
 
 
 class Context(NamedTuple):

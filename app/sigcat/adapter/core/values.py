@@ -33,9 +33,9 @@ class Part(NamedTuple):
     """A number, or an array of numbers, that a datatype is made of."""
 
     wire: str
-    """Where it is in the catalogue's value: ``, `.x`, `[i]`."""
+    """Position in the catalogue's value: ``, `.x`, `[i]`."""
     code: str
-    """Where it is in the variable."""
+    """Position in the variable."""
     path: tuple[str | None, ...]
     """Members that lead to it, and None for the elements of an array."""
     length: int | None
@@ -52,7 +52,7 @@ class Part(NamedTuple):
 
 
 class Side(NamedTuple):
-    """How a part is made on one side: in the catalogue, or in the code."""
+    """Structure of a part on one side: in the catalogue, or in the code."""
 
     type: NumberType
     numbers: tuple[EnumerationValue, ...] | None
@@ -272,7 +272,7 @@ def _is_only_default(item: Interface, name: str, part: Part) -> bool:
 
 
 def _at(given: Any, path: Iterable[str | None], index: int) -> Any:
-    """What is given for an element. A list that is too short goes on with its last value; one value stands for all."""
+    """Value of an element. A list that is too short repeats its last value; one value is for all elements."""
     for key in path:
         if isinstance(given, list) and key is None:
             given = given[min(index, len(given) - 1)] if given else None

@@ -17,7 +17,7 @@ from sigcat.integration.ros2.services import CLIENT, SERVER
 
 
 def derive(model: Ros2Integration, cores: SourceCores, release: str) -> WorkspacePlan:
-    """The plan of the packages. Raises InputRefused if a node has no function of its own, or cannot be written."""
+    """The plan of the packages. Raises InputRefused if a node does not have its own function, or cannot be written."""
     (package,), (messages,) = model.node_packages or (), model.interface_packages or ()  # the document has one of each
     _refuse_shared(package, cores)
     contexts = [_context(node, cores[node.function], model) for node in package.nodes]
@@ -41,7 +41,7 @@ def _context(node: RosNode, core: SourceCore, model: Ros2Integration) -> NodeCon
 
 
 def _refuse_disagreements(contexts: Iterable[NodeContext]) -> None:
-    """What a document says of a node is what its function has."""
+    """Compare each node of a document with its function."""
     found = [
         _problem(
             f"{message} of {context.node.name}, as its function has it.", f"/NodePackageList/0/Nodes/{index}{below}"
@@ -87,7 +87,7 @@ def _refuse_full_enumerations(nodes: Iterable[NodePlan]) -> None:
     """A text that is none of an enumeration becomes a number that is none of it either."""
     found = [
         _problem(
-            f"The enumeration {taken.place} must have a number that is no value, for texts that are none.",
+            f"The enumeration {taken.place} must have an unused number, for texts that are not its values.",
             f"/NodePackageList/0/Nodes/{index}",
             "Set `enumerations` to `number` or `both` in the deployment file.",
         )
@@ -109,7 +109,7 @@ def _refuse_shared(package: NodePackage, cores: SourceCores) -> None:
         raise _refused(found)
 
 
-_ANEW = "Integrate it anew with `sigcat integrate ros2`."
+_ANEW = "Integrate it again with `sigcat integrate ros2`."
 
 
 def _problem(message: str, pointer: str, fix: str = _ANEW) -> Finding:

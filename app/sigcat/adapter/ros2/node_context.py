@@ -23,7 +23,7 @@ class NodeContext(CorePlaces):
         self.node = node
         self.communications = communications
         self.messages = messages
-        """Those of the interface package, by name."""
+        """Messages of the interface package, by name."""
 
     def topics(self, role: str) -> Iterator[tuple[str, RosTopic]]:
         """Topics of data that the node publishes or subscribes to, with the calls that do."""

@@ -116,7 +116,7 @@ def _status_subscription(topic: StatusTopic, taken: Taken, names: dict[str, str]
 
 
 def _status_taken(topic: StatusTopic, context: NodeContext) -> Taken | None:
-    """What takes an error of others, a safety reaction or the mode."""
+    """The input that receives an error of others, a safety reaction or the mode."""
     core = context.core
     for error in core.foreign_errors:
         if error.name == identifier(topic.interface):
@@ -183,7 +183,7 @@ def _given(mapping: FieldMapping, output: Output, context: NodeContext) -> Given
 
 
 def _own_ports(mapping: FieldMapping, context: NodeContext) -> tuple[Port, ...]:
-    """Where other calls of the function take what it sends."""
+    """Ports of other calls of the function that receive what it sends."""
     key = mapping.vss_path or mapping.signal
     found = {
         port.name: port
@@ -196,7 +196,7 @@ def _own_ports(mapping: FieldMapping, context: NodeContext) -> tuple[Port, ...]:
 
 
 def _status_given(topic: StatusTopic, context: NodeContext) -> Given | None:
-    """What is told of an error, a safety reaction or the mode."""
+    """Sent status of an error, a safety reaction or the mode."""
     core = context.core
     error = context.errors.get(topic.interface)
     if error is not None:
@@ -213,7 +213,7 @@ def _status_given(topic: StatusTopic, context: NodeContext) -> Given | None:
 
 
 class Mixed(NamedTuple):
-    """A message in which a queue stands beside other signals: neither can be sent without the other."""
+    """A message in which a queue is together with other signals: neither can be sent without the other."""
 
     topic: str
     signal: str

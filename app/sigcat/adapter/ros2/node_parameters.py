@@ -36,7 +36,7 @@ def _parameter(declared: RosParameter, parameter: Parameter) -> NodeParameter:
 
 
 def monitors(context: NodeContext) -> Iterator[Monitor]:
-    """The errors of the core, as they are told to people."""
+    """The errors of the core, as they are shown to people."""
     diagnostics = {diagnostic.error: diagnostic for diagnostic in context.node.diagnostics}
     for name, error in context.errors.items():
         yield Monitor(error, name, diagnostics[name])

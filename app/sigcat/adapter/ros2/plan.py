@@ -1,4 +1,4 @@
-"""What the packages are made of: every name resolved, so that the writers ask nothing but this."""
+"""The plan of the packages: every name resolved, so that the writers need nothing else."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -45,7 +45,7 @@ class Taken(NamedTuple):
     symbols: tuple[Symbol, ...] = ()
     """Texts, where the field has nothing else."""
     nameless: int | None = None
-    """A number that none of the texts stands for: the core takes it as one out of range. None if every number has a text."""
+    """A number without a text: the core takes it as one out of range. None if every number has a text."""
     numbers: tuple[tuple[int, int], ...] = ()
     """Numbers of the message and of the core, where they differ."""
     wakes: bool = False
@@ -67,7 +67,7 @@ class Given(NamedTuple):
     numbers: tuple[tuple[int, int], ...] = ()
     """Numbers of the core and of the message, where they differ."""
     own_ports: tuple[Port, ...] = ()
-    """Where another call of the function takes it."""
+    """Ports of other calls of the function that receive it."""
 
 
 @dataclass(frozen=True)
@@ -160,7 +160,7 @@ class NodeParameter(NamedTuple):
 
 
 class Monitor(NamedTuple):
-    """An error, and how it is told to people."""
+    """An error, and how it is shown to people."""
 
     error: Error
     interface: str
@@ -187,7 +187,7 @@ class NodePlan:
     core: CorePlan
     executable: str
     priority: int | None
-    """Of the thread that runs its calls."""
+    """Priority of the thread that runs its calls."""
     policy: SchedulingPolicy
     """Default of the parameter `scheduling_policy`."""
     subscriptions: tuple[Subscription, ...]
@@ -207,7 +207,7 @@ class NodePlan:
 
     @property
     def stem(self) -> str:
-        """What its files are called: `core_acc_node`."""
+        """Base name of its files: `core_acc_node`."""
         return f"{self.name}_node"
 
     @property
@@ -285,5 +285,5 @@ class WorkspacePlan:
 
     @property
     def name(self) -> str:
-        """Of the package."""
+        """Name of the package."""
         return self.package.name

@@ -1,4 +1,4 @@
-"""Where each field of an Integration JSON goes in the packages."""
+"""The report: each field of an Integration JSON with its place in the packages."""
 
 from collections.abc import Iterator, Mapping
 
@@ -22,7 +22,7 @@ _TOPIC: Targets = {
     ),
     "MessageType": "{interfaces}",
     "Providers": FieldTarget("README.md", "in the picture"),
-    "QualityOfService": FieldTarget(_CODE, "its events are counted and told in the diagnostics"),
+    "QualityOfService": FieldTarget(_CODE, "its events are counted and reported in the diagnostics"),
 }
 _FIELD: Targets = {
     **dict.fromkeys(("Signal", "Variable", "VariableDataType", "VariableUnits", "Conversion", "Min", "Max", "Default",

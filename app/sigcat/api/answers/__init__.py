@@ -1,4 +1,4 @@
-"""What routes answer with: schemas, representations, problems, streams.
+"""Answers of routes: schemas, representations, problems, streams.
 
-Frozen values of the other rooms in, HTTP out.
+Frozen values of the other packages in, HTTP out.
 """

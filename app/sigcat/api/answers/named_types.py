@@ -1,6 +1,6 @@
 """Enumerations and mappings of answers and requests.
 
-Each has a schema of its own in the OpenAPI document: generated clients would make up a name for it otherwise.
+Each has its own schema in the OpenAPI document: generated clients would make up a name for it otherwise.
 """
 
 from typing import Annotated, Any, Literal
@@ -51,7 +51,7 @@ Facets = TypeAliasType(
 NodeValues = TypeAliasType(
     "NodeValues", Annotated[dict[str, Any], Field(description="Values of a node by name of the attribute.")]
 )
-RuleOptions = TypeAliasType("RuleOptions", Annotated[dict[str, Any], Field(description="What a check is told.")])
+RuleOptions = TypeAliasType("RuleOptions", Annotated[dict[str, Any], Field(description="Options of a check.")])
 CatalogueDigests = TypeAliasType(
     "CatalogueDigests", Annotated[dict[str, Digest], Field(description="Content hash of each hosted catalogue by id.")]
 )

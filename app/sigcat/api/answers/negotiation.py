@@ -18,7 +18,7 @@ from starlette.exceptions import HTTPException
 JSON, YAML, CSV = "application/json", "application/yaml", "text/csv"
 ANY = "*/*"
 VARY_OF_304 = "Accept, Accept-Encoding"
-"""Of an answer that is not sent again: whoever asks for it may have it packed."""
+"""`Vary` of an answer that is not sent again: any client may ask for it compressed."""
 _PLAIN = TypeAdapter(Any).serializer
 """Writes plain data a fifth faster than `pydantic_core.to_json`."""
 _DUMPER: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
@@ -41,7 +41,7 @@ _FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
 
 Data = BaseModel | Mapping[str, Any]
-"""What is sent: a model of `schemas.py`, or plain data as such a model would write it."""
+"""Data to send: a model of `schemas.py`, or plain data as such a model would write it."""
 
 
 def answer(request: Request, model: Data, rows: Iterable[Mapping[str, Any]] | None = None) -> Response:

@@ -20,7 +20,7 @@ from sigcat.findings import Finding
 
 MEDIA_TYPE = "application/problem+json"
 PROBLEM: dict[str, Any] = {"content": {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/Problem"}}}}
-"""What an OpenAPI response says of its content, if it is a problem."""
+"""Content of an OpenAPI response that is a problem."""
 _LOG = logging.getLogger("sigcat")
 
 KINDS: dict[int, tuple[str, str]] = {
@@ -46,7 +46,7 @@ KINDS: dict[int, tuple[str, str]] = {
 
 _STATUSES: dict[type[SigcatError], int] = {NoRoom: 507, ToolCrashed: 500}
 ANSWERED = (SigcatError, RequestValidationError, HTTPException, ClientDisconnect, Exception)
-"""Exceptions that are answered. A client that is gone reads nothing, but its request is no failure of the service."""
+"""Exceptions that are answered. A client that is gone reads nothing, but its request is not a failure of the service."""
 
 
 class BodyRefused(HTTPException):
@@ -69,7 +69,7 @@ def problem_of(
 
 
 def problem_from(error: Exception) -> schemas.Problem:
-    """The problem that an exception stands for. What is not ours is an internal error without details."""
+    """The problem for an exception. One of other code is an internal error without details."""
     if isinstance(error, NotFound):
         return problem_of(404, str(error), nearest=error.nearest)
     if isinstance(error, InputRefused):

@@ -59,11 +59,11 @@ class Finding(Schema):
 
 
 Findings = Annotated[list[Finding], Field(max_length=ANSWER_FINDINGS + 1)]
-"""Of very many the first, and a last one that says how many more there are."""
+"""The first findings, with a last one that counts the others if there are too many."""
 
 
 class Problem(Schema):
-    """RFC 9457 problem details, with findings that say what is wrong and where."""
+    """RFC 9457 problem details, with findings that give each error and its place."""
 
     type: str = Field(description="Stable address of a page about this kind of problem, such as `/problems/not-found`.")
     title: str
@@ -77,7 +77,7 @@ class Problem(Schema):
 
 
 class FindingCounts(Schema):
-    """How many findings there are of each severity."""
+    """Number of findings of each severity."""
 
     errors: Count
     warnings: Count
@@ -138,7 +138,7 @@ class FunctionRun(Schema):
 
 
 class FunctionFileList(Schema):
-    """The functions that the service hosts, those of one's own first."""
+    """The functions that the service hosts, the operator's own first."""
 
     functions: list[FunctionFile]
     runs: list[FunctionRun]
@@ -182,7 +182,7 @@ class Unit(Schema):
     """A unit of measurement."""
 
     key: str = Field(description="What trees write.")
-    name: str = Field(description="The unit in words.")
+    name: str = Field(description="The unit as text.")
     definition: str | None
     quantity: str | None
     allowed_datatypes: list[str]
@@ -215,7 +215,7 @@ class Node(NodeSummary):
     """Everything about one node."""
 
     definition_path: str = Field(description="Path of the definition; for an instance, without the names of instances.")
-    interface_name: str | None = Field(description="Name of the interface that the node stands for.")
+    interface_name: str | None = Field(description="Name of the interface that the node represents.")
     parent: str | None
     previous: str | None
     next: str | None
@@ -226,7 +226,7 @@ class Node(NodeSummary):
 
 
 class TreeNode(NodeSummary):
-    """A node with what stands below it."""
+    """A node with the nodes below it."""
 
     subtrees: "list[TreeNode] | None" = Field(description="Its children; null where the depth asked for ends.")
 
@@ -258,7 +258,7 @@ class NodePage(Schema):
 
 
 class AttributeChange(Schema):
-    """One attribute of a changed node; null stands for an attribute that is not there."""
+    """One attribute of a changed node; null means that the attribute is absent."""
 
     name: str
     old_value: Any
@@ -288,7 +288,7 @@ class Change(Schema):
 
 
 class ChangeCounts(Schema):
-    """How many changes there are of each class."""
+    """Number of changes of each class."""
 
     worst: Compatibility | None = Field(description="The worst class; null without changes.")
     total: Count
@@ -299,7 +299,7 @@ class ChangeCounts(Schema):
 
 
 class Diff(Schema):
-    """What changed between two trees, as `sigcat diff --format json` writes it."""
+    """Differences between two trees, as `sigcat diff --format json` writes them."""
 
     old: str
     new: str
@@ -315,7 +315,7 @@ class TrialNode(Schema):
 
 
 class Trial(Schema):
-    """What an overlay would make of a catalogue. Nothing of it is stored."""
+    """Effects of an overlay on a catalogue. Nothing is stored."""
 
     ok: bool = Field(description="Whether the overlay brings no error.")
     findings: Findings = Field(description="What the overlay would add to the findings of the catalogue.")
@@ -355,9 +355,9 @@ class RuleList(Schema):
 
 
 class LintReport(Schema):
-    """What the rules found in a posted text."""
+    """Findings of the rules in a posted text."""
 
-    ok: bool = Field(description="Whether there is no error among the findings.")
+    ok: bool = Field(description="Whether the findings have no error.")
     finding_counts: FindingCounts
     findings: Findings
 
@@ -370,7 +370,7 @@ class VissMetadata(Schema):
 
 
 class VissError(Schema):
-    """What VISS says of an error."""
+    """An error, as VISS describes it."""
 
     number: str
     reason: str

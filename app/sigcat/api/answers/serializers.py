@@ -1,4 +1,4 @@
-"""What the catalogue knows, in the schemas of the API."""
+"""Data of the catalogue in the schemas of the API."""
 
 import datetime as dt
 import os
@@ -51,7 +51,7 @@ def plain_text(text: str) -> str:
 
 
 def origin_schema(origin: Origin) -> schemas.Place:
-    """Where something was written."""
+    """Return the place where something was written."""
     return schemas.Place(**_place(origin))
 
 
@@ -93,7 +93,7 @@ def listed_findings(findings: Sequence[Finding]) -> list[schemas.Finding]:
 
 
 def finding_counts(findings: Iterable[Finding]) -> schemas.FindingCounts:
-    """How many findings there are of each severity."""
+    """Count findings by severity."""
     counts = Counter(finding.severity for finding in findings)
     return schemas.FindingCounts(errors=counts["error"], warnings=counts["warning"], infos=counts["info"])
 
@@ -124,7 +124,7 @@ def node_detail(catalogue: Catalogue, node: Node) -> schemas.Node:
 
 
 def node_data(catalogue: Catalogue, node: Node) -> dict[str, Any]:
-    """The same as plain data, as it is sent: what comes from a catalogue fits the schema, and checking takes half of the time."""
+    """The same as plain data, as it is sent: values of a catalogue fit the schema, and checking takes half of the time."""
     parent = catalogue.parent(node)
     before, after = catalogue.beside(node)
     unit = catalogue.unit(node)
@@ -143,7 +143,7 @@ def node_data(catalogue: Catalogue, node: Node) -> dict[str, Any]:
 
 
 def interface_name_of(node: Node) -> str | None:
-    """Name of the interface that a node of a function's own branch stands for; None for data and for branches."""
+    """Name of the interface that a node of a function's own branch represents; None for data and for branches."""
     category = category_of(node.path)
     return interface_name(node.path) if category is not None and category != "data" else None
 
@@ -170,7 +170,7 @@ def _attribute(node: Node, name: str, value: Any, history: list[dict[str, Any]])
 
 
 def tree_node(node: Node, depth: int) -> schemas.TreeNode:
-    """A node and what stands below it, `depth` levels down."""
+    """A node and the nodes below it, `depth` levels down."""
     subtrees = [tree_node(child, depth - 1) for child in node.children] if depth > 0 else None
     return schemas.TreeNode(**_node_fields(node), subtrees=subtrees)
 
@@ -262,7 +262,7 @@ def _rule_fields(rule: Rule) -> dict[str, Any]:
 
 
 def trial_schema(trial: Trial, most_nodes: int) -> schemas.Trial:
-    """What an overlay would do; of many nodes, the first."""
+    """Return the effects of an overlay; of many nodes, only the first."""
     data = diff_data(trial.changes)
     return schemas.Trial(
         ok=not has_errors(trial.findings),

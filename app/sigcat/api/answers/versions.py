@@ -11,7 +11,7 @@ _versions: "WeakKeyDictionary[Catalogue, tuple[str, str]]" = WeakKeyDictionary()
 
 
 def version_of(hosted: Hosted) -> str:
-    """A digest of a catalogue: content, files with their positions, findings. A newer state with errors is no part."""
+    """A digest of a catalogue: content, files with their positions, findings. A newer state with errors is not part of it."""
     known = _versions.get(hosted.catalogue)
     if known is None or known[0] != hosted.source.title:
         known = (hosted.source.title, _version(hosted))

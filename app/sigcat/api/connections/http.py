@@ -41,7 +41,7 @@ _HTTP_2 = b"PRI"
 _PIPELINED = 32
 """Requests of one connection that wait for the answer to another one before them."""
 _LINGERING_SECONDS = 2.0
-"""How long a client may read why it was refused, before the connection is gone."""
+"""Seconds in which a client may read why it was refused, before the connection is closed."""
 _DISCARDED_BYTES = 16 * 1024 * 1024
 """Bytes of a body that are read after its answer: clients that send all of it first read the answer only then."""
 
@@ -65,7 +65,7 @@ _NOTHING_FOLLOWS = "Nothing may follow a request that closes the connection. Sen
 
 
 class ConnectionRules(NamedTuple):
-    """What holds for the connections of a process; in the state that the application gives its server."""
+    """Rules for the connections of a process; in the state that the application gives its server."""
 
     open_connections: OpenConnections
     request_starts: RequestStarts
@@ -104,7 +104,7 @@ class HttpConnection(HttpToolsProtocol):
     # -- the connection -------------------------------------------------------------------------------------------
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
-        """Let it in; where there is no room, its first request will be refused."""
+        """Let it in; without room, its first request will be refused."""
         super().connection_made(transport)
         self._network = network_of(self._address)
         self._has_room = self._rules.open_connections.add(self, self._address)
@@ -180,7 +180,7 @@ class HttpConnection(HttpToolsProtocol):
         self.url += url
 
     def on_header(self, name: bytes, value: bytes) -> None:
-        """A header, without the spaces around its value; what stands behind a body in chunks is none."""
+        """A header, without the spaces around its value; a line after a body in chunks is not one."""
         self._header_count += 1
         self._count_head(len(name) + len(value) + _AROUND_HEADER)
         if self._is_in_head:
@@ -324,7 +324,7 @@ class HttpConnection(HttpToolsProtocol):
             self.transport.close()
 
     def _refusal_of(self, error: BaseException) -> Refused:
-        """What is wrong, in words of our own: those of the parser are for who knows its code."""
+        """Describe the problem in our own words: the parser's are for readers of its code."""
         if isinstance(error, Refused):
             return error
         if isinstance(error, httptools.HttpParserInvalidMethodError) or self.parser.get_method() == _HTTP_2:
@@ -364,7 +364,7 @@ class HttpConnection(HttpToolsProtocol):
         self._rules.request_starts.add(self._network, lambda: self._start(cycle, app))
 
     def _start(self, cycle: RequestResponseCycle, app: ASGI3Application) -> None:
-        """Have the application answer, as long as somebody is there who waits for it."""
+        """Have the application answer, as long as its client waits for it."""
         if self.transport.is_closing():
             return
         task = self.loop.create_task(cycle.run_asgi(app))
@@ -373,7 +373,7 @@ class HttpConnection(HttpToolsProtocol):
         task.add_done_callback(self.tasks.discard)
 
     def _has_left(self) -> bool:
-        """Whether nobody waits any more for what is answered now."""
+        """Whether the client has stopped waiting for the present answer."""
         has_left = self.transport.is_closing()
         if has_left and self._answering is not None:
             self._answering[0].disconnected = True
@@ -401,7 +401,7 @@ class HttpConnection(HttpToolsProtocol):
             self._close_with(answer)
 
     def _close_with(self, answer: bytes) -> None:
-        if self._is_under_way:  # its body is what is wrong: the application waits for it in vain
+        if self._is_under_way:  # its body has the error: the application waits for it in vain
             self.cycle.disconnected = True
             self.cycle.message_event.set()
             self.flow.resume_reading()

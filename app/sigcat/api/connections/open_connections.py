@@ -12,7 +12,7 @@ from sigcat.api.client_network import network_of
 
 
 class Connection(Protocol):
-    """What is needed of a connection."""
+    """Interface that a connection must have."""
 
     @property
     def waits_for_its_client(self) -> bool:

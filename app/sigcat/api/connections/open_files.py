@@ -1,4 +1,4 @@
-"""How many connections the system lets a process have: each is an open file."""
+"""Number of connections that the system lets a process have: each is an open file."""
 
 import sys
 
@@ -7,7 +7,7 @@ _OTHER_FILES = 200
 
 
 def connections_allowed(wanted: int) -> int:
-    """As many as wanted, or what the limit of open files leaves. Raises that limit as far as it may."""
+    """As many as requested, or what the limit of open files leaves. Raises that limit as far as it may."""
     if sys.platform == "win32":
         return wanted
     import resource

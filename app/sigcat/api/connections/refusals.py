@@ -1,4 +1,4 @@
-"""What is no request gets an answer too: a problem like any other, with an id, a count and a line in the log."""
+"""Answers to what is not a request: a problem like any other, with an id, a count and a line in the log."""
 
 from collections.abc import Iterable
 from http import HTTPStatus

@@ -1,4 +1,4 @@
-"""When requests begin: in each round of the event loop a few of each client, so that many of one are no wall before those of others."""
+"""Starts of requests: a few of each client in each round of the event loop, so that many of one do not block others."""
 
 import asyncio
 from collections import Counter, deque
@@ -7,7 +7,7 @@ from collections.abc import Callable
 _AT_ONCE = 32
 """Requests of one client that begin before the others have a round; after half of them one is due."""
 _IN_ROUND = 2
-"""Of a client that has more. Most answers are made on the event loop, and an ordinary request of another one takes ten rounds."""
+"""Requests of a client in a round. Most answers are made on the event loop: another client waits ten rounds."""
 
 Start = Callable[[], None]
 

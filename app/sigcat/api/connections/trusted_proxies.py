@@ -1,4 +1,4 @@
-"""Which addresses are those of the operator's proxies."""
+"""Addresses of the operator's proxies."""
 
 from collections.abc import Callable, Iterable
 from functools import lru_cache

@@ -1,4 +1,4 @@
-"""Answers that wait in memory until clients read them: bounded in all, so that those who read nothing do not fill it."""
+"""Answers that wait in memory until clients read them: bounded in all, so that clients that read nothing do not fill it."""
 
 from collections import Counter
 from typing import Protocol
@@ -21,7 +21,7 @@ class UnreadAnswers:
     def __init__(self, most_bytes: int) -> None:
         self._most_bytes = most_bytes
         self._clients: dict[Answering, str] = {}
-        """Of connections with something unread; the one first that has had it longest."""
+        """Clients of connections with unread data; the connection that has had it longest is first."""
 
     def add(self, connection: Answering, client: str) -> None:
         """Note that an answer is not read at once."""
@@ -33,7 +33,7 @@ class UnreadAnswers:
             cut.cut_off()
 
     def remove(self, connection: Answering) -> None:
-        """Forget a connection: all was read, or nobody is there any more."""
+        """Forget a connection: all was read, or the client is gone."""
         self._clients.pop(connection, None)
 
     def _longest_of_most(self, unread: dict[Answering, int]) -> Answering:

@@ -1,4 +1,4 @@
-"""What every request passes before and after its route.
+"""Steps that every request passes before and after its route.
 
 Access, the log, metrics, and answers that are kept.
 """

@@ -1,4 +1,4 @@
-"""Who may do what: a bearer token with the scope that an operation needs."""
+"""Access: a bearer token with the scope that an operation needs."""
 
 from collections.abc import Iterable
 from http import HTTPStatus

@@ -44,7 +44,7 @@ class AnswerCache:
         self._bytes = 0
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Answer, or pass the request on and keep what comes back."""
+        """Answer, or pass the request on and keep its answer."""
         if scope["type"] != "http" or scope["method"] != "GET" or not self._most_bytes:
             await self._app(scope, receive, send)
             return

@@ -47,7 +47,7 @@ class Metrics:
             "sigcat_requests", "Requests that were answered.", ("method", "route", "status"), registry=own
         )
         self._series: dict[tuple[str, str, int], tuple[Counter, Histogram]] = {}
-        """Of these both, the ones that were used: looking them up costs as much as counting."""
+        """Counters and histograms in use: looking them up costs as much as counting."""
         self._seconds = Histogram(
             "sigcat_request_seconds", "From the first byte of a request to the last of its answer.", ("route",),
             buckets=_SECONDS, registry=own,
@@ -99,7 +99,7 @@ class _Hosted(Collector):
         self._functions = functions
 
     def collect(self) -> Iterable[GaugeMetricFamily]:
-        """Nodes and errors of each catalogue, and of what a newer state was refused."""
+        """Nodes and errors of each catalogue, and errors of a refused newer state."""
         nodes = GaugeMetricFamily("sigcat_catalogue_nodes", "Nodes of a catalogue.", labels=("catalogue", "digest"))
         rejected = GaugeMetricFamily(
             "sigcat_catalogue_rejected", "1 if a newer state of the files has errors.", labels=("catalogue",)

@@ -1,4 +1,4 @@
-"""Answers packed with gzip, for those who allow it."""
+"""Answers packed with gzip, for clients that allow it."""
 
 from fastapi.middleware.gzip import GZipMiddleware
 from starlette.datastructures import MutableHeaders

@@ -1,4 +1,4 @@
-"""What every request passes first: it gets an id, and how it went is counted and logged."""
+"""First step of every request: it gets an id, and its result is counted and logged."""
 
 import asyncio
 import re
@@ -16,7 +16,7 @@ from sigcat.api.work.quotas import quota_headers
 from sigcat.api.work.refusals import Busy
 
 _CLIENT_LEFT = 499
-"""Noted where nobody was there any more to be answered. It is never sent, and no status of HTTP; other servers note the same."""
+"""Status in the log if the client was gone before the answer. It is never sent; other servers log the same number."""
 _GIVEN_ID = re.compile(rb"[A-Za-z0-9._-]{8,64}")
 
 

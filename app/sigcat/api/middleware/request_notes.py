@@ -1,4 +1,4 @@
-"""What is kept of each request: a count in the metrics, and a line in the log."""
+"""Records of requests: a count in the metrics, and a line in the log."""
 
 from collections.abc import Callable
 from random import Random
@@ -47,7 +47,7 @@ class RequestNotes:
     def __init__(self, metrics: Metrics) -> None:
         self._metrics = metrics
         self.log: Callable[[Note], None] | None = None
-        """Where notes go; a server sets it."""
+        """Receives each note; a server sets it."""
 
     def add(self, note: Note) -> None:
         """Note a request."""

@@ -1,4 +1,4 @@
-"""What routes take from a request: the hosted catalogue, the posted text, the cursor.
+"""Inputs that routes take from a request: the hosted catalogue, the posted text, the cursor.
 
-HTTP in, frozen values of the other rooms out.
+HTTP in, frozen values of the other packages out.
 """

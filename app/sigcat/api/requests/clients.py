@@ -1,4 +1,4 @@
-"""Who asks, as far as what one client may have under way is counted."""
+"""Name of a client, for counting what one client may have under way."""
 
 from starlette.requests import Request
 

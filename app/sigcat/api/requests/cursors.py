@@ -13,7 +13,7 @@ def cursor_of(offset: int, digest: str) -> str:
 
 
 def offset_of(cursor: str, digest: str) -> int:
-    """Where the page of a cursor begins. Raises UsageError for one that is made up or of another state."""
+    """Return the start index of a cursor's page. Raises UsageError for one that is made up or of another state."""
     try:
         state, _, offset = urlsafe_b64decode(cursor + "=" * (-len(cursor) % 4)).decode("ascii").partition(":")
         number = int(offset)

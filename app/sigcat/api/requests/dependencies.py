@@ -1,4 +1,4 @@
-"""What the routes take from a request: the hosted catalogue, the posted text."""
+"""Inputs that routes take from a request: the hosted catalogue, the posted text."""
 
 import asyncio
 from collections.abc import AsyncIterator, Mapping
@@ -176,7 +176,7 @@ async def hosted_catalogue(catalogue: CatalogueId, request: Request) -> Hosted:
 
 
 async def catalogue_of_node(catalogue: CatalogueId, request: Request) -> Hosted:
-    """The same where a node is looked for: conditions are judged once it is found (RFC 9110, 13.2.1)."""
+    """The same where a node is looked for: conditions are evaluated once it is found (RFC 9110, 13.2.1)."""
     hosted, is_fixed = await catalogue_at(catalogue, library_of(request), queue_of(request))
     mark_catalogue(request, hosted, is_fixed=is_fixed)
     return hosted
@@ -221,7 +221,7 @@ async def named_catalogue(
         Query(max_length=NAME_CHARACTERS, description="Id of a hosted catalogue; without it, the default one."),
     ] = None,
 ) -> Hosted:
-    """The hosted catalogue that a posted text is judged against."""
+    """The hosted catalogue that a posted text is checked against."""
     library = library_of(request)
     return library.default if catalogue is None else (await catalogue_at(catalogue, library, queue_of(request)))[0]
 
@@ -235,7 +235,7 @@ FileName = Annotated[str, Query(max_length=NAME_CHARACTERS, description="What fi
 async def posted_body(request: Request) -> AsyncIterator[bytes]:
     """The body, whatever it is, not longer than the limit and within its time. It counts until the request is answered.
 
-    Raises Busy at once where there is no room for the work that it is for.
+    Raises Busy at once without room for the work that it is for.
     """
     client = client_of(request)
     held: HeldBodies = request.app.state.held_bodies
@@ -292,7 +292,7 @@ PostedBody = Annotated[bytes, Depends(posted_body)]
 
 
 def text_body(description: str, example: str) -> dict[str, Any]:
-    """The OpenAPI description of a posted text. It is sent as it stands in its file, whatever it is called."""
+    """The OpenAPI description of a posted text. It is sent unchanged, like its file, whatever its name."""
     content: dict[str, Any] = {"schema": {"type": "string", "format": "binary"}}
     if example:
         content["example"] = example
@@ -301,7 +301,7 @@ def text_body(description: str, example: str) -> dict[str, Any]:
 
 
 def _check_length(length: int, request: Request, settings: Settings) -> None:
-    """Raises BodyRefused. A client that sends all the same is let go on for a while: closed at once, it would not read why."""
+    """Raises BodyRefused. A client that sends all the same may continue for a while: closed at once, it would not read why."""
     if length > settings.body_bytes:
         detail = f"The body must have at most {settings.body_bytes:,} bytes."
         headers = {"Connection": "close"} if "expect" in request.headers else None

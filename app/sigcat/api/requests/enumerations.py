@@ -17,7 +17,7 @@ def enumeration(name: str, values: Collection[str], description: str) -> Any:
 
 
 def one_of(values: Collection[str]) -> AfterValidator:
-    """What refuses any other value: for an operation that takes some values of an enumeration only."""
+    """Return a validator that refuses other values, for an operation that takes only some of an enumeration."""
 
     def known(value: str) -> str:
         if value not in values:

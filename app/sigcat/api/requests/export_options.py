@@ -21,7 +21,7 @@ _TYPES: Mapping[str, Any] = {"flag": Flag, "switch": Flag, "text": Text, "name":
 
 
 class ExportQuery(BaseModel):
-    """Base of all: it refuses what is no option of the format."""
+    """Base of all: it refuses unknown options."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 

@@ -1,4 +1,4 @@
-"""Function files in the body of a request: one as it stands, or a set in a JSON object."""
+"""Function files in the body of a request: one file unchanged, or a set in a JSON object."""
 
 import json
 from collections.abc import Mapping, Sequence
@@ -64,7 +64,7 @@ def _set_of(text: bytes, name: str, limits: Limits, keys: tuple[str, ...]) -> Ma
     unknown = sorted(set(value) - set(keys))
     is_right = isinstance(given, list) and 1 <= len(given) <= REQUEST_FUNCTIONS
     if unknown or not is_right or not _are_texts(value.get("identifiers", [])):
-        more = "".join(f", {_FURTHER[key]} if wanted" for key in keys[1:])
+        more = "".join(f", {_FURTHER[key]} if needed" for key in keys[1:])
         message = f"A set has `functions`, a list of 1 to {REQUEST_FUNCTIONS}{more}; nothing else."
         at = (unknown[0],) if unknown else ("identifiers",) if is_right else ("functions",)
         raise InputRefused(message, (document.finding(codes.FIELD_UNKNOWN, at, message),))

@@ -1,4 +1,4 @@
-"""How many bytes of bodies the service holds, of all requests together: clients that stall must not fill its memory."""
+"""Bytes of bodies that the service holds for all requests: clients that stall must not fill its memory."""
 
 from collections import Counter
 from collections.abc import Callable, Iterator

@@ -26,7 +26,7 @@ async def in_turn(
     *arguments: _Arguments.args,
     **options: _Arguments.kwargs,
 ) -> _Result:
-    """What the function makes of nodes and `depth` levels below them, in a thread; many have turns of their own."""
+    """Return the function's result from a thread; many nodes down to `depth` have separate turns."""
     if not has_more(nodes, depth, _MANY):
         return await in_thread(request, function, *arguments, **options)
     turns: Turns = request.app.state.reading_turns

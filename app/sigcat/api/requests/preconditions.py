@@ -11,7 +11,7 @@ def refuse_unless_matched(if_match: str | None, etag: str) -> None:
     if "*" in known or (etag in known and not etag.startswith("W/")):
         return
     detail = (
-        "The header `If-Match` must be `*`, or the strong `ETag` of what is there. Leave it out; of a catalogue, "
+        "The header `If-Match` must be `*`, or the strong `ETag` of the current state. Leave it out; of a catalogue, "
         "`ID@VERSION` in the address is one version of it and no other."
     )
     raise HTTPException(HTTPStatus.PRECONDITION_FAILED, detail, headers={"ETag": etag})

@@ -14,7 +14,7 @@ from sigcat.names import did_you_mean
 
 
 def parameter_names(dependant: Dependant) -> Iterator[str]:
-    """Names of all query parameters that a route takes, those of what it depends on included."""
+    """Names of all query parameters that a route takes, including those of its dependencies."""
     for field in dependant.query_params:
         kind: Any = field.field_info.annotation
         is_model = isinstance(kind, type) and issubclass(kind, BaseModel)

@@ -1,4 +1,4 @@
-"""Pages and answers that a thread makes: clients take turns, so that one who asks for many keeps no other one waiting."""
+"""Pages and answers that a thread makes: clients take turns, so that many requests of one do not delay the others."""
 
 from collections.abc import AsyncIterator, Callable, Iterator
 from inspect import Parameter, iscoroutinefunction, signature
@@ -16,7 +16,7 @@ from sigcat.api.work.turns import Turns
 from sigcat.catalogue.model.catalogue import Node
 
 THREADS = 4
-"""Of them are at work at once: they share one core, so more would only make all of them late, and what is read meanwhile."""
+"""Threads that work at once: they share one core, so more would delay all of them, and the reading meanwhile."""
 _FEW_CHILDREN = 100
 _ASKING = "asking"
 _Arguments = ParamSpec("_Arguments")
@@ -37,7 +37,7 @@ async def in_thread(
     *arguments: _Arguments.args,
     **options: _Arguments.kwargs,
 ) -> _Result:
-    """What a function gives in a thread, when it is the turn of who asks. Raises Busy if too many wait."""
+    """Return a function's result from a thread, when it is the client's turn. Raises Busy if too many wait."""
     turns: Turns = request.app.state.thread_turns
     client = client_of(request)
     mark_quota(request, turns.quota_of(client, "answers"))
@@ -55,7 +55,7 @@ def has_turn(request: Request) -> bool:
 
 
 async def parts_in_turn(request: Request, parts: Iterator[bytes]) -> AsyncIterator[bytes]:
-    """An answer that is sent while it is made: each part of it has a turn of its own."""
+    """An answer that is sent while it is made: each part of it has a separate turn."""
     while (part := await in_thread(request, next, parts, None)) is not None:
         yield part
 

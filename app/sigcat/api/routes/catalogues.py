@@ -39,7 +39,7 @@ listing = APIRouter(prefix="/api/v1/catalogues", tags=["catalogues"], route_clas
 router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["catalogues"], route_class=InThread)
 _PAGE = 50
 _OWN_FIELDS = ("path", "name", "category")
-"""Fields of a node that are no attributes."""
+"""Fields of a node that are not attributes."""
 
 NodePath = Annotated[
     str, Path(description="Path of a node.", examples=["Vehicle.Speed"], max_length=PARAMETER_CHARACTERS)
@@ -51,11 +51,11 @@ Value = Annotated[str, Field(max_length=NAME_CHARACTERS)]
 
 
 _SAID = {True: "yes", False: "no"}
-"""What a filter calls a truth."""
+"""Words of a filter for true and false."""
 
 
 class SearchQuery(BaseModel):
-    """What is searched for, the filters, and which page of the results is wanted."""
+    """Search words, filters, and the requested page of the results."""
 
     model_config = ConfigDict(extra="forbid")
 
@@ -88,7 +88,7 @@ class SearchQuery(BaseModel):
 
 
 class RowQuery(SearchQuery):
-    """What is searched for, and which fields are wanted of it."""
+    """Search words and filters, and the requested fields of the results."""
 
     instances: bool = Field(
         True, description="Each instance by itself; else those that share a definition are one row."
@@ -143,7 +143,7 @@ async def get_tree(
     ] = None,
     depth: Annotated[int, Query(ge=0, le=ANSWER_DEPTH, description="Levels below the first node.")] = 1,
 ) -> Response:
-    """A node and what stands below it, down to a depth."""
+    """A node and the nodes below it, down to a depth."""
     node = _root(hosted.catalogue) if path is None else await node_at(request, hosted.catalogue, path)
     judge_conditions(request)
     if has_more([node], depth, settings.tree_nodes):
@@ -221,7 +221,7 @@ def search_page(request: Request, result: SearchResult, cursor: str | None) -> s
 
 
 def found(hosted: Hosted, settings: Settings, query: SearchQuery) -> tuple[SearchResult, str | None]:
-    """One page of what a query finds, and the cursor of the next one."""
+    """One page of a query's results, and the cursor of the next one."""
     _check(hosted, settings, query)
     offset = offset_of(query.cursor, searched_state(hosted, query)) if query.cursor else 0
     limit = page_size(query.limit, settings)
@@ -253,7 +253,7 @@ def mark_next_page(request: Request, cursor: str | None) -> None:
 
 
 def searched_state(hosted: Hosted, query: SearchQuery) -> str:
-    """What a cursor of a search belongs to: the state of the catalogue, the words and the filters."""
+    """Return the digest that a search's cursor belongs to: of the state of the catalogue, the words and the filters."""
     asked = repr((hosted.catalogue.digest, query.q, query.instances, sorted(query.filters.items())))
     return digest_of(asked.encode("utf-8", "replace"))
 
@@ -290,12 +290,12 @@ def _refuse_repeated(request: Request) -> None:
 
 
 def _refuse_unknown_fields(request: Request, catalogue: Catalogue, fields: Iterable[str]) -> None:
-    """Raises UsageError for a field that is no attribute of VSS, of the rules, or of any node of the catalogue."""
+    """Raises UsageError for a field that neither VSS, nor the rules, nor any node of the catalogue has."""
     known = {*_OWN_FIELDS, *CORE_ATTRIBUTES, *rules_of(request).active.attributes, *catalogue.attributes}
     for field in fields:
         if field not in known:
             hint = did_you_mean(field[:PROPOSAL_CHARACTERS], sorted(known)) or f"Fields are {', '.join(sorted(known))}."
-            raise UsageError(f"There is no field {field[:100]!r}. {hint}".rstrip())
+            raise UsageError(f"Unknown field {field[:100]!r}. {hint}".rstrip())
 
 
 def node_answer(request: Request, hosted: Hosted, node: Node) -> Response:
@@ -319,7 +319,7 @@ def find_node(catalogue: Catalogue, path: str) -> Node:
     if node is None:
         shown = path if len(path) <= PROPOSAL_CHARACTERS else f"{path[:PROPOSAL_CHARACTERS]}…"
         near = nearest(path[:PROPOSAL_CHARACTERS], catalogue.nodes, limit=5, cutoff=60)
-        raise NotFound(f"There is no node {shown!r} in catalogue {catalogue.name!r}.", near)
+        raise NotFound(f"Catalogue {catalogue.name!r} has no node {shown!r}.", near)
     return node
 
 

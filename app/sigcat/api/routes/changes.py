@@ -75,7 +75,7 @@ async def diff_catalogues(
         Query(max_length=PARAMETER_VALUES, description="Classes to show; all without it."),
     ] = None,
 ) -> Response:
-    """What changed from one hosted catalogue to another, and whom it breaks."""
+    """Return the changes from one hosted catalogue to another, with whom they break."""
     old, is_old_fixed = await catalogue_at(catalogue, library, queue)
     new, is_new_fixed = await catalogue_at(to, library, queue)
     mark_state(request, f"{version_of(old)}-{version_of(new)}", is_fixed=is_old_fixed and is_new_fixed)
@@ -90,7 +90,7 @@ async def diff_catalogues(
     "/trial",
     response_model=schemas.Trial,
     responses=problem_documentation(404, 408, 413, 415, 422, 503),
-    openapi_extra=text_body("An overlay, as it stands in its file. It cannot include others.", _OVERLAY),
+    openapi_extra=text_body("An overlay: the text of its file. It cannot include others.", _OVERLAY),
 )
 async def try_overlay(
     text: PostedText,

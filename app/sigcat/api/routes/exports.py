@@ -33,7 +33,7 @@ _COUNTED = {"Sigcat-Warnings": {"description": "How many warnings there are.", "
 
 
 def _add_exporter(exporter: Exporter) -> None:
-    """The operation of a format: each has an address of its own, options of its own and a media type of its own."""
+    """The operation of a format: each has its own address, options and media type."""
     options = export_query(exporter)
 
     async def export_catalogue(
@@ -56,7 +56,7 @@ def _add_exporter(exporter: Exporter) -> None:
 
 
 def _documentation(exporter: Exporter) -> dict[str, Any]:
-    """What OpenAPI says of the answer."""
+    """Return the description of the answer for OpenAPI."""
     if exporter.stream is not None:
         return {"description": "The file, sent while it is written.", "model": schemas.VssTree}
     described = {"description": "The file.", "headers": _COUNTED}
@@ -105,7 +105,7 @@ async def _export(
 
 
 def _head(request: Request, media_type: str) -> Response:
-    """What HEAD is answered with. Its length is that of the export, which is not known (RFC 9110, 8.6)."""
+    """Return the answer to HEAD. The export's length is not known, so it is absent (RFC 9110, 8.6)."""
     head = Response(media_type=media_type, headers=caching_headers(request))
     del head.headers["content-length"]
     return head

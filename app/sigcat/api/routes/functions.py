@@ -46,7 +46,7 @@ components:
         },
         **problem_documentation(404, 408, 413, 415, 422, 503),
     },
-    openapi_extra=text_body("The declaration of a function, as it stands in `function.yaml`.", DECLARATION),
+    openapi_extra=text_body("The declaration of a function: the text of `function.yaml`.", DECLARATION),
 )
 async def build_function_json(
     text: PostedText,

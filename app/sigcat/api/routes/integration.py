@@ -31,7 +31,7 @@ from sigcat.platforms.table import PLATFORMS
 router = APIRouter(prefix="/api/v1", tags=["integration"], route_class=InThread)
 
 _BODY = (
-    f"One function, as `function.yaml` or Function JSON; or a set: {SET}, and, if wanted, `deployment`, what differs "
+    f"One function, as `function.yaml` or Function JSON; or a set: {SET}, and, if needed, `deployment`, what differs "
     "from the defaults, and, where the platform has ids, `identifiers`, a list of id catalogues as texts of CSV or "
     "ARXML, and `previous`, the Integration JSON before: services that changed since get a new version."
 )
@@ -85,7 +85,7 @@ async def integrate_functions_archive(
 
 
 def _add_generator(platform: Platform, generator: Generator, releases: Any) -> None:
-    """The route of a generator: each has an address of its own. `releases` is the type that its releases are of."""
+    """The route of a generator: each has its own address. `releases` is the type that its releases are of."""
 
     default = generator.default_release or "that of the Integration JSON"
 
@@ -127,7 +127,7 @@ def _add_generator(platform: Platform, generator: Generator, releases: Any) -> N
 
 
 def _add_generators(word: str) -> None:
-    """Those of all platforms that have one word for what they call releases: a parameter of one name has one type."""
+    """Add generators of all platforms with one word for their releases: a parameter of one name has one type."""
     pairs = [(p, g) for p in PLATFORMS.values() for g in p.generators if g.release_word == word]
     names = {name: None for _, generator in pairs for name in generator.releases}
     owner = camel_case(pairs[0][0].name)

@@ -28,7 +28,7 @@ from sigcat.rules.linting.posted import lint_text
 
 router = APIRouter(prefix="/api/v1", tags=["lint"])
 
-_BODY = f"An overlay, a tree or a function, as it stands in its file; or, as functions, a set: {SET}."
+_BODY = f"An overlay, a tree or a function: the text of its file; or, as functions, a set: {SET}."
 _EXAMPLE = """\
 Vehicle.Speed:
   type: sensor

@@ -76,7 +76,7 @@ async def get_viss_metadata(
         return _refusal(HTTPStatus.BAD_REQUEST, "bad_request", _ONLY_METADATA)
     node = hosted.catalogue.get(path.strip("/").replace("/", "."))
     if node is None:
-        return _refusal(HTTPStatus.NOT_FOUND, "invalid_path", f"There is no node {path[:200]!r}.")
+        return _refusal(HTTPStatus.NOT_FOUND, "invalid_path", f"Unknown node {path[:200]!r}.")
     judge_conditions(request)
     if has_more([node], DEFAULT_LIMITS.path_names, settings.tree_nodes):
         message = f"The tree has more than {settings.tree_nodes:,} nodes. Ask for a branch."

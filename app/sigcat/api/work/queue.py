@@ -39,7 +39,7 @@ class WorkQueue:
 
     @property
     def pending(self) -> int:
-        """How many pieces of work are under way or wait."""
+        """Number of pieces of work that are under way or wait."""
         return self._turns.pending
 
     def quota_of(self, client: str) -> Quota:
@@ -55,7 +55,7 @@ class WorkQueue:
         await self._workers.warm(self._at_once, modules, values, rehearsals)
 
     def refuse_more(self, client: str) -> None:
-        """Raises Busy if there is no room for work of a client now."""
+        """Raises Busy without room for work of a client now."""
         self._turns.refuse_more(client)
 
     def close(self) -> None:
@@ -124,7 +124,7 @@ class ClientQueue:
         self._client = client
 
     def refuse_more(self) -> None:
-        """Raises Busy if there is no room for work now: before anything is read that it would need."""
+        """Raises Busy without room for work now: before its input is read."""
         self._queue.refuse_more(self._client)
 
     async def run(
@@ -133,7 +133,7 @@ class ClientQueue:
         *arguments: _Arguments.args,
         **options: _Arguments.kwargs,
     ) -> _Result:
-        """What the function gives, in a worker process."""
+        """Return the function's result from a worker process."""
         result: _Result = await self._queue.work(self._client, Work(function, arguments, options))
         return result
 
@@ -154,6 +154,6 @@ class ClientQueue:
         *arguments: _Arguments.args,
         **options: _Arguments.kwargs,
     ) -> _Result:
-        """What the function gives, in a thread of this process: for what changes or fills what is hosted."""
+        """Return the function's result from a thread of this process: for work that changes or fills what is hosted."""
         result: _Result = await self._queue.work_in_thread(self._client, Work(function, arguments, options))
         return result

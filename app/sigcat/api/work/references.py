@@ -1,4 +1,4 @@
-"""What is too large to be sent with each piece of work: it is kept where the work is done, and sent as a reference.
+"""References to values that are too large to be sent with each piece of work: they are kept where the work is done.
 
 A reference names the very catalogue that a request holds, and not the one that has its id by now.
 """
@@ -75,7 +75,7 @@ class _Pickler(pickle.Pickler):
         return _Reference(number, variant)
 
 
-class _Unpickler(pickle.Unpickler):  # reads nothing but what the service sends to a process of its own
+class _Unpickler(pickle.Unpickler):  # reads only data that the service sends to its own process
     def __init__(self, file: io.BytesIO, kept: Mapping[int, Any]) -> None:
         super().__init__(file)
         self._kept = kept

@@ -1,4 +1,4 @@
-"""What a client is told whose work was not done."""
+"""Refusals that a client gets whose work was not done."""
 
 from http import HTTPStatus
 

@@ -1,4 +1,4 @@
-"""Whose turn it is: a few pieces of work at once, a bounded number that waits, and a share of both for each client."""
+"""Turns: a few pieces of work at once, a bounded number that waits, and a share of both for each client."""
 
 import asyncio
 from collections import Counter, deque
@@ -14,7 +14,7 @@ _Waiting = deque["asyncio.Future[None]"]
 
 
 def pass_over(done: "asyncio.Task[Any]") -> None:
-    """Have nobody hear of an exception where all who asked are gone: asyncio would tell the log of it."""
+    """Ignore an exception after all clients have gone: asyncio would log it."""
     if not done.cancelled():
         done.exception()
 
@@ -33,7 +33,7 @@ class Turns:
 
     @property
     def pending(self) -> int:
-        """How many pieces of work are under way or wait."""
+        """Number of pieces of work that are under way or wait."""
         return self._working.total() + sum(map(len, self._waiting.values()))
 
     @asynccontextmanager
@@ -47,7 +47,7 @@ class Turns:
             self._end(client)
 
     async def to_the_end(self, client: str, begin: Callable[[], Coroutine[Any, Any, _Result]]) -> _Result:
-        """What comes of something that cannot be ended: given up, it has the turn until it ends by itself."""
+        """Return the result of work that cannot be stopped: cancelled, it keeps its turn until it ends by itself."""
         self.refuse_more(client)
         await self._begin(client)
         task = asyncio.create_task(begin())

@@ -20,7 +20,7 @@ _CHILD = "sigcat.api.work.worker"
 _log = logging.getLogger("sigcat")
 
 Known = frozenset[int | str]
-"""What a process has: names of modules, and numbers of values."""
+"""Contents of a process: names of modules, and numbers of values."""
 
 
 class ReadyWork(NamedTuple):
@@ -31,7 +31,7 @@ class ReadyWork(NamedTuple):
 
 
 class _Started(NamedTuple):
-    """A zygote, and what it was told: of another one nothing is known."""
+    """A zygote, and the messages that it got: another one has none of them."""
 
     zygote: Zygote
     known: set[int | str]
@@ -54,7 +54,7 @@ class WarmZygote:
         return started.zygote.child(kind), known
 
     async def ready(self, work: Work) -> ReadyWork:
-        """Work that can be done. What nobody needed before is told to the zygote; the event loop does not wait for that."""
+        """Work that can be done. The zygote gets values that are new to it; the event loop does not wait for that."""
         data, values = pickled(work, self._number_of)
         modules = {work.function.__module__}
         if not self._started().known.issuperset((*modules, *values)):
@@ -81,7 +81,7 @@ class WarmZygote:
             return self._last
 
     def _tell(self, modules: Iterable[str], values: Mapping[int, object]) -> None:
-        with self._telling:  # a value that is known was told
+        with self._telling:  # the zygote has a value that is known
             zygote, known = self._started()
             new = Told(
                 tuple(name for name in modules if name not in known),

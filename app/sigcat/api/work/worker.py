@@ -1,4 +1,4 @@
-"""What a worker process does: one piece of work after another, until the service closes the connection to it.
+"""A worker process: one piece of work after another, until the service closes the connection to it.
 
 The module of the zygote of the service: `keep` and `prepare` run in that, `serve` in its children.
 """
@@ -39,20 +39,20 @@ _FIRST_TO_END = "1000"
 
 
 class Told(NamedTuple):
-    """What the service tells the zygote."""
+    """A message from the service to the zygote."""
 
     modules: tuple[str, ...] = ()
     """Modules to import."""
     values: Mapping[int, object] = {}
     """Values to keep."""
     forgotten: tuple[int, ...] = ()
-    """Values that nobody refers to any more."""
+    """Values that are no longer referred to."""
     rehearsals: tuple[bytes, ...] = ()
     """Work to do once: what that imports, compiles and caches, all later workers have."""
 
 
 class Outcome(NamedTuple):
-    """What came of a piece of work: its result, or the exception that it raised."""
+    """Result of a piece of work, or the exception that it raised."""
 
     result: Any = None
     error: Exception | None = None
@@ -61,7 +61,7 @@ class Outcome(NamedTuple):
 
 
 def keep(data: bytes) -> None:
-    """Take in what was told."""
+    """Process a message."""
     told: Told = pickle.loads(data)  # noqa: S301 - from the service that started this process
     for name in told.modules:
         importlib.import_module(name)
@@ -96,7 +96,7 @@ def prepare(kind: str) -> None:
 
 
 def serve(connection: socket.socket) -> None:
-    """Do what comes over the connection, after the bytes of memory that each piece of work may take."""
+    """Do the work that arrives over the connection, after the bytes of memory that each piece may take."""
     memory = int(read_message(connection) or 0)
     with suppress(OSError):
         Path("/proc/self/oom_score_adj").write_text(_FIRST_TO_END)
@@ -168,7 +168,7 @@ class _Memory(NamedTuple):
     """Bytes of memory of this process."""
 
     data: int
-    """What RLIMIT_DATA bounds."""
+    """Bytes that RLIMIT_DATA bounds."""
     resident: int
 
 

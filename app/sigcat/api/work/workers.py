@@ -94,12 +94,12 @@ class _Worker:
     async def begin(self, work: bytes) -> None:
         """Let it do a piece of work."""
         loop = asyncio.get_running_loop()
-        with suppress(ConnectionError):  # what comes of that is told next
+        with suppress(ConnectionError):  # the result is reported next
             await loop.sock_sendall(self._connection, LENGTH.pack(len(work)))
             await loop.sock_sendall(self._connection, work)
 
     async def outcome(self) -> Outcome:
-        """What comes of the work. Raises WorkFailed if the process ended over it."""
+        """Return the outcome of the work. Raises WorkFailed if the process ended over it."""
         try:
             (length,) = LENGTH.unpack(await self._received(LENGTH.size))
             outcome: Outcome = pickle.loads(await self._received(length))  # noqa: S301 - of a process of our own

@@ -15,7 +15,7 @@ _TAG = re.compile(r"v?(\d+(?:\.\d+)+(?:[-+].*)?)")
 
 
 def changelog_entry(changes: Sequence[Change], new: str, date: str = "") -> str:
-    """Return the entry of a version. `new` is the name of the side; one that is no version is unreleased."""
+    """Return the entry of a version. `new` is the name of the side; a name that is not a version is unreleased."""
     version = _TAG.fullmatch(new.removeprefix("git:"))
     released = f" - {date}" if date and version else ""
     lines = [f"## [{version[1] if version else 'Unreleased'}]{released}", ""]
@@ -33,7 +33,7 @@ def version_part(changes: Iterable[Change]) -> Part:
 
 
 def next_version(version: str, part: Part) -> str:
-    """Return the version after one such as `v1.2.0`; empty if it is no version.
+    """Return the version after one such as `v1.2.0`; empty if it is not a version.
 
     Before 1.0.0 a breaking change raises the second number and any other the third, as package managers read it.
     """

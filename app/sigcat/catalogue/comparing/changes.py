@@ -14,7 +14,7 @@ KINDS: tuple[Kind, ...] = get_args(Kind)
 
 
 class AttributeChange(NamedTuple):
-    """One attribute of a node. None stands for an attribute that is not there."""
+    """One attribute of a node. None means that the attribute is absent."""
 
     name: str
     old: Any

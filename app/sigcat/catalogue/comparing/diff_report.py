@@ -9,6 +9,7 @@ from typing import Any
 
 from sigcat.catalogue.comparing.changes import CLASSES, AttributeChange, Change, Class, Evidence, Kind, worst
 from sigcat.catalogue.comparing.compatibility import TABLE
+from sigcat.terminal_text import printable
 
 _SIGNS: Mapping[Kind, str] = {"added": "+", "removed": "-", "changed": "~", "moved": "→"}
 _COLOURS: Mapping[str, str] = {
@@ -52,12 +53,12 @@ def text_report(changes: Sequence[Change], *, is_coloured: bool = False, hidden:
     for change in changes:
         *branches, name = (change.former or change.path).split(".")
         shared = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(above, branches, strict=False)))
-        lines += [f"{'  ' * depth}{printable(branches[depth])}" for depth in range(shared, len(branches))]
+        lines += [f"{'  ' * depth}{_in_one_line(branches[depth])}" for depth in range(shared, len(branches))]
         above = (*branches, name)
         indent = "  " * len(branches)
         sign = _coloured(_SIGNS[change.kind], _SIGNS[change.kind], is_coloured)
         label = _coloured(f"[{_class_in_words(change.compatibility)}]", change.compatibility, is_coloured)
-        lines.append(f"{indent}{sign} {printable(name)}{_behind_name(change)}  {label}")
+        lines.append(f"{indent}{sign} {_in_one_line(name)}{_behind_name(change)}  {label}")
         lines += [f"{indent}    {detail}" for detail in _details(change)]
     return "\n".join([*lines, *([""] if lines else []), summary(changes, hidden), ""])
 
@@ -119,10 +120,8 @@ def class_table() -> str:
     return "\n".join(rows) + "\n"
 
 
-def printable(text: str) -> str:
-    """One line without control characters: a tree's texts must not steer the terminal that shows them."""
-    joined = re.sub(r"\s+", " ", text)
-    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in joined)
+def _in_one_line(text: str) -> str:
+    return printable(re.sub(r"\s+", " ", text))
 
 
 def _counts(changes: Iterable[Change]) -> dict[Class, int]:
@@ -140,17 +139,17 @@ def _coloured(text: str, of: str, is_coloured: bool) -> str:
     return f"\x1b[{_COLOURS[of]}m{text}\x1b[0m" if is_coloured else text
 
 
-# -- one change in words ------------------------------------------------------------------------------------------
+# -- one change as text -------------------------------------------------------------------------------------------
 
 
 def _behind_name(change: Change) -> str:
     """Return the text after the name: the number of nodes, and their new paths."""
-    parts = [f"  → {printable(change.path)}"] if change.former and change.kind == "moved" else []
+    parts = [f"  → {_in_one_line(change.path)}"] if change.former and change.kind == "moved" else []
     counted = _counted(change)
     if counted:
         parts.append(f"  {counted}")
     if change.former and change.kind == "changed":
-        parts.append(f"  now {printable(change.path)}")
+        parts.append(f"  now {_in_one_line(change.path)}")
     return "".join(parts)
 
 
@@ -172,10 +171,10 @@ def _details(change: Change) -> Iterator[str]:
         yield f"its deprecation said: {_short(change.note)}"
     for attribute in change.attributes:
         old, new = _shown_pair(attribute)
-        yield f"{printable(attribute.name)}: {old} → {new}"
+        yield f"{_in_one_line(attribute.name)}: {old} → {new}"
     for word, paths in (("added", change.came), ("removed", change.went)):
         if paths:
-            yield f"{word}: {_listed(paths, printable)}"
+            yield f"{word}: {_listed(paths, _in_one_line)}"
 
 
 def markdown_lines(change: Change) -> Iterator[str]:
@@ -203,7 +202,7 @@ def _listed(paths: Sequence[str], show: Any) -> str:
 
 def _code(text: str) -> str:
     """A code span that holds any text: its fence is longer than any run of backticks in the text."""
-    content = printable(text).strip() or " "
+    content = _in_one_line(text).strip() or " "
     fence = "`" * (max((len(run) for run in re.findall(r"`+", content)), default=0) + 1)
     pad = " " if "`" in content else ""
     return f"{fence}{pad}{content}{pad}{fence}"
@@ -214,14 +213,14 @@ def _code(text: str) -> str:
 
 def _shown_pair(attribute: AttributeChange) -> tuple[str, str]:
     """Both values, shortened around the place where they begin to differ."""
-    old, new = (_ABSENT if value is None else printable(_shown(value)) for value in (attribute.old, attribute.new))
+    old, new = (_ABSENT if value is None else _in_one_line(_shown(value)) for value in (attribute.old, attribute.new))
     shared = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(old, new, strict=False)))
     start = max(shared - 24, 0) if max(len(old), len(new)) > _SHOWN else 0
     return _short(old, start), _short(new, start)
 
 
 def _short(text: str, start: int = 0) -> str:
-    part = printable(text)[start:]
+    part = _in_one_line(text)[start:]
     cut = part if len(part) <= _SHOWN else part[: _SHOWN - 1] + "…"
     return ("…" if start else "") + cut
 

@@ -38,7 +38,7 @@ def changed_holders(old: Catalogue, new: Catalogue, *, may_be_lost: bool = False
 
 
 def _differ_in_effect(before: Node, after: Node) -> bool:
-    """Whether the instances differ, judged by what was written if both sides have that, else by the expansion."""
+    """Whether the instances differ, compared by what was written if both sides have that, else by the expansion."""
     is_known = [_words_of(node) is not None or not _generated(node) for node in (before, after)]
     return all(is_known) or sorted(_generated(before)) != sorted(_generated(after))
 

@@ -1,4 +1,4 @@
-"""Try an overlay on a catalogue before anything is stored: what it would change, and what is wrong with it."""
+"""Try an overlay on a catalogue before anything is stored: its changes and its errors."""
 
 from typing import NamedTuple
 

@@ -4,6 +4,7 @@ import datetime as dt
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
+from math import isfinite
 from typing import Any
 
 from sigcat import codes
@@ -18,6 +19,7 @@ from sigcat.catalogue.model.datatypes import (
     values_in_words,
 )
 from sigcat.catalogue.model.definition import Definition, Problem, Scope
+from sigcat.catalogue.reading.yaml_numbers import yaml_number
 from sigcat.findings import RuleCode, shown
 from sigcat.names import did_you_mean, screaming_snake_case
 
@@ -36,11 +38,11 @@ def data_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> Ite
 
 def unit_problems(values: Mapping[str, Any], scope: Scope) -> Iterator[Problem]:
     """The unit is not known. Needs no datatype. Where no unit is known, there is one finding for the tree."""
-    name = values.get("unit")
-    if name is not None and scope.vocabulary.units and scope.vocabulary.unit(name) is None:
+    name, vocabulary = values.get("unit"), scope.vocabulary
+    if name is not None and vocabulary.units and vocabulary.is_unknown(name):
         from sigcat.catalogue.model.near_units import advice  # its tables take time at start-up
 
-        yield Problem(codes.UNIT_UNKNOWN, "unit", f"Unknown unit {name!r}.", advice(name, scope.vocabulary))
+        yield Problem(codes.UNIT_UNKNOWN, "unit", f"Unknown unit {name!r}.", advice(name, vocabulary))
 
 
 def quote_it(value: Any) -> str:
@@ -114,7 +116,7 @@ def _check_enum(values: Mapping[str, Any], datatype: str, scope: Scope) -> Itera
         return
     if len(set(enum.values())) < len(enum):
         message = "Two names of the `enum` have the same number."
-        yield Problem(codes.ENUM_INVALID, "enum", message, "Give each name a number of its own.")
+        yield Problem(codes.ENUM_INVALID, "enum", message, "Give each name its own number.")
     for i, (key, value) in enumerate(enum.items()):
         yield from _check_enum_name(key, i)
         if not holds(element_of(datatype), value):
@@ -215,7 +217,7 @@ def _number_instead(default: Any, values: Mapping[str, Any]) -> str:
     enum = values.get("enum")
     if not isinstance(enum, Mapping) or not enum:
         return ""
-    if default in enum:
+    if isinstance(default, str) and default in enum:
         return f"Write the number, {enum[default]}."
     return f"Use one of {shown(list(dict.fromkeys(islice(enum.values(), _SHOWN))))[1:-1]}."
 
@@ -224,7 +226,8 @@ def _spelled(value: Any, datatype: str) -> str:
     """Return the spelling of a value that YAML reads as another: a text as a number, or a number such as 1e3 as text."""
     meant = number(value) if isinstance(value, str) and is_numeric(datatype) else NO_VALUE
     if meant is not NO_VALUE:
-        return f"Write {meant}, without quotes."
+        is_whole = isfinite(meant) and meant == int(meant) and belongs_to(element_of(datatype), "int")
+        return f"Write {int(meant) if is_whole else yaml_number(meant)}, without quotes."
     return quote_it(value) if isinstance(value, bool) or element_of(datatype) == "string" else ""
 
 

@@ -35,6 +35,7 @@ from sigcat.catalogue.model.definition import (
     labels_of,
 )
 from sigcat.catalogue.reading.statement import Statement
+from sigcat.catalogue.reading.yaml_numbers import yaml_number
 from sigcat.findings import shown
 from sigcat.names import did_you_mean, did_you_mean_last, last_name, parent_path, with_article
 
@@ -83,10 +84,10 @@ def _normalized(path: str, values: Mapping[str, Any], scope: Scope, problems: li
             message = f"`{name}` must be {EXPECTED[name]}, not {shown(value)}."
             fix = _in_quotes(value) if convert is text or name == "allowed" else ""
             problems.append(Problem(codes.ATTRIBUTE_OF_WRONG_KIND, name, message, fix))
-        elif type(value) in _MAY_BE_INFINITE and name != "type" and not is_finite(value):
+        elif type(converted) in _MAY_BE_INFINITE and name != "type" and not is_finite(converted):
             message = f"`{name}` must be a finite number, not {shown(value)}."
             problems.append(Problem(codes.NUMBER_NOT_FINITE, name, message, "Remove it: JSON has no such number."))
-        elif converted is not value:
+        if converted is not value and converted is not NO_VALUE:
             changed[name] = converted
     changed.update(whole_numbers({**values, **changed}))
     for name, meant in changed.items():
@@ -117,7 +118,9 @@ def _misspelled(name: str, written: Any, meant: Any) -> Iterator[Problem]:
 
 def _yaml_word(value: Any) -> str:
     """A single value as YAML writes it: `true`, not `True`."""
-    return str(value).lower() if isinstance(value, bool) else str(value)
+    if isinstance(value, bool):
+        return str(value).lower()
+    return yaml_number(value) if isinstance(value, float) else str(value)
 
 
 def _references_in_full(path: str, values: Mapping[str, Any], scope: Scope) -> Iterator[tuple[str, str]]:

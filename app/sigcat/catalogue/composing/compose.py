@@ -127,14 +127,12 @@ def _compose(
 
 
 def missing_units(definitions: Mapping[str, Definition], vocabulary: Vocabulary) -> Iterator[Finding]:
-    """That no units were read, once for all signals that have one."""
+    """Report that no units were read, once for all signals that have one."""
     if vocabulary.units or vocabulary.findings:
         return
     using = [definition for definition in definitions.values() if isinstance(definition.values.get("unit"), str)]
     if using:
-        message = (
-            f"There is no file of units, and {len(using)} {'signal has' if len(using) == 1 else 'signals have'} one."
-        )
+        message = f"No units file found, but {len(using)} {'signal has' if len(using) == 1 else 'signals have'} a unit."
         fix = "Put units.yaml and quantities.yaml beside the tree, or name them with -u and -q."
         yield codes.UNITS_MISSING.finding(message, *using[0].origin("unit").position, using[0].path, fix=fix)
 

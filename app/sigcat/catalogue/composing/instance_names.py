@@ -1,4 +1,4 @@
-"""The names that `instances` stands for, and how many nodes they make, without making any."""
+"""The names of `instances`, and how many nodes they make, without making any."""
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
@@ -11,7 +11,7 @@ _LAST_RANGE = re.compile(r".*(\[(\d+),(\d+)\]).*")
 
 
 def instance_names(entry: Any) -> Iterator[str]:
-    """Names that one entry of `instances` stands for: `Row[1,2]` → `Row1`, `Row2`."""
+    """Names of one entry of `instances`: `Row[1,2]` → `Row1`, `Row2`."""
     for item in entry if isinstance(entry, list) else [entry]:
         text = str(item)
         match = _LAST_RANGE.match(text)

@@ -63,7 +63,7 @@ _ESSENTIAL = frozenset(
         codes.SECOND_ROOT, codes.OUTSIDE_ROOT, codes.PATH_MALFORMED, codes.INSTANCES_MULTIPLY,
     )
 )  # fmt: skip
-"""Rules that every tree has to follow, of any age: without them its files cannot be read, or are no tree."""
+"""Rules that every tree has to follow, of any age: without them its files cannot be read, or are not a tree."""
 
 
 class Units(NamedTuple):
@@ -135,6 +135,8 @@ def _joined(first: Vocabulary, second: Vocabulary) -> Vocabulary:
         {**first.quantities, **second.quantities},
         (*first.files, *second.files),
         (*first.findings, *second.findings),
+        unusable=second.unusable,
+        is_incomplete=second.is_incomplete,
     )
 
 
@@ -177,7 +179,8 @@ def _with_older(vocabulary: Vocabulary, file: _OlderFile) -> Vocabulary:
             findings.append(shared_name(unit, names[unit.name]))
         names[unit.name] = units[unit.name] = units[unit.key.lower()] = unit
         quantities.setdefault(unit.quantity.lower(), Quantity(unit.quantity, "", "", unit.origin))
-    return Vocabulary(units, quantities, (*vocabulary.files, file.source), tuple(findings))
+    files = (*vocabulary.files, file.source)
+    return vocabulary._replace(units=units, quantities=quantities, files=files, findings=tuple(findings))
 
 
 def _unit(entry: _Entry) -> Unit:
@@ -211,7 +214,7 @@ def _units_of_tools(spec: Path, limits: Limits) -> Vocabulary:
     nowhere = Origin(str(spec), 0, 0)
     for key, definition, quantity in _UNITS_OF_TOOLS:
         units[key.lower()] = Unit(key, key, definition, quantity, _ANY_DATATYPE, "", nowhere)
-    message = "There is no units file beside the tree, as in VSS 3.0; the units that sigcat ships are used."
+    message = "No units file next to the tree, as in VSS 3.0; the units that sigcat ships are used."
     finding = codes.UNITS_OF_OLDER_RELEASE.finding(message, str(spec), fix="Name a units file to use others.")
     return Vocabulary(units, shipped.quantities, shipped.files, (*shipped.findings, finding))
 

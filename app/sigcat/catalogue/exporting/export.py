@@ -48,7 +48,8 @@ def exported(
     checked = checked_options(exporter, options or {})
     refuse_unfit(catalogue, exporter, checked)
     name = output_name or f"{catalogue.roots[0].name}{exporter.suffix}"
-    return exporter.run(Job(exporter, catalogue, checked, name, timeout, memory))
+    made = exporter.run(Job(exporter, catalogue, checked, name, timeout, memory))
+    return made._replace(findings=(*made.findings, *_texts_that_leave(catalogue))) if exporter.is_unescaped else made
 
 
 def refuse_unfit(catalogue: Catalogue, exporter: Exporter, options: Mapping[str, Any]) -> None:
@@ -74,6 +75,19 @@ def _unsafe_names(catalogue: Catalogue) -> Iterator[Finding]:
         if _names_a_folder(definition):
             message = "A name with a slash cannot be exported: it could become the name of a file."
             yield codes.NAME_WITH_SLASH.finding(message, *definition.origin().position, definition.path)
+
+
+def _texts_that_leave(catalogue: Catalogue) -> Iterator[Finding]:
+    """Texts that end the comment or the string that an exporter writes them into."""
+    for definition in (*catalogue.definitions.values(), *_type_definitions(catalogue)):
+        for name in ("description", "comment"):
+            text = definition.values.get(name)
+            if isinstance(text, str) and ("*/" in text or len(text.strip().splitlines()) > 1):
+                message = f"The {name} has a line break or `*/`, which ends the comment of the exported file: the rest is read as code."
+                fix = "Write it in one line, without `*/`."
+                yield codes.TEXT_LEAVES_COMMENT.finding(
+                    message, *definition.origin(name).position, definition.path, fix=fix
+                )
 
 
 def _type_definitions(catalogue: Catalogue) -> Iterable[Definition]:

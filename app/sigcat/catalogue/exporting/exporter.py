@@ -8,7 +8,7 @@ if TYPE_CHECKING:
     from sigcat.catalogue.model.catalogue import Catalogue
 
 Kind = Literal["flag", "switch", "text", "name", "texts", "number", "choice", "input", "output", "folder", "state"]
-"""What an option takes.
+"""Kinds of options.
 
 flag: given or not. switch: true or false. name: text that becomes part of a file name. input: a file to read.
 output, folder: a file or folder to write beside the main one. state: a file that is read, if it exists, and written.
@@ -59,7 +59,9 @@ class Exporter(NamedTuple):
     needs_types: bool = False
     """Whether it exports struct types and nothing else."""
     has_types_beside: bool = False
-    """Whether it writes struct types into files of their own, beside the main one."""
+    """Whether it writes struct types into separate files, next to the main one."""
+    is_unescaped: bool = False
+    """Whether it writes descriptions and comments as they are between marks of comments or texts."""
     output_also: tuple[str, ...] = ()
     """Other spellings of `--output` on the command line, with their dashes: those of vss-tools."""
 

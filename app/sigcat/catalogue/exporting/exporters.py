@@ -16,5 +16,5 @@ def exporter_named(name: str) -> Exporter:
     """The exporter with this name. Raises NotFound with the nearest names."""
     if name not in EXPORTERS:
         hint = did_you_mean(name, EXPORTERS) or f"There are {', '.join(EXPORTERS)}."
-        raise NotFound(f"There is no export format {name!r}. {hint}", nearest(name, EXPORTERS))
+        raise NotFound(f"Unknown export format {name!r}. {hint}", nearest(name, EXPORTERS))
     return EXPORTERS[name]

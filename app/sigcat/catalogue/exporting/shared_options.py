@@ -9,7 +9,7 @@ KEEP_INSTANCES = Option(
     "keep `instances` at the branches that were expanded, beside what they expand to",
     own=True,
 )
-TYPES_OUTPUT = Option("types-output", "output", "write the struct types to a file of their own")
+TYPES_OUTPUT = Option("types-output", "output", "write the struct types to a separate file")
 ALL_ATTRIBUTES = Option("extend-all-attributes", "switch", "keep all extended attributes", False)
 PRETTY = Option("pretty", "switch", "indent the output", False)
 STRICT = Option("strict", "switch", "refuse every tree with errors, and whatever --aborts can refuse", False)

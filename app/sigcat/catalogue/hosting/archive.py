@@ -67,7 +67,7 @@ _LARGEST_DIRECTORY = 8 * 1024 * 1024
 def unpack(archive: Path, folder: Path, limits: ArchiveLimits = DEFAULT_ARCHIVE_LIMITS) -> tuple[PurePosixPath, ...]:
     """Unpack what a release needs of `archive` into `folder`, which is empty; the paths written, below `folder`.
 
-    Raises ArchiveRefused before anything is written if any entry is not to be trusted, or if there is no tree.
+    Raises ArchiveRefused before anything is written if any entry cannot be trusted, or without a tree.
     """
     top = _top_folder(_checked(archive, limits))
     written: list[PurePosixPath] = []

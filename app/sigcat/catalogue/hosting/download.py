@@ -31,7 +31,7 @@ class FetchFailed(SigcatError):
 
 
 class FileMissing(FetchFailed):
-    """The host answers that there is no such file."""
+    """The host does not have the file."""
 
 
 class _Moved(Exception):
@@ -190,7 +190,7 @@ def _cut(sockets: list[socket.socket]) -> None:
 
 class _Redirects(urllib.request.HTTPRedirectHandler):
     def http_error_302(self, req: Any, fp: Any, code: Any, msg: Any, headers: Any) -> Any:  # noqa: ARG002
-        """Hand the address on as it stands: each one is checked before it is asked."""
+        """Return the address unchanged: each one is checked before it is requested."""
         fp.close()
         location = headers.get("location")
         if not location:

@@ -24,7 +24,7 @@ _log = logging.getLogger("sigcat.hosting")
 
 
 class Hosted(NamedTuple):
-    """A hosted catalogue: the latest good state, and what is wrong with the files as they are now."""
+    """A hosted catalogue: the latest good state, and the errors of the files as they are now."""
 
     source: Source
     catalogue: Catalogue
@@ -66,10 +66,10 @@ class Library:
 
     @property
     def default(self) -> Hosted:
-        """The first catalogue: shown when none is named. Raises NotFound if there are no catalogues."""
+        """The first catalogue: shown when none is named. Raises NotFound without catalogues."""
         for hosted in self._hosted.values():
             return hosted
-        raise NotFound("There is no catalogue.")
+        raise NotFound("No catalogue is hosted.")
 
     def find(self, catalogue_id: str) -> Hosted | None:
         """The hosted catalogue with this id, if there is one."""
@@ -79,7 +79,7 @@ class Library:
         """The hosted catalogue with this id. Raises NotFound with the nearest ids."""
         hosted = self.find(catalogue_id)
         if hosted is None:
-            raise NotFound(f"There is no catalogue {catalogue_id!r}.", nearest(catalogue_id, self._hosted))
+            raise NotFound(f"Unknown catalogue {catalogue_id!r}.", nearest(catalogue_id, self._hosted))
         return hosted
 
     def reload(self, catalogue_id: str) -> Hosted:
@@ -134,7 +134,7 @@ class Reloading(Protocol):
 
 
 class Watch:
-    """Looks for changed files while it is entered, in a thread of its own, and has them read again."""
+    """Looks for changed files while it is entered, in a separate thread, and has them read again."""
 
     def __init__(self, *watched: Reloading, seconds: float = 1.0) -> None:
         self._watched = watched

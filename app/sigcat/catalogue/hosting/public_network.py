@@ -1,6 +1,6 @@
 """Connections to public addresses only: names are resolved once, and what was checked is what is connected to.
 
-A name may stand for another address when it is resolved again: checking one answer and connecting to the next would check nothing.
+A name may resolve to another address the next time: checking one answer and connecting to the next would check nothing.
 """
 
 import ipaddress
@@ -13,7 +13,7 @@ _NAT64 = ipaddress.ip_network("64:ff9b::/96")
 
 
 class Place(NamedTuple):
-    """An address that a name stands for."""
+    """An address that a name resolves to."""
 
     family: int
     address: tuple[Any, ...]
@@ -59,7 +59,7 @@ def is_public(address: str) -> bool:
 
 
 def numeric_address(host: str) -> str | None:
-    """The address, if a host is written in numbers, such as 127.1 or 2130706433; nobody is asked for it."""
+    """The address, if a host is written in numbers, such as 127.1 or 2130706433; it is not resolved."""
     try:
         found = socket.getaddrinfo(host, None, type=socket.SOCK_STREAM, flags=socket.AI_NUMERICHOST)
     except OSError:

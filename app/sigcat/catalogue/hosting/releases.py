@@ -31,7 +31,7 @@ RECORD = "release.json"
 
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._+-]{0,63}")
 _SHIPPED = ("vss", "interfaces")
-"""Names of what is there without being pulled."""
+"""Names of releases that are available without being pulled."""
 _VERSION = re.compile(r"[vV]?([0-9]+(?:\.[0-9]+){1,3}(?:[-._]?[A-Za-z][A-Za-z0-9.]*)?)")
 _STATED = "Vehicle.VersionVSS"
 _WEB = re.compile(r"https?://")
@@ -52,7 +52,7 @@ class Release(NamedTuple):
     digest: str
     """SHA-256 of the archive. GitHub may pack the same tag again, with another digest."""
     content_digest: str
-    """SHA-256 over paths and contents of what was unpacked: the same however it was packed."""
+    """SHA-256 over paths and contents of the unpacked files: the same however it was packed."""
     pulled: str
     """Date and time, UTC, ISO 8601."""
     nodes: int
@@ -130,7 +130,7 @@ def find_release(name: str, data: Path | None = None) -> Release:
         if _VERSION.fullmatch(wanted):
             raise NotFound(f"release {wanted} is not pulled.{there} Run `sigcat pull {wanted}`.", near)
         hint = f" Did you mean {' or '.join(near)}?" if near else ""
-        raise NotFound(f"there is no file, folder or release {wanted!r}.{hint}{there}", near)
+        raise NotFound(f"no file, folder or release is named {wanted!r}.{hint}{there}", near)
     return pulled[wanted]
 
 

@@ -21,7 +21,7 @@ class Source(NamedTuple):
     types: tuple[Path, ...] = ()
     include_dirs: tuple[Path, ...] = ()
     release: str = ""
-    """Name of the official release that the tree is; its own errors are warnings. Empty: a tree of one's own."""
+    """Name of the official release that the tree is; its own errors are warnings. Empty: the user's own tree."""
     has_standard_units: bool = True
     """Whether a tree without a file of units has those of VSS, and units may measure the quantities of VSS."""
 

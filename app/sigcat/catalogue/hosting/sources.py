@@ -9,7 +9,7 @@ from sigcat.errors import UsageError, existing_file
 from sigcat.file_kind import TREE_ENDINGS, ending_of
 
 SHIPPED = "shipped"
-"""Name that stands for the tree that sigcat ships, where a release is needed."""
+"""Name of the tree that sigcat ships, where a release is needed."""
 
 
 def shipped_sources() -> tuple[Source, ...]:
@@ -58,7 +58,7 @@ def source_from_option(text: str) -> Source:
 
 
 def source_of_tree(tree: str) -> Source:
-    """The source of a .vspec file, of a folder with a tree and its struct types in it, of what sigcat ships, or of a release.
+    """The source of a .vspec file, a folder with a tree and its struct types, the tree that sigcat ships, or a release.
 
     Raises UsageError, or NotFound with near names.
     """

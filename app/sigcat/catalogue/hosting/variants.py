@@ -76,7 +76,7 @@ def overlays_of(catalogue: Catalogue) -> tuple[str, ...]:
 
 
 def stand_in(library: Library, hosted: Hosted, path: str) -> str:
-    """What a variant has instead of a node that only another variant has; empty if no variant has it.
+    """Return the variant's replacement for a node that only another variant has; empty if no variant has it.
 
     That is its definition, its first instance, or the branch above it.
     """

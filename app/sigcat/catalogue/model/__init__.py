@@ -1,4 +1,4 @@
-"""What everything else knows of VSS: datatypes, units, definitions of nodes, interfaces, the frozen `Catalogue`.
+"""Model of VSS for all other packages: datatypes, units, definitions of nodes, interfaces, the frozen `Catalogue`.
 
-Statements come in as the origins of values; what goes out are values that never change.
+Input: statements, as the origins of values. Output: values that never change.
 """

@@ -19,7 +19,7 @@ Value = TypeVar("Value")
 
 
 class Node(NamedTuple):
-    """A node of the tree. Instances of a branch share the definitions of what is below them."""
+    """A node of the tree. Instances of a branch share the definitions of the nodes below them."""
 
     path: str
     definition: Definition

@@ -12,7 +12,7 @@ from sigcat import codes
 from sigcat.catalogue.model.datatypes import DATATYPES
 from sigcat.catalogue.reading.compiled_tree import compiled_file, compiled_files, keep
 from sigcat.catalogue.reading.statement import Origin, SourceFile, Statement
-from sigcat.catalogue.reading.vspec_file import VspecFile, parse_vspec
+from sigcat.catalogue.reading.vspec_file import QUANTITIES, UNITS, EntryWords, VspecFile, parse_vspec
 from sigcat.data import VSPEC
 from sigcat.digest import digest_of
 from sigcat.file_kind import QUANTITY_NAMES, UNIT_NAMES
@@ -32,7 +32,7 @@ class Quantity(NamedTuple):
 
 
 class Unit(NamedTuple):
-    """A unit of measurement. `key` is what trees write, `name` is the unit in words."""
+    """A unit of measurement. `key` is what trees write, `name` is the unit as text."""
 
     key: str
     name: str
@@ -57,10 +57,31 @@ class Vocabulary(NamedTuple):
     findings: tuple[Finding, ...]
     given: frozenset[str] = frozenset()
     """Names of the files that were given, and not found beside the tree: vss-tools would read these alone."""
+    unusable: frozenset[str] = frozenset()
+    """Units in lower case, by key and by name, that a file defines with an error."""
+    is_incomplete: bool = False
+    """Whether a file of units could not be read as a whole."""
 
     def unit(self, name: str) -> Unit | None:
         """The unit with this key or name, in any case."""
         return self.units.get(name.lower())
+
+    def is_unknown(self, name: str) -> bool:
+        """Whether no file has a unit with this key or name."""
+        return self.unit(name) is None and not self.may_define(name)
+
+    def may_define(self, name: str) -> bool:
+        """Whether a file of units has an error because of which the unit may be unknown."""
+        return self.is_incomplete or name.lower() in self.unusable
+
+    @property
+    def faulty_files(self) -> frozenset[str]:
+        """Files with an error or without entries: findings in other files may follow from them."""
+        return frozenset(
+            finding.file
+            for finding in self.findings
+            if finding.severity == "error" or finding.rule == codes.VOCABULARY_EMPTY.id
+        )
 
     @property
     def distinct_units(self) -> tuple[Unit, ...]:
@@ -93,14 +114,36 @@ def read_vocabulary(
     sources: list[SourceFile] = []
     quantities = {
         key: _quantity(entry, findings)
-        for key, entry in _entries(quantity_files, "Quantity", limits, sources, findings)
+        for key, entry in _entries(quantity_files, QUANTITIES, limits, sources, findings)
     }
     known = _Quantities(quantities, has_standard=has_standard)
+    before = len(findings)
+    entries = _entries(unit_files, UNITS, limits, sources, findings)
+    wrong = {finding.path.lower() for finding in findings[before:] if finding.severity == "error"}
+    units, skipped = _units(entries, known, findings)
+    if units and not (quantities or has_standard):
+        findings.append(_quantities_missing(unit_files[0]))
+    return Vocabulary(
+        units,
+        {**known.measured, **quantities},
+        tuple(sources),
+        tuple(findings),
+        unusable=frozenset({*wrong, *skipped}.difference(units)),
+        is_incomplete="" in wrong,  # an error that is not about one unit
+    )
+
+
+def _units(
+    entries: Iterable[tuple[str, Statement]], quantities: "_Quantities", findings: list[Finding]
+) -> tuple[dict[str, Unit], set[str]]:
+    """The units by key and name, and the keys and names of those that are skipped."""
     units: dict[str, Unit] = {}
     names: dict[str, Unit] = {}
-    for key, entry in _entries(unit_files, "Unit", limits, sources, findings):
-        unit = _unit(entry, known, findings)
+    skipped: set[str] = set()
+    for key, entry in entries:
+        unit = _unit(entry, quantities, findings)
         if unit is None:
+            skipped |= {key, _name_of(entry.values).lower()}
             continue
         if unit.name in names and names[unit.name].key.lower() != key:
             findings.append(shared_name(unit, names[unit.name]))
@@ -108,9 +151,7 @@ def read_vocabulary(
             names[unit.name] = unit
             units[unit.name] = unit
         units[key] = unit
-    if units and not (quantities or has_standard):
-        findings.append(_quantities_missing(unit_files[0]))
-    return Vocabulary(units, {**known.measured, **quantities}, tuple(sources), tuple(findings))
+    return units, skipped
 
 
 class _Quantities:
@@ -120,7 +161,7 @@ class _Quantities:
         self.read = read
         self._has_standard = has_standard
         self.measured: dict[str, Quantity] = {}
-        """Those of VSS that a unit measures, and no file defines."""
+        """Quantities of VSS that a unit measures, and no file defines."""
 
     @property
     def all(self) -> Mapping[str, Quantity]:
@@ -139,7 +180,7 @@ class _Quantities:
 def standard_quantities() -> Mapping[str, Quantity]:
     """The quantities of VSS by key."""
     return {
-        key: _quantity(entry, []) for key, entry in _entries([STANDARD_QUANTITIES], "Quantity", DEFAULT_LIMITS, [], [])
+        key: _quantity(entry, []) for key, entry in _entries([STANDARD_QUANTITIES], QUANTITIES, DEFAULT_LIMITS, [], [])
     }
 
 
@@ -150,6 +191,11 @@ def _quantities_missing(units: Path) -> Finding:
     return codes.QUANTITIES_MISSING.finding(message, str(units), fix=fix)
 
 
+def _nothing_defined(path: Path, words: EntryWords) -> Finding:
+    message = f"The file does not define a {words.entry}."
+    return codes.VOCABULARY_EMPTY.finding(message, str(path), fix="Define one, or remove the file.")
+
+
 def files_beside(paths: Iterable[Path], names: Sequence[str]) -> tuple[Path, ...]:
     """The files with one of these names in the folders of `paths`."""
     folders = dict.fromkeys(path.parent for path in paths)
@@ -157,7 +203,7 @@ def files_beside(paths: Iterable[Path], names: Sequence[str]) -> tuple[Path, ...
 
 
 def _entries(
-    paths: Sequence[Path], what: str, limits: Limits, sources: list[SourceFile], findings: list[Finding]
+    paths: Sequence[Path], words: EntryWords, limits: Limits, sources: list[SourceFile], findings: list[Finding]
 ) -> list[tuple[str, Statement]]:
     entries: dict[str, Statement] = {}
     for path in paths:
@@ -168,23 +214,25 @@ def _entries(
             findings.append(codes.FILE_UNREADABLE.finding(f"{str(path)!r} cannot be read: {reason}.", str(path)))
             continue
         source = SourceFile(str(path), "", digest_of(data))
-        file = _parsed(path, data, source, limits)
+        file = _parsed(path, data, source, limits, words)
         sources.append(source)
         findings.extend(file.findings)
+        if not (file.statements or file.findings):
+            findings.append(_nothing_defined(path, words))
         for statement in file.statements:
             key = statement.path.lower()
             if key in entries and not _means_the_same(statement, entries[key]):
-                findings.append(_replaced(statement, entries[key], what))
+                findings.append(_replaced(statement, entries[key], words.entry.capitalize()))
             entries[key] = statement
     return list(entries.items())
 
 
-def _parsed(path: Path, data: bytes, source: SourceFile, limits: Limits) -> VspecFile:
+def _parsed(path: Path, data: bytes, source: SourceFile, limits: Limits, words: EntryWords) -> VspecFile:
     """Parse a file; those of VSS are kept parsed."""
     if path not in (STANDARD_UNITS, STANDARD_QUANTITIES) or limits != DEFAULT_LIMITS:
-        return parse_vspec(data, source, limits)
+        return parse_vspec(data, source, limits, words)
     kept = compiled_files(path.stem)
-    file = compiled_file(source, kept) or parse_vspec(data, source, limits)
+    file = compiled_file(source, kept) or parse_vspec(data, source, limits, words)
     keep([file], kept, path.stem)
     return file
 
@@ -202,7 +250,11 @@ def _meaning(values: Mapping[str, Any], *, has_own_words: bool) -> tuple[Any, ..
     allowed = values.get("allowed-datatypes")
     datatypes = frozenset(map(str, allowed)) if isinstance(allowed, list) else allowed
     definition = "" if has_own_words else values.get("definition")
-    return values.get("unit") or values.get("label"), _quantity_of(values), datatypes, definition
+    return _name_of(values), _quantity_of(values), datatypes, definition
+
+
+def _name_of(values: Mapping[str, Any]) -> str:
+    return str(values.get("unit") or values.get("label") or "")
 
 
 def _replaced(entry: Statement, earlier: Statement, what: str) -> Finding:
@@ -229,7 +281,9 @@ def _unit(entry: Statement, quantities: _Quantities, findings: list[Finding]) ->
     findings.extend(_unknown_fields(entry, "Unit", _UNIT_FIELDS))
     quantity = _quantity_of(values)
     if not quantities.is_known(quantity.lower()):
-        hint = did_you_mean(quantity, quantities.all) or "Define it in a quantities.yaml, or pass one with -q."
+        from sigcat.catalogue.model.common_units import quantity_advice  # its tables take time at start-up
+
+        hint = quantity_advice(quantity, entry.path, _name_of(values), quantities.all)
         message = f"Unit {entry.path!r} has the unknown quantity {shown(quantity)}."
         findings.append(_about(entry, codes.QUANTITY_UNKNOWN, message, "quantity", hint))
         return None
@@ -242,7 +296,7 @@ def _unit(entry: Statement, quantities: _Quantities, findings: list[Finding]) ->
         return None
     return Unit(
         entry.path,
-        str(values.get("unit") or values.get("label") or ""),
+        _name_of(values),
         values["definition"],
         quantity,
         tuple(allowed),
@@ -270,7 +324,9 @@ def _quantity_of(values: Mapping[str, Any]) -> str:
 def shared_name(unit: Unit, other: Unit) -> Finding:
     """The finding that two units have one name."""
     message = f"Units {other.key!r} and {unit.key!r} share the name {unit.name!r}."
-    fix = "Give each unit a name of its own; other tools refuse the file."
+    fix = "Give each unit a unique name; other tools refuse the file."
+    if unit.quantity == other.quantity:
+        fix = f"Remove {unit.key!r} and use {other.key!r}. If they differ, give each a unique name."
     return codes.UNIT_NAME_SHARED.finding(message, *unit.origin.position, unit.key, fix=fix)
 
 

@@ -16,6 +16,18 @@ NEEDED = "CAN needs the extra `can`: run `pip install 'sigcat[can]'`"
 FORMS = ("dbc", "kcd", "sym", "arxml")
 """Endings of the files that cantools reads."""
 
+_MESSAGE_BYTES, _SIGNAL_BITS = 1_785, 14_280
+"""Longest message on CAN, one of several frames by the transport protocol of J1939."""
+_PDU_BITS = 65_536
+"""An ARXML may have PDUs of other buses, too."""
+_SIZES: Mapping[str, Sequence[tuple[str, int]]] = {
+    "dbc": ((r"^\s*BO_\s+\d+\s+\w+\s*:\s*(\d+)", _MESSAGE_BYTES), (r"^\s*SG_\s[^:]*:\s*(\d+)\|(\d+)@", _SIGNAL_BITS)),
+    "kcd": ((r"\b(?:length|offset)=[\"'](\d+)[\"']", _SIGNAL_BITS),),
+    "sym": ((r"\bLen\s*=\s*(\d+)", _MESSAGE_BYTES), (r"\b(?:un)?signed\s+(\d+)", _SIGNAL_BITS)),
+    "arxml": ((r"<(?:LENGTH|FRAME-LENGTH|START-POSITION)>\s*(\d+)", _PDU_BITS),),
+}
+"""Sizes in a text, in bytes and bits, by form, and the largest of each. cantools lays out every bit of larger ones."""
+
 
 class CanSignal(NamedTuple):
     """A signal of a message."""
@@ -67,7 +79,7 @@ class CanDatabase(NamedTuple):
     findings: tuple[Finding, ...]
     """Why it cannot be used, and warnings."""
     channels: tuple[str, ...] = ()
-    """The channel of each message, where several buses have databases of their own; empty: whichever one."""
+    """The channel of each message, where several buses have their own databases; empty: whichever one."""
 
 
 def read_can_database(paths: Sequence[Path]) -> CanDatabase:
@@ -181,15 +193,17 @@ def _messages(path: Path) -> Sequence[Any]:
         from cantools import database
     except ImportError:
         raise UsageError(NEEDED) from None
-    logging.getLogger("cantools").setLevel(logging.CRITICAL)  # what it warns of is no matter of the mapping
+    logging.getLogger("cantools").setLevel(logging.CRITICAL)  # its warnings do not concern the mapping
     if path.stat().st_size > DEFAULT_LIMITS.file_bytes:
         raise _Unreadable(f"The file must have at most {DEFAULT_LIMITS.file_bytes:,} bytes.")
     form = path.suffix.lower()[1:]
     if form not in FORMS:
         raise _Unreadable(f"The name of a CAN database must end in {', '.join(f'.{each}' for each in FORMS)}.")
     try:
-        if not path.read_bytes().strip():
+        data = path.read_bytes()
+        if not data.strip():
             raise _Unreadable("The file must be a CAN database, and it is empty.")
+        _refuse_large(data.decode("latin-1"), form)
         found = database.load_file(str(path), form, strict=False)
     except _Unreadable:
         raise
@@ -202,6 +216,18 @@ def _messages(path: Path) -> Sequence[Any]:
     if not found.messages:
         raise _Unreadable("The CAN database must have messages, and has none.")
     return tuple(found.messages)
+
+
+def _refuse_large(text: str, form: str) -> None:
+    """Raise _Unreadable at the first size beyond its limit."""
+    for pattern, most in _SIZES[form]:
+        for match in re.finditer(pattern, text, re.MULTILINE):
+            size = next((each for each in match.groups() if each and (len(each) > 9 or int(each) > most)), None)
+            if size is not None:
+                line = text.count("\n", 0, match.end()) + 1
+                raise _Unreadable(
+                    f"A message or signal must have a size or a start of at most {most:,}, not {size[:40]}.", line
+                )
 
 
 def _unreadable(error: Exception) -> _Unreadable:

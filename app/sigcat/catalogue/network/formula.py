@@ -1,4 +1,4 @@
-"""The formulas of mappings, `floor((x * 40) - 100)`: read by a grammar of their own and never evaluated as code.
+"""The formulas of mappings, `floor((x * 40) - 100)`: read by their own grammar and never evaluated as code.
 
 Words and precedence are those of py-expression-eval, which both VSS's network serialization profile and the KUKSA CAN provider
 name, so that a formula gives the same bits: `/` and `%` bind tighter than `*`, and `2 ^ 3 ^ 2` is 64. A formula that it refuses,
@@ -21,7 +21,7 @@ _Term = Callable[[float], Any]
 
 
 class BadFormula(Exception):
-    """A text is no formula; `at` is the character that is wrong, from 0."""
+    """A text is not a formula; `at` is the character that is wrong, from 0."""
 
     def __init__(self, message: str, at: int, fix: str = "") -> None:
         super().__init__(message)
@@ -94,7 +94,7 @@ def _spaced(word: str, next_: str, at: int) -> str:
         return f"{word} " if word == "not" else word
     if word == "not" and next_ == "(":
         return word
-    raise BadFormula(f"a space must stand behind `{word}`", at)
+    raise BadFormula(f"a space must follow `{word}`", at)
 
 
 _CONSTANTS = {"PI": math.pi, "E": math.e}
@@ -195,7 +195,7 @@ class _Reader:
         if self.is_at_end:
             return BadFormula(f"{wanted} is missing at its end", len(self.text))
         token = self.tokens[self.next]
-        return BadFormula(f"{wanted} must stand where {shown(token.text)} does", token.at)
+        return BadFormula(f"{wanted} must be in the place of {shown(token.text)}", token.at)
 
     def expect(self, word: str) -> None:
         """Take this word. Raises BadFormula if another one comes."""
@@ -250,7 +250,7 @@ class _Reader:
         if token.text not in _FUNCTIONS:
             words = [*_FUNCTIONS, *_CONSTANTS, "x"]
             fix = did_you_mean(token.text, words) or f"The value is called x; functions are {', '.join(_FUNCTIONS)}."
-            raise BadFormula(f"{shown(token.text)} is no function", token.at, fix)
+            raise BadFormula(f"{shown(token.text)} is not a function", token.at, fix)
         if token.text in _CALLED:
             self.refuse_behind(pending, _CALL, token)
         return self.call(token)

@@ -32,7 +32,7 @@ _LISTS: Mapping[str, tuple[str, str, str]] = {
 
 
 class Choice(NamedTuple):
-    """A value of the one side that stands for one of the other."""
+    """A value of the one side, with that of the other."""
 
     given: Any
     """In the mapping of KUKSA `from`, in the profile `value`: a number of the network."""
@@ -182,7 +182,7 @@ def doubts_of_transform(attribute: str, given: Mapping[str, Any]) -> Iterator[Fa
         same = (item[key], item[meant]) if attribute == PROFILE else item[key]
         steps = ("transform", name, index)
         if (isinstance(same, str), same) in seen:  # 1, 1.0 and true are one number of the network
-            yield Fault(f"{shown(item[key])} must stand in `{name}` once.", (*steps, key), "The first one counts.")
+            yield Fault(f"{shown(item[key])} must be in `{name}` only once.", (*steps, key), "The first one counts.")
         seen.append((isinstance(same, str), same))
         for extra in item.keys() - {key, meant}:
             yield Fault(

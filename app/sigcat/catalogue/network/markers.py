@@ -12,7 +12,7 @@ _PAIRS = frozenset({("n", "a"), *(("not", word) for word in ("available", "avail
 
 
 def means_no_value(name: str) -> bool:
-    """Whether a name says that there is no value: `SNA`, `Signal not available`, `GEAR_INVALID`."""
+    """Whether a name means a missing value: `SNA`, `Signal not available`, `GEAR_INVALID`."""
     found = [word.lower() for word in words(name)]
     return not _WORDS.isdisjoint(found) or not _PAIRS.isdisjoint(pairwise(found))
 

@@ -1,4 +1,4 @@
-"""Conversion of a network value by a mapping: to the signal's datatype, or the reason why there is no value."""
+"""Conversion of a network value by a mapping: to the signal's datatype, or the reason why this is impossible."""
 
 import math
 import struct
@@ -102,7 +102,7 @@ def _computed(given: NetworkValue, formula: "Formula") -> Any:
 
 
 def _is_no_result(number: float, found: float) -> bool:
-    """NaN >= 1 is no answer, and 1e308 * 10 is no number."""
+    """NaN >= 1 has no result, and 1e308 * 10 is not a finite number."""
     if math.isnan(number):
         return not math.isnan(found)
     return math.isfinite(number) and not math.isfinite(found)

@@ -19,7 +19,7 @@ from sigcat.real_path import real_path
 CODE = tuple(Path(str(module.__file__)) for module in (statement, vspec_file, yaml_document, whole_numbers, findings))
 """Modules that decide the values read from a file."""
 FOLDER = Path(__file__).parent
-"""The folder of what is kept."""
+"""The folder of cached files."""
 TREE = "tree"
 """The name under which the tree is kept."""
 

@@ -11,6 +11,7 @@ from typing import IO
 from sigcat.errors import UsageError
 from sigcat.file_kind import ENDINGS
 from sigcat.limits import DEFAULT_LIMITS, Limits
+from sigcat.names import did_you_mean
 
 _READ = (*ENDINGS, ".toml")
 """Endings of the files that are unpacked: trees, units and project files."""
@@ -24,14 +25,14 @@ def unpack_revision(revision: str, folder: Path, limits: Limits = DEFAULT_LIMITS
     Raises UsageError with git's own words.
     """
     _check(revision)
-    commit = _git("rev-parse", "--verify", "--end-of-options", f"{revision}^{{tree}}")
     prefix = _git("rev-parse", "--show-prefix")
     top = _git("rev-parse", "--show-toplevel") or "."
+    commit = _object(revision, "tree")
     with tempfile.TemporaryFile() as complaints:
         command = [_program(), "-C", top, "archive", "--format=tar", commit]
         with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=complaints) as process:  # noqa: S603 -- no shell
             assert process.stdout is not None
-            with process.stdout as archive, contextlib.suppress(tarfile.TarError):  # git explains better what is wrong
+            with process.stdout as archive, contextlib.suppress(tarfile.TarError):  # git explains the error better
                 _unpack(archive, folder, limits)
                 while archive.read(_BLOCK):  # the padding behind the end: git must not find the pipe closed
                     pass
@@ -46,7 +47,7 @@ def merge_base(revision: str, other: str = "HEAD") -> str:
     """Return the commit from which two revisions began to differ. Raises UsageError."""
     for each in (revision, other):
         _check(each)
-        _git("rev-parse", "--verify", "--end-of-options", f"{each}^{{commit}}")
+        _object(each, "commit")
     found = subprocess.run(  # noqa: S603 -- no shell
         [_program(), "merge-base", "--end-of-options", revision, other], capture_output=True, check=False
     )
@@ -55,6 +56,18 @@ def merge_base(revision: str, other: str = "HEAD") -> str:
             f"git:{revision}: it has no commit in common with {other}. A shallow clone lacks the history: "
             "fetch it whole (`git fetch --unshallow`; fetch-depth: 0 on GitHub, GIT_DEPTH: 0 on GitLab)."
         )
+    return found.stdout.decode().strip()
+
+
+def _object(revision: str, kind: str) -> str:
+    """Return the name of the tree or commit of a revision. Raises UsageError with branches and tags that may be meant."""
+    repository = _git("rev-parse", "--absolute-git-dir")
+    command = [_program(), "rev-parse", "--quiet", "--verify", "--end-of-options", f"{revision}^{{{kind}}}"]
+    found = subprocess.run(command, capture_output=True, check=False)  # noqa: S603 -- no shell
+    if found.returncode:
+        names = _git("for-each-ref", "--format=%(refname:short)").split()
+        advice = did_you_mean(revision, names) or "`git branch --all` and `git tag` list what there is."
+        raise UsageError(f"git:{revision}: {repository} has no such branch, tag or commit. {advice}")
     return found.stdout.decode().strip()
 
 
@@ -78,7 +91,7 @@ def last_tag() -> str:
     try:
         return _git("describe", "--tags", "--abbrev=0")
     except UsageError:
-        raise UsageError("there is no tag before the current commit; name the old side") from None
+        raise UsageError("no tag found before the current commit; name the old side") from None
 
 
 def _check(revision: str) -> None:

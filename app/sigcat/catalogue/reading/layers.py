@@ -46,7 +46,7 @@ class Layer:
 
 
 class _Reading:
-    """One layer while it is read: what holds for all of its files, and what was found in them so far."""
+    """One layer while it is read: data for all of its files, and the results so far."""
 
     def __init__(self, path: Path, include_dirs: Sequence[Path], limits: Limits, *, is_overlay: bool) -> None:
         self.is_overlay = is_overlay

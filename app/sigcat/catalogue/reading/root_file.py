@@ -33,7 +33,7 @@ def root_file(folder: Path, limits: Limits = DEFAULT_LIMITS) -> Path:
         trees = [file for file in tops if not read[file].is_of_types]
         roots = [file for file in trees if read[file].has_root] or trees
     if not roots:
-        raise UsageError(f"{folder}: there is no tree (no .vspec file that no other includes)")
+        raise UsageError(f"{folder}: no tree found (no .vspec file that no other includes)")
     if len(roots) > 1:
         names = ", ".join(file.relative_to(folder).as_posix() for file in roots[:_SHOWN])
         more = ", …" if len(roots) > _SHOWN else ""

@@ -45,7 +45,7 @@ class SourceFile(NamedTuple):
 
 
 class Statement:
-    """What one file says about one node: its key and the attributes under it, in the order of the file.
+    """Statement of one file about one node: its key and the attributes under it, in the order of the file.
 
     Its marks are packed positions: first those of the attributes, aligned with `values`, then those of the items of
     lists and mappings.
@@ -140,7 +140,7 @@ class _Items(NamedTuple):
     keys: Mapping[str, int]
     """Indexes of the items of a mapping, by key."""
     places: Sequence[int]
-    """Index of the mark of each item; those of its own items follow."""
+    """Index of the mark of each item; those of the items within it follow."""
 
     def position(self, step: int | str) -> int | None:
         """The item at a position, or under a key, if there is one."""
@@ -214,7 +214,7 @@ def _value_position(mark: int) -> tuple[int, int]:
 
 
 def marks_of_items(node: Node, value: Any) -> Iterator[int]:
-    """Packed positions of the items of a value, each before those of what is in it; 0 where a key is given twice."""
+    """Packed positions of the items of a value, each before those of its contents; 0 where a key is given twice."""
     if isinstance(value, list):
         pairs = [(item, item) for item in node.value]
     elif isinstance(value, dict) and isinstance(node, MappingNode):

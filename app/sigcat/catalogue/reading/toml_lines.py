@@ -7,36 +7,60 @@ _KEY = re.compile(r"\s*((?:\"[^\"]*\"|'[^']*'|[A-Za-z0-9_.-])+)\s*=")
 _QUOTES = str.maketrans("", "", "\"'")
 
 
+Position = tuple[int, int]
+"""Line and column, from 1; column 0 where only the line is known."""
+
+
 class Lines:
-    """The lines of the keys of a TOML file."""
+    """The lines and columns of the keys of a TOML file."""
 
     def __init__(self, text: str) -> None:
-        self._lines: dict[tuple[str, int, str], int] = {}
+        self._positions: dict[tuple[str, int, str], Position] = {}
+        self._texts = text.splitlines()
         table, number = "", 0
         seen: dict[str, int] = {}
-        for line, content in enumerate(text.splitlines(), 1):
+        for line, content in enumerate(self._texts, 1):
             if header := _HEADER.match(content):
                 table = header[2].translate(_QUOTES)
                 number = seen[table] = seen.get(table, -1) + 1
-                self._lines.setdefault((table, number, ""), line)
-                self._lines.setdefault(("", 0, table.partition(".")[0]), line)
+                self._positions.setdefault((table, number, ""), (line, header.start(1) + 1))
+                self._positions.setdefault(("", 0, table.partition(".")[0]), (line, header.start(2) + 1))
             elif key := _KEY.match(content):
-                self._lines.setdefault((table, number, key[1].translate(_QUOTES)), line)
+                self._positions.setdefault((table, number, key[1].translate(_QUOTES)), (line, key.start(1) + 1))
 
     def line(self, table: str, number: int = 0, key: str = "") -> int:
-        """Line, from 1, of a key of the table that is the `number`th of its name; of its header without a key."""
-        return self._lines.get((table, number, key)) or self._lines.get((table, number, "")) or 1
+        """Line of a key of the table that is the `number`th of its name; of its header without a key."""
+        return self.position(table, number, key)[0]
 
-    def line_below(self, table: str, key: str) -> int:
-        """Line of a key such as `severity.V101`, however the tables around it are written; of the nearest that is there."""
+    def position(self, table: str, number: int = 0, key: str = "", value: str = "") -> Position:
+        """Position of a key, or of a text in its value; of the header of its table without one."""
+        at_key = self._positions.get((table, number, key))
+        if at_key and value and (at_value := self._position_of(value, at_key)):
+            return at_value
+        return at_key or self._positions.get((table, number, "")) or (1, 0)
+
+    def _position_of(self, value: str, at_key: Position) -> Position | None:
+        """Position of a text in quotation marks behind a key, before the next one."""
+        for line in range(at_key[0], len(self._texts) + 1):
+            text = self._texts[line - 1]
+            if line > at_key[0] and (_HEADER.match(text) or _KEY.match(text)):
+                break
+            start = at_key[1] if line == at_key[0] else 0
+            found = [at for quote in "\"'" if (at := text.find(f"{quote}{value}{quote}", start)) >= 0]
+            if found:
+                return line, min(found) + 2
+        return None
+
+    def position_below(self, table: str, key: str) -> Position:
+        """Position of a key such as `severity.V101`, however the tables around it are written; of the nearest that is there."""
         while True:
             parts = key.split(".")
             for split in range(len(parts)):
                 header = ".".join((table, *parts[:split]))
-                if found := self._lines.get((header, 0, ".".join(parts[split:]))):
+                if found := self._positions.get((header, 0, ".".join(parts[split:]))):
                     return found
-            if found := self._lines.get((f"{table}.{key}", 0, "")):
+            if found := self._positions.get((f"{table}.{key}", 0, "")):
                 return found
             if len(parts) == 1:
-                return self.line(table)
+                return self.position(table)
             key = ".".join(parts[:-1])

@@ -8,6 +8,7 @@ import re
 import sys
 from array import array
 from collections.abc import Iterator, Mapping
+from itertools import islice
 from typing import Any, NamedTuple
 
 from yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
@@ -31,14 +32,32 @@ from sigcat.catalogue.reading.yaml_document import (
 )
 from sigcat.findings import Finding, shown
 from sigcat.limits import DEFAULT_LIMITS, Limits
-from sigcat.names import nearest
+from sigcat.line_numbers import numbered
+from sigcat.names import nearest, with_article
 
 _INCLUDE_LINE = re.compile(r"^[ \t]*#include.*$", re.MULTILINE)
 _NEARLY_INCLUDE = re.compile(r"^[ \t]*#[ \t]*([A-Za-z]{5,10})[ \t]+\S+\.vspec\b", re.MULTILINE)
 """A comment that names a file as an include does."""
+_MISSPELLED_INCLUDES = 100
+"""Reported in one file: more than these have one cause."""
 
 
 _NODE_TYPES = frozenset(("branch", "sensor", "actuator", "attribute", "struct", "property"))
+
+
+class EntryWords(NamedTuple):
+    """The words of findings about the entries of a file."""
+
+    entry: str
+    key: str
+    field: str
+    example: str
+    """A key of the file."""
+
+
+NODES = EntryWords("node", "path", "attribute", "Vehicle.Speed")
+UNITS = EntryWords("unit", "key", "field", "km/h")
+QUANTITIES = EntryWords("quantity", "key", "field", "velocity")
 
 
 class Include(NamedTuple):
@@ -59,29 +78,51 @@ class VspecFile(NamedTuple):
     findings: tuple[Finding, ...]
 
 
-def parse_vspec(data: bytes, source: SourceFile, limits: Limits = DEFAULT_LIMITS) -> VspecFile:
-    """Read the bytes of one vspec file. What is not a statement becomes a finding; the rest is still read."""
+def parse_vspec(
+    data: bytes, source: SourceFile, limits: Limits = DEFAULT_LIMITS, words: EntryWords = NODES
+) -> VspecFile:
+    """Read the bytes of one vspec file, or of one of units or quantities.
+
+    A finding is made of each entry that is not a statement. All others are read.
+    """
     document = read_document(data, source.name, limits)
-    findings = list(document.findings)
+    reading = _Reading(source, Builder(limits, len(document.text)), words, [], list(document.findings))
+    findings, includes = reading.findings, reading.includes
     statements: list[Statement] = []
-    includes: list[Include] = []
     if isinstance(document.root, MappingNode):
-        builder = Builder(limits, len(document.text))
         root = _flattened(document.root) if source.name.endswith(".json") else document.root
-        _read_statements(root, source, builder, statements, includes, findings)
-        findings.extend(_misread(*each, source.name) for each in builder.misread)
+        statements = _read_statements(root, reading)
+        findings.extend(_misread(*each, source.name) for each in reading.builder.misread)
     elif document.root is not None and not _is_null(document.root):
-        line, column = position(document.root)
-        message = f"The file must be a mapping of node paths to attributes, not {_kind(document.root)}."
-        fix = (
-            "Write `Vehicle.Speed:` in place of `- Vehicle.Speed:`, as since VSS 3.0."
-            if _is_list_of_nodes(document.root)
-            else "Write paths such as `Vehicle.Speed:`, each with its attributes below it."
-        )
-        findings.append(codes.NOT_A_MAPPING.finding(message, source.name, line, column, fix=fix))
+        findings.append(_not_a_mapping(document.root, source.name, words))
     includes.extend(_include_lines(document.text, source.name, findings))
-    findings.extend(_misspelled_includes(document.text, source.name))
+    findings.extend(islice(_misspelled_includes(document.text, source.name), _MISSPELLED_INCLUDES))
     return VspecFile(source, tuple(statements), tuple(includes), tuple(findings))
+
+
+class _Reading(NamedTuple):
+    """A file while it is read, with the includes and findings so far."""
+
+    source: SourceFile
+    builder: Builder
+    words: EntryWords
+    includes: list[Include]
+    findings: list[Finding]
+
+    def unbuildable(self, error: Unbuildable, path: str) -> None:
+        """Report what has no value."""
+        self.findings.append(error.rule.finding(str(error), self.source.name, *position(error.node), path))
+
+
+def _not_a_mapping(root: Node, file: str, words: EntryWords) -> Finding:
+    message = f"The file must be a mapping of {words.entry} {words.key}s to {words.field}s, not {_kind(root)}."
+    since = ", as since VSS 3.0" if words is NODES else ""
+    fix = (
+        f"Write `{words.example}:` in place of `- {words.example}:`{since}."
+        if _is_list_of_nodes(root)
+        else f"Write {words.key}s such as `{words.example}:`, each with its {words.field}s below it."
+    )
+    return codes.NOT_A_MAPPING.finding(message, file, *position(root), fix=fix)
 
 
 def _flattened(root: MappingNode) -> MappingNode:
@@ -102,61 +143,49 @@ def _flattened(root: MappingNode) -> MappingNode:
     return MappingNode(root.tag, found, root.start_mark, root.end_mark)
 
 
-def _read_statements(
-    root: MappingNode,
-    source: SourceFile,
-    builder: Builder,
-    statements: list[Statement],
-    includes: list[Include],
-    findings: list[Finding],
-) -> None:
-    _report_duplicates(root, source.name, "Node", "", findings)
-    numbers: dict[str, int] = {}
+def _read_statements(root: MappingNode, reading: _Reading) -> list[Statement]:
+    _report_duplicates(root, reading.words.entry, "", reading)
+    statements: dict[str, Statement] = {}
     try:
-        pairs = builder.pairs(root)
+        pairs = reading.builder.pairs(root)
     except Unbuildable as error:
-        findings.append(_unbuildable(error, source.name, ""))
-        return
+        reading.unbuildable(error, "")
+        return []
     for key, node in pairs:
-        statement = _read_statement(key, node, source, builder, includes, findings)
-        if statement is None:
-            continue
-        if statement.path in numbers:
-            statements[numbers[statement.path]] = statement
-        else:
-            numbers[statement.path] = len(statements)
-            statements.append(statement)
+        statement = _read_statement(key, node, reading)
+        if statement is not None:
+            statements[statement.path] = statement
+    return list(statements.values())
 
 
-def _read_statement(
-    key: Node, node: Node, source: SourceFile, builder: Builder, includes: list[Include], findings: list[Finding]
-) -> Statement | None:
+def _read_statement(key: Node, node: Node, reading: _Reading) -> Statement | None:
+    source, words = reading.source, reading.words
     try:
-        path = builder.key(key)
+        path = reading.builder.key(key)
         if not isinstance(path, str) or not path:
-            raise Unbuildable(f"The path of a node must be text, not {shown(path)}.", key)
+            raise Unbuildable(f"The {words.key} of a {words.entry} must be text, not {shown(path)}.", key)
         if not isinstance(node, MappingNode):
             raise Unbuildable(
-                f"{path!r} must be a mapping of attributes, not {_kind(node)}.", node, codes.NOT_A_MAPPING
+                f"{path!r} must be a mapping of {words.field}s, not {_kind(node)}.", node, codes.NOT_A_MAPPING
             )
-        values, marks, collections = _attributes(node, builder)
+        values, marks, collections = _attributes(node, reading)
     except Unbuildable as error:
-        findings.append(_unbuildable(error, source.name, key.value if isinstance(key, ScalarNode) else ""))
+        reading.unbuildable(error, key.value if isinstance(key, ScalarNode) else "")
         return None
     if len(values) != len(node.value):
-        _report_duplicates(node, source.name, "Attribute", path, findings)
+        _report_duplicates(node, words.field, path, reading)
     includes_at = None
     if "includes" in values and values.get("type") == "branch":
         mark = marks.pop(list(values).index("includes"))
         includes_at = (values.pop("includes"), mark)
     mark = mark_of(key.start_mark, key.start_mark)
     if nested := {name: inner for name in collections if (inner := nested_node(name, values.get(name)))}:
-        findings.append(_nodes_nested(nested, path, node, source.name))
+        reading.findings.append(_nodes_nested(nested, path, node, source.name))
     for name in filter(collections.__contains__, values):
         marks.extend(marks_of_items(collections[name], values[name]))
     statement = Statement(path, source, values, mark, array("Q", marks))
     if includes_at is not None and includes_at[0] is not None:
-        includes.extend(_include_list(statement, *includes_at, findings))
+        reading.includes.extend(_include_list(statement, *includes_at, reading.findings))
     return statement
 
 
@@ -195,15 +224,16 @@ def _is_list_of_nodes(root: Node) -> bool:
     )
 
 
-def _attributes(node: MappingNode, builder: Builder) -> tuple[dict[str, Any], list[int], dict[str, Node]]:
+def _attributes(node: MappingNode, reading: _Reading) -> tuple[dict[str, Any], list[int], dict[str, Node]]:
     """Values by name, the packed position of each in the same order, and the nodes of those that hold others."""
+    builder, words = reading.builder, reading.words
     values: dict[str, Any] = {}
     marks: list[int] = []
     collections: dict[str, Node] = {}
     for key, value in builder.pairs(node):
         name = sys.intern(key.value) if key.tag == TEXT else builder.key(key)
         if not isinstance(name, str):
-            raise Unbuildable(f"The name of an attribute must be text, not {shown(name)}.", key)
+            raise Unbuildable(f"The name of {with_article(words.field)} must be text, not {shown(name)}.", key)
         start, end = key.start_mark, value.start_mark
         if name in values:
             marks[list(values).index(name)] = mark_of(start, end)
@@ -217,20 +247,13 @@ def _attributes(node: MappingNode, builder: Builder) -> tuple[dict[str, Any], li
     return values, marks, collections
 
 
-def _report_duplicates(node: MappingNode, file: str, what: str, path: str, findings: list[Finding]) -> None:
+def _report_duplicates(node: MappingNode, what: str, path: str, reading: _Reading) -> None:
     for key in duplicate_keys(node):
         if key.value == "<<":
             continue
-        line, column = position(key)
-        message = f"{what} {key.value!r} is given twice; only the last one counts."
-        findings.append(
-            codes.DUPLICATE_KEY.finding(message, file, line, column, path or key.value, fix="Remove one of the two.")
-        )
-
-
-def _unbuildable(error: Unbuildable, file: str, path: str) -> Finding:
-    line, column = position(error.node)
-    return error.rule.finding(str(error), file, line, column, path)
+        message = f"{what.capitalize()} {key.value!r} is given twice; only the last one counts."
+        place = (reading.source.name, *position(key), path or key.value)
+        reading.findings.append(codes.DUPLICATE_KEY.finding(message, *place, fix="Remove one of the two."))
 
 
 def _misread(node: ScalarNode, value: int, file: str) -> Finding:
@@ -256,9 +279,7 @@ def _include_list(statement: Statement, listed: Any, mark: int, findings: list[F
 def _include_lines(text: str, file: str, findings: list[Finding]) -> Iterator[Include]:
     if "#include" not in text:
         return
-    line, counted = 1, 0
-    for match in _INCLUDE_LINE.finditer(text):
-        line, counted = line + text.count("\n", counted, match.start()), match.start()
+    for line, match in numbered(text, _INCLUDE_LINE.finditer(text)):
         column = match.group().index("#") + 1
         _, *parts = match.group().split()
         if not parts:
@@ -276,10 +297,10 @@ def _misspelled_includes(text: str, file: str) -> Iterator[Finding]:
     """Comments that were probably meant as includes: `#inlcude A.vspec`, `# include A.vspec`."""
     if ".vspec" not in text:
         return
-    for match in _NEARLY_INCLUDE.finditer(text):
+    for line, match in numbered(text, _NEARLY_INCLUDE.finditer(text)):
         if match.group().lstrip().startswith("#include") or not nearest(match[1], ["include"]):
             continue
-        line, column = text.count("\n", 0, match.start()) + 1, match.group().index("#") + 1
+        column = match.group().index("#") + 1
         message = f"{match.group().strip()!r} is a comment, not an include."
         fix = "Write `#include`, in lower case and without a space, or reword the comment."
         yield codes.INCLUDE_MISSPELLED.finding(message, file, line, column, fix=fix)

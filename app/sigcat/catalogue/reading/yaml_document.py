@@ -19,6 +19,7 @@ from yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from sigcat import codes
 from sigcat.catalogue.reading.whole_numbers import held_as_double
+from sigcat.catalogue.reading.yaml_syntax import syntax_advice
 from sigcat.findings import Finding, RuleCode
 from sigcat.limits import DEFAULT_LIMITS, NUMBER_CHARACTERS, Limits
 
@@ -37,7 +38,7 @@ _INDENTATION = " " * 200
 _ITEM = r"""(?:'[^'\n]*+'|"[^"\\\n]*+"|[^\s'"\[\]{}#,][^'"\[\]{}#,\n]*+)"""
 _LIST_ON_A_LINE = rf"""[^\n\[\]{{}}'"#]*+\[[ \t]*+(?:{_ITEM}[ \t]*+(?:,[ \t]*+{_ITEM}[ \t]*+)*+)?+\][ \t]*+"""
 """A line with one list, opened and closed: `allowed: [LOW, 'HIGH']`. Quoted parts close on the line and no other bracket
-stands in it, so whatever came before, the line leaves the depth as it was. Linear: nothing is tried twice."""
+is in it, so whatever came before, the line leaves the depth as it was. Linear: nothing is tried twice."""
 _BOOLEANS = {"yes": True, "true": True, "on": True, "no": False, "false": False, "off": False}
 
 
@@ -58,7 +59,7 @@ class _Loader(_LIBYAML):  # type: ignore[misc]
         """No tag depends on the path of a node."""
 
     def resolve(self, kind: Any, value: Any, implicit: Any) -> Any:
-        """Tag of a node that has none of its own."""
+        """Tag of a node without one."""
         self._left -= 1
         if self._left < 0:
             raise _too_many(self._values)
@@ -149,7 +150,7 @@ def _undecodable(data: bytes, name: str, at: int) -> Document:
 
 
 def _is_binary(data: bytes) -> bool:
-    """Whether bytes are no text in any encoding that an editor writes: control characters are in each line of theirs."""
+    """Whether bytes are binary, not text in an encoding that an editor writes: each of their lines has control characters."""
     start = data[:8_000]
     return not start.startswith(_MARKS_OF_UTF_16) and len(start.translate(None, _CONTROLS)) < len(start)
 
@@ -328,20 +329,6 @@ def _any_scalar(node: ScalarNode) -> Any:
     return SafeConstructor().construct_object(node)
 
 
-_STRAY_CHARACTER = "cannot start any token"
-_ASTERISK = "If the asterisk belongs to a text, quote the text."
-_ADVICE = {
-    "mapping values are not allowed": "Indent the line as those around it. If the colon belongs to a text, quote the text or write it as a block (`>-`).",
-    _STRAY_CHARACTER: "Indent with spaces, not with tabs.",
-    "found undefined alias": _ASTERISK,
-    "while scanning an alias": _ASTERISK,
-}
-"""By the words of libyaml, which has no codes for its errors; tests/catalogue/bad has a case of each.
-
-If the words change, advice is missing and nothing else.
-"""
-
-
 class _BeyondLimit(Exception):
     """The document is larger than it may be."""
 
@@ -394,8 +381,7 @@ def _syntax_error(text: str, name: str, error: yaml.MarkedYAMLError) -> Document
     mark = error.problem_mark or error.context_mark
     line, column = (mark.line + 1, mark.column + 1) if mark else (0, 0)
     message = ", ".join(part for part in (error.context, error.problem) if part)
-    words = next((words for words in _ADVICE if words in message), "")
-    fix = "Quote the text." if words == _STRAY_CHARACTER and "\t" not in text else _ADVICE.get(words, "")
+    fix = syntax_advice(text, error, message)
     return _refused(text, name, codes.NOT_YAML, f"Not valid YAML: {message}.", line, column, fix)
 
 

@@ -1,3 +1,3 @@
-"""What comes in: a file of scenarios, and a trace.
-What goes out: drives with faults in them, the same for every platform, and what was sent in the time of each scenario.
+"""Input: a file of scenarios, and a trace.
+Output: drives with faults, the same for every platform, and the values that were sent in the time of each scenario.
 """

@@ -38,7 +38,7 @@ def faulty_drives(scenarios: Sequence[Scenario], trace: Path, folder: Path) -> t
 
 
 def grouped(scenarios: Sequence[Scenario]) -> tuple[tuple[Scenario, ...], ...]:
-    """Scenarios of one drive: those that kill nobody together, with the last that kills if it comes after them."""
+    """Scenarios of one drive: those without a kill together, with the last that kills if it comes after them."""
     lasting = sorted((each for each in scenarios if not each.killed), key=lambda each: each.start)
     killing = sorted((each for each in scenarios if each.killed), key=lambda each: each.start)
     if lasting and killing and killing[-1].start >= max(each.end for each in lasting):
@@ -47,7 +47,7 @@ def grouped(scenarios: Sequence[Scenario]) -> tuple[tuple[Scenario, ...], ...]:
 
 
 def watched(recording: Recording, scenario: Scenario) -> Recording:
-    """What was sent while a scenario was watched."""
+    """Return the part of a recording in the time of a scenario."""
     sent = {
         name: tuple(each for each in values if scenario.start <= each[0] < scenario.end)
         for name, values in recording.sent.items()
@@ -57,13 +57,13 @@ def watched(recording: Recording, scenario: Scenario) -> Recording:
 
 
 def read_texts(path: Path) -> TextTrace:
-    """A trace as texts. Raises UsageError; `open_trace` says what is wrong where."""
+    """A trace as texts. Raises UsageError; `open_trace` gives the place of the error."""
     with path.open(newline="", encoding="utf-8-sig") as file:
         lines = csv.reader(file)
         header = next(lines, [])
         rows = [TextRow(nanoseconds(cells[0]) or 0, tuple(cells[1:])) for cells in lines if cells]
     if header[:1] != [TIME] or any(len(row.cells) != len(header) - 1 for row in rows):
-        raise UsageError(f"{path} is no trace")
+        raise UsageError(f"{path} is not a trace")
     return TextTrace(tuple(header[1:]), tuple(rows))
 
 

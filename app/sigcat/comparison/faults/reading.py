@@ -29,7 +29,7 @@ def _as_text(value: object) -> object:
 
 
 Cell = Annotated[Text, BeforeValidator(_as_text)]
-"""What a cell of a trace says."""
+"""A cell of a trace."""
 
 
 class _SpoiltForm(DeclarationModel):
@@ -121,7 +121,7 @@ def _problems(form: _FileForm, document: Document, known: dict[str, Collection[s
     for index, scenario in enumerate(form.scenarios):
         at = ("scenarios", index)
         if scenario.name in seen:
-            yield _finding(document, (*at, "name"), f"The name {scenario.name!r} must stand for one scenario.")
+            yield _finding(document, (*at, "name"), f"The name {scenario.name!r} must belong to one scenario only.")
         seen.add(scenario.name)
         if scenario.end <= scenario.start:
             yield _finding(document, (*at, "to"), "A scenario must end after it begins.")

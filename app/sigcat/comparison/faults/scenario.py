@@ -4,16 +4,16 @@ from typing import Literal, NamedTuple
 
 
 class Spoilt(NamedTuple):
-    """What comes of a signal from one time on, and before another, comes otherwise; or something comes, too."""
+    """A change to a signal during a period: its values are replaced, dropped, delayed or doubled, or one is added."""
 
     kind: Literal["value", "dropped", "delayed", "doubled", "sent"]
     signal: str
     start: int
     end: int
     value: str = ""
-    """What comes instead, or too."""
+    """Replacement, or additional value."""
     by: int = 0
-    """How much later."""
+    """Delay."""
 
 
 class Slow(NamedTuple):

@@ -1,4 +1,4 @@
-"""A trace with faults in it: pure, over rows of texts, so that every bit of what is not meant stays as it is."""
+"""A trace with faults in it: pure, over rows of texts, so that every bit outside of the faults is unchanged."""
 
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
@@ -16,7 +16,7 @@ class TextRow(NamedTuple):
 
 
 class TextTrace(NamedTuple):
-    """A trace as it stands in its file."""
+    """A trace with the texts of its file."""
 
     columns: tuple[str, ...]
     """Without that of the time."""
@@ -47,7 +47,7 @@ def _spoilt(trace: TextTrace, fault: Spoilt) -> TextTrace:
 
 
 def _kept(row: TextRow, column: int, fault: Spoilt) -> Sequence[TextRow]:
-    """What comes at the time of a row that the fault meets."""
+    """Return the rows that replace a row within the fault."""
     if fault.kind == "value":
         return [_with(row, column, fault.value)]
     if fault.kind == "doubled":
@@ -57,7 +57,7 @@ def _kept(row: TextRow, column: int, fault: Spoilt) -> Sequence[TextRow]:
 
 
 def _slow(trace: TextTrace, each: Slow) -> TextTrace:
-    """How long a call takes is a column, which holds until it says otherwise."""
+    """Set a call's duration: a column whose value applies until the next one."""
     if each.call not in trace.columns:
         rows = tuple(row._replace(cells=(*row.cells, "")) for row in trace.rows)
         trace = TextTrace((*trace.columns, each.call), rows)

@@ -1,6 +1,6 @@
 """Pictures of a report as SVG: distributions, and traces over each other. Colours and lines are classes of the page's style.
 
-The same picture stands in the page of its own and in that of the service. What a picture shows is in a table too.
+The separate page and that of the service have the same picture. A table shows its data, too.
 """
 
 import math
@@ -15,7 +15,7 @@ from sigcat.comparison.timing import BINS_PER_DECADE
 LEFT, WIDTH, RIGHT = 210, 720, 34
 _ROW, _HILL = 46, 30
 _PANEL, _GAP = 110, 46
-_SERIES = 5
+_SERIES = 6
 """Kinds of lines; more platforms repeat them."""
 
 
@@ -156,7 +156,7 @@ def _marks(trace: Trace, values: Sequence[float], low: float, high: float) -> It
 
 
 def _path(line: Line, first: int, last: int, low: float, high: float, top: int) -> str:
-    """Steps: a value holds until another one comes. What is no number leaves a gap."""
+    """Steps: a value holds until another one comes. A value that is not a number leaves a gap."""
     path, is_open = "", False
     before_y = ""
     for time, value in line.points:

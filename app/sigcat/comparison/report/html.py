@@ -1,4 +1,4 @@
-"""A report as HTML: a part that stands in any page, and a page that needs nothing from outside and no script."""
+"""A report as HTML: a part for any page, and a page without scripts or external files."""
 
 from collections.abc import Iterator
 from html import escape

@@ -1,4 +1,4 @@
-"""A comparison as it is told: every form of the report is made from this, and from nothing else.
+"""A comparison as it is reported: every form of the report is made from this alone.
 
 Times are in ns, if a name does not say otherwise; memory and sizes are in bytes.
 """
@@ -28,15 +28,15 @@ class Platform(Part):
     name: str
     title: str
     notes: tuple[str, ...] = ()
-    """What of it is not its own."""
+    """Parts that sigcat simulates instead of the real platform."""
     left_out: str = ""
     """Why it was not played to, and how to get it; empty if it was."""
     build_error: str = ""
-    """What a compiler said, from its first error on, where that is why."""
+    """First error of a compiler and what follows it, if it is the reason."""
     last_words: tuple[str, ...] = ()
-    """Of runs that did not come to their ends."""
+    """Last messages of runs that did not complete."""
     silent: tuple[str, ...] = ()
-    """What it has no message for."""
+    """Interfaces without a message on this platform."""
     generate_s: Number = 0.0
     build_s: Number = 0.0
     play_s: Number = 0.0
@@ -54,7 +54,7 @@ class Difference(Part):
 
 
 class Output(Part):
-    """What was sent under a name, beside what the reference sent."""
+    """Values that were sent under a name, compared with those of the reference."""
 
     name: str
     values: Count
@@ -75,12 +75,12 @@ class Behaviour(Part):
 
     @property
     def values(self) -> int:
-        """That were compared."""
+        """Number of values that were compared."""
         return sum(each.values for each in self.outputs)
 
     @property
     def wrong(self) -> int:
-        """That are not equal."""
+        """Number of values that are not equal."""
         return sum(each.wrong for each in self.outputs)
 
 
@@ -99,7 +99,7 @@ class Aligned(Part):
     """Steps that the reference has, and this one has not."""
     p50_late: int
     worst_late: int
-    """Of equal values, how much later than those of the reference they were sent."""
+    """Delays of equal values after those of the reference."""
 
 
 class FreeRun(Part):
@@ -143,7 +143,7 @@ class FaultOutcome(Part):
     wrong: Count
     first: Difference | None = None
     name: str = ""
-    """Where the first difference is."""
+    """Column of the first difference."""
     last_words: str = ""
 
     @property
@@ -159,7 +159,7 @@ class Fault(Part):
     title: str
     description: str = ""
     changes: tuple[StatusChange, ...] = ()
-    """What the reference does that it does not do without the fault."""
+    """Changes in the reference that do not occur without the fault."""
     outcomes: tuple[FaultOutcome, ...] = ()
 
 
@@ -176,7 +176,7 @@ class Durations(Part):
 
 
 class Timing(Part):
-    """How long a call took on a platform."""
+    """Durations of a call on a platform."""
 
     platform: str
     mode: str
@@ -188,11 +188,11 @@ class Timing(Part):
     preempted: Count = 0
     """Calls whose processor the system gave to something else before they ended: other work counts as theirs."""
     t_adapter_alone: Durations | None = None
-    """Of the calls that kept their processor; None if all did, or none."""
+    """Durations of the calls that kept their processor; None if all did, or none."""
 
     @property
     def t_adapter_judged(self) -> Durations:
-        """What is the adapter's own."""
+        """Durations that are attributed to the adapter."""
         return self.t_adapter_alone or self.t_adapter
 
 
@@ -203,11 +203,11 @@ class Supervision(Part):
     mode: str
     function: str
     call: str = ""
-    """Where set, only while this call ran longer than its deadline."""
+    """If set, the figures apply only while this call ran longer than its deadline."""
     period: Count
     gaps: Count
     over: Count
-    """Those longer than the period and 1 ms."""
+    """Number of gaps longer than the period and 1 ms."""
     longest: Count
 
 
@@ -221,7 +221,7 @@ class Measured(Part):
 
 
 class Process(Part):
-    """What a process took."""
+    """Resources that a process used."""
 
     platform: str
     mode: str
@@ -234,7 +234,7 @@ class Process(Part):
 
     @property
     def share(self) -> float:
-        """Of one core, as if the drive had been played in real time."""
+        """Share of one core, as if the drive had been played in real time."""
         return self.cpu_s / self.drive_s if self.drive_s else 0.0
 
 
@@ -284,9 +284,9 @@ class Report(Part):
     reference: str
     platforms: tuple[Platform, ...]
     seconds: Number
-    """That the whole comparison took."""
+    """Duration of the whole comparison."""
     phases: tuple[tuple[str, Number], ...] = ()
-    """What it was made of, in s."""
+    """Durations of its phases, in s."""
     targets: tuple[Target, ...] = ()
     behaviour: tuple[Behaviour, ...] = ()
     free_run: tuple[FreeRun, ...] = ()
@@ -299,10 +299,10 @@ class Report(Part):
     effort: tuple[Lines, ...] = ()
     paper: tuple[PaperFigure, ...] = ()
     notes: tuple[str, ...] = ()
-    """What else a reader has to know: what does not hold, and what was not measured."""
+    """Further notes for readers: failed criteria, and criteria that were not measured."""
 
     def title_of(self, platform: str) -> str:
-        """What a platform is called in sentences."""
+        """Return the name of a platform in sentences."""
         return next((each.title for each in self.platforms if each.name == platform), platform)
 
     @property
@@ -331,4 +331,6 @@ def read_report(data: bytes, name: str) -> Report:
     except ValidationError as error:
         first = error.errors(include_url=False, include_input=False)[0]
         place = ".".join(str(each) for each in first["loc"])
-        raise InputRefused(f"{name} is no comparison that `sigcat compare` wrote: {place}: {first['msg']}.") from None
+        raise InputRefused(
+            f"{name} is not a comparison that `sigcat compare` wrote: {place}: {first['msg']}."
+        ) from None

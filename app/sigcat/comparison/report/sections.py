@@ -1,4 +1,4 @@
-"""What a report tells, as sections of sentences, tables and pictures: Markdown and HTML say the same."""
+"""Sections of a report, with sentences, tables and pictures: Markdown and HTML show the same."""
 
 from collections.abc import Iterator, Sequence
 from typing import Literal, NamedTuple
@@ -21,7 +21,7 @@ Tone = Literal["", "good", "bad", "muted"]
 
 
 class Cell(NamedTuple):
-    """What stands in a table; its words say what its colour says."""
+    """A cell of a table; its text says the same as its colour."""
 
     text: str
     tone: Tone = ""
@@ -45,7 +45,7 @@ class Picture(NamedTuple):
 
 
 class Verbatim(NamedTuple):
-    """What a tool said, word for word."""
+    """Output of a tool, verbatim."""
 
     title: str
     text: str
@@ -60,7 +60,7 @@ class Section(NamedTuple):
 
 
 def sections(report: Report) -> tuple[Section, ...]:
-    """Those that have something to tell, the most important first."""
+    """Return sections that have content, the most important first."""
     made = (
         _targets(report),
         _not_built(report),
@@ -143,14 +143,14 @@ def _behaviour(report: Report) -> Section:
         *((Picture(drawn, caption),) if drawn else ()),
     )
     lead = (
-        f"Every value that a platform sends is held against {report.title_of(report.reference)}: the same step, the same bits. "
-        "In lock step the player gives all processes their time, and goes on when all messages have come."
+        f"Every value of a platform is compared with {report.title_of(report.reference)}: the same step, the same bits. "
+        "In lock step the player gives all processes their time, and continues when all messages have been received."
     )
     return Section("Behaviour in lock step", (lead,) if rows else (), parts)
 
 
 def told(first: Difference | None) -> str:
-    """A difference in words."""
+    """A difference as text."""
     if first is None:
         return ""
     words = {"other": f"{first.found} instead of {first.expected}", "missing": f"{first.expected} is missing"}

@@ -25,7 +25,7 @@ def seconds(time: float) -> str:
 
 
 def percent(share: float) -> str:
-    """Of one."""
+    """Return a share of 1 as per cent."""
     return f"{share * 100:.2g} %" if abs(share) < 0.1 else f"{share * 100:.0f} %"
 
 

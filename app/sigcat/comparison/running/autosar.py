@@ -1,4 +1,4 @@
-"""AUTOSAR adaptive: applications on the bench runtime, a process each, over SOME/IP in a network of their own."""
+"""AUTOSAR adaptive: applications on the bench runtime, a process each, over SOME/IP in a separate network."""
 
 import os
 import shutil
@@ -34,9 +34,7 @@ def _missing(environment: Mapping[str, str]) -> str | None:
     if not shutil.which("cmake", path=path) or not (environment.get("CXX") or shutil.which("c++", path=path)):
         return "autosar-adaptive needs CMake and a C++ compiler: apt-get install cmake g++"
     if own_network() is None:
-        return (
-            "autosar-adaptive needs a network of its own: Linux that lets users make namespaces (`unshare -Urn true`)"
-        )
+        return "autosar-adaptive needs a separate network: Linux that lets users make namespaces (`unshare -Urn true`)"
     return None
 
 

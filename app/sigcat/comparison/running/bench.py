@@ -1,4 +1,4 @@
-"""A platform of AUTOSAR, with what stands for a vendor's part of it: one project of CMake."""
+"""A platform of AUTOSAR, with a replacement of a vendor's part of it: one project of CMake."""
 
 import time
 from collections.abc import Mapping
@@ -15,15 +15,15 @@ from sigcat.players.commands import write
 
 
 class Bench(NamedTuple):
-    """What is built for a platform."""
+    """Test bench of a platform."""
 
     platform: str
     folders: tuple[str, ...]
-    """What stands for a vendor's part: nobody counts its lines."""
+    """Folders that replace a vendor's part: their lines are not counted."""
     note: str
-    """What a reader has to know of it."""
+    """Note for readers about the bench."""
     settings: Mapping[str, object] = {}
-    """Of CMake, beside those of every platform."""
+    """Settings of CMake, besides those of every platform."""
     passes_time: bool = False
     """Whether it runs others while a call takes time."""
 

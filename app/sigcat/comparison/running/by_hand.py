@@ -29,7 +29,7 @@ def build(package: Path, beside: Built, subject: Subject) -> Built:
 
 
 def play(package: Path, built: Built, subject: Subject, drive: Drive) -> Recording:
-    """What its nodes do: each is an executable of the name of the generated one."""
+    """Play to the nodes written by hand: each is an executable with the name of the generated one."""
     name = _name(package)
     return ros2.play_nodes(built, subject, drive, partial(_files, package=name))
 
@@ -47,6 +47,6 @@ def _name(package: Path) -> str:
 
 
 def written_files(package: Path) -> list[Path]:
-    """What people wrote, without what is there to measure it."""
+    """Return the files written by hand, without those that only measure."""
     kinds = {".cpp", ".hpp", ".c", ".h", ".xml", ".txt"}
     return [each for each in sorted(package.rglob("*")) if each.suffix in kinds and each.stem != "measuring"]

@@ -79,7 +79,7 @@ def _given(trace: Path, prepared: Prepared, last: int) -> Mapping[str, Sequence[
 
 
 def _signals(connections: Connections, member: int) -> Iterator[str]:
-    """What the calls of a function send, but for statuses: those come when they change."""
+    """Yield names of values that a function's calls send, without statuses: those are sent when they change."""
     plan = connections.members[member].plan
     statuses = {each.named.name for each in plan.statuses}
     for each in connections.exits:
@@ -88,7 +88,7 @@ def _signals(connections: Connections, member: int) -> Iterator[str]:
 
 
 def _ages(sent: Sequence[int], heard: Sequence[int], calls: Sequence[CallTime]) -> Iterator[int]:
-    """Of each value that came: since when its row was under way. All in order of time, by the clock of the machine."""
+    """Yield the age of each received value since its row was sent. All are in order of time, by the machine's clock."""
     ended = sorted(calls, key=lambda each: each.end_ns)
     ends = [each.end_ns for each in ended]
     for at in heard:

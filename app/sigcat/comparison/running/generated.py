@@ -12,7 +12,7 @@ from sigcat.platforms.table import PLATFORMS
 
 
 class Generated(NamedTuple):
-    """What was made of a set of functions."""
+    """Files generated for a set of functions."""
 
     integration: bytes
     """The Integration JSON."""

@@ -1,7 +1,7 @@
-"""A program of its own: `launch.py SPEC.json`. Runs processes and a player beside them, and ends when the player does.
+"""A separate program: `launch.py SPEC.json`. Runs processes and a player beside them, and ends when the player does.
 
-It is the first process of a network of its own, where there is one: what the processes send stays on the loopback
-interface. When a process dies, everything ends. When the launcher ends, however that comes, none of them goes on.
+It is the first process of a separate network, if there is one: messages of the processes stay on the loopback
+interface. When a process dies, everything ends. When the launcher ends, for whatever reason, all of them end.
 A line that the player writes to standard output may be a request: `kill NAME`, which is answered with a line. Every other one is a
 word of a function that runs in it, and stands with those that it writes to standard error.
 """
@@ -22,7 +22,7 @@ from threading import Thread
 from typing import Any
 
 PATIENCE = 10.0
-"""Seconds in which processes have to end when they are told to."""
+"""Seconds in which processes have to end on request."""
 _SET_FLAGS, _UP = 0x8914, 0x1
 _DEATH_SIGNAL = 1
 
@@ -56,7 +56,7 @@ def _stop(number: int, _: object) -> None:
 
 
 def _loopback_up() -> None:
-    """In a network of its own it is down at first; where that is not allowed, it is up already."""
+    """In a separate network it is down at first; where that is not allowed, it is up already."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as any_socket:
         try:
             fcntl.ioctl(any_socket, _SET_FLAGS, struct.pack("16sH14x", b"lo", _UP))
@@ -71,9 +71,9 @@ class Launch:
         self.told = told
         self.running: dict[int, str] = {}
         self.held: list[subprocess.Popen[str]] = []
-        """What Python would wait for by itself, if nobody held it."""
+        """Processes held so that Python does not wait for them by itself."""
         self.meant: set[str] = set()
-        """Those that were to end."""
+        """Processes whose end is intended."""
         self.ended: dict[str, dict[str, float]] = {}
         self.first_dead = ""
         self.when = "before the drive did"
@@ -82,7 +82,7 @@ class Launch:
 
     @property
     def outcome(self) -> Mapping[str, Any]:
-        """What the caller reads."""
+        """Result for the caller."""
         return {"ended": self.ended, "dead": self.first_dead, "when": self.when, "seconds": self.ends - self.began}
 
     def run(self, processes: Sequence[Mapping[str, Any]], player: Mapping[str, Any]) -> None:
@@ -149,7 +149,7 @@ class Launch:
         self.first_dead = self.first_dead or ("" if is_expected else name)
 
     def _end(self) -> None:
-        """Those that still run are told to end, and killed if they do not."""
+        """End those that still run, and kill them if they do not end."""
         told = list(self.running.values())
         self.meant.update(told)
         for pid in list(self.running):
@@ -163,10 +163,10 @@ class Launch:
         good = (0, -signal.SIGTERM, -signal.SIGKILL)
         failed = [name for name in told if self.ended[name]["status"] not in good]
         if failed and not self.first_dead:
-            self.first_dead, self.when = failed[0], "when it was told to end"
+            self.first_dead, self.when = failed[0], "when it was asked to end"
 
     def kill_all(self) -> None:
-        """Nothing goes on."""
+        """End all processes."""
         for pid in list(self.running):
             os.kill(pid, signal.SIGKILL)
 

@@ -1,4 +1,4 @@
-"""Processes of a platform, started, watched and ended: by the launcher, which is a process of its own."""
+"""Processes of a platform, started, watched and ended: by the launcher, which is a separate process."""
 
 import json
 import signal
@@ -20,7 +20,7 @@ _LOOK = 0.5
 
 
 class Process(NamedTuple):
-    """What is started, and what it is measured by."""
+    """A process to start, and the files that count as its program."""
 
     name: str
     command: tuple[str, ...]
@@ -30,11 +30,11 @@ class Process(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """What became of processes."""
+    """Result of running processes."""
 
     loads: tuple[ProcessLoad, ...]
     last_words: str
-    """Of the first one that died; empty if none did."""
+    """Last lines of the first one that died; empty if none did."""
     seconds: float
     """Until the player had ended."""
 
@@ -46,7 +46,7 @@ def launched(
     network: Sequence[str] = (),
     patience: float | None = None,
 ) -> Outcome:
-    """Run processes until the player has ended, or one has died. Nothing of them goes on, however this ends.
+    """Run processes until the player has ended, or one has died. All of them have ended afterwards, however this ends.
 
     With a patience, they are ended when nothing was recorded in the folder for so many seconds.
     """
@@ -79,7 +79,7 @@ def _described(process: Process) -> Mapping[str, object]:
 
 
 def _run_to_end(command: Sequence[str], folder: Path, patience: float | None) -> int | None:
-    """The status of a command, which leads a group of its own that is ended with it; None: nothing was recorded for too long."""
+    """The status of a command, which leads its own group that is ended with it; None: nothing was recorded for too long."""
     with (
         (folder / _TOLD).open("wb") as output,
         GROUPS.started(command, stdin=subprocess.DEVNULL, stdout=output, stderr=output) as process,
@@ -112,7 +112,7 @@ def _died(name: str, when: str, ended: Mapping[str, Mapping[str, int]], folder: 
     status = ended[name]["status"]
     how = f"status {status}" if status >= 0 else _signal_name(-status)
     words = last_lines(folder / f"{name}.txt")
-    return f"{name} ended with {how} {when}{f': {words}' if words else ', without a word'}"
+    return f"{name} ended with {how} {when}{f': {words}' if words else ', without a message'}"
 
 
 def _signal_name(number: int) -> str:
@@ -123,7 +123,7 @@ def _signal_name(number: int) -> str:
 
 
 def last_lines(path: Path) -> str:
-    """What a process said last, if it said anything."""
+    """Return the last lines that a process printed, if any."""
     lines = path.read_text("utf-8", "replace").splitlines() if path.exists() else []
     return "\n".join([line for line in lines if line.strip()][-_LAST_LINES:])
 
@@ -133,7 +133,7 @@ def _size(program: Iterable[Path]) -> int:
 
 
 def own_network() -> tuple[str, ...] | None:
-    """The command that gives a process a network of its own; None where it may not have one."""
+    """The command that gives a process a separate network; None where this is not allowed."""
     for command in (("unshare", "-n"), ("unshare", "-Urn")):
         try:
             done = subprocess.run([*command, "true"], check=False, capture_output=True)  # noqa: S603

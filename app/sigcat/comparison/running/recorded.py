@@ -1,4 +1,4 @@
-"""What a run leaves in its folder; what a player has recorded of it, in the words of the simulation."""
+"""Folder of a run, and what a player recorded in it, with the names and texts of the simulation."""
 
 import csv
 import shutil

@@ -1,4 +1,4 @@
-"""ROS 2: lifecycle nodes in C++ or in Python, a process each, over DDS in a domain of their own."""
+"""ROS 2: lifecycle nodes in C++ or in Python, a process each, over DDS in a separate domain."""
 
 import json
 import shutil
@@ -97,7 +97,7 @@ def _play(built: Built, subject: Subject, drive: Drive, *, language: str) -> Rec
 
 
 def play_nodes(built: Built, subject: Subject, drive: Drive, files: Files) -> Recording:
-    """What nodes do that have the topics and services of the set, whoever wrote them."""
+    """Play to nodes that have the topics and services of the set, generated or not."""
     ros2, folder = installed(), built.folder
     run = fresh_run(built, drive)
     document = json.loads((folder / "integration.json").read_bytes())

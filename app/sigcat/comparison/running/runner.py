@@ -1,4 +1,4 @@
-"""What a platform brings to be compared: whether it is there, how it is built, and how a drive is played to it."""
+"""Interface of a platform for comparison: whether it is installed, how to build it, and how to play to it."""
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -12,7 +12,7 @@ from sigcat.runs.prepare import Prepared
 
 
 class Subject(NamedTuple):
-    """What is compared: functions that fit together, and what their deployment says."""
+    """Functions that fit together, and their deployment."""
 
     functions: tuple[ResolvedFunction, ...]
     prepared: Prepared
@@ -20,19 +20,19 @@ class Subject(NamedTuple):
 
     @property
     def code_settings(self) -> Mapping[str, Path]:
-        """Where the paths of the code of each function begin, as CMake is told."""
+        """Folders of the code of each function, by their settings of CMake."""
         return {each.plan.code_setting: each.folder.absolute() for each in self.prepared.connections.members}
 
 
 class Kill(NamedTuple):
-    """A function is gone from a time on: its process is killed, its simulation ends without a word."""
+    """A function is gone from a time on: its process is killed, its simulation ends silently."""
 
     function: str
     time_ns: int
 
 
 class Drive(NamedTuple):
-    """What is played, and how."""
+    """A drive to play, and how."""
 
     trace: Path
     """CSV, as `sigcat simulate` reads it; a column that is named like a call says how long the call takes from then on."""
@@ -40,10 +40,10 @@ class Drive(NamedTuple):
     """A time of the trace, as those of kills are."""
     mode: Mode = "lock step"
     name: str = "run"
-    """Of the folder of what is recorded."""
+    """Name of the recording's folder."""
     kills: tuple[Kill, ...] = ()
     step_limit_s: float = 10.0
-    """How long a call may take before the run is stopped."""
+    """Longest time that a call may take before the run is stopped."""
 
 
 class Runner(NamedTuple):
@@ -56,4 +56,4 @@ class Runner(NamedTuple):
     build: Callable[[Subject, Path, Toolchain], Built]
     """Generate and compile in a folder. Raises InputRefused, or BuildFails with what the compiler says."""
     play: Callable[[Built, Subject, Drive], Recording]
-    """What the platform does. A process that dies ends the run: the recording has its last words."""
+    """Play and record. A process that dies ends the run: the recording has its last words."""

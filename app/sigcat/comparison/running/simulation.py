@@ -1,4 +1,4 @@
-"""The simulation as a platform: the reference that all others are held against."""
+"""The simulation as a platform: the reference that all others are compared with."""
 
 import os
 import time
@@ -89,7 +89,7 @@ def _measuring(folder: Path) -> Iterator[None]:
 
 
 def sent_by_name(rows: Iterable[Recorded], prepared: Prepared) -> Mapping[str, tuple[Sent, ...]]:
-    """What was sent, as texts."""
+    """Return sent values as text, by name."""
     found: defaultdict[str, list[Sent]] = defaultdict(list)
     columns = prepared.columns
     for row in rows:

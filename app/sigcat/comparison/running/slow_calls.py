@@ -82,7 +82,7 @@ static bool @type@_sends(const @type@ *self)
     }
     @type@_slow.end(self, t);
     @type@_slow.end = NULL;
-    @type@_slow.rests = @type@_sends(self); /* a message may replace one that nobody has taken yet */
+    @type@_slow.rests = @type@_sends(self); /* a message may replace one that has not been taken yet */
     return @type@_slow.rests ? @none@ : @type@_OwnNextCall(self, t);
 }
 
@@ -143,7 +143,7 @@ def with_slow_calls(
 ) -> Iterator[GeneratedFile]:
     """The files of a platform, with one more before each core.
 
-    `passes_time`: a host that runs others while a call takes time, if it is told to (`TestRte_PassTime`): nothing has to be kept.
+    `passes_time`: the host can run others while a call takes time (`TestRte_PassTime`): nothing has to be kept.
     """
     cores = {f"{member.name}_adapter{ending}": member for member in members for ending in (".c", ".cpp")}
     for file in files:
@@ -169,7 +169,7 @@ def _passing_time(member: Member, core: str) -> str:
 
 
 def _before(member: Member, core: str, names: Iterable[str], text: str, of_call: str) -> str:
-    """What stands for the core, which has these functions under other names."""
+    """Return code that wraps these functions of the core, which it renames."""
     scope, calls = Scope(member.plan), member.plan.steps
     prefix = scope.prefix
     words = {

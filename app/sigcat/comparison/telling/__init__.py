@@ -1,3 +1,3 @@
-"""What comes in: what was built and recorded on each platform.
-What goes out: the report of it, in which everything is judged that must hold.
+"""Input: the builds and recordings of each platform.
+Output: their report, in which all acceptance criteria are evaluated.
 """

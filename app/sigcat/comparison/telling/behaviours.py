@@ -51,7 +51,7 @@ def free_runs(material: Material) -> Iterator[model.FreeRun]:
 
 
 def faults(material: Material) -> Iterator[model.Fault]:
-    """What each fault changes on the reference, and whether it does so everywhere."""
+    """Yield the changes that each fault causes on the reference, and whether all platforms show them."""
     reference = material.reference.name
     sound = material.reference.lock_step
     statuses = [name for name, column in material.columns.items() if column.kind != "signal"]
@@ -91,7 +91,7 @@ def _outcomes(fault: PlayedFault, expected: Recording, reference: str) -> Iterat
 
 
 def traces(material: Material) -> Iterator[model.Trace]:
-    """What is drawn: numbers that the functions send, modes after them."""
+    """Yield the signals to draw: numbers that the functions send, then modes and errors."""
     drawable = [each for each in material.columns.values() if isinstance(each.shape, Number)]
     chosen = [
         *(each for each in drawable if each.kind == "signal"),
@@ -115,7 +115,7 @@ def _lines(column: Column, material: Material) -> Iterator[model.Line]:
 
 
 def number_of(text: str, column: Column) -> float | None:
-    """The number of a value as text; None of what is no number."""
+    """The number of a value as text; None if it is not a number."""
     assert isinstance(column.shape, Number)
     symbols: Mapping[str, int] = dict(column.shape.symbols)
     if text in symbols:

@@ -8,7 +8,7 @@ from sigcat.comparison.report.words import duration, memory, percent
 
 
 def beside_paper(told: model.Report) -> Iterator[model.PaperFigure]:
-    """Those for which there is something to stand beside."""
+    """Figures of the paper that have a measured counterpart."""
     for figure in FIGURES.values():
         ours = _ours(figure, told)
         if ours:

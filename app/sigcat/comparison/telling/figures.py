@@ -63,7 +63,7 @@ def supervisions(material: Material) -> Iterator[model.Supervision]:
 
 
 def translations(material: Material) -> Iterator[model.Measured]:
-    """What the gateway took, for a drive that was logged on CAN."""
+    """Yield the times of the gateway, for a drive that was logged on CAN."""
     found = distribution(material.translation_ns)
     if found:
         yield model.Measured(
@@ -106,7 +106,7 @@ def processes(material: Material) -> Iterator[model.Process]:
 
 
 def driven_seconds(recording: Recording, material: Material) -> float:
-    """Of the drive, until the run ended."""
+    """Return the seconds of the drive until the run ended."""
     if recording.mode == "lock step" and not recording.last_words:
         return material.end_ns / 1e9
     return max((values[-1][0] for values in recording.sent.values() if values), default=0) / 1e9

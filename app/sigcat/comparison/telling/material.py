@@ -16,7 +16,7 @@ class Played(NamedTuple):
     left_out: str = ""
     """Why it was not played to; empty if it was."""
     build_error: str = ""
-    """What a tool said that could not build it."""
+    """Message of the tool that could not build it."""
     built: Built | None = None
     lock_step: Recording | None = None
     free_run: Recording | None = None
@@ -56,9 +56,9 @@ class Material(NamedTuple):
     trace: str
     end_ns: int
     columns: Mapping[str, Column]
-    """What the functions send, by name."""
+    """Columns that the functions send, by name."""
     cycle_ns: int
-    """Of the call that comes most often."""
+    """Cycle of the most frequent call."""
     platforms: tuple[Played, ...]
     faults: tuple[PlayedFault, ...] = ()
     written: tuple[WrittenLines, ...] = ()
@@ -66,11 +66,11 @@ class Material(NamedTuple):
     machine: tuple[tuple[str, str], ...] = ()
     notes: tuple[str, ...] = ()
     translation_ns: Sequence[int] = ()
-    """How long the gateway took for each frame, if the drive was logged on CAN."""
+    """Times of the gateway for each frame, if the drive was logged on CAN."""
     phases: tuple[tuple[str, float], ...] = ()
-    """What the whole of it was made of, in s."""
+    """Phases of the comparison, in s."""
 
     @property
     def reference(self) -> Played:
-        """What all others are held against."""
+        """The platform that all others are compared with."""
         return self.platforms[0]

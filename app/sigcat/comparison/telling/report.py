@@ -37,7 +37,7 @@ def report_of(material: Material) -> model.Report:
 
 
 def judged(measured: model.Report, notes: Sequence[str] = ()) -> model.Report:
-    """What was measured, with what it means: what must hold, the paper's figures, and what a reader has to know first."""
+    """Add the conclusions to a report: acceptance criteria, the paper's figures, and notes for readers."""
     held = tuple(targets(measured))
     told = (*_notes(measured, held), *notes)
     return measured.model_copy(update={"targets": held, "paper": tuple(beside_paper(measured)), "notes": told})
@@ -61,7 +61,7 @@ def _platform(played: Played) -> model.Platform:
 
 
 def _notes(measured: model.Report, held: Sequence[model.Target]) -> Iterator[str]:
-    """What one has to know before one believes the table."""
+    """Yield notes to read before the table."""
     failing = [each.what for each in held if each.holds is False]
     unknown = [each.what for each in held if each.holds is None]
     if failing:

@@ -15,13 +15,13 @@ FAULTS = 20
 LONGEST_S = 300
 WHOLE_DRIVE_S = 600
 WAITING = "processes that wanted to run, before it began"
-"""What a report calls the load of its machine."""
+"""Name of the machine's load in a report."""
 _INTERPRETED = frozenset(("ros2-py",))
 """Platforms whose adapters are not compiled."""
 
 
 class _Beyond(NamedTuple):
-    """What the adapter takes in a run more than the loop without transport, in ns."""
+    """Additional time of the adapter in a run over the loop without transport, in ns."""
 
     call: str
     mode: str
@@ -31,7 +31,7 @@ class _Beyond(NamedTuple):
 
 
 def targets(told: model.Report) -> Iterator[model.Target]:
-    """All of them, from what was measured; what was not is told as such."""
+    """All targets, from the measurements; those that were not measured are marked."""
     compiled = [
         each.name
         for each in told.platforms
@@ -82,14 +82,14 @@ def _equal(told: model.Report) -> model.Target:
 
 
 def _is_equal(wrong: int, values: int, broken: Sequence[str], longest: float) -> bool | None:
-    """What is equal in a shorter drive says nothing of the whole one."""
+    """Whether all values are equal; None if they are, but in a drive shorter than the whole one."""
     if wrong or broken or not values:
         return False
     return True if round(longest) >= WHOLE_DRIVE_S else None
 
 
 def _faults(told: model.Report) -> model.Target:
-    """Few that are the same say nothing of the many that are wanted."""
+    """A few equal ones do not prove the target."""
     outcomes = [outcome for each in told.faults for outcome in each.outcomes]
     same = [each for each in told.faults if each.outcomes and all(outcome.is_same for outcome in each.outcomes)]
     played = dict.fromkeys(outcome.platform for outcome in outcomes)
@@ -108,7 +108,7 @@ def _too_few_faults(faults: int, platforms: int) -> Iterator[str]:
     if not faults:
         yield "no fault was injected"
     elif faults < FAULTS:
-        yield f"{counted(faults, 'fault')}, of the {FAULTS} that are wanted"
+        yield f"{counted(faults, 'fault')}, of the required {FAULTS}"
     if faults and not platforms:
         yield "no platform but the simulation was played to"
 
@@ -120,9 +120,9 @@ def _is_same(same: int, faults: int) -> bool | None:
 
 
 def _adapter(told: model.Report, platform: str) -> model.Target:
-    """Of the call that comes most often, beyond the loop without transport; what the others take is a remark.
+    """Return the target for the most frequent call, beyond the loop without transport; other calls are in the note.
 
-    Calls that kept their processor are judged: what else the machine did meanwhile is no adapter's time.
+    Only calls that kept their processor are checked: time of other processes is not time of the adapter.
     """
     floors = {each.call: each.t_adapter_judged for each in told.timing if each.platform == told.reference}
     often = max(floors, key=lambda call: floors[call].total, default="")
@@ -158,7 +158,7 @@ def _beyond(each: _Beyond) -> str:
 
 def _preempted(each: model.Timing, floor: model.Durations) -> str:
     return (
-        f"{each.preempted:,} of {counted(each.t_adapter.total, 'call')} in {each.mode} were preempted and are not judged: "
+        f"{each.preempted:,} of {counted(each.t_adapter.total, 'call')} in {each.mode} were preempted and are excluded: "
         f"with them, p99 is {duration(each.t_adapter.p99 - floor.p99)}"
     )
 
@@ -210,7 +210,7 @@ def _whole(told: model.Report, platforms: Sequence[str], mode: str) -> Load | No
 
 
 def _by_hand(told: model.Report) -> model.Target:
-    """What people wrote for comparison is nobody's platform, whether or not it was played to."""
+    """Return the target for hand-written lines. The hand-written baseline is not a platform and not counted."""
     own = {each.name for each in told.platforms if not each.is_by_hand}
     written = sum(each.code for each in told.effort if each.by == "person" and each.platform in own)
     return model.Target(

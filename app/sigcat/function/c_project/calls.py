@@ -1,4 +1,4 @@
-"""Which functions are the calls of a model: init, one step or several, terminate. Their names say it."""
+"""Calls of a model, by the names of functions: init, one step or several, terminate."""
 
 import re
 from collections import defaultdict
@@ -32,7 +32,7 @@ class Group(NamedTuple):
     """The calls of one model, or of one class."""
 
     name: str
-    """What the names of its functions begin with, or the name of the class."""
+    """Prefix of the names of its functions, or the name of the class."""
     init: CFunction | None
     steps: tuple[CFunction, ...]
     terminate: CFunction | None
@@ -192,7 +192,7 @@ def _begins_a_word(name: str, at: int) -> bool:
 
 
 class Use(NamedTuple):
-    """What functions, with all that they call, read and write: names of variables, and keys of members."""
+    """Names that functions, with all that they call, read and write: variables, and keys of members."""
 
     is_known: bool
     """Whether a body of theirs was read."""
@@ -201,7 +201,7 @@ class Use(NamedTuple):
 
 
 def use_of(names: Iterable[str], declarations: Declarations) -> Use:
-    """What functions use."""
+    """Names that functions use."""
     reached = reachable(names, declarations)
     bodies = [each for each in declarations.functions if each.name in reached and each.is_defined]
     used = frozenset(name for each in bodies for name in each.uses)

@@ -6,13 +6,15 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import NamedTuple
 
+from sigcat.line_numbers import numbered
+
 _TOKEN = re.compile(
     r'"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'|(?P<line>//[^\n]*)|(?P<block>/\*.*?(?:\*/|\Z))',
     re.DOTALL,
 )
 _FRAME = re.compile(r"^[\s*/!<]+|[\s*/]+$")
 _FAR_RIGHT = 20
-"""Columns from which a comment on a line of its own goes on with the line before it, as generators write it."""
+"""Columns from which a comment on a separate line continues the line before it, as generators write it."""
 
 
 class Comment(NamedTuple):
@@ -85,11 +87,8 @@ class Comments:
 
 
 def _found(text: str) -> Iterator[Comment]:
-    line, start_of_line, at = 1, 0, 0
-    for match in _TOKEN.finditer(text):
-        line += text.count("\n", at, match.start())
+    for line, match in numbered(text, _TOKEN.finditer(text)):
         start_of_line = text.rfind("\n", 0, match.start()) + 1
-        at = match.start()
         if match.lastgroup is None:
             continue
         is_alone = not text[start_of_line : match.start()].strip()
@@ -98,7 +97,7 @@ def _found(text: str) -> Iterator[Comment]:
 
 
 def _joined(comments: Iterator[Comment]) -> Iterator[Comment]:
-    """Comments of one line each that stand below each other in one column are one comment."""
+    """Comments of one line each, below each other in one column, are one comment."""
     before: Comment | None = None
     for comment in comments:
         goes_on = before and comment.is_alone and comment.first == before.last + 1 and comment.column == before.column

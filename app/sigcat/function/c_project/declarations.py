@@ -1,4 +1,4 @@
-"""What C and C++ code declares: functions, variables, classes and types, each with its place."""
+"""Declarations of C and C++ code: functions, variables, classes and types, each with its place."""
 
 from collections.abc import Mapping
 from typing import Any, NamedTuple
@@ -12,20 +12,20 @@ class Place(NamedTuple):
 
 
 class CType(NamedTuple):
-    """A type, with the names that it goes by: the one that is written first, those that it stands for behind it."""
+    """A type, with the names that it goes by: the written one first, then those of the types behind it."""
 
     kind: str
     """number, enumeration, record, array, pointer, void, or other."""
     names: tuple[str, ...] = ()
     key: str = ""
-    """Of a record or an enumeration."""
+    """Key of a record or an enumeration."""
     sort: str = ""
-    """Of a number: floating, signed, unsigned or boolean."""
+    """Sort of a number: floating, signed, unsigned or boolean."""
     bits: int = 0
     length: int = 0
     """Elements of an array."""
     of: "CType | None" = None
-    """What an array holds, or a pointer points to."""
+    """Element of an array, or target of a pointer."""
     const: bool = False
     """Whether a pointer only reads."""
 
@@ -36,7 +36,7 @@ class CType(NamedTuple):
 
     @property
     def target(self) -> "CType":
-        """What a pointer points to; any other type itself."""
+        """Target of a pointer; any other type itself."""
         return self.of if self.kind == "pointer" and self.of else self
 
 
@@ -50,7 +50,7 @@ class Member(NamedTuple):
     """Bits of a bit field."""
     public: bool = True
     key: str = ""
-    """What functions name it by that use it."""
+    """Name in functions that use it."""
     is_const: bool = False
 
 
@@ -111,7 +111,7 @@ class CClass(NamedTuple):
 
 
 class CompilerError(NamedTuple):
-    """What the compiler found wrong."""
+    """An error of the compiler."""
 
     message: str
     place: Place

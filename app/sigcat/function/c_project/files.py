@@ -10,6 +10,7 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.findings import Finding
 from sigcat.limits import CODE_BYTES, CODE_FILE_BYTES, CODE_FILES
+from sigcat.line_numbers import numbered
 from sigcat.real_path import real_path
 
 HEADERS = frozenset((".h", ".hh", ".hpp", ".hxx"))
@@ -112,12 +113,12 @@ def _text(folder: Path, path: str, left: int, findings: list[Finding]) -> str | 
 
 
 def _bytes(file: Path, folder: Path, left: int) -> tuple[bytes | None, str]:
-    """What a file holds, or why it is not read."""
+    """Content of a file, or why it is not read."""
     try:
         if not real_path(file).is_relative_to(real_path(folder)):
             return None, "is a link that leads out of the folder"
         if not file.is_file():
-            return None, "is no regular file"
+            return None, "is not a regular file"
         size = file.stat().st_size
         if size > CODE_FILE_BYTES:
             return None, f"has more than {CODE_FILE_BYTES:,} bytes"
@@ -130,8 +131,7 @@ def _bytes(file: Path, folder: Path, left: int) -> tuple[bytes | None, str]:
 
 def _without_outside(text: str, path: str, findings: list[Finding]) -> str:
     """The text with includes of files elsewhere on the machine left empty; lines stay where they are."""
-    for match in _OUTSIDE.finditer(text):
-        line = text.count("\n", 0, match.start()) + 1
+    for line, match in numbered(text, _OUTSIDE.finditer(text)):
         message = f"The include must be within the folder, not {match['path']!r}; it is left out."
         findings.append(codes.INCLUDE_NOT_FOUND.finding(message, path, line))
     return _OUTSIDE.sub(lambda match: f"{match['before']}left-out", text)

@@ -89,7 +89,7 @@ def _with_roles(variable: Variable, code: Code, use: Use) -> Iterator[tuple[Role
 
 
 def _told(variable: Variable, heading: str, use: Use) -> Role:
-    """The role that names and comments tell; internal for what is no part of the interface."""
+    """The role that names and comments tell; internal if it is not part of the interface."""
     kind = variable.type.kind
     if is_of_the_generator(variable.name) or kind in ("pointer", "other") or (variable.is_const and kind != "record"):
         return "internal"
@@ -101,7 +101,7 @@ def _told(variable: Variable, heading: str, use: Use) -> Role:
 
 
 def _role(variable: Variable, value: Value, use: Use, heading: str, code: Code) -> Role:
-    """What is written is an output; what is only read is an input, or a parameter if it has a value of its own."""
+    """Written variables are outputs; those that are only read are inputs, or parameters if they have a value."""
     comments = code.comments.get(value.place.file)
     comment = comments.beside(value.place.line) if comments else ""
     is_written = value.key in use.written or (variable.name in use.written and value.key == variable.name)

@@ -1,4 +1,4 @@
-"""Parse the files of a project in a process of its own, within limits: what is parsed may be anything."""
+"""Parse the files of a project in a separate process, within limits: the files may contain anything."""
 
 import json
 import re
@@ -32,7 +32,7 @@ _COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.DOTALL)
 
 
 class Parsed(NamedTuple):
-    """What the code declares, on the machine that it was made for."""
+    """Declarations of the code, on the machine for which it was made."""
 
     declarations: Declarations
     machine: str = ""
@@ -138,7 +138,7 @@ def _last_line(worker: "subprocess.CompletedProcess[bytes]") -> str:
 
 
 def _language(path: str, files: CodeFiles) -> str:
-    """Of a header, the language of the only sources, or that which its text is written in."""
+    """Return the language of a file; of a header, that of the only sources, or that of its text."""
     suffix = Path(path).suffix.lower()
     if suffix != ".h":
         return "c" if suffix == ".c" else "c++"

@@ -41,7 +41,7 @@ class CodeObject(NamedTuple):
 
 
 class Interface(NamedTuple):
-    """What calls read and write, and which objects they take."""
+    """Variables that calls read and write, and the objects that they are given."""
 
     inputs: tuple[Value, ...] = ()
     outputs: tuple[Value, ...] = ()
@@ -53,7 +53,7 @@ class Interface(NamedTuple):
 
 
 class CodeProject(NamedTuple):
-    """What the code of one model has to be called with."""
+    """Interface of the code of one model, with all that is needed to call it."""
 
     model: str
     signature: Signature
@@ -67,7 +67,7 @@ class CodeProject(NamedTuple):
     machine: str = ""
     """In words, where the code refuses one of 64 bit with a long of 64 bit."""
     title: Mapping[str, str] = {}
-    """What the head of the generated header says: `model`, `version`, `tool`."""
+    """Words in the head of the generated header: `model`, `version`, `tool`."""
     findings: tuple[Finding, ...] = ()
     folder: Path = Path()
     expressions: frozenset[str] = frozenset()

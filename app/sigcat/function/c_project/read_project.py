@@ -112,7 +112,7 @@ def _expressions(interface: Interface, others: Iterable[Value]) -> Iterator[str]
 
 
 def _left_out(group: Group, declarations: Declarations) -> Iterator[CFunction]:
-    """Public functions beside the calls that the calls do not call either; what gives or takes members is no call."""
+    """Public functions that are neither calls nor called by them, without those that give or take members."""
     known = reachable((_full_name(each, group) for each in group.functions), declarations)
     header = group.steps[0].place.file
     found = group.owner.methods if group.owner else declarations.functions
@@ -157,7 +157,7 @@ def _cycle_time(function: CFunction, code: Code, files: CodeFiles, *, is_only: b
 
 
 def _named_time(name: str) -> float | int | None:
-    """Of `X_step_10ms` 10, of `Trigger_1kHz` 1."""
+    """Return the time in a name: 10 for `X_step_10ms`, 1 for `Trigger_1kHz`."""
     named = re.search(r"(?:_|[a-z])(\d+)(ms|us|s)$", name)
     rate = re.search(r"(?:_|[a-z])(\d+)(k?)hz$", name, re.IGNORECASE)
     if rate and int(rate[1]):
@@ -250,7 +250,7 @@ def _empty(interface: Interface, group: Group) -> Iterator[Finding]:
 def _undefined(
     interface: Interface, group: Group, declarations: Declarations, linked: frozenset[str]
 ) -> Iterator[Finding]:
-    """What the sources use and none defines, and nobody will: neither the function nor its adapter."""
+    """Report variables that the sources use, and neither the function nor its adapter defines."""
     used = use_of([_full_name(each, group) for each in group.functions], declarations).used if linked else frozenset()
     values = (*interface.inputs, *interface.outputs, *interface.parameters)
     known = {re.split(r"[.\[(]", value.expression)[0] for value in values}
@@ -261,7 +261,7 @@ def _undefined(
     for variable in list(lacking.values())[:1]:
         more = f" and {len(lacking) - 1:,} more" if len(lacking) > 1 else ""
         message = f"{variable.name!r}{more} must be defined: the sources use it, but it is in none of them, and no input or output."
-        fix = "Import the folder with the source that defines it, or define it in a source of your own."
+        fix = "Import the folder with the source that defines it, or define it in your own source."
         yield codes.VARIABLE_UNDEFINED.finding(message, *variable.place, fix=fix)
 
 

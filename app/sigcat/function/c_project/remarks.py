@@ -1,4 +1,4 @@
-"""What a comment says of a variable, a parameter or a call: port, unit, range, scale, cycle time, description."""
+"""Facts in the comment of a variable, a parameter or a call: port, unit, range, scale, cycle time, description."""
 
 import re
 from fractions import Fraction
@@ -12,7 +12,7 @@ _ORIGINS = re.compile(
     r"\b(?:Computed Parameter|Variable|Mask Parameter)\s*:\s*\w+|\bSimulink\.\w+ object\b[^\n]*"
     r"|\b(?:Pooled Parameter|Expression)\b[^\n]*"
 )
-"""What Simulink says of where a value comes from: no range, no unit."""
+"""Notes of Simulink on the origin of a value, which have neither range nor unit."""
 _UNIT = re.compile(r"\bunits?\s*[:=]\s*[\[(\"']?(?P<unit>[^\s,;\])\"']+)", re.IGNORECASE)
 _BRACKETS = re.compile(r"[\[(](?P<unit>[^\[\]()\d,;:][^\[\](),;:]{0,14})[\])]")
 _SQUARE = re.compile(
@@ -62,7 +62,7 @@ _CHARACTERS = 2_000
 
 
 class Remark(NamedTuple):
-    """What a comment says; empty where it says nothing."""
+    """Facts in a comment; empty if it has none."""
 
     port: str = ""
     """Name of the root port of the model."""
@@ -73,13 +73,13 @@ class Remark(NamedTuple):
     factor: float | int | None = None
     offset: float | int | None = None
     text: str = ""
-    """What is left: a description."""
+    """The rest of the text: a description."""
     unit: str = ""
     """The unit, where the comment says that it is one: `Unit: km/h`, `[km/h]`."""
 
 
 def remark_of(comment: str) -> Remark:
-    """What a comment says of a variable or a parameter."""
+    """Facts in the comment of a variable or a parameter."""
     comment = comment[:_CHARACTERS]
     port = _PORT.search(comment)
     said = _ORIGINS.sub(" ", _BLOCKS.sub(" ", comment))
@@ -111,7 +111,7 @@ def cycle_time_of(comment: str) -> float | int | None:
 
 
 def number(text: str) -> float | int:
-    """A number as it is written: `0.50` is 0.5, `100` and `100.0` are told apart."""
+    """A number as it is written: `0.50` is 0.5, `100` and `100.0` differ."""
     return float(text) if re.search(r"[.eE]", text) else int(text)
 
 
@@ -175,7 +175,7 @@ _SAID = (_FIXDT, _UNIT, _RANGE, _MIN, _MAX, _FACTOR, _BARE_POWER, _BINARY, _OFFS
 
 
 def _description(said: str) -> str:
-    """What is left of a comment without what is understood, if it has a word."""
+    """Return the rest of a comment without the parts that are understood, if it has a word."""
     rest = _rest(said)
     return rest if re.search(r"[^\W\d_]{2}", rest) else ""
 

@@ -1,4 +1,4 @@
-"""What a variable is for: input, output, parameter, or nothing of the interface. Names of Simulink say it, or words."""
+"""Role of a variable: input, output, parameter, or none. Names of Simulink tell it, or words in a name."""
 
 import re
 from typing import Literal

@@ -18,7 +18,7 @@ class Value(NamedTuple):
     """In C: `rtU.bus.speed`."""
     name: str
     datatype: str
-    """Of VSS; of an array, of its elements; empty if VSS has none such."""
+    """Datatype of VSS; of an array, that of its elements; empty if VSS has none."""
     type_name: str
     """As it is written in C."""
     place: Place
@@ -26,27 +26,27 @@ class Value(NamedTuple):
     length: int = 0
     """Elements of an array."""
     constants: tuple[Constant, ...] = ()
-    """Of an enumeration."""
+    """Constants of an enumeration."""
     start: Any = None
-    """What it holds at first."""
+    """Initial value."""
     is_const: bool = False
     defined_by: str = "function"
     c_type: str = ""
     """Type in C, with its qualifiers, of a variable that the adapter defines."""
     key: str = ""
-    """What functions name it by that use it: of a member its key, of a variable its name."""
+    """Name in the functions that use it: of a member its key, of a variable its name."""
     problem: str = ""
     """Why it cannot be an interface, after «it»."""
 
 
 class Code(NamedTuple):
-    """What the code declares, and its comments."""
+    """Declarations of the code, and its comments."""
 
     declarations: Declarations
     comments: Mapping[str, Comments]
 
     def remark(self, place: Place, *, beside_only: bool = False) -> Remark:
-        """What the comment behind a line says, or else the one above it."""
+        """Facts in the comment behind a line, or else in the one above it."""
         comments = self.comments.get(place.file)
         if comments is None:
             return Remark()
@@ -59,7 +59,7 @@ class Code(NamedTuple):
 
 
 class _At(NamedTuple):
-    """Where one is within a variable."""
+    """A place within a variable."""
 
     expression: str
     name: str

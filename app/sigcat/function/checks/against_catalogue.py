@@ -67,7 +67,7 @@ def _item(pointer: Pointer, item: Item, node: Node, catalogue: Catalogue) -> Pro
 
 
 def _words(symbols: Iterable[EnumerationValue]) -> str:
-    """An enumeration in words: `OFF 0, ON 1`."""
+    """An enumeration as text: `OFF 0, ON 1`."""
     return ", ".join(f"{each.symbol} {each.value}" for each in symbols)
 
 
@@ -82,10 +82,7 @@ def _stale(pointer: Pointer, key: str, own: Any, known: Any, node: Node) -> Prob
 def _values(pointer: Pointer, item: Item, node: Node, catalogue: Catalogue) -> Problems:
     conversion = _to_code(item, node, catalogue)
     if conversion is None:
-        message = (
-            f"`Units` must be one that {node.values.get('unit')!r}, the unit of {node.path!r}, can be converted to, "
-            f"not {item.units!r}."
-        )
+        message = f"{node.values.get('unit')!r}, the unit of {node.path!r}, cannot be converted to {item.units!r}."
         yield Problem(codes.UNIT_NOT_CONVERTIBLE, (*pointer, "Units"), message, subject=Subject("data", node.path))
         return
     yield from _outside(pointer, item, node, conversion)
@@ -95,7 +92,7 @@ def _values(pointer: Pointer, item: Item, node: Node, catalogue: Catalogue) -> P
 
 
 def _to_code(item: Item, node: Node, catalogue: Catalogue) -> Linear | None:
-    """From the catalogue's unit to the document's; None if there is no way. An unknown unit is a problem of its own."""
+    """From the catalogue's unit to the document's; None if there is none. An unknown unit is a separate problem."""
     known = catalogue.vocabulary.unit(item.units) if item.units else None
     unit = node.values.get("unit")
     if known is None or not isinstance(unit, str):
@@ -105,7 +102,7 @@ def _to_code(item: Item, node: Node, catalogue: Catalogue) -> Linear | None:
 
 
 def _outside(pointer: Pointer, item: Item, node: Node, conversion: Linear) -> Problems:
-    """A range wider than the catalogue's. Parameters have to have limits: those of the datatype stand for none."""
+    """A range wider than the catalogue's. Parameters have to have limits: those of the datatype count as none."""
     names = ("min", "max") if conversion.factor > 0 else ("max", "min")
     for key, own, name, sign in (("Min", item.min, names[0], 1), ("Max", item.max, names[1], -1)):
         bound = _number(node.values.get(name))

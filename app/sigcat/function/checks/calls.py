@@ -1,4 +1,4 @@
-"""Calls of a function: complete, in an order that can be kept, and implemented to the ASIL of what they provide."""
+"""Calls of a function: complete, in an order that can be kept, and implemented to the ASIL of their outputs."""
 
 from collections.abc import Iterator
 

@@ -77,7 +77,7 @@ def _in_words(supervised: list[Located], *, is_drawn: bool) -> Problems:
     """A logical supervision that only people can read."""
     for located in supervised if not is_drawn else ():
         call = located.runnable
-        message = f"The logical supervision of {call.name} is in words only: no program can check it."
+        message = f"The logical supervision of {call.name} is only text: no program can check it."
         fix = "Give the calls a `checkpoint` each, with the calls that may follow."
         at = (*located.pointer, "Watchdog", "LogicalSupervision")
         yield Problem(codes.SUPERVISION_IN_WORDS, at, message, fix, Subject("scheduling", call.name))

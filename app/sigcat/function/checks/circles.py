@@ -26,7 +26,7 @@ def circles(following: Mapping[str, Iterable[str]], kind: Kind, attribute: str) 
 
 
 def _visited(start: str, following: Mapping[str, Iterable[str]], seen: set[str]) -> list[str]:
-    """What is reached from a name and was not seen before, each after all that it leads to."""
+    """Return the names reached from a name and not seen before, each after all that it leads to."""
     seen.add(start)
     done: list[str] = []
     waiting = [(start, iter(following.get(start, ())))]

@@ -167,7 +167,7 @@ def _symbols(function: FunctionJson) -> Problems:
 
 
 def _methods(function: FunctionJson) -> Problems:
-    """What only the other side of a method has."""
+    """Fields that only the other side of a method has."""
     for pointer, _, method in methods(function):
         used = {
             "Timeout": method.timeout,
@@ -230,7 +230,7 @@ def _roots(function: FunctionJson) -> Problems:
 
 
 def _definers(function: FunctionJson) -> Problems:
-    """What the adapter is to define needs a name and a type that it knows."""
+    """Report variables that the adapter defines without a name and a type that it knows."""
     objects = {each.name for each in declared_objects(function)}
     types = {each.reference: each for each in function.datatypes}
     for each in variables(function):

@@ -1,4 +1,4 @@
-"""Whether a function is consistent in itself: what holds of every function, wherever its document comes from."""
+"""Whether a function is consistent in itself: checks of every function, wherever its document is from."""
 
 from collections.abc import Collection, Iterator
 
@@ -18,16 +18,19 @@ from sigcat.function.checks.unfit import check_texts
 from sigcat.function.checks.words import check_words
 from sigcat.function.document.problem import Problem
 from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.resolved_function import Origin
 
 
-def check_consistency(function: FunctionJson, known_errors: Collection[str] = ()) -> Iterator[Problem]:
-    """Every problem of a function. `known_errors` are names of errors that others declare.
+def check_consistency(
+    function: FunctionJson, known_errors: Collection[str] = (), origin: Origin | None = None
+) -> Iterator[Problem]:
+    """Every problem of a function. `known_errors` are names of errors that others declare, `origin` its declaration.
 
     What is wrong with a string is said once: by the check that knows it as an error, else by its type.
     """
     problems = tuple(_problems(function, known_errors))
     reported = {each.pointer for each in problems if each.rule.severity == "error"}
-    unfit = tuple(each for each in check_texts(function) if each.pointer not in reported)
+    unfit = tuple(each for each in check_texts(function, origin) if each.pointer not in reported)
     told = {each.pointer for each in unfit}
     yield from (each for each in problems if each.pointer not in told)
     yield from unfit

@@ -110,7 +110,7 @@ def _asil_levels(function: FunctionJson) -> Problems:
     for pointer, _, runnable in runnables(function):
         subject = Subject("scheduling", runnable.name)
         if runnable.asil_level is None and runnable.run_type not in ("Init", "Shutdown"):
-            message, fix = f"{runnable.name} has no ASIL.", "State one; QM where there is no requirement."
+            message, fix = f"{runnable.name} has no ASIL.", "State one; QM without a requirement."
             yield Problem(codes.ASIL_OF_ELEMENT_MISSING, (*pointer, "AsilLevel"), message, fix, subject)
         yield from _asil((*pointer, "AsilLevel"), runnable.asil_level, subject)
     for pointer, _, item in data(function):
@@ -139,7 +139,7 @@ def _asil(pointer: Pointer, text: str | None, subject: Subject) -> Problems:
 
 def _priorities(function: FunctionJson) -> Problems:
     for pointer, _, runnable in runnables(function):
-        if runnable.priority and not re.fullmatch(r"-?\d+", runnable.priority.strip()):
+        if runnable.priority and runnable.priority_number is None:
             message = f"The priority of {runnable.name} must be a number, not {runnable.priority!r}."
             fix = "Write a number; a higher one runs first."
             yield Problem(
@@ -261,7 +261,7 @@ def _known_unit(pointer: Pointer, name: str, unit: str, catalogue: Catalogue | N
         message = f"The unit of {name!r} must be a unit, not {unit!r}, which is a kind of datatype."
         fix = "Leave the unit out, and list the values in the datatype (`Symbols`)."
         yield Problem(codes.UNIT_NOT_IN_CATALOGUE, pointer, message, fix, subject)
-    elif catalogue is not None and catalogue.vocabulary.unit(unit) is None:
+    elif catalogue is not None and catalogue.vocabulary.is_unknown(unit):
         keys = [known.key for known in catalogue.vocabulary.distinct_units]
         longer = [key for key in keys if key.lower().startswith(unit.lower()) and key.isalpha()]
         message = f"The unit of {name!r} must be one of the catalogue, not {unit!r}."
@@ -310,7 +310,7 @@ def _integers(datatype: Datatype) -> tuple[int, int] | None:
 
 
 def _scale(factor: str | float | None, offset: str | float | None) -> tuple[Fraction, Fraction] | None:
-    """Factor and offset; None if they are no numbers."""
+    """Factor and offset; None if they are not numbers."""
     try:
         return Fraction(str(factor if factor is not None else 1)), Fraction(str(offset if offset is not None else 0))
     except (ValueError, ZeroDivisionError):

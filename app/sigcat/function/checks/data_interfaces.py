@@ -37,7 +37,7 @@ def check_data_interfaces(function: FunctionJson, known_errors: Collection[str])
 def _range(pointer: Pointer, item: Item) -> Problems:
     path = item.vss_path or item.name
     if item.min is not None and item.max is not None and item.min > item.max:
-        message = f"The range of {item.name!r} must ascend, not run from {item.min} to {item.max}."
+        message = f"`min` of {item.name!r} must be at most `max` ({item.max}), not {item.min}."
         fix, subject = "Exchange `min` and `max`.", Subject("data", path, ("min", "max"))
         yield Problem(codes.RANGE_UPSIDE_DOWN, (*pointer, "Min"), message, fix, subject)
         return
@@ -54,7 +54,7 @@ def _has_elements(item: Item) -> bool:
 
 
 def _replacement(pointer: Pointer, item: Signal | DataQueue) -> Problems:
-    """What is to replace a value out of range has to be known."""
+    """Report an unknown replacement for values out of range."""
     if _is_unknown(item.range_error_action, item):
         what, fix = _REPLACEMENTS[item.range_error_action or ""]
         message = f"{item.name!r} must have {what} to replace values out of range."
@@ -63,10 +63,10 @@ def _replacement(pointer: Pointer, item: Signal | DataQueue) -> Problems:
 
 
 def _late_value(pointer: Pointer, item: Signal | DataQueue) -> Problems:
-    """What is to stand in after a time-out has to be known; and there has to be one."""
+    """Report an unknown value after a time-out, and settings of a time-out that does not exist."""
     if _is_unknown(item.timeout_value, item):
         what, fix = _REPLACEMENTS[item.timeout_value or ""]
-        message = f"{item.name!r} must have {what} to stand in after the time-out."
+        message = f"{item.name!r} must have {what} to use after the time-out."
         subject = Subject("data", item.vss_path or item.name, ("default",))
         fix = fix.replace("rangeErrorAction", "timeoutValue")
         yield Problem(codes.REPLACEMENT_UNKNOWN, (*pointer, "TimeoutValue"), message, fix, subject)
@@ -91,7 +91,7 @@ _REPLACEMENTS = {
 
 
 def _is_unknown(replacement: str | None, item: Signal | DataQueue) -> bool:
-    """Whether a value that is to stand in is not there. That of a text stands in the catalogue alone."""
+    """Whether the replacement value is missing. That of a text is in the catalogue alone."""
     known = {"Default": (item.default, item.default_elements), "Init": (item.init_value, item.init_elements)}
     values = known.get(replacement or "", (0,))
     return all(value is None for value in values) and not (item.vss_datatype or "").endswith(("string", "string[]"))
@@ -126,12 +126,12 @@ def _keys(function: FunctionJson) -> Problems:
         holder = holders.setdefault((storage.lower(), key.lower()), held)
         if holder != held:
             message = f"The key {key!r} of the storage {storage!r} holds {holder!r} and {held!r}."
-            fix, subject = "Give each a `key` of its own.", Subject("data", held)
+            fix, subject = "Give each its own `key`.", Subject("data", held)
             yield Problem(codes.KEY_USED_TWICE, (*pointer, "Key"), message, fix, subject)
 
 
 def _identifiers(function: FunctionJson) -> Problems:
-    """What is named by the declaration; the name of a parameter becomes an identifier by itself."""
+    """Report names that are not identifiers; a parameter's own name becomes one by itself."""
     stated: list[tuple[Pointer, str, str | None, Subject | None]] = []
     if function.code:
         stated.append((("Code", "Storage"), "storage", function.code.storage, None))
@@ -152,7 +152,7 @@ def _is_outside(value: float, low: float | None, high: float | None) -> bool:
 
 
 def _words(low: float | None, high: float | None) -> str:
-    """A range in words: `0 or more`, `0 to 255`."""
+    """A range as text: `0 or more`, `0 to 255`."""
     if low is None or high is None:
         return f"{low} or more" if low is not None else f"{high} or less"
     return f"{low} to {high}"
@@ -205,7 +205,7 @@ def _is_only_trigger(item: Signal | DataQueue, runnable: Runnable) -> bool:
 
 
 def declared_or_meant(name: str, declared: Collection[str], known: Collection[str]) -> str:
-    """What to do about an error that no call declares: one that exists was not mistyped."""
+    """Return a fix for an error that no call declares: one that exists was not mistyped."""
     return (name not in known and did_you_mean(name, declared)) or "Add it to the errors of the call."
 
 

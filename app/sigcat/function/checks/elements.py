@@ -22,7 +22,7 @@ Item = Signal | DataQueue | ParameterInterface
 Types = Mapping[str, Datatype]
 
 _MOST = 5
-"""Elements of one value that are told of."""
+"""Elements of one value that are reported."""
 
 
 class _Limits(NamedTuple):
@@ -190,7 +190,7 @@ def _members(item: Item, pointer: Pointer, types: Types) -> Problems:
             yield Problem(codes.MEMBER_UNFIT, (*at, "Member"), message, "Use letters, digits and underscores.", subject)
         elif (key := (each.name.rpartition(".")[0], each.member)) in seen:
             message = f"Two members of {item.name!r} have the name {each.member!r} in C."
-            yield Problem(codes.MEMBER_UNFIT, at, message, "Give each a name of its own.", subject)
+            yield Problem(codes.MEMBER_UNFIT, at, message, "Give each its own name.", subject)
         else:
             seen.add(key)
 

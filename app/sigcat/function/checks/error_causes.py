@@ -1,4 +1,4 @@
-"""What sets errors beside time-outs and supervision, what resets them, and what calls say of the same one."""
+"""Causes of errors beside time-outs and supervision, their resets, and contradictions between calls."""
 
 from collections.abc import Collection, Iterator
 
@@ -59,7 +59,7 @@ def _undeclared(function: FunctionJson, known: Collection[str]) -> Problems:
 
 
 def _never_set(function: FunctionJson) -> Problems:
-    """Range errors of what has no range: an enumeration has one, and so has a struct with ranges of its own."""
+    """Range errors of values without a range: an enumeration has one, and so has a struct with its own ranges."""
     types = {datatype.reference: datatype for datatype in function.datatypes}
     for pointer, _, item in (*data(function), *parameters(function)):
         kind = innermost(item.datatype, types)

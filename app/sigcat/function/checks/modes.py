@@ -64,7 +64,7 @@ def _names(function: FunctionJson) -> Problems:
 
 
 def _initial(function: FunctionJson) -> Problems:
-    """What is taken before anything is known has to be allowed: of modes, and of safety reactions."""
+    """Report initial modes, and initial values of safety reactions, that are not allowed."""
     for index, mode in enumerate(function.mode_interfaces or ()):
         if mode.initial is not None and mode.initial not in mode.modes:
             subject = Subject("mode", mode.name)
@@ -126,18 +126,18 @@ def _values(function: FunctionJson) -> Problems:
                 fix = "Give another number, or the variable's type as `cType`."
                 yield Problem(codes.ENUMERATION_MISCODED, (*at, position, "Value"), message, fix, subject)
         if len(set(numbers.values())) < len(mode.values):
-            fix = "Give each mode a number of its own."
+            fix = "Give each mode its own number."
             yield Problem(
                 codes.ENUMERATION_MISCODED, at, f"Two modes of {mode.name} have the same number.", fix, subject
             )
 
 
 _WIDEST = -(2**63) + 1, 2**63 - 1
-"""What a variable holds whose type only the headers of the function know."""
+"""Range of a variable whose type only the headers of the function know."""
 
 
 def _limits_in_code(mode: ModeInterface, function: FunctionJson) -> tuple[int, int] | None:
-    """Limits of a mode's variable, where the document has its type; None if a header has it, or there is no variable."""
+    """Limits of a mode's variable, where the document has its type; None if a header has it, or without a variable."""
     if mode.variable is None or mode.c_type is not None:
         return integer_limits(mode.c_type or "")
     if mode.defined_by != "Adapter" and function.code and function.code.headers:

@@ -91,7 +91,7 @@ def _variables_twice(function: FunctionJson) -> Problems:
             if known.holds != each.holds:
                 where = "one call" if known.place.call == each.place.call else f"component {component!r}"
                 message = f"The variable {each.expression!r} holds two interfaces of {where}."
-                fix = "Give each a variable of its own."
+                fix = "Give each its own variable."
                 yield Problem(codes.VARIABLE_USED_TWICE, each.pointer, message, fix)
                 break
 

@@ -22,7 +22,7 @@ class Contradiction(NamedTuple):
 
 
 def contradiction(runnable: Runnable, previous: Runnable) -> Contradiction | None:
-    """What keeps a call from running after another one, if anything does."""
+    """Return the reason why a call cannot run after another one, if there is any."""
     name = runnable.name
     phase, phase_before = _PHASES.get(runnable.run_type), _PHASES.get(previous.run_type)
     if phase is not None and phase_before is not None and phase < phase_before:

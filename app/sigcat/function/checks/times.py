@@ -10,6 +10,8 @@ from sigcat.function.function_json.duration import LONGEST_MILLISECONDS, millise
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.walk import data, errors, methods, runnables, safety_reactions
 
+_MOST_DIGITS = 30
+
 
 def check_times(function: FunctionJson) -> Iterator[Problem]:
     """Every time that cannot be counted."""
@@ -18,10 +20,10 @@ def check_times(function: FunctionJson) -> Iterator[Problem]:
         if number is None:  # its form is checked elsewhere
             continue
         if not 0 <= number <= LONGEST_MILLISECONDS:
-            message = f"{_key(pointer, subject)} must be from 0 to {LONGEST_MILLISECONDS:,} ms, not {_plain(time)} ms."
+            message = f"{_key(pointer, subject)} must be from 0 to {LONGEST_MILLISECONDS:,} ms, not {_plain(time, number)} ms."
             yield Problem(codes.VALUE_UNFIT, pointer, message, subject=subject)
         elif whole_nanoseconds(number) is None:
-            message = f"{_key(pointer, subject)} must be whole nanoseconds, not {_plain(time)} ms."
+            message = f"{_key(pointer, subject)} must be whole nanoseconds, not {_plain(time, number)} ms."
             yield Problem(codes.VALUE_UNFIT, pointer, message, "Write at most six decimals.", subject)
 
 
@@ -30,8 +32,10 @@ def _key(pointer: Pointer, subject: Subject) -> str:
     return f"`{(*subject.attributes, pointer[-1])[0]}`"
 
 
-def _plain(time: float | str | None) -> str:
-    return time if isinstance(time, str) else f"{Decimal(repr(time)):f}"
+def _plain(time: float | str | None, number: float) -> str:
+    """A time as it is written, without an exponent unless it has very many digits."""
+    text = time if isinstance(time, str) else f"{Decimal(repr(time)):f}"
+    return text if len(text) <= _MOST_DIGITS else repr(number)
 
 
 def _times(function: FunctionJson) -> Iterator[tuple[Pointer, float | str | None, Subject]]:

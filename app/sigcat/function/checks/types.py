@@ -13,7 +13,7 @@ from sigcat.names import did_you_mean
 
 
 def check_types(function: FunctionJson) -> Iterator[Problem]:
-    """Every datatype that is referred to is defined, and has a number of its own for each of its names."""
+    """Every datatype that is referred to is defined, and has a different number for each of its names."""
     defined = dict.fromkeys(datatype.reference for datatype in function.datatypes)
     for pointer, reference in references(function):
         if reference not in defined:

@@ -3,15 +3,21 @@
 from collections.abc import Iterator
 
 from sigcat import codes
+from sigcat.function.document.document import Pointer
 from sigcat.function.document.field_types import C_EXPRESSION
 from sigcat.function.document.problem import Problem
-from sigcat.function.document.unfit_texts import unfit_texts
+from sigcat.function.document.unfit_texts import titled, unfit_texts
 from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.resolved_function import Origin
 
 
-def check_texts(function: FunctionJson) -> Iterator[Problem]:
-    """Every string that is not of the type of its field."""
-    for each in unfit_texts(function, accessors_of(function)):
+def check_texts(function: FunctionJson, origin: Origin | None = None) -> Iterator[Problem]:
+    """Every string that is not of the type of its field, which is called as it is in the declaration at `origin`."""
+
+    def name(pointer: Pointer) -> str:
+        return titled((origin and origin.exactly(pointer)) or pointer)
+
+    for each in unfit_texts(function, accessors_of(function), name):
         rule = codes.VARIABLE_NO_EXPRESSION if each.grammar is C_EXPRESSION else codes.TEXT_OF_WRONG_TYPE
         yield Problem(rule, each.pointer, each.message, each.fix)
 

@@ -1,4 +1,4 @@
-"""A `function.yaml` in; a frozen declaration out, and the document that it stands in.
+"""A `function.yaml` in; a frozen declaration out, and its document.
 
 Everything that the catalogue knows is left to the catalogue.
 """

@@ -14,7 +14,7 @@ DEFINED_BY = "Whose code defines the variable; the function's if absent. An adap
 class ObjectItem(DeclarationModel):
     """An object that calls take a pointer to, or with which expressions begin."""
 
-    name: Text = Field(description="Name of the object, with which the expressions of what is in it begin.")
+    name: Text = Field(description="Name of the object, with which the expressions of its members begin.")
     type: Text = Field(description="Type in C, such as ExtU_EcoControlMpc_T.")
     length: Integer | None = Field(
         None, description="Elements of an array, as in `extern Bus B[4]`; of variables that the adapter defines."
@@ -27,7 +27,7 @@ class ObjectItem(DeclarationModel):
 
 
 class CodeSection(DeclarationModel):
-    """How the code of the function is compiled and called."""
+    """Compilation and calls of the function's code."""
 
     signature: Literal["globals", "pointers", "class"] = Field(
         description="How calls take their data: over global variables, over pointers to objects that the adapter holds for "

@@ -82,7 +82,7 @@ class DataItem(DeclarationModel):
     unit: Text | None = Field(None, description="Key of the code's unit, where it is another one.")
     factor: Number | None = Field(None, description="Scaling in the code: physical value = stored × factor + offset.")
     offset: Number | None = Field(None, description="Offset of the scaling, in the code's unit.")
-    values: dict[str, Integer] | None = Field(None, description="Numbers that stand for allowed texts in the code.")
+    values: dict[str, Integer] | None = Field(None, description="Numbers of allowed texts in the code.")
 
 
 class ParameterItem(DeclarationModel):
@@ -115,7 +115,7 @@ class ParameterItem(DeclarationModel):
     unit: Text | None = Field(None, description="Key of the code's unit, where it is another one.")
     factor: Number | None = Field(None, description="Scaling in the code: physical value = stored × factor + offset.")
     offset: Number | None = Field(None, description="Offset of the scaling, in the code's unit.")
-    values: dict[str, Integer] | None = Field(None, description="Numbers that stand for allowed texts in the code.")
+    values: dict[str, Integer] | None = Field(None, description="Numbers of allowed texts in the code.")
 
 
 def _reference(value: Any) -> Any:
@@ -136,7 +136,7 @@ _DATE = re.compile(r"\d{4}-\d{2}-\d{2}", re.ASCII)
 
 
 class ErrorItem(DeclarationModel):
-    """An error that the call reports. Its fields stand in the catalogue."""
+    """An error that the call reports. Its fields are in the catalogue."""
 
     interface: Text = Field(description="Interface name or path of the error.")
     occurrence_count_limit: Count = Field(0, description="Occurrences that confirm it; 0 if they do not count.")
@@ -157,7 +157,7 @@ class ErrorItem(DeclarationModel):
 
 
 class ReactionItem(DeclarationModel):
-    """A safety condition that the call reacts to. Its fields stand in the catalogue."""
+    """A safety condition that the call reacts to. Its fields are in the catalogue."""
 
     interface: Text = Field(description="Interface name or path of the safety reaction.")
     variable: Text | None = Field(
@@ -313,7 +313,7 @@ class Declaration(DeclarationModel):
 
 
 class Declared(NamedTuple):
-    """A declaration that was read, and the document that it stands in. None if the structure is wrong."""
+    """A declaration that was read, and its document. None if the structure is wrong."""
 
     declaration: Declaration | None
     document: Document

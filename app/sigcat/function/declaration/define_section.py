@@ -41,7 +41,7 @@ class DataDefinition(LeafDefinition):
 class ErrorDefinition(DeclarationModel):
     """An error interface of the function."""
 
-    description: Text = Field(description="Condition that the error stands for, as a sentence.")
+    description: Text = Field(description="Condition that the error reports, as a sentence.")
     maturation_time: Duration | None = Field(None, description="How long it has to be present to be confirmed, in ms.")
     severity: Text | None = Field(None, description="What the error leads to.")
     reset_time: Duration | None = Field(None, description="Time from the reset condition to the reset, in ms.")
@@ -98,7 +98,7 @@ class DeadlineDefinition(DeclarationModel):
 class LogicalDefinition(DeclarationModel):
     """The order that the logical supervision checks."""
 
-    description: Text = Field(description="Order relative to other calls, in words.")
+    description: Text = Field(description="Order relative to other calls, as text.")
     error: Text = Field(description="Error that is set when the order is broken.")
 
 

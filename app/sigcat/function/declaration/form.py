@@ -1,4 +1,4 @@
-"""What the parts of `function.yaml` have in common: how keys are spelled, and the kinds of values."""
+"""Common form of the parts of `function.yaml`: spelling of keys, and kinds of values."""
 
 from typing import Annotated
 

@@ -1,4 +1,4 @@
-"""A document that was read: its value, what is wrong with it, and where every value in it stands."""
+"""A document that was read: its value, its errors, and the place of every value in it."""
 
 from typing import Any, NamedTuple, Protocol
 
@@ -16,7 +16,7 @@ class Position(NamedTuple):
 
 
 class Positions(Protocol):
-    """Where the value at a pointer stands, or the nearest one around it that exists; or its key, if it has one."""
+    """Position of the value at a pointer, or of the nearest one around it that exists; or of its key, if it has one."""
 
     def __call__(self, pointer: Pointer, *, of_key: bool = False) -> Position: ...
 
@@ -32,7 +32,7 @@ class Document(NamedTuple):
     position: Positions
 
     def has(self, pointer: Pointer) -> bool:
-        """Whether anything stands at a pointer."""
+        """Whether there is a value at a pointer."""
         value = self.value
         for part in pointer:
             is_key = isinstance(value, dict) and part in value

@@ -23,6 +23,8 @@ class Grammar:
     """Noun phrase for messages: `a C identifier`."""
     accepts: Callable[[str], bool]
     fix: str = ""
+    longest: int | None = None
+    """Characters of the longest string, where there is one."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +37,7 @@ class Refers:
 
 def _matching(expected: str, pattern: str, fix: str = "", longest: int = 500) -> Grammar:
     form = re.compile(pattern)
-    return Grammar(expected, lambda text: len(text) <= longest and form.fullmatch(text) is not None, fix)
+    return Grammar(expected, lambda text: len(text) <= longest and form.fullmatch(text) is not None, fix, longest)
 
 
 def _one_of(*words: str) -> Grammar:

@@ -17,11 +17,11 @@ class NearKey(NamedTuple):
     key: str
     meant: str
     is_meant_there: bool
-    """Whether the one that was meant stands beside it, so that nothing is lost."""
+    """Whether the intended one is there, too, so that nothing is lost."""
 
 
 def near_keys(value: object, model: type[BaseModel]) -> Iterator[NearKey]:
-    """Those of a document and of all that it holds."""
+    """Yield near keys of a document and of all that it holds."""
     waiting: list[tuple[Pointer, object, type[BaseModel]]] = [((), value, model)]
     while waiting:
         pointer, here, form = waiting.pop()

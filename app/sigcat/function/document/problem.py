@@ -1,4 +1,4 @@
-"""What is wrong with a function, before it is a finding: what it is about, and what it follows from."""
+"""A problem of a function, before it is a finding: its subject, and the problems that cause it."""
 
 from typing import Literal, NamedTuple
 
@@ -29,7 +29,7 @@ class Problem(NamedTuple):
     fix: str = ""
     subject: Subject | None = None
     cause: Subject | None = None
-    """What is missing in the function, where that is the problem: if it could not be resolved, that has been said."""
+    """Missing part of the function, where that is the problem: if it could not be resolved, that has been said."""
     circle: tuple[Subject, ...] = ()
     """Every member of a circle of interfaces that lead to each other."""
 

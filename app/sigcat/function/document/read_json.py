@@ -48,7 +48,7 @@ def _decoded(data: bytes, name: str, limits: Limits) -> tuple[str, Finding | Non
 
 
 def _depth(value: Any) -> int:
-    """How many collections stand inside each other."""
+    """Depth of nested collections."""
     depth, level = 0, [value] if isinstance(value, dict | list) else []
     while level:
         depth += 1
@@ -131,12 +131,12 @@ def _token_offset(text: str, wanted: str) -> int:
 
 
 _Offsets = dict[str | int, tuple[int, "_Offsets", int]]
-"""Where values start, as offsets, by key or index; each with the same of the values in it, and where its key starts."""
+"""Offsets of values, by key or index; each with the same of the values in it, and the offset of its key."""
 _NOTHING: _Offsets = {}
 
 
 def _offsets(text: str) -> tuple[_Offsets, list[tuple[Pointer, int]]]:
-    """Where every value of valid JSON starts, the whole under the empty name; and every key that stood there before."""
+    """Offset of every value of valid JSON, the whole under the empty name; and repeated keys."""
     here: _Offsets = {}
     key: str | int = ""
     key_start = 0

@@ -6,7 +6,7 @@ from sigcat.limits import FUNCTION_COLLECTIONS, Limits
 
 
 def too_crowded(data: bytes, name: str, limits: Limits, openers: tuple[bytes, ...]) -> Finding | None:
-    """A finding if a document may hold more lists and mappings than any function has; larger files have limits of their own.
+    """A finding if a document may hold more lists and mappings than any function has; larger files have separate limits.
 
     Each of them can be wrong in several ways, and a report of millions of lines is of no use.
     """

@@ -12,6 +12,7 @@ from pydantic_core import PydanticCustomError
 from sigcat import codes
 from sigcat.asil import level_of
 from sigcat.catalogue.model.definition import TYPES
+from sigcat.catalogue.reading.yaml_numbers import number_advice
 from sigcat.file_kind import DOCUMENT_KINDS, document_kind
 from sigcat.findings import Finding
 from sigcat.function.document.document import Document, Pointer
@@ -34,7 +35,8 @@ _EXPECTED = {
     "date_type": "a date such as 2025-09-12",
     "string_unicode": "a text of Unicode characters",
 }
-"""What a value must be, by the kind of the error that pydantic reports."""
+"""Expected value, by the kind of the error that pydantic reports."""
+_NUMBERS = ("number_type", "int_type", "integer_type")
 _PATTERNS = {
     r"^\d+\.\d+\.\d+$": "three numbers such as 1.0.0",
     r"^DT_[A-Za-z0-9]+$": "`DT_` with letters and digits",
@@ -43,7 +45,7 @@ _PATTERNS = {
     r"^[A-Za-z_][A-Za-z0-9_]{0,127}$": "letters, digits and underscores, no digit first, 128 at most",
     C_VARIABLE_TYPE: "a type of C such as boolean_T or volatile unsigned char",
 }
-"""What patterns of the models ask for."""
+"""Meaning of the patterns of the models."""
 _BOUNDS = {
     "greater_than_equal": ("ge", "{} or more"),
     "greater_than": ("gt", "more than {}"),
@@ -53,13 +55,13 @@ _BOUNDS = {
 _QUOTED = re.compile(r"'([^']*)'")
 _UNFIT = "unfit"
 _OF_KIND = ("union_tag_invalid", "union_tag_not_found")
-"""Of a mapping that is one of several kinds, which one of its keys says."""
+"""Errors of a mapping that is one of several kinds, which one of its keys names."""
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _YAML_WORDS = "Put quotes around it: YAML reads words such as OFF, ON, YES and NO as true or false."
 
 
 def unfit(message: str, *keys: str) -> PydanticCustomError:
-    """What a model raises where values of its keys do not fit each other: told at the first key that the file has."""
+    """An error of a model whose keys contradict each other; its place is the first key in the file."""
     return PydanticCustomError(_UNFIT, "{message}", {"message": message, "keys": keys})
 
 
@@ -89,7 +91,7 @@ def structural_findings(invalid: ValidationError, document: Document, model: typ
 
 
 def _of_another_kind(value: Any, model: type[BaseModel]) -> tuple[str, str] | None:
-    """What a document is instead, and what to do with it."""
+    """The kind of document that it is instead, and how to use it."""
     if not isinstance(value, dict):
         return None
     known = fields_of(model)
@@ -103,13 +105,13 @@ def _of_another_kind(value: Any, model: type[BaseModel]) -> tuple[str, str] | No
 
 
 def _title(model: type[BaseModel]) -> str:
-    """What a document of a model is called."""
+    """Title of the documents of a model."""
     kind = document_kind(fields_of(model))
     return kind.title if kind else f"a {model.__name__.lower()}"
 
 
 def _meant(errors: Sequence[Any], model: type[BaseModel]) -> Iterator[Pointer]:
-    """Where misspelled keys were meant to stand: what lacks there is not missing as well."""
+    """Places where misspelled keys belong: these keys are not missing as well."""
     missing = {error["loc"] for error in errors if error["type"] == "missing"}
     for error in errors[:FUNCTION_PROBLEMS] if missing else ():
         location = error["loc"]
@@ -129,16 +131,16 @@ def _finding(
         return document.finding(codes.FIELD_UNKNOWN, pointer, f"Unknown key {key!r}.", fix, of_key=True)
     if kind == _UNFIT:
         return document.finding(codes.VALUE_UNFIT, _first_there(pointer, error, document), error["msg"])
-    if key == "[key]":
+    if key == "[key]" and isinstance(error["input"], str):
         return _bad_name(str(error["input"]), pointer, document)
     if kind == "too_short" and isinstance(error["input"], list):
         message = (
             f"{_named(pointer)} must have at least {_items(error['ctx']['min_length'])}, and has {len(error['input'])}."
         )
         return document.finding(codes.VALUE_UNFIT, pointer, message)
-    message = f"{_named(pointer)} must {_wanted(kind, error)}, not {_shown(error['input'])}."
-    fix = _unquoted(error["input"]) if kind == "string_type" else _word_meant(kind, error)
-    return document.finding(codes.VALUE_UNFIT, pointer, message, fix)
+    named = "A key" if key == "[key]" else _named(pointer)
+    message = f"{named} must {_wanted(kind, error)}, not {_shown(error['input'])}."
+    return document.finding(codes.VALUE_UNFIT, pointer, message, _advice(kind, error))
 
 
 def _items(count: int) -> str:
@@ -152,7 +154,7 @@ def _first_there(pointer: Pointer, error: Any, document: Document) -> Pointer:
 
 
 def _bad_kind(pointer: Pointer, error: Any, document: Document) -> Finding:
-    """A mapping whose kind is not said, or is none of those that there are."""
+    """A mapping whose kind is missing or unknown."""
     key = error["ctx"]["discriminator"].strip("'")
     if key not in error["input"]:
         return document.finding(codes.FIELD_MISSING, pointer, f"{key!r} is missing.")
@@ -164,7 +166,7 @@ def _bad_kind(pointer: Pointer, error: Any, document: Document) -> Finding:
 
 
 def _bad_name(name: str, pointer: Pointer, document: Document) -> Finding:
-    """A name that the author chose, where one of another form is wanted."""
+    """A name that the author chose, where another form is required."""
     if _WORD.fullmatch(name):  # a good name, where a path is asked for
         message, fix = f"{_shown(name)} must be a path.", f"Write a branch above the name, such as 'Branch.{name}'."
     else:
@@ -173,15 +175,25 @@ def _bad_name(name: str, pointer: Pointer, document: Document) -> Finding:
     return document.finding(codes.VALUE_UNFIT, pointer, message, fix)
 
 
+def _advice(kind: str, error: Any) -> str:
+    """The fix for a value of a wrong kind."""
+    given = error["input"]
+    if kind == "string_type":
+        return _unquoted(given)
+    if kind in _NUMBERS and isinstance(given, str):
+        return number_advice(given)
+    return _word_meant(kind, error)
+
+
 def _unquoted(value: Any) -> str:
-    """What to do about a value that was meant as a text."""
+    """Advice for a value that was meant as a text."""
     if isinstance(value, bool):
         return _YAML_WORDS
     return "Put quotes around it: it is read as a number." if isinstance(value, int | float) else ""
 
 
 def _word_meant(kind: str, error: Any) -> str:
-    """What to do about a word that is none of those that are allowed, but is meant as one: `ASIL B`, `Consumed`."""
+    """Advice for a word that is close to an allowed one: `ASIL B`, `Consumed`."""
     given = error["input"]
     if kind != "literal_error" or not isinstance(given, str):
         return ""
@@ -191,7 +203,7 @@ def _word_meant(kind: str, error: Any) -> str:
 
 
 def _wanted(kind: str, error: Any) -> str:
-    """What a value must do, as the rest of a sentence: `be a text`, `be 'A' or 'B'`, `have at least 1 item`."""
+    """Expected value, as the rest of a sentence: `be a text`, `be 'A' or 'B'`, `have at least 1 item`."""
     if kind in _EXPECTED:
         return f"be {_EXPECTED[kind]}"
     context = error.get("ctx") or {}
@@ -254,12 +266,12 @@ def fields_of(model: type[BaseModel]) -> Mapping[str, Any]:
 
 @cache
 def models_of(model: type[BaseModel]) -> Mapping[str, type[BaseModel] | None]:
-    """What models the values of the fields have, in lists or by themselves."""
+    """Return the model of each field's values, in lists or by themselves."""
     return {name: _model_in(annotation) for name, annotation in fields_of(model).items()}
 
 
 def _values_of_mapping(annotation: Any) -> Any:
-    """What stands under the keys of a mapping whose keys the author chooses; None for everything else."""
+    """Return the type of the values of a mapping whose keys the author chooses; None for everything else."""
     if get_origin(annotation) is dict:
         return get_args(annotation)[1]
     parts = get_args(annotation) if get_origin(annotation) in (Union, UnionType) else ()

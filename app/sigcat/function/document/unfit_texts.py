@@ -1,6 +1,6 @@
 """The strings of a document with the types of their fields, and those that their types refuse."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator
 from functools import cache
 from typing import Annotated, Any, NamedTuple, get_args, get_origin
 
@@ -41,24 +41,30 @@ class TypedString(NamedTuple):
     grammar: Grammar
 
 
-def unfit_texts(model: BaseModel, accessors: Collection[str] = ()) -> Iterator[Unfit]:
+def unfit_texts(
+    model: BaseModel, accessors: Collection[str] = (), name: Callable[[Pointer], str] | None = None
+) -> Iterator[Unfit]:
     """Every string of a model, and of all models in it, that its type refuses.
 
-    `accessors` are the functions that expressions may call.
+    `accessors` are the functions that expressions may call; `name` is what messages call the field at a pointer.
     """
+    name = name or titled
     for pointer, text, grammar in typed_strings(model):
-        if not grammar.accepts(text):
-            message = f"{titled(pointer)} must be {grammar.expected}, not {in_yaml(text)}."
+        if grammar.longest is not None and len(text) > grammar.longest:
+            message = f"{name(pointer)} must have at most {grammar.longest:,} characters, not {len(text):,}."
+            yield Unfit(pointer, message, "Shorten it.", grammar)
+        elif not grammar.accepts(text):
+            message = f"{name(pointer)} must be {grammar.expected}, not {in_yaml(text)}."
             yield Unfit(pointer, message, grammar.fix, grammar)
         elif grammar is C_EXPRESSION:
-            yield from _unknown_calls(pointer, text, accessors)
+            yield from _unknown_calls(pointer, text, accessors, name(pointer))
 
 
-def _unknown_calls(pointer: Pointer, text: str, accessors: Collection[str]) -> Iterator[Unfit]:
+def _unknown_calls(pointer: Pointer, text: str, accessors: Collection[str], field: str) -> Iterator[Unfit]:
     read = expression_of(text)
     for name in read.calls if read else ():
         if name not in accessors:
-            message = f"{titled(pointer)} must call an accessor of the code, not {name!r}."
+            message = f"{field} must call an accessor of the code, not {name!r}."
             fix = did_you_mean(name, accessors) or f"List {name!r} under `accessors` of `code`."
             yield Unfit(pointer, message, fix, C_EXPRESSION)
 

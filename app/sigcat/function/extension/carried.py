@@ -1,4 +1,4 @@
-"""Interfaces that Function JSON carries, since its declaration defined them: it can be judged where no overlay has them."""
+"""Interfaces that Function JSON carries, since its declaration defined them: it can be checked where no overlay has them."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -9,7 +9,7 @@ from sigcat.function.extension.defined_nodes import DefinedNode, Definitions
 
 
 def carried_definitions(document: Document, catalogue: Catalogue) -> Definitions:
-    """What a document carries and the catalogue lacks. What the catalogue has, it says itself.
+    """Definitions that a document carries and the catalogue lacks.
 
     No declaration defines instances, which could make millions of nodes of a line.
     """

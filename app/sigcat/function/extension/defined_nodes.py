@@ -1,4 +1,4 @@
-"""What a declaration defines, as nodes of the catalogue: paths and attributes, each with its pointer into the file."""
+"""Nodes of the catalogue that a declaration defines: paths, attributes, and pointers into the file."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -30,12 +30,16 @@ class DefinedNode(NamedTuple):
     path: str
     values: Mapping[str, Any]
     at: Pointer
-    """Where in the declaration the node stands."""
+    """Pointer of the node in the declaration."""
     keys: Mapping[str, str] = {}
     """Keys of the declaration by attribute, where they are spelled differently."""
+    described_at: Pointer = ()
+    """Pointer of its description, if that is the function's."""
 
     def pointer(self, attribute: str) -> Pointer:
-        """Where an attribute stands, or would stand if it was written."""
+        """Pointer of an attribute, written or not."""
+        if attribute == "description" and self.described_at:
+            return self.described_at
         return (*self.at, self.keys.get(attribute, attribute)) if attribute else self.at
 
 
@@ -109,7 +113,9 @@ def _branches(
         if path in needed:
             known = catalogue.get(path)
             description = known.values.get("description", text) if known else text
-            yield DefinedNode(path, {"type": "branch", "description": description}, needed[path])
+            described_at: Pointer = ("description",) if description is declaration.description else ()
+            values = {"type": "branch", "description": description}
+            yield DefinedNode(path, values, needed[path], described_at=described_at)
 
 
 def _above(path: str) -> Iterator[str]:
@@ -159,7 +165,7 @@ def _struct(path: str, struct: StructDefinition, at: Pointer) -> Iterator[Define
 
 
 class _Names(NamedTuple):
-    """Interface names of what the file defines, by last name."""
+    """Interface names of the file's definitions, by last name."""
 
     function: str
     define: DefineSection

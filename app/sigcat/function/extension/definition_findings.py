@@ -1,4 +1,4 @@
-"""What the rules of the catalogue say of the interfaces that a declaration defines."""
+"""Findings of the catalogue's rules about interfaces that a declaration defines."""
 
 from collections.abc import Iterable, Mapping
 from functools import cache
@@ -34,7 +34,7 @@ class _Value(NamedTuple):
 
 
 def definition_findings(definitions: Definitions, document: Document, catalogue: Catalogue) -> DefinitionFindings:
-    """What the shipped rules say of definitions. `catalogue` is the one that they extend, with them in it."""
+    """Findings of shipped rules about definitions. `catalogue` has the definitions in it."""
     if not definitions:
         return DefinitionFindings()
     judged = catalogue.written_in({document.name})

@@ -11,6 +11,7 @@ from sigcat.function.declaration.declaration import Declared
 from sigcat.function.document.document import Document
 from sigcat.function.extension.carried import carried_definitions
 from sigcat.function.extension.defined_nodes import DefinedNode, Definitions, definitions_of
+from sigcat.function.extension.sound_catalogue import sound
 
 
 class ExtendedCatalogue(NamedTuple):
@@ -21,17 +22,20 @@ class ExtendedCatalogue(NamedTuple):
 
 
 def extended(catalogue: Catalogue, files: Sequence[Declared | Document]) -> ExtendedCatalogue:
-    """The catalogue with everything that the files define: what one defines, the others may use."""
+    """The catalogue with everything that the files define: what one defines, the others may use.
+
+    Values that are errors are left out.
+    """
     definitions = tuple(_definitions(each, catalogue) for each in files)
     documents = (each.document if isinstance(each, Declared) else each for each in files)
     pairs = list(zip(documents, definitions, strict=True))
     overlays = [_layer(made.nodes, document, is_overlay=True) for document, made in pairs if made.nodes]
     types = [_layer(made.types, document, is_overlay=False) for document, made in pairs if made.types]
     if not overlays and not types:
-        return ExtendedCatalogue(catalogue, definitions)
+        return ExtendedCatalogue(sound(catalogue), definitions)
     layers, type_layers = [*catalogue.tree_layers, *overlays], [*catalogue.type_layers, *types]
     composed = compose(layers, catalogue.vocabulary, type_layers, name=catalogue.name, earlier=catalogue)
-    return ExtendedCatalogue(composed, definitions)
+    return ExtendedCatalogue(sound(composed), definitions)
 
 
 def _definitions(file: Declared | Document, catalogue: Catalogue) -> Definitions:
@@ -47,7 +51,7 @@ def _layer(nodes: tuple[DefinedNode, ...], document: Document, *, is_overlay: bo
 
 
 class DefinedStatement(Statement):
-    """What a declaration says of a node; positions are those of the declaration."""
+    """A statement of a declaration about a node; positions are those of the declaration."""
 
     __slots__ = ("_node", "_position")
 

@@ -1,4 +1,4 @@
-"""What a function.yaml defines, written as an overlay."""
+"""Definitions of a function.yaml, written as an overlay."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -17,11 +17,11 @@ from sigcat.function.extension.extended_catalogue import extended
 _WIDTH = 116
 _ROOM_OF_KEY = 24
 _UNSAFE = re.compile("^\\s*#|[\x85\u2028\u2029]", re.MULTILINE)
-"""Lines that a text may not make: comments, which vspec reads as includes, and breaks that are no breaks elsewhere."""
+"""Lines that a text may not make: comments, which vspec reads as includes, and breaks that are not breaks elsewhere."""
 
 
 class Overlay(NamedTuple):
-    """An overlay as text, the struct types as a text of their own (empty if there are none), and warnings."""
+    """An overlay as text, the struct types as a separate text (empty if there are none), and warnings."""
 
     text: str
     types: str
@@ -29,7 +29,7 @@ class Overlay(NamedTuple):
 
 
 def overlay_of(data: bytes, name: str, catalogue: Catalogue) -> Overlay:
-    """The overlay of what a `function.yaml` defines. Raises InputRefused with every finding."""
+    """The overlay of the definitions in a `function.yaml`. Raises InputRefused with every finding."""
     declared = read_declaration(data, name)
     if declared.declaration is None:
         raise InputRefused(f"{name} cannot be read.", in_order(declared.findings))

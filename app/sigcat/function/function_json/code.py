@@ -16,7 +16,7 @@ from sigcat.function.function_json.wire import OWN, Integer, WireModel, describe
 GLOBALS = "Globals"
 POINTERS = "Pointers"
 CLASS = "Class"
-"""How calls take their data: over global variables, over pointers to objects, or as members of a C++ class."""
+"""Access of calls to their data: global variables, pointers to objects, or members of a C++ class."""
 
 DEFAULT_STORAGE = "Parameters"
 """Key-value storage of the parameters where nothing names one."""
@@ -24,7 +24,7 @@ DEFINED_BY = (
     "Function or Adapter: whose code defines the variable; Function if absent. An adapter defines imported externs."
 )
 MOST_ELEMENTS = 2**16
-"""Of an array of objects."""
+"""Largest array of objects."""
 MEMBERS = "Members of the struct in C, where their names are not those of the catalogue."
 
 
@@ -44,7 +44,7 @@ class CodeObject(WireModel):
     """An object that calls take a pointer to, or a global variable that is neither a signal nor a parameter."""
 
     name: CIdentifier = described(
-        "Name", "Name of the object; with it begin the expressions of what is in it.", source=OWN
+        "Name", "Name of the object; the expressions of its members begin with it.", source=OWN
     )
     type: CType = described("Type", "Type in C, such as ExtU_EcoControlMpc_T.", source=OWN)
     length: Integer | None = own("Length", "Elements of an array; absent if the object is not an array.")
@@ -58,12 +58,12 @@ class CodeObject(WireModel):
 
     @property
     def has_valid_length(self) -> bool:
-        """Whether it is no array, or one with a number of elements that is allowed."""
+        """Whether it is a single object, or an array with an allowed number of elements."""
         return self.length is None or 1 <= self.length <= MOST_ELEMENTS
 
 
 class CodeInterface(WireModel):
-    """How the code is compiled and called."""
+    """Compilation and calls of the code."""
 
     signature: Signature = described(
         "Signature",

@@ -67,7 +67,7 @@ _TO_BASE: dict[str, dict[str, Linear]] = {
 
 @lru_cache(maxsize=4096)
 def between(source: str, target: str) -> Linear | None:
-    """From values in one unit to values in another, by their keys; None if there is no linear way."""
+    """From values in one unit to values in another, by their keys; None without a linear conversion."""
     source, target = source.lower(), target.lower()
     if source == target:
         return IDENTITY

@@ -50,9 +50,7 @@ class Signal(WireModel):
     )
     min: Number | None = described("Min", "Smallest valid value, after scaling.", default=None, unit=PHYSICAL)
     max: Number | None = described("Max", "Largest valid value, after scaling.", default=None, unit=PHYSICAL)
-    default: Number | None = described(
-        "Default", "Value that stands in for a missing one.", default=None, unit=PHYSICAL
-    )
+    default: Number | None = described("Default", "Value that replaces a missing one.", default=None, unit=PHYSICAL)
     init_value: Number | None = described(
         "InitValue", "Value before the first one arrives.", default=None, unit=PHYSICAL
     )
@@ -128,7 +126,7 @@ class Signal(WireModel):
         unit=PHYSICAL,
     )
     default_elements: Text | None = own(
-        "DefaultElements", "Value of an array or struct that stands in for a missing one, as JSON.", unit=PHYSICAL
+        "DefaultElements", "Value of an array or struct that replaces a missing one, as JSON.", unit=PHYSICAL
     )
 
 
@@ -152,7 +150,7 @@ class DataQueue(WireModel):
         "Max", "Largest valid value, after scaling.", default=None, source=TABLE, unit=PHYSICAL
     )
     default: Number | None = described(
-        "Default", "Value that stands in for a missing one.", default=None, source=OWN, unit=PHYSICAL
+        "Default", "Value that replaces a missing one.", default=None, source=OWN, unit=PHYSICAL
     )
     resolution: Number | None = described(
         "Resolution", "Smallest step between two values.", default=None, source=OWN, unit=PHYSICAL

@@ -11,7 +11,7 @@ class EnumerationValue(WireModel):
     """A named value of an enumeration."""
 
     symbol: Name = described("Symbol", "Name of the value.", source=OWN)
-    value: Integer = described("Value", "Number that stands for it.", source=OWN)
+    value: Integer = described("Value", "Its number.", source=OWN)
 
 
 class TypeField(WireModel):

@@ -20,7 +20,7 @@ from sigcat.function.function_json.wire import OWN, TABLE, WireModel, described,
 
 
 class MetaInfo(WireModel):
-    """Who is responsible for the document, and its version."""
+    """Responsible team of the document, and its version."""
 
     authority: Text | None = described("Authority", "Organization that the document belongs to.", default=None)
     schema_author: Text | None = described("SchemaAuthor", "Author of the document.", default=None)

@@ -50,7 +50,7 @@ def value_range(vss: str) -> tuple[float, float] | None:
 
 
 class CType(NamedTuple):
-    """What a C definition means: unsigned, signed, floating, boolean or text, and its bits (0: not fixed)."""
+    """Meaning of a C definition: unsigned, signed, floating, boolean or text, and its bits (0: not fixed)."""
 
     kind: str
     bits: int
@@ -67,7 +67,7 @@ _SIZES = (
 
 
 def c_type(definition: str) -> CType | None:
-    """What a C definition of a primitive datatype means, or None if C has no such type."""
+    """Meaning of a C definition of a primitive datatype, or None if C has no such type."""
     text = " ".join(definition.replace("*", " * ").split())
     if text in _FLOATING:
         return CType("floating", _FLOATING[text])
@@ -110,7 +110,7 @@ _REFERENCE_KINDS = {
 
 
 def reference_type(reference: str) -> CType | None:
-    """What the name of a primitive reference promises: `DT_SInt64` → signed, 64 bits."""
+    """Meaning of the name of a primitive reference: `DT_SInt64` → signed, 64 bits."""
     match = _REFERENCE.fullmatch(reference)
     if match is None:
         return None
@@ -119,7 +119,7 @@ def reference_type(reference: str) -> CType | None:
 
 
 def proposed_reference(meant: CType) -> str:
-    """The usual reference of what a C definition means: floating, 64 bits → `DT_Float64`."""
+    """The usual reference for the meaning of a C definition: floating, 64 bits → `DT_Float64`."""
     prefix = {"unsigned": "DT_UInt", "signed": "DT_SInt", "floating": "DT_Float"}.get(meant.kind)
     if prefix is None:
         return "DT_Bool" if meant.kind == "boolean" else "DT_String"
@@ -127,7 +127,7 @@ def proposed_reference(meant: CType) -> str:
 
 
 def agree(promised: CType, actual: CType) -> bool:
-    """Whether a reference may stand for a C definition. A boolean may be held in an unsigned byte."""
+    """Whether a reference may be used for a C definition. A boolean may be held in an unsigned byte."""
     if promised.kind == "boolean" and actual == CType("unsigned", 8):
         return True
     return promised.kind == actual.kind and (promised.bits == actual.bits or 0 in (promised.bits, actual.bits))

@@ -1,4 +1,4 @@
-"""What a document was made from."""
+"""Sources of a document."""
 
 from typing import Annotated
 
@@ -29,7 +29,7 @@ class DefinedInterface(WireModel):
 
 
 class Provenance(WireModel):
-    """What the document was made from: with the same, it can be made again, byte for byte."""
+    """Sources of the document: from the same, it can be made again, byte for byte."""
 
     generator: Text = described("Generator", "Program and version.", source=OWN)
     declaration: Text = described("Declaration", "Name of the file that declares the function.", source=OWN)

@@ -1,4 +1,4 @@
-"""Function JSON from anywhere: a document in, the resolved function out, or what is wrong with its structure."""
+"""Function JSON from anywhere: a document in, the resolved function out, or the errors of its structure."""
 
 import re
 from collections.abc import Iterator

@@ -11,13 +11,13 @@ from sigcat.function.function_json.model import FunctionJson
 
 
 class Origin(NamedTuple):
-    """Where a part of a function was declared, and its own parts by their keys and indexes in Function JSON."""
+    """Place where a part of a function was declared, and its own parts by their keys and indexes in Function JSON."""
 
     pointer: Pointer
     parts: Mapping[str | int, "Origin"] = {}
 
     def of(self, pointer: Pointer) -> Pointer:
-        """Where the part at a pointer was declared, or the nearest one around it."""
+        """Return where the part at a pointer was declared, or the nearest one around it."""
         origin = self
         for key in pointer:
             part = origin.parts.get(key)
@@ -26,10 +26,19 @@ class Origin(NamedTuple):
             origin = part
         return origin.pointer
 
+    def exactly(self, pointer: Pointer) -> Pointer | None:
+        """Return the place at which the part at a pointer was declared; None if it was not."""
+        origin = self
+        for key in pointer:
+            if key not in origin.parts:
+                return None
+            origin = origin.parts[key]
+        return origin.pointer
+
 
 @dataclass(frozen=True)
 class ResolvedFunction:
-    """A function, the document that it stands in, and where in it each part stands."""
+    """A function, its document, and the place of each part in it."""
 
     function: FunctionJson
     document: Document
@@ -46,7 +55,7 @@ class ResolvedFunction:
         return pointer if self.origin is None else self.origin.of(pointer)
 
     def position(self, pointer: Pointer) -> Position:
-        """Line and column of what a part of the Function JSON was made from."""
+        """Line and column of the source of a part of the Function JSON."""
         return self.document.position(self.source(pointer))
 
     def finding(self, rule: RuleCode, pointer: Pointer, message: str, fix: str = "", path: str = "") -> Finding:

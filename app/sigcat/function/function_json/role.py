@@ -1,4 +1,4 @@
-"""Which side of a data interface or a method a call is on."""
+"""Side of a data interface or a method on which a call is."""
 
 CONSUMER = "Consumer"
 PROVIDER = "Provider"

@@ -30,14 +30,14 @@ class Watchdog(WireModel):
 
     alive: WatchdogLimits | None = described("AliveSupervision", "Limits in cycles.")
     deadline: WatchdogLimits | None = described("DeadlineSupervision", "Limits in ms.")
-    logical: Text | None = described("LogicalSupervision", "Order relative to other calls, in words.")
+    logical: Text | None = described("LogicalSupervision", "Order relative to other calls, as text.")
     logical_error: Name | None = described(
         "LogicalError", "Error interface that is set when the order is broken.", default=None, source=TABLE
     )
 
 
 class Contract(WireModel):
-    """What a call reads and writes."""
+    """Interfaces that a call reads and writes."""
 
     type: Name | None = described("Type", "How data is handed over: global variables or C calls.", default=None)
     signals: tuple[Signal, ...] | None = described("SignalList", "Data interfaces.", strict=False)
@@ -120,7 +120,12 @@ class Runnable(WireModel):
     @property
     def priority_number(self) -> int | None:
         """The number that the priority means; None for words."""
-        return int(self.priority) if _NUMBER.fullmatch(self.priority) else None
+        return priority_number(self.priority)
 
 
 _NUMBER = re.compile(r"\s*[+-]?[0-9]{1,18}\s*")
+
+
+def priority_number(text: str) -> int | None:
+    """Return the number that a priority means; None for words, and for no text."""
+    return int(text) if _NUMBER.fullmatch(text) else None

@@ -29,7 +29,7 @@ class ErrorInterface(WireModel):
     """An error that the function reports to the fault management of the base software."""
 
     name: Name = described("Name", "Name of the error interface: <FunctionName>_<ErrorName>_ErrorSts.")
-    description: Text = described("Description", "Condition that the error stands for.")
+    description: Text = described("Description", "Condition that the error reports.")
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.")
     dependencies: tuple[Name, ...] = described(
         "Dependancy", "Error interfaces of other functions or the base software that set this error too.", strict=False

@@ -1,4 +1,4 @@
-"""What an event-triggered call runs on: the events that it lists are signals that it consumes."""
+"""Triggers of an event-triggered call: the events that it lists are signals that it consumes."""
 
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.role import CONSUMER

@@ -42,7 +42,7 @@ class TypeList:
         self._catalogue = catalogue
         self._types: dict[str, Datatype] = {}
         self._open: dict[str, str] = {}
-        """References of structs whose members are being resolved: a struct may hold a list of its own kind."""
+        """References of structs whose members are being resolved: a struct may hold a list of itself."""
 
     @property
     def datatypes(self) -> tuple[Datatype, ...]:
@@ -73,7 +73,7 @@ class TypeList:
 
     def _array(self, datatype: str, template: str, symbols: Symbols | None, length: object) -> str:
         element = self.reference(element_of(datatype), template, symbols)
-        size = length if isinstance(length, int) and not isinstance(length, bool) else None
+        size = length if isinstance(length, int) and not isinstance(length, bool) and length >= 0 else None
         c = self._types[element].c_definition if element in self._types else f"struct {last_name(element_of(datatype))}"
         return self._add(
             Datatype(

@@ -15,7 +15,7 @@ from sigcat.function.function_json.walk import data, errors, methods, parameters
 
 
 class Place(NamedTuple):
-    """Whose variable it is."""
+    """Place of a variable: its component, call and interface."""
 
     component: str
     """Name of the component; empty where it is one of the whole function."""
@@ -30,7 +30,7 @@ class CodeVariable(NamedTuple):
     expression: str
     place: Place
     holds: str
-    """What it holds: two variables of the same interface have different ones."""
+    """Content of the variable: two variables of the same interface differ in it."""
     datatype: str | None = None
     """Reference to the datatype; None where it is a number that the adapter and the function agree on."""
     defined_by: str | None = None

@@ -1,4 +1,4 @@
-"""What the models of the wire formats have in common: fields that say what they are, and numbers that are numbers."""
+"""Common base of the models of wire formats: fields with a meaning, and finite numbers."""
 
 import math
 from functools import cache
@@ -36,6 +36,14 @@ def described(alias: str, description: str, *, default: Any = ..., unit: str = "
 def own(alias: str, description: str, **more: Any) -> Any:
     """An optional field that the published schema lacks."""
     return described(alias, description, source=OWN, default=None, **more)
+
+
+def own_fields(*models: type[BaseModel]) -> tuple[str, ...]:
+    """Return the names of the fields that the published schema lacks."""
+    fields = [field for model in models for field in model.model_fields.values()]
+    return tuple(
+        str(field.alias) for field in fields if cast("dict[str, Any]", field.json_schema_extra)["x-source"] == OWN
+    )
 
 
 class WireModel(BaseModel):
@@ -93,7 +101,7 @@ Number = Annotated[int | float, PlainValidator(_number), WithJsonSchema({"type":
 Integer = Annotated[int, PlainValidator(_integer), WithJsonSchema({"type": "integer"})]
 """A JSON integer; as in JSON Schema, `1.0` is one."""
 Count = Annotated[Integer, Field(ge=0, le=2**16 - 1)]
-"""How often something happens, as far as cores count."""
+"""A number of occurrences, within the range of a core's counters."""
 WrittenWhole = Annotated[int | float, PlainValidator(_number), WithJsonSchema({"type": "integer"})]
 """A number that is written as an integer, as the published schema has it; any number is read."""
 TypeReference = Annotated[str, Field(pattern=r"^DT_[A-Za-z0-9]+$"), TYPE_REFERENCE]

@@ -1,3 +1,3 @@
 """In: the description of a project of C code, and a catalogue.
-Out: the text of a function.yaml that lints up to the paths that nobody but its author can choose.
+Out: the text of a function.yaml that lints except for the paths that only its author can choose.
 """

@@ -20,7 +20,7 @@ ASSUMED_CYCLE = 10
 
 
 class Draft(NamedTuple):
-    """What goes into a function.yaml."""
+    """Content of a function.yaml."""
 
     function: str
     project: CodeProject
@@ -68,7 +68,7 @@ def _head(draft: Draft) -> Iterator[str]:
 
 
 def to_do(draft: Draft) -> Iterator[str]:
-    """What the code does not tell, and the author has to."""
+    """Yield what the author has to complete, because the code does not tell it."""
     unchosen = sum(not signal.is_chosen for signal in draft.signals)
     if unchosen:
         yield f"choose {unchosen} path{'s' if unchosen > 1 else ''} (those with {PLACEHOLDER})."
@@ -87,7 +87,7 @@ def to_do(draft: Draft) -> Iterator[str]:
     if draft.project.left_out:
         named = ", ".join(f"{each.name} ({_at(each.place, draft)})" for each in draft.project.left_out[:_MOST_NAMED])
         more = len(draft.project.left_out) - _MOST_NAMED
-        yield f"add what else is to be called, as calls or methods: {named}{f' and {more} more' if more > 0 else ''}."
+        yield f"add other functions that must be called, as calls or methods: {named}{f' and {more} more' if more > 0 else ''}."
     without_value = sum(bool(each.definition) and each.value.start is None for each in draft.parameters)
     if without_value:
         yield f"give the defaults of {without_value} parameter{'s' if without_value > 1 else ''}, which the code does not tell."
@@ -136,7 +136,7 @@ def _definition(text: str) -> tuple[str, str | None]:
 
 
 def _include_folders(project: CodeProject) -> list[str]:
-    """Those of the headers first."""
+    """Return include folders, those of the headers first."""
     return list(dict.fromkeys([*(Path(path).parent.as_posix() for path in project.headers), *project.include_folders]))
 
 
@@ -160,7 +160,7 @@ def _in(folder: str, place: Place) -> str:
 
 
 def _define(draft: Draft) -> Iterator[str]:
-    """What the catalogue does not have yet."""
+    """Yield definitions that the catalogue does not have yet."""
     parameters = [each for each in draft.parameters if each.definition]
     named = [(_last_name(call, draft.project), call) for call in draft.project.calls]
     calls = [each for each in named if each[0] not in draft.known]

@@ -80,7 +80,7 @@ def draft_of(
 
 
 def _of_function(name: str, category: str, catalogue: Catalogue) -> dict[str, Node]:
-    """What the catalogue has of a category for the function already, by last name."""
+    """Return the function's nodes of a category that the catalogue already has, by last name."""
     root = catalogue.roots[0].path if catalogue.roots else ""
     branch = catalogue.get(f"{root}.Function.{name}.{category}")
     return {node.name: node for node in branch.children} if branch else {}

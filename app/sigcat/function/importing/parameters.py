@@ -25,7 +25,7 @@ class ParameterEntry(NamedTuple):
     """Empty if the catalogue has the parameter already."""
     keys: dict[str, Any]
     notes: tuple[str, ...] = ()
-    """What the author has to know of the definition."""
+    """Notes for the author about the definition."""
 
 
 def parameters_of(
@@ -66,7 +66,7 @@ def free_name(name: str, taken: set[str]) -> str:
 
 
 def described(value: Value, own: str, said: set[str], vocabulary: Vocabulary, kind: str) -> str:
-    """What the comment says, as a sentence, with the name where another one says the same."""
+    """Return the comment as a sentence, with the name where another one says the same."""
     text = without_unit(value.remark.text, value.remark.units, vocabulary)
     sentence = _sentence(text) if text else f"{kind} {own} of the code."
     sentence = f"{sentence[:-1]} ({own})." if sentence in said else sentence
@@ -81,7 +81,7 @@ def starting_with_letter(name: str) -> str:
 
 
 def physical_definition(value: Value, unit: str, description: str) -> dict[str, Any]:
-    """What the catalogue would say, in physical values."""
+    """Return the definition for the catalogue, in physical values."""
     is_scaled = factor_of(value) is not None
     smallest, largest = _range(value)
     definition = {

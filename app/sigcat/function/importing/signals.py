@@ -19,7 +19,7 @@ Role = Literal["consumed", "provided"]
 
 
 _COMPARED, _SHOWN = 10, 3
-"""Signals that are held against each other, and those of them that are proposed."""
+"""Numbers of signals that are compared, and of those that are proposed."""
 
 
 class Signal(NamedTuple):
@@ -35,14 +35,14 @@ class Signal(NamedTuple):
     unit: str = ""
     """Key of the unit that the code tells."""
     catalogue_unit: str = ""
-    """Of the signal that was chosen."""
+    """Unit of the signal that was chosen."""
     values: Mapping[str, int] = {}
     """Numbers of an enumeration by the catalogue's names, or those of the code."""
     why: str = ""
     """Why the nearest signal was not chosen, although it has the name."""
 
     catalogue_asil: Level | None = None
-    """Of the signal that was chosen."""
+    """ASIL of the signal that was chosen."""
 
     @property
     def is_chosen(self) -> bool:
@@ -56,7 +56,7 @@ class Signal(NamedTuple):
 
     @property
     def keys(self) -> dict[str, Any]:
-        """What the entry has beside its path."""
+        """Keys of the entry besides its path."""
         value, remark = self.value, self.value.remark
         is_scaled = value.datatype not in (*_FLOATING, "boolean")
         keys = {

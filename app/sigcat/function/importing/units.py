@@ -44,7 +44,7 @@ _SPELLED: Mapping[str, str] = {
     "volts": "v",
     "watt": "w",
 }
-"""How code spells units, in small letters."""
+"""Keys of units by their spellings in code, in small letters."""
 
 
 def unit_of(texts: Iterable[str], vocabulary: Vocabulary) -> str:

@@ -1,4 +1,4 @@
-"""The code of a function, as the declaration describes it: nothing of it stands in the catalogue."""
+"""The code of a function, as the declaration describes it: the catalogue has nothing of it."""
 
 from collections.abc import Mapping
 
@@ -11,7 +11,7 @@ from sigcat.function.resolving.part import Part, listed, written
 
 
 def code_interface(item: CodeSection, at: Pointer) -> Part[CodeInterface]:
-    """How the code is compiled and called."""
+    """Compilation and calls of the code."""
     made = CodeInterface(
         signature=word(item.signature) or "",
         sources=tuple(item.sources) or None,

@@ -37,7 +37,7 @@ def _miscoded(values: Mapping[str, int], symbols: Symbols, at: Pointer) -> Itera
             fix = did_you_mean(name, symbols) or f"Use one of {', '.join(symbols)}."
             yield Problem(codes.ENUMERATION_MISCODED, (*at, name), f"The catalogue does not allow {name!r}.", fix)
     if len(set(values.values())) < len(values):
-        fix = "Give each value a number of its own."
+        fix = "Give each value its own number."
         yield Problem(codes.ENUMERATION_MISCODED, at, "Two values have the same number.", fix)
 
 

@@ -20,6 +20,8 @@ def code_unit(item: Item, at: Pointer, node: Node, context: Context) -> Resolvin
         return own, IDENTITY
     vocabulary = context.catalogue.vocabulary
     known = vocabulary.unit(item.unit)
+    if known is None and vocabulary.may_define(item.unit):
+        return own, IDENTITY
     if known is None:
         fix = did_you_mean(item.unit, [each.key for each in vocabulary.distinct_units])
         yield _problem(item, at, f"Unknown unit {item.unit!r}.", fix or (_convertible(own, vocabulary) if own else ""))
@@ -29,7 +31,7 @@ def code_unit(item: Item, at: Pointer, node: Node, context: Context) -> Resolvin
         return None, IDENTITY
     conversion = between(own, known.key)
     if conversion is None:
-        message = f"`unit` must be one that {own!r} can be converted to, not {known.key!r}."
+        message = f"{own!r}, the unit in the catalogue, cannot be converted to {known.key!r}."
         yield _problem(item, at, message, _convertible(own, vocabulary))
     return known.key, conversion or IDENTITY
 

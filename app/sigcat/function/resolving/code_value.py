@@ -1,4 +1,4 @@
-"""How the code of a function holds a value, beside what the catalogue says of it."""
+"""Form of a value in the code of a function, beside its facts in the catalogue."""
 
 from typing import NamedTuple
 
@@ -18,7 +18,7 @@ class CodeValue(NamedTuple):
 
     item: Item
     at: Pointer
-    """Where the item stands in the declaration."""
+    """Pointer of the item in the declaration."""
     node: Node
     datatype: str
     """VSS name of the code's datatype."""

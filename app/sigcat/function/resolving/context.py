@@ -1,4 +1,4 @@
-"""What every interface of a function is resolved against: the catalogue, and what can be looked up in it."""
+"""Context in which every interface of a function is resolved: the catalogue, and its lookups."""
 
 from collections.abc import Generator, Mapping
 from dataclasses import dataclass, field
@@ -16,11 +16,11 @@ from sigcat.names import last_name
 
 T = TypeVar("T")
 Resolving = Generator[Problem, None, T]
-"""A resolver yields what is wrong, and returns what it made: `made = yield from resolver(…)`."""
+"""A resolver yields problems, and returns its result: `made = yield from resolver(…)`."""
 
 
 def gathered(resolving: Resolving[T]) -> tuple[T, tuple[Problem, ...]]:
-    """What a resolver made, and everything that is wrong."""
+    """Return the result of a resolver, and its problems."""
     problems: list[Problem] = []
     while True:
         try:
@@ -38,7 +38,7 @@ class Context:
     function: str
     """Name of the function."""
     definitions: Definitions = field(default_factory=Definitions)
-    """What the function defines itself."""
+    """Definitions of the function."""
     signals: Mapping[str, str] = field(default_factory=dict)
     """Names of the signals that the function consumes, by their paths."""
 

@@ -1,4 +1,4 @@
-"""What a call reads and writes: signals, queues, parameters, errors, safety reactions and methods."""
+"""Interfaces that a call reads and writes: signals, queues, parameters, errors, safety reactions and methods."""
 
 from sigcat.function.declaration.declaration import RunnableItem
 from sigcat.function.document.document import Pointer
@@ -30,6 +30,7 @@ def contract(item: RunnableItem, at: Pointer, context: Context) -> Resolving[Par
         errors=values_of(errors) or None,
         safety_reactions=values_of(reactions) or None,
     )
+    own: dict[str | int, Origin] = {"Type": Origin((*at, "contract"))} if item.contract is not None else {}
     lists: dict[str | int, Origin] = {
         "SignalList": origin_of(signals, at),
         "DataQList": origin_of(queues, at),
@@ -39,4 +40,6 @@ def contract(item: RunnableItem, at: Pointer, context: Context) -> Resolving[Par
         "SafetyReactionList": origin_of(reactions, at),
     }
     is_empty = not any(origin.parts for origin in lists.values())
-    return Part(None if is_empty else made, Origin(at, lists), (*missing_in(parameters), *missing_in(errors)))
+    return Part(
+        None if is_empty else made, Origin(at, {**own, **lists}), (*missing_in(parameters), *missing_in(errors))
+    )

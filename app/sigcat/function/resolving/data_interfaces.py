@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Iterator
+from math import isfinite
 from typing import Any
 
 from sigcat import codes
@@ -25,6 +26,7 @@ from sigcat.function.resolving.interfaces import asil_of, error_name
 from sigcat.function.resolving.numbers import fraction, plain_text
 from sigcat.function.resolving.part import Part, written
 from sigcat.function.resolving.values import Value, value_of
+from sigcat.names import with_article
 
 ROLES = {"consumed": CONSUMER, "provided": PROVIDER}
 
@@ -47,7 +49,7 @@ def data_interface(item: DataItem, at: Pointer, context: Context) -> Resolving[P
 
 
 def _of_no_queue(item: DataItem, at: Pointer) -> Iterator[Problem]:
-    """What only a queue has."""
+    """Fields that only a queue has."""
     for field in ("overflow", "overflow_error", "values_per_step", "count_variable"):
         if item.queue_length is None and getattr(item, field) is not None:
             key = key_of(field)
@@ -100,10 +102,11 @@ def _catalogue_range(value: Value) -> dict[str, Any]:
 
 
 def _also_known(item: DataItem, value: Value) -> dict[str, Any]:
-    """What a signal and a queue have beyond what a parameter has."""
+    """Fields of a signal and a queue that a parameter does not have."""
     resolution = value.node.values.get("resolution")
     scale = abs(value.conversion.factor) if value.conversion else 1
-    step = as_number(fraction(resolution) / scale) if isinstance(resolution, int | float) else None
+    is_finite = isinstance(resolution, int | float) and not isinstance(resolution, bool) and isfinite(resolution)
+    step = as_number(fraction(resolution) / scale) if is_finite else None
     known = {"access": item.access, "default": value.default, "resolution": step}
     return {**known, "default_elements": value.default_elements, **_catalogue_range(value)}
 
@@ -173,7 +176,7 @@ def parameter(item: ParameterItem, at: Pointer, context: Context) -> Resolving[P
         return Part(None, Origin(at))
     subject = Subject("data", item.path)
     if value.node.type != "attribute":
-        message = f"The parameter {item.path!r} must be an attribute, not {_with_article(value.node.type)}."
+        message = f"The parameter {item.path!r} must be an attribute, not {with_article(value.node.type)}."
         fix = "List it under `data`."
         yield Problem(codes.ROLE_UNFIT_FOR_NODE_TYPE, (*at, "path"), message, fix, subject)
     text = _default_text(value)
@@ -201,10 +204,6 @@ def parameter(item: ParameterItem, at: Pointer, context: Context) -> Resolving[P
     )
     missing = () if has_start else (Subject("data", value.node.path, ("default",)),)
     return Part(made, _origin(item, at, "Asillevel"), missing)
-
-
-def _with_article(kind: str) -> str:
-    return f"{'an' if kind[:1] in 'aeiou' else 'a'} {kind}"
 
 
 def _default_text(value: Value) -> str | None:

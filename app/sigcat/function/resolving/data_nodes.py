@@ -7,7 +7,7 @@ from sigcat.catalogue.near_signals import is_to_be_chosen
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.resolving.context import Context, Resolving
-from sigcat.names import did_you_mean, last_name
+from sigcat.names import did_you_mean, last_name, with_article
 
 
 def data_node(path: str, at: Pointer, context: Context) -> Resolving[Node | None]:
@@ -34,7 +34,7 @@ def _unknown(path: str, at: Pointer, context: Context) -> Problem:
     else:
         message = f"The catalogue has no signal {path!r}."
         fix = _defined(path, context) or context.meant(path) or _spelled_alike(path, context)
-        fix = fix or "Define it under `define`, or in an overlay, which a command is given with -l."
+        fix = fix or "Define it under `define`, or pass the overlay that defines it with `-l OVERLAY`."
     return Problem(codes.SIGNAL_UNKNOWN, at, message, fix, Subject("data", path))
 
 
@@ -54,8 +54,7 @@ def _defined(name: str, context: Context) -> str:
 def _kind_of(node: Node) -> str:
     if not node.is_leaf:
         return "a branch"
-    words = f"{category_of(node.path)} interface".replace("_", " ")
-    return f"{'an' if words[0] in 'aeiou' else 'a'} {words}"
+    return with_article(f"{category_of(node.path)} interface".replace("_", " "))
 
 
 def _instead(node: Node) -> str:

@@ -1,5 +1,6 @@
 """References from a declaration to interfaces of the catalogue, and the attributes of those."""
 
+from math import isfinite
 from typing import Any
 
 from sigcat import codes
@@ -9,7 +10,7 @@ from sigcat.catalogue.model.interfaces import Category, category_of, function_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.resolving.context import Context, Resolving
-from sigcat.names import did_you_mean, either
+from sigcat.names import did_you_mean, either, with_article
 
 
 def interface_node(
@@ -27,7 +28,7 @@ def interface_node(
         yield Problem(codes.INTERFACE_UNKNOWN, at, message, fix, Subject(category, reference))
         return None
     if actual != category:
-        message = f"{reference!r} must be {_with_article(category)} interface, not {_with_article(actual)} interface."
+        message = f"{reference!r} must be {with_article(_words(category))} interface, not {with_article(_words(actual))} interface."
         yield Problem(codes.INTERFACE_OF_ANOTHER_CATEGORY, at, message, subject=Subject(category, node.path))
         return None
     if own and function_of(node.path) != context.function:
@@ -44,17 +45,13 @@ def error_name(reference: str | None, at: Pointer, context: Context) -> Resolvin
 
 
 def _meant(reference: str, category: Category, context: Context) -> str:
-    """What to write instead: an interface of a near name."""
+    """Advice: an interface of a near name."""
     hint = did_you_mean(reference, context.names(category)) or did_you_mean(reference, context.own_names(category))
     return hint or f"Define it under `define`, or in an overlay of {_words(category)} interfaces."
 
 
 def _words(category: Category) -> str:
     return category.replace("_", " ")
-
-
-def _with_article(category: Category) -> str:
-    return f"{'an' if category[0] in 'aeiou' else 'a'} {_words(category)}"
 
 
 # -- attributes ---------------------------------------------------------------------------------------------------
@@ -78,9 +75,9 @@ def asil_of(node: Node, at: Pointer) -> Resolving[Level | None]:
 def number_of(node: Node, name: str, at: Pointer) -> Resolving[float | None]:
     """Value of an attribute that has to be a number."""
     value = node.values.get(name)
-    if value is None or (isinstance(value, int | float) and not isinstance(value, bool)):
+    if value is None or (isinstance(value, int | float) and not isinstance(value, bool) and isfinite(value)):
         return value
-    yield _not_expected(node, name, "a number", at)
+    yield _not_expected(node, name, "a finite number", at)
     return None
 
 

@@ -8,7 +8,7 @@ from sigcat.names import either, last_name, may_compare
 
 
 class MeantSignals:
-    """What unknown paths may mean: words are looked up in the whole catalogue."""
+    """Proposals for unknown paths: words are looked up in the whole catalogue."""
 
     def __init__(self, catalogue: Catalogue) -> None:
         self._catalogue = catalogue

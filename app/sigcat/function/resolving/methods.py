@@ -44,7 +44,7 @@ def _argument(item: ArgumentItem, at: Pointer, context: Context) -> Resolving[Pa
         yield Problem(codes.DATATYPE_UNFIT, (*at, "datatype"), f"Unknown datatype {item.datatype!r}.", fix)
         return Part(None, Origin(at))
     vocabulary = context.catalogue.vocabulary
-    if item.unit is not None and vocabulary.unit(item.unit) is None:
+    if item.unit is not None and vocabulary.is_unknown(item.unit):
         fix = advice(item.unit, vocabulary)
         yield Problem(codes.UNIT_NOT_CONVERTIBLE, (*at, "unit"), f"Unknown unit {item.unit!r}.", fix)
     made = Argument(

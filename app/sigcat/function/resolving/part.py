@@ -30,7 +30,7 @@ class Part(NamedTuple, Generic[T]):
     value: T | None
     origin: Origin
     missing: tuple[Subject, ...] = ()
-    """What the function lacks because it could not be resolved: this part, and what stands in it."""
+    """Parts that the function lacks because this one could not be resolved: this part, and those within it."""
 
 
 Resolver = Callable[[Item, Pointer, Context], Resolving[Part[T]]]
@@ -45,7 +45,7 @@ def each(items: Iterable[Item], at: Pointer, context: Context, resolver: Resolve
 
 
 def values_of(parts: Iterable[Part[T]]) -> tuple[T, ...]:
-    """What could be resolved."""
+    """Return the values of parts that could be resolved."""
     return tuple(part.value for part in parts if part.value is not None)
 
 
@@ -55,7 +55,7 @@ def origin_of(parts: Iterable[Part[T]], at: Pointer) -> Origin:
 
 
 def missing_in(parts: Iterable[Part[T]]) -> tuple[Subject, ...]:
-    """What is missing in any of the parts."""
+    """Return all that is missing in any of the parts."""
     return tuple(subject for part in parts for subject in part.missing)
 
 
@@ -72,7 +72,7 @@ def listed(items: Sequence[DeclarationModel], at: Pointer) -> Origin:
 
 
 def _written(at: Pointer, value: Any) -> Origin:
-    """A field with its parts, but for lists of parts with resolvers of their own. A mapping is a list in Function JSON."""
+    """A field with its parts, but for lists of parts with their own resolvers. A mapping is a list in Function JSON."""
     if not isinstance(value, DeclarationModel | list | dict):
         return Origin(at)
     if isinstance(value, DeclarationModel):

@@ -38,14 +38,16 @@ def is_upside_down(low: Fraction | None, high: Fraction | None) -> bool:
 
 
 def _own_range(code: CodeValue) -> OpenRange:
-    """The catalogue's range in the code's unit; of an enumeration, the range of its numbers."""
+    """The catalogue's range in the code's unit; of an enumeration, the range of its numbers. Open if it is upside down (I103)."""
     if code.symbols:
         return Fraction(min(code.symbols.values())), Fraction(max(code.symbols.values()))
     if element_of(code.own_datatype) == "boolean":
         return Fraction(0), Fraction(1)
     bounds = [code.node.values.get(name) for name in ("min", "max")]
     low, high = (None if bound is None else code.to_code(fraction(bound)) for bound in bounds)
-    return (high, low) if code.to_code.factor < 0 else (low, high)
+    if code.to_code.factor < 0:
+        low, high = high, low
+    return (None, None) if is_upside_down(low, high) else (low, high)
 
 
 def _widened(code: CodeValue, own: OpenRange) -> Iterator[Problem]:
@@ -64,7 +66,7 @@ def _symbols_beyond(code: CodeValue) -> Iterator[Problem]:
     limits = value_range(element_of(code.datatype))
     for name, number in (code.symbols or {}).items():
         if limits and not limits[0] <= number <= limits[1]:
-            message = f"{number}, which stands for {name!r}, does not fit {code.datatype}."
+            message = f"{number}, the number of {name!r}, does not fit {code.datatype}."
             yield code.problem(codes.CONVERSION_LOSES_RANGE, (*code.at, "values", name), message)
 
 

@@ -11,7 +11,7 @@ from sigcat.function.resolving.context import Context
 _RULES = frozenset(
     (codes.INTERFACE_UNKNOWN.id, codes.INTERFACE_OF_ANOTHER_FUNCTION.id, codes.SIGNAL_UNKNOWN.id)
 )  # fmt: skip
-"""What is said of an interface that bears the name of another function."""
+"""Rules of findings about an interface that has the name of another function."""
 
 
 def told_once(problems: Sequence[Problem], declaration: Declaration, context: Context) -> Iterator[Problem]:

@@ -26,7 +26,7 @@ SCHEMA_VERSION = "1.0.0"
 
 
 class Resolution(NamedTuple):
-    """A function as far as it could be resolved, what is wrong with its declaration, and what is missing in it."""
+    """A function as far as it could be resolved, the errors of its declaration, and its missing parts."""
 
     resolved: ResolvedFunction
     problems: tuple[Problem, ...]

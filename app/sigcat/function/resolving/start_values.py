@@ -1,4 +1,4 @@
-"""The value of a signal before the first one arrives, and the default that stands in for a missing one."""
+"""The value of a signal before the first one arrives, and the default that replaces a missing one."""
 
 from collections.abc import Iterator
 from fractions import Fraction
@@ -6,6 +6,7 @@ from typing import Any
 
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import DATATYPES, element_of, is_array
+from sigcat.catalogue.reading.yaml_numbers import number_advice
 from sigcat.function.declaration.declaration import DataItem
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.document.yaml_words import in_yaml
@@ -17,7 +18,7 @@ from sigcat.function.resolving.numbers import fraction, optional_number
 
 
 def start_value(code: CodeValue, low: Fraction | None, high: Fraction | None) -> Resolving[float | None]:
-    """The start value as a number; whether it lies in the range is checked with the result."""
+    """The start value as a number; the range is checked with the result."""
     given = code.item.init
     yield from _not_carried(code)
     yield from _boolean_default(code)
@@ -29,9 +30,13 @@ def start_value(code: CodeValue, low: Fraction | None, high: Fraction | None) ->
     is_between = number is not None and not is_outside(number, low, high)
     if number is None or (is_between and code.symbols and number not in code.symbols.values()):
         message = f"`init` of {code.item.path!r} must be {_wanted(code, is_boolean=is_boolean)}, not {in_yaml(given)}."
-        fix = "Write one of these." if code.symbols or is_boolean else ""
+        fix = "Write one of these." if code.symbols or is_boolean else _number_advice(given)
         yield code.problem(codes.START_VALUE_OUT_OF_RANGE, (*code.at, "init"), message, fix)
     return optional_number(number)
+
+
+def _number_advice(given: Any) -> str:
+    return number_advice(given) if isinstance(given, str) else ""
 
 
 def _is_boolean(code: CodeValue) -> bool:
@@ -73,7 +78,7 @@ def _not_carried(code: CodeValue) -> Iterator[Problem]:
 
 
 def _is_unheld(code: CodeValue, given: Any) -> bool:
-    """Whether this is no number where none is meant: a text, the elements of an array, the members of a struct."""
+    """Whether this is rightly not a number: a text, the elements of an array, the members of a struct."""
     if is_array(code.own_datatype):
         return isinstance(given, list)
     if code.own_datatype not in DATATYPES:

@@ -35,7 +35,7 @@ def check_functions(
 ) -> tuple[Finding, ...]:
     """Everything that is wrong with function files, alone and together. What one defines, the others may use.
 
-    `is_whole`: there are no further functions, so that what none of these provides is not provided. `check_code`
+    `is_whole`: the set is complete, so that signals which none of these provides are not provided. `check_code`
     checks the files of the code.
     """
     members, over = read_set(files, catalogue, limits, check_code)
@@ -56,7 +56,7 @@ def read_set(
 def check_set(
     members: Sequence[CheckedFunction], catalogue: Catalogue | None = None, *, is_whole: bool = True
 ) -> tuple[Finding, ...]:
-    """What does not fit together. Without a catalogue it is not known which signals the vehicle itself provides."""
+    """Return mismatches of functions. Without a catalogue, signals that the vehicle itself provides are unknown."""
     chosen = _each_once(members)
     functions = [member.resolved for member in chosen.values() if member.resolved is not None]
     by_name = {function.name: function for function in functions}
@@ -87,7 +87,7 @@ def _same_names(members: Iterable[CheckedFunction], chosen: Mapping[str, Checked
         other, name = chosen[member.resolved.name], member.resolved.name
         is_copy = member.document.digest == other.document.digest
         if member is not other and not is_copy and member.is_declaration == other.is_declaration:
-            message = f"The function {name!r} stands in {other.document.name!r} too."
+            message = f"The function {name!r} is in {other.document.name!r} too."
             pointer = ("FunctionInfo", "FunctionName")
             yield member.resolved.finding(codes.FUNCTION_TWICE, pointer, message, "Rename one, or remove it.")
 
@@ -124,7 +124,7 @@ def _unprovided(wiring: Wiring, functions: Mapping[str, ResolvedFunction], catal
 
 
 def _unmapped(wiring: Wiring, functions: Mapping[str, ResolvedFunction], catalogue: Catalogue) -> Findings:
-    """Of a catalogue that maps signals to a network, those from outside that it does not map."""
+    """Report signals from outside that a catalogue with mappings to a network does not map."""
     if catalogue.attributes.isdisjoint(RECEIVED):
         return
     for end in wiring.from_outside:

@@ -1,4 +1,4 @@
-"""The ends of a signal: each stands at a call of a function, which reads or writes it."""
+"""The ends of a signal: each belongs to a call of a function, which reads or writes it."""
 
 from typing import NamedTuple
 
@@ -16,7 +16,7 @@ class End(NamedTuple):
 
     owner: FunctionJson
     pointer: Pointer
-    """Where the signal stands in the document of its owner."""
+    """Pointer of the signal in the document of its owner."""
     runnable: Runnable
     signal: Datum
 
@@ -32,7 +32,7 @@ class End(NamedTuple):
 
     @property
     def path(self) -> str:
-        """What both ends of a link have in common: the VSS path, or the name where a document has none."""
+        """Name that both ends of a link share: the VSS path, or the name where a document has none."""
         return self.signal.vss_path or self.signal.name
 
     @property

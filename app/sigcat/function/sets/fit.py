@@ -1,4 +1,4 @@
-"""What does not fit between the ends of a signal, at two functions."""
+"""Differences between the ends of a signal, at two functions."""
 
 from collections.abc import Iterator
 from fractions import Fraction

@@ -1,4 +1,4 @@
-"""Who provides what to whom in a set of functions, what comes from outside, and what does not fit."""
+"""Wiring of a set of functions: providers and consumers, signals from outside, and mismatches."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
@@ -49,7 +49,7 @@ class Wiring(NamedTuple):
 
 
 def connect(functions: Sequence[FunctionJson]) -> Wiring:
-    """The wiring of functions. A signal that a function provides to itself is no link."""
+    """The wiring of functions. A signal that a function provides to itself is not a link."""
     ends = [end for function in functions for end in ends_of(function)]
     providers = by_path(end for end in ends if end.is_provider)
     consumers = by_path(end for end in ends if end.is_consumer)

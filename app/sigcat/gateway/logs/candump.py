@@ -57,7 +57,7 @@ def _unusual(line: bytes) -> Iterator[Frame | Passed]:
         raise CutLine("its data ends in the middle of a byte")
     frame = _FD.fullmatch(line)
     if frame and len(frame[1]) // 2 not in _FD_LENGTHS:
-        raise CutLine(f"{len(frame[1]) // 2} bytes are no length of a frame of CAN FD")
+        raise CutLine(f"{len(frame[1]) // 2} bytes are not a valid length of a CAN FD frame")
     error = _ERROR.match(line)
     text = text_of(error[1] + _BUS_ERROR if error else line)
     yield from map(frame_of, CanutilsLogReader(StringIO(text)))

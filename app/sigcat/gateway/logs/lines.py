@@ -61,5 +61,5 @@ class TextLines:
 def text_of(line: bytes) -> str:
     """A line as text. Raises CutLine for one with bytes that are not text."""
     if b"\0" in line:
-        raise CutLine("it has bytes that are no text")
+        raise CutLine("it has bytes that are not text")
     return line.decode("latin-1")

@@ -10,6 +10,10 @@ from sigcat.limits import LOG_FINDINGS
 class NoLog(Exception):
     """The file is something else; the text says why."""
 
+    def __init__(self, why: str, fix: str = "") -> None:
+        super().__init__(why)
+        self.fix = fix
+
 
 class CutLog(Exception):
     """The log ends before it says that it does; the text says where."""
@@ -56,7 +60,7 @@ class MalformedLines:
         self._count += 1
         if self._count <= LOG_FINDINGS:
             why = error if isinstance(error, CutLine) else f"it must be like {LIKE[self._form]}"
-            self._findings.append(codes.LOG_MALFORMED.finding(f"The line is no frame: {why}.", self._path, line, 1))
+            self._findings.append(codes.LOG_MALFORMED.finding(f"The line is not a frame: {why}.", self._path, line, 1))
 
     def close(self, too_long: list[int], uncut: int | None) -> None:
         """Return the findings at the end: lines that are too long, and a last line without an end."""
@@ -66,7 +70,7 @@ class MalformedLines:
             text = "The last line has no line break: the log may have been cut there. Its frame was read."
             self._findings.append(codes.LOG_MALFORMED.finding(text, self._path, uncut, 1))
         if self._count > LOG_FINDINGS:
-            text = f"{self._count - LOG_FINDINGS:,} more lines are no frames."
+            text = f"{self._count - LOG_FINDINGS:,} more lines are not frames."
             self._findings.append(codes.LOG_MALFORMED.finding(text, self._path))
 
 

@@ -12,6 +12,7 @@ from sigcat.errors import UsageError
 from sigcat.findings import Finding
 from sigcat.gateway.frames import Frame, Passed, frame_of
 from sigcat.gateway.logs.lines import Lines
+from sigcat.gateway.logs.not_text import refuse_bytes
 from sigcat.gateway.logs.problems import (
     CutLog,
     DamagedLog,
@@ -21,6 +22,7 @@ from sigcat.gateway.logs.problems import (
     ends_early,
     no_log,
 )
+from sigcat.names import with_article
 
 _CHUNK = 32 * 1024
 _GZIP = b"\x1f\x8b"
@@ -75,6 +77,7 @@ _OF_LINES: Mapping[str, Callable[[Lines], Iterable[Frame | Passed]]] = {
 }  # fmt: skip
 _OF_BYTES: Mapping[str, Callable[[IO[bytes]], Iterator[Frame | Passed]]] = {".blf": _blf}
 _OF_PATHS: Mapping[str, Callable[[Path], Iterator[Frame | Passed]]] = {".db": _sqlite, ".mf4": _mdf}
+_TITLES = {".log": "candump"}
 CSV_HEADER = b"timestamp,arbitration_id,"
 """First line of a log in CSV; a trace begins with `time`."""
 _PACKED = (*_OF_LINES, *_OF_BYTES)
@@ -89,8 +92,8 @@ def read_log(path: Path, findings: list[Finding]) -> Iterator[Frame | Passed]:
     except ImportError:
         raise UsageError(NEEDED) from None
     except NoLog as error:
-        message = f"The file must be a {form[1:].upper()} log: {error}."
-        findings.append(no_log(path, message, "Name the file that the tool has logged."))
+        message = f"The file must be {with_article(_TITLES.get(form, form[1:].upper()))} log: {error}."
+        findings.append(no_log(path, message, error.fix or "Name the file that the tool has logged."))
     except CutLog as error:
         findings.append(ends_early(path, str(error)))
     except DamagedLog as error:
@@ -152,6 +155,7 @@ def _not_packed(path: Path) -> Finding:
 
 def _of_lines(path: Path, form: str, file: IO[bytes], findings: list[Finding]) -> Iterator[Frame | Passed]:
     """A reader stops at the first line that it cannot read: it is iterated again, from the next one on."""
+    refuse_bytes(path, cast("BufferedReader", file).peek(_CHUNK))
     lines = Lines(file)
     reader = _OF_LINES[form](lines)
     malformed = MalformedLines(path, form, findings)

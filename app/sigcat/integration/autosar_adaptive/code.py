@@ -1,4 +1,4 @@
-"""What the C code of a function needs of its adapter, where the published schema has no place for it."""
+"""Facts about the C code of a function for its adapter, where the published schema has no place for them."""
 
 from typing import TypeVar
 

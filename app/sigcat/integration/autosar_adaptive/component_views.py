@@ -1,4 +1,4 @@
-"""What a component has of each service: its events, methods and fields, with what it uses of them."""
+"""View of a component on each service: events, methods and fields, with those that it uses."""
 
 from collections.abc import Iterable, Sequence
 
@@ -18,7 +18,7 @@ from sigcat.integration.sent_values import sent
 
 
 def view(service: Service, part: str, types: TypeTable, context: Context) -> tuple[model.Services, bool] | None:
-    """What a component has of a service, and whether it provides it; None if it has nothing to do with it."""
+    """Return a component's part of a service, and whether it provides it; None if it does not take part in it."""
     provider = service.group.provider
     provides = provider is not None and provider.name == part
     mine = [
@@ -73,7 +73,7 @@ _Limits = tuple[int | float | None, int | float | None]
 
 
 def _limits(interface: Signal | DataQueue, symbols: Sequence[model.Symbol], *, provides: bool) -> _Limits:
-    """The range of what is sent: the catalogue's, or else the provider's. What a consumer takes stays with its use."""
+    """The range of sent values: the catalogue's, or else the provider's. A consumer's range stays with its use."""
     if symbols:
         numbers = [symbol.value for symbol in symbols]
         return min(numbers), max(numbers)

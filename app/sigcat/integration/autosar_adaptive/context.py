@@ -1,4 +1,4 @@
-"""What every step of `derive` needs: the functions of the set with their components, the settings, the findings."""
+"""Common input of every step of `derive`: the functions with their components, the settings, the findings."""
 
 from dataclasses import dataclass
 
@@ -11,7 +11,7 @@ from sigcat.integration.finding_collector import FindingCollector
 
 @dataclass(frozen=True)
 class Context:
-    """What one derivation starts from, and the findings that it comes across."""
+    """Input of one derivation, and the findings on its way."""
 
     application: Application
     settings: AutosarAdaptiveSettings

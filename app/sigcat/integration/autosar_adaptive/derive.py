@@ -141,7 +141,7 @@ def _report_unprotected(side: Placed, context: Context) -> None:
     interface = side.item.interface
     level = level_of(getattr(interface, "asil_level", None))
     if is_above(level, "QM") and states_asil(side):
-        message = f"{side.identity} must be QM, not ASIL {level}: its service has no end-to-end protection."
+        message = f"{side.identity} has ASIL {level}, and its service has no end-to-end protection."
         fix = _PROTECT_METHOD if isinstance(interface, MethodInterface) else _PROTECT
         subject = Subject(side.identity, interface)
         context.findings.report(codes.ASIL_NOT_PROTECTED, message, subject, fix, key="AsilLevel")
@@ -170,7 +170,7 @@ def _component(part: Part, all_services: Sequence[Service], types: TypeTable, co
 
 
 def _startup(component: model.Component, settings: ComponentSettings, part: Part, context: Context) -> StartupSettings:
-    """How the process of a component is started; a priority that cannot be written is reported."""
+    """Return the start settings of a component's process; a priority that cannot be written is reported."""
     wishes = component.wishes if settings.startup.priority is None else ()
     refused = {wish.call for wish in unwritable(wishes)}
     for call in part.component.runnables:
@@ -241,7 +241,7 @@ def _interface(service: Service, content: model.Services, provides: bool, contex
 
 
 def _of_outside(service: Service, context: Context) -> ServiceSettings | None:
-    """What the deployment says of a service which no function of the set provides."""
+    """Return the deployment's settings for a service that no function of the set provides."""
     if service.group.provider is not None:
         return None
     return next((each for each in context.settings.services if each.name == service.group.name), None)
@@ -262,7 +262,7 @@ def _provider_names(service: Service, content: model.Services, context: Context)
 def _meta(context: Context) -> model.MetaInformation:
     app = context.application
     if app.date is None:
-        message = f"The document must have a date, and no function has one: {NO_DATE} is written."
+        message = f"No function has a date: the document has {NO_DATE}."
         context.findings.report(codes.DATE_MISSING, message, fix="Set `date` in the deployment file or in a function.")
     return model.MetaInformation(
         authority=app.authority,

@@ -1,4 +1,4 @@
-"""Where the sides of an event differ in what they take to be sent."""
+"""Differences between the sides of an event about the sent values."""
 
 from collections.abc import Iterable
 
@@ -27,7 +27,7 @@ def _compare(element: Element, types: TypeTable, context: Context) -> None:
         if found != wanted and not (found[1] == wanted[1] and _same_names(found[0], wanted[0], types)):
             message = (
                 f"{element.identity}: {side.item.where} takes it as {found[0]} in {found[1] or 'no unit'}, "
-                f"{leading.item.where} as {wanted[0]} in {wanted[1] or 'no unit'}, which is what is sent."
+                f"{leading.item.where} as {wanted[0]} in {wanted[1] or 'no unit'}, as it is sent."
             )
             subject = Subject(element.identity, side.item.interface)
             context.findings.report(

@@ -11,7 +11,7 @@ from sigcat.function.function_json.wire import OWN, Integer, WireModel, describe
 Profile = Literal[4, 5, 6, 7]
 """Number of a profile of AUTOSAR's E2E protocol."""
 Step = Annotated[Integer, Field(ge=1, le=127)]
-"""Fewer than half of the smallest counter counts: more could not be told from going back."""
+"""Fewer than half of the smallest counter counts: more would look like going back."""
 
 
 class EventE2eSettings(DeclarationModel):

@@ -60,7 +60,7 @@ class Service(NamedTuple):
     """Ids of events and methods by name, of notifiers by the field's name, of getters by `Get<field>`."""
     event_groups: dict[str, int]
     protections: Mapping[str, E2eProtection] = MappingProxyType({})
-    """Of events that are protected end to end, by name."""
+    """Protections of events that are protected end to end, by name."""
 
 
 def services(placed: Sequence[Placed], context: Context) -> tuple[Service, ...]:

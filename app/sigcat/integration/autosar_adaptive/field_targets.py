@@ -1,6 +1,8 @@
-"""For every field of every interface of a function: where it stands in the Integration JSON."""
+"""For every field of every interface of a function: its place in the Integration JSON."""
 
 from collections.abc import Iterator, Mapping, Sequence
+
+from pydantic import BaseModel
 
 from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
@@ -14,10 +16,16 @@ from sigcat.integration.autosar_adaptive.grouping import Placed
 from sigcat.integration.autosar_parts import Item
 from sigcat.integration.report import Entry, FieldTarget, entries
 
-_CATALOGUE = "sent in the catalogue's datatype and unit; the code's own stand beside it"
+_CATALOGUE = "sent in the catalogue's datatype and unit; its use has those of the code"
 _RANGE = "the event has the catalogue's range, or else the provider's"
 _PLACE = "says which service and which side"
 _PROCESS = "the process has that of its most urgent cyclic call, in Startup"
+
+
+def _kept(place: str, *models: type[BaseModel]) -> dict[str, FieldTarget | str]:
+    """Targets of fields that are kept at a place, unless a table has another one."""
+    return {str(field.alias): f"{place}/{field.alias}" for model in models for field in model.model_fields.values()}
+
 
 _DATA: dict[str, FieldTarget | str] = {
     "Name": "Uses/{of}/Name", "Description": "Description", "Role": FieldTarget("Role", _PLACE),
@@ -32,55 +40,22 @@ _DATA: dict[str, FieldTarget | str] = {
     "Factor": FieldTarget("Uses/{of}/Factor", "scaling inside the code; also Scaling where no catalogue is known"),
     "Offset": FieldTarget("Uses/{of}/Offset", "scaling inside the code; also Offset where no catalogue is known"),
 }  # fmt: skip
-_SIGNAL = {
-    **_DATA,
-    **{
-        field: f"Uses/{{of}}/{field}"
-        for field in (
-            "AsilLevel", "Timeout", "Access", "Default", "InitValue", "RangeErrorAction", "TimeoutError", "Type",
-            "Resolution", "ConversionFactor", "ConversionOffset", "AsilInfo", "QueueLength",
-            "ExternalProvider", "DefinedBy", "CType", "Members", "TimeoutStart", "TimeoutValue", "TimeoutRecovery", "RangeError",
-            "InitElements", "DefaultElements", "Overflow", "OverflowError", "ValuesPerStep", "CountVariable",
-            "E2eError",
-        )
-    },
-}  # fmt: skip
+_SIGNAL = {**_kept("Uses/{of}", Signal, DataQueue), **_DATA}
 _METHOD: dict[str, FieldTarget | str] = {
+    **_kept("Uses/Method", MethodInterface),
     "Name": "Name", "Description": "Description", "Role": FieldTarget("Role", _PLACE),
     "InDataTypeList": "InArguments", "OutDataTypeList": "OutArguments",
-    **{field: f"Uses/Method/{field}" for field in ("Symbol", "Timeout", "RequestVariable", "StatusVariable")},
 }  # fmt: skip
 _STATUS_HEAD: dict[str, FieldTarget | str] = {
     "Name": "Name", "Description": "Description", "Datatype": "DataType", "VssPath": "VssPath",
 }  # fmt: skip
-_ERROR: dict[str, FieldTarget | str] = {
-    **_STATUS_HEAD,
-    **{
-        field: f"Error/{field}"
-        for field in (
-            "Dependancy", "OccurenceCountLimit", "IgnitionCountLimit", "MaturationTime", "MaturationTimeNanoseconds", "Severity", "ResetTime",
-            "ResetCondition", "AsilLevel", "Variable", "StatusVariable", "DefinedBy", "CType", "Reset",
-        )
-    },
-}  # fmt: skip
-_REACTION: dict[str, FieldTarget | str] = {
-    **_STATUS_HEAD,
-    **{
-        field: f"SafetyReaction/{field}"
-        for field in ("ErrorList", "AsilLevel", "Variable", "DefinedBy", "CType", "Initial", "Timeout")
-    },
-}  # fmt: skip
-_MODE: dict[str, FieldTarget | str] = {
-    **_STATUS_HEAD, "Direction": FieldTarget("Role", _PLACE),
-    **{
-        field: f"Mode/{field}"
-        for field in ("Modes", "Variable", "DefinedBy", "CType", "Initial", "UnknownAction", "UnknownError", "Values")
-    },
-}  # fmt: skip
+_ERROR = {**_kept("Error", ErrorInterface), **_STATUS_HEAD}
+_REACTION = {**_kept("SafetyReaction", SafetyReaction), **_STATUS_HEAD}
+_MODE = {**_kept("Mode", ModeInterface), **_STATUS_HEAD, "Direction": FieldTarget("Role", _PLACE)}
 _CALL: dict[str, FieldTarget | str] = {
     "Runtype": "RunType", "Cycletime": "CycleTime", "CycletimeNanoseconds": "CycleTime", "Scheduling": FieldTarget("Scheduling", _PROCESS),
     "Priority": FieldTarget("Priority", _PROCESS), "SupervisionType": "SupervisionType",
-    "funcContractList": FieldTarget("ServiceInterfaceList and ParameterList", "each interface has entries of its own"),
+    "funcContractList": FieldTarget("ServiceInterfaceList and ParameterList", "each interface has its own entries"),
     **{
         field: field
         for field in (
@@ -118,7 +93,7 @@ _FUNCTION: dict[str, FieldTarget | str] = {
 _META: dict[str, FieldTarget | str] = {
     "Authority": "MetaInformation/Authority", "SchemaAuthor": "MetaInformation/Author", "Date": "MetaInformation/Date",
     **dict.fromkeys(
-        ("SchemaVersion", "SchemaDescription"), FieldTarget("none", "each format has a version and a description of its own"),
+        ("SchemaVersion", "SchemaDescription"), FieldTarget("none", "each format has its own version and description"),
     ),
 }  # fmt: skip
 _CODE: dict[str, FieldTarget | str] = {
@@ -129,9 +104,9 @@ _CONTRACT: dict[str, FieldTarget | str] = {
     "Type": "ContractTypes",
     **dict.fromkeys(
         ("SignalList", "DataQList", "MethodList", "ErrorList", "SafetyReactionList"),
-        FieldTarget("ServiceInterfaceList", "each interface has entries of its own"),
+        FieldTarget("ServiceInterfaceList", "each interface has its own entries"),
     ),
-    "ParameterList": FieldTarget("ParameterList", "each interface has entries of its own"),
+    "ParameterList": FieldTarget("ParameterList", "each interface has its own entries"),
 }
 _MODES: dict[str, FieldTarget | str] = {"Name": "Name", "Description": "Description", "RunnablesList": "Calls"}
 
@@ -148,7 +123,7 @@ _INSIDE: Mapping[type, str] = {
     Signal: "Uses/Signal", DataQueue: "Uses/Queue", ErrorInterface: "Error", SafetyReaction: "SafetyReaction",
     ModeInterface: "Mode",
 }  # fmt: skip
-"""Where an interface stands whole, with whatever fields it has."""
+"""Targets of interfaces that are kept whole, with all of their fields."""
 CALL_TARGETS: Mapping[str, FieldTarget | str] = _CALL
 PARAMETER_TARGETS: Mapping[str, FieldTarget | str] = _PARAMETER
 

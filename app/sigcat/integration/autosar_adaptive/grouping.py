@@ -1,4 +1,4 @@
-"""Which service an interface belongs to: that of the component that provides it, or of the branch it comes from."""
+"""Grouping of interfaces into services: by the component that provides them, or by the branch they come from."""
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
@@ -106,7 +106,7 @@ def _placed(item: Item, providers: dict[tuple[bool, str], list[Part]], context: 
 
 
 def _outside(item: Item, identity: str, context: Context) -> Group:
-    """The service of what no function of the set provides."""
+    """The service of elements that no function of the set provides."""
     is_path = not isinstance(item.interface, MethodInterface) and bool(context.path_of(item))
     if is_path:
         return _configured(identity, context) or _of_origin(branch_of(identity))
@@ -118,7 +118,7 @@ def _outside(item: Item, identity: str, context: Context) -> Group:
 
 
 def _configured(path: str, context: Context) -> Group | None:
-    """The service of the deployment with the longest path that the signal stands below."""
+    """The service of the deployment with the longest path above the signal."""
     found = [
         (len(above), service.name, above)
         for service in context.settings.services

@@ -30,7 +30,7 @@ def read_csv(data: bytes, name: str, limits: Limits) -> dict[str, int]:
 
 
 def collected(entries: Iterable[Entry], name: str) -> dict[str, int]:
-    """Ids by name. Raises InputRefused for what is no id, or two ids of one name."""
+    """Ids by name. Raises InputRefused for an invalid id, or two ids of one name."""
     ids: dict[str, int] = {}
     findings = []
     for line, key, text in entries:

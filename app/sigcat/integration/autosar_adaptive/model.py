@@ -66,7 +66,7 @@ def always(alias: str, description: str, **more: Any) -> Any:
 
 
 class MetaInformation(WireModel):
-    """Who is responsible for the document, and its version."""
+    """Responsible team of the document, and its version."""
 
     authority: Text = published("Authority", "Organization that the document belongs to.")
     author: Text = published("Author", "Author of the document.")
@@ -132,7 +132,7 @@ class Symbol(WireModel):
     """A named value of an enumeration."""
 
     symbol: Name = published("Symbol", "Name of the value.")
-    value: Integer = published("Value", "Number that stands for it.")
+    value: Integer = published("Value", "Its number.")
 
 
 class TypeEntry(WireModel):
@@ -233,7 +233,7 @@ class Use(WireModel):
 
     @property
     def interface(self) -> Signal | DataQueue:
-        """The one of the two that there is."""
+        """The existing one of the two."""
         assert self.signal or self.queue
         return self.signal or self.queue  # type: ignore[return-value]
 
@@ -314,7 +314,7 @@ class ServiceField(WireModel):
 
 
 class Services(WireModel):
-    """What a component uses or offers of a service interface."""
+    """Elements of a service interface that a component uses or offers."""
 
     events: tuple[Event, ...] = published("Events", "Events.", strict=False)
     methods: tuple[Method, ...] = published("Methods", "Methods.", strict=False)
@@ -329,7 +329,7 @@ class EventGroup(WireModel):
 
 
 class Provider(WireModel):
-    """Who offers a service, and how it is reached."""
+    """Provider of a service, and its address."""
 
     name: Text = published("Name", "Component that provides the service; SOME/IP if none of the set does.")
     deployment: Name = published("ServiceDeploymentType", "SOME/IP.")
@@ -380,7 +380,7 @@ class ProcessInstance(WireModel):
 
 
 class FurtherProcess(WireModel):
-    """Another process of the executable, with instances of its own."""
+    """Another process of the executable, with its own instances."""
 
     name: ShortName = always("Name", "Name of the process.")
     instances: tuple[ProcessInstance, ...] = always(
@@ -410,13 +410,13 @@ class Component(WireModel):
 
     @property
     def wishes(self) -> tuple[Wish, ...]:
-        """What its cyclic calls say of their scheduling: they run all the time. Without any, what all calls say."""
+        """Scheduling that its cyclic calls ask for, as they run all the time. Without any, that of all calls."""
         cyclic = [call for call in self.calls if call.run_type == "Cyclic"]
         return tuple(Wish(call.name, call.scheduling, call.priority) for call in cyclic or self.calls)
 
 
 class ArxmlDeployment(WireModel):
-    """What the ARXML takes beside the elements, as the deployment file has it."""
+    """Settings of the ARXML besides the elements, as the deployment file has them."""
 
     package: Name = always("Package", "Outermost package of the ARXML.")
     function_group: Name = always("FunctionGroup", "Function group of the executables.")

@@ -35,7 +35,7 @@ def _is_reserved(namespace: str) -> bool:
 
 def _unreserved(namespace: str) -> str:
     if _is_reserved(namespace):
-        message = "Input should have no word of C++, and not begin with ara or std"
+        message = "Input should not contain keywords of C++, and not begin with ara or std"
         raise PydanticCustomError("namespace_reserved", message)
     return namespace
 

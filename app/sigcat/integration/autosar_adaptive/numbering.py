@@ -11,7 +11,7 @@ from sigcat.integration.autosar_adaptive.settings import AutosarAdaptiveSettings
 
 
 class Names(NamedTuple):
-    """Names that have ids of one kind, and what stands around each in the keys of a deployment."""
+    """Names that have ids of one kind, and the text around each in the keys of a deployment."""
 
     listed: Sequence[str]
     span: Span
@@ -29,7 +29,7 @@ class Names(NamedTuple):
         return f"{self.scope}{name}{self.suffix}"
 
     def name(self, key: str) -> str | None:
-        """The name that a key stands for; None if it is one of other names than these."""
+        """The name of a key; None if it is one of other names than these."""
         if not key.startswith(self.scope) or not key.endswith(self.suffix):
             return None
         name = key[len(self.scope) : len(key) - len(self.suffix)]
@@ -41,7 +41,7 @@ class Names(NamedTuple):
 
 
 def numbers(names: Names, context: Context) -> dict[str, int]:
-    """An id for each name; what is wrong with those that are given is reported."""
+    """An id for each name; errors in the given ones are reported."""
     if names.suffix == INSTANCE and len(names.listed) > 1:  # instances of two services may have one id
         alone = (names._replace(listed=(name,)) for name in names.listed)
         return {name: number for each in alone for name, number in numbers(each, context).items()}

@@ -1,4 +1,4 @@
-"""What an Integration JSON has that ARXML cannot: names, datatypes and ids that AUTOSAR does not accept."""
+"""Parts of an Integration JSON that ARXML cannot have: names, datatypes and ids that AUTOSAR does not accept."""
 
 from collections.abc import Iterable, Iterator
 
@@ -37,7 +37,7 @@ from sigcat.names import IDENTIFIER
 _PRIMITIVES = {row.autosar.lower() for row in BY_ADAPTIVE.values()}
 _OTHER_PORTS = {ADAPTER_STORAGE.lower(), "supervision"}
 _PORT_ENDINGS = ("_pport", "_rport", "_monitor")
-"""Ports of a component that are no storages of parameters."""
+"""Ports of a component that are not storages of parameters."""
 
 
 def problems_of(model: IntegrationModel) -> Iterator[Problem]:
@@ -124,7 +124,7 @@ def _in_storages(component: Component, at: Pointer) -> Iterator[Problem]:
 
 
 def _storage_interfaces(model: IntegrationModel) -> Iterator[tuple[Pointer, str]]:
-    """Names as in the ARXML, where those of all components stand in one package."""
+    """Names as in the ARXML, where those of all components are in one package."""
     for index, component in enumerate(model.components):
         for name in (*storages(component), ADAPTER_STORAGE):
             yield ("ComponentList", index), storage_name(component, name)

@@ -13,7 +13,7 @@ class Process(NamedTuple):
 
     name: str
     stem: str
-    """What the names of its elements begin with: the component's name, or that of a further process."""
+    """Prefix of the names of its elements: the component's name, or that of a further process."""
     component: Component
     services: tuple[ServiceInterface, ...]
 
@@ -58,14 +58,14 @@ class ProcessProblem(NamedTuple):
 
 
 def process_problems(components: Sequence[Component]) -> Iterator[tuple[Component, ProcessProblem]]:
-    """What is wrong with further processes, and whose they are."""
+    """Yield problems of further processes, with their components."""
     taken: dict[str, str] = {}
     offered: dict[tuple[str, int | None], str] = {}
     for each in processes(components):
         stems = {name.lower() for name in (each.name, each.stem)}
         if stems & taken.keys():
             message = (
-                f"The process {each.name} must have a name of its own, unlike those of components and other processes."
+                f"The process {each.name} must have a unique name, unlike those of components and other processes."
             )
             yield each.component, ProcessProblem(each.name, message, "Rename it.")
         taken |= dict.fromkeys(stems, each.name)
@@ -92,5 +92,5 @@ def _offered_twice(process: Process, offered: dict[tuple[str, int | None], str])
         if interface.role == "Provider":
             other = offered.setdefault((interface.name, interface.instance_id), process.name)
             if other != process.name:
-                message = f"Process {process.name} must offer an instance of {interface.name} of its own, not {interface.instance_id} as {other} does."
+                message = f"Process {process.name} must offer its own instance of {interface.name}, not {interface.instance_id} as {other} does."
                 yield ProcessProblem(process.name, message, f"Give it the id of an instance: `{interface.name}`.")

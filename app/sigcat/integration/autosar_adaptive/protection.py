@@ -125,7 +125,7 @@ def _step(key: str, context: Context) -> int:
 
 
 def _stated(key: str, context: Context) -> Iterator[EventE2eSettings]:
-    """What the deployment says of an event: of itself, then of its service."""
+    """Yield the deployment's settings for an event: its own, then those of its service."""
     events = context.settings.e2e.events
     yield from (events[each] for each in (key, key.partition(".")[0]) if each in events)
 

@@ -35,7 +35,7 @@ Identifier = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,127}$"), SHO
 
 
 class ComponentSettings(DeclarationModel):
-    """What differs for one component."""
+    """Settings of one component."""
 
     executable: Identifier | None = Field(None, description="Name of the executable; <Component>Executable if absent.")
     header_files: list[SourceFile] | None = Field(
@@ -45,7 +45,7 @@ class ComponentSettings(DeclarationModel):
     processes: dict[Identifier, dict[ElementKey, Annotated[Integer, Field(ge=1, le=0xFFFE)]]] = Field(
         {},
         description="Further processes of the executable, by name: the SOME/IP ids of their instances of services, by the "
-        "name of the service. What they offer has an id of its own in each; what they use and do not name is that of the "
+        "name of the service. Their provided services have a separate id in each; what they use and do not name is that of the "
         "component.",
     )
 
@@ -55,7 +55,7 @@ class ServiceSettings(DeclarationModel):
 
     name: Identifier = Field(description="Name of the service interface.")
     namespace: Namespace | None = Field(None, description="C++ namespace of the service; that of all if absent.")
-    paths: list[VssPath] = Field(min_length=1, description="VSS paths; each stands for all that is below it.")
+    paths: list[VssPath] = Field(min_length=1, description="VSS paths; each includes all that is below it.")
     transformation: TransformationSettings | None = Field(
         None, description="How SOME/IP lays out what this service sends; as for all if absent."
     )
@@ -70,7 +70,7 @@ class RunModes(DeclarationModel):
 
 
 class AutosarAdaptiveSettings(DeclarationModel):
-    """What differs from the defaults for AUTOSAR adaptive."""
+    """Settings for AUTOSAR adaptive that differ from the defaults."""
 
     release: ReleaseName = Field(DEFAULT_RELEASE, description="Release of AUTOSAR that the ARXML is of.")
     package: Identifier | None = Field(None, description="Outermost ARXML package; the application's name if absent.")

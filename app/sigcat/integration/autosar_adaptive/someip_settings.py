@@ -1,4 +1,4 @@
-"""How SOME/IP lays out what is sent, and how services find each other: the part of a deployment that both sides share."""
+"""Serialization of SOME/IP and service discovery: the part of a deployment that both sides share."""
 
 from typing import Annotated, Literal, Self
 
@@ -12,7 +12,7 @@ Seconds = Annotated[Natural, Field(ge=1, le=0xFFFFFF)]
 
 
 class TransformationSettings(DeclarationModel):
-    """How values become bytes. Provider and consumers of a service have to agree on it."""
+    """Serialization of values. Provider and consumers of a service have to agree on it."""
 
     byte_order: Literal["big-endian", "little-endian"] = Field(
         "big-endian", description="Order of the bytes of a number."

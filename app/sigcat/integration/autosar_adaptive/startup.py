@@ -1,4 +1,4 @@
-"""How the process of a component is started: its scheduling by that of its calls, unless the deployment says it."""
+"""Start of a component's process: its scheduling by that of its calls, unless the deployment states it."""
 
 from collections.abc import Iterable, Sequence
 from typing import Any, Literal, NamedTuple, Self
@@ -9,15 +9,16 @@ from sigcat.function.declaration.form import DeclarationModel, Duration, Natural
 from sigcat.function.document.field_types import CIdentifier
 from sigcat.function.document.structure import unfit
 from sigcat.function.document.text import Text
+from sigcat.function.function_json.runnable import priority_number
 from sigcat.function.function_json.wire import Integer
 
 Policy = Literal["SCHED_FIFO", "SCHED_RR", "SCHED_OTHER"]
 HIGHEST_PRIORITY = 99
-"""Of SCHED_FIFO and SCHED_RR; their lowest is 1. SCHED_OTHER has 0 alone."""
+"""Highest priority of SCHED_FIFO and SCHED_RR; their lowest is 1. SCHED_OTHER has 0 alone."""
 
 
 class StartupSettings(DeclarationModel):
-    """How a process is started."""
+    """Start of a process."""
 
     policy: Policy | None = Field(
         None,
@@ -53,7 +54,7 @@ NO_STARTUP = StartupSettings.model_validate({})
 
 
 class Wish(NamedTuple):
-    """What a call says of its scheduling."""
+    """Scheduling that a call states."""
 
     call: str
     scheduling: str | None
@@ -61,20 +62,19 @@ class Wish(NamedTuple):
 
     @property
     def number(self) -> int:
-        """Its priority; 0 if it has none, or one that is no number."""
-        text = self.priority or ""
-        return int(text) if text.isascii() and text.isdigit() and len(text) < 10 else 0
+        """Its priority; 0 if it has none, a negative one, or one that is not a number."""
+        return max(priority_number(self.priority or "") or 0, 0)
 
 
 def unwritable(wishes: Iterable[Wish]) -> list[Wish]:
-    """Those whose priority no policy has. A call without one has no wish."""
+    """Return wishes whose priority no policy has. A call without one has no wish."""
     return [wish for wish in wishes if wish.priority and not 1 <= wish.number <= HIGHEST_PRIORITY]
 
 
 def startup(stated: StartupSettings, wishes: Sequence[Wish]) -> StartupSettings:
-    """How a process is started, with policy and priority: what is stated, and else as its most urgent cyclic call wants it.
+    """Return policy and priority of a process: those that are set, else those of its most urgent cyclic call.
 
-    A fixed priority is what SCHED_FIFO has, whether the call may be preempted by others of its executable or not.
+    Fixed priorities use SCHED_FIFO, whether or not the call may be preempted by others of its executable.
     """
     most_urgent = max(wishes, key=lambda wish: wish.number, default=Wish("", None, None))
     wanted = min(most_urgent.number, HIGHEST_PRIORITY)

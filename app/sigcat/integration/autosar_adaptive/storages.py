@@ -8,7 +8,7 @@ from sigcat.integration.autosar_adaptive.model import Component, ParameterEntry
 from sigcat.integration.autosar_names import short_name
 
 ADAPTER_STORAGE = "Adapter"
-"""What the adapter itself keeps: counts of errors and the ignition cycle. No parameter is in it."""
+"""Values that the adapter itself stores: counts of errors and the ignition cycle. No parameter is in it."""
 
 
 def storage_name(component: Component, storage: str) -> str:

@@ -39,12 +39,12 @@ class TypeTable:
         return self._entries.get(name)
 
     def c_definition(self, function: FunctionJson, reference: str) -> str | None:
-        """Datatype of the C code that a reference of a function stands for."""
+        """Datatype of the C code for a reference of a function."""
         datatype = self._datatypes(function).get(reference)
         return datatype.c_definition if datatype else None
 
     def on_the_wire(self, function: FunctionJson, reference: str, vss_datatype: str | None) -> str:
-        """What is sent for a data interface: the catalogue's primitive, if it is one; else the function's datatype."""
+        """Return the datatype on the wire: the catalogue's, if it is a primitive; else the function's."""
         datatype = self._datatypes(function).get(reference)
         if (datatype is None or not datatype.kind) and vss_datatype in BY_VSS:
             return BY_VSS[vss_datatype].adaptive

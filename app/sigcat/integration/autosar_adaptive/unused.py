@@ -1,4 +1,4 @@
-"""What a deployment says about something that is not there, most likely a typing error; and what it should say of units."""
+"""Findings on settings for something that does not exist, mostly typing errors; and on settings of units."""
 
 from collections.abc import Collection, Iterator, Sequence
 
@@ -46,7 +46,7 @@ def report_units(units: Collection[str], context: Context) -> None:
     _report_unknown(("autosarAdaptive", "units"), described, units, context)
     for unit in sorted(units):
         if unit not in described and unit not in WITHOUT_SI and si_unit(unit) is None:
-            message = f"Unit {unit!r} must be one of VSS to have a dimension and a factor to SI units in ARXML."
+            message = f"Unit {unit!r} is not one of VSS: in ARXML it has no dimension and no factor to SI units."
             fix = "Describe it under `units` in the deployment file."
             context.findings.report(codes.UNIT_WITHOUT_SI, message, unit, fix)
 

@@ -76,7 +76,7 @@ NV_MEMORY = model.ClientServerInterface(
             name="SetRamBlockStatus",
             arguments=(model.OperationArgument(name="BlockChanged", type="boolean", direction="IN"),),
             errors=("E_NOT_OK",),
-            description=Text("The block has changed, and is to be stored at shutdown."),
+            description=Text("The block has changed, and must be stored at shutdown."),
         ),
     ),
     errors=(E_NOT_OK,),

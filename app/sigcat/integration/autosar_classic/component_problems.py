@@ -1,4 +1,4 @@
-"""What an RTE generator would refuse in a component: its ports, runnables and events."""
+"""Parts of a component that an RTE generator would refuse: its ports, runnables and events."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 

@@ -65,7 +65,7 @@ def _by_interface(
 
 
 def _providers_outside(elements: Sequence[Element], context: Context) -> Mapping[str, Text]:
-    """Who provides what comes from outside, by interface, as the functions or the deployment say."""
+    """Return the providers outside by interface, as the functions or the deployment name them."""
     app = context.application
     managers = {"reaction": app.safety_manager, "mode in": app.mode_manager}
     found: dict[str, Text] = {}
@@ -106,7 +106,7 @@ def _outer(name: str, port: model.Port, provider: Text | None) -> model.OuterPor
 
 
 def _with_names(connectors: Sequence[Any], taken: list[str]) -> tuple[Any, ...]:
-    """Connectors under names of their own, which no other element of the composition has."""
+    """Connectors under names that no other element of the composition has."""
     names = distinct({f"{index:06d}": each.name for index, each in enumerate(connectors)}, taken)
     taken.extend(names.values())
     return tuple(each.model_copy(update={"name": names[f"{index:06d}"]}) for index, each in enumerate(connectors))

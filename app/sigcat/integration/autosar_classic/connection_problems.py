@@ -1,4 +1,4 @@
-"""What an RTE generator would refuse between components, and in the mapping of their events to tasks."""
+"""Connections and mappings of events to tasks that an RTE generator would refuse."""
 
 from collections.abc import Iterator, Mapping, Sequence
 

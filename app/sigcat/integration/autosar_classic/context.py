@@ -1,4 +1,4 @@
-"""What every step of `derive` needs: the functions of the set with their components, the settings, the findings."""
+"""Common input of every step of `derive`: the functions with their components, the settings, the findings."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -33,7 +33,7 @@ class NamedCall(NamedTuple):
 
 @dataclass(frozen=True)
 class Context:
-    """What one derivation starts from, and the findings that it comes across."""
+    """Input of one derivation, and the findings on its way."""
 
     application: Application
     settings: AutosarClassicSettings
@@ -45,12 +45,12 @@ class Context:
         return interface.vss_path or self.application.paths.get(f"{part.function_name}.{interface.name}", "")
 
     def identity_of(self, part: Part, interface: Signal | DataQueue) -> str:
-        """What makes two data interfaces one signal: the path, or the name."""
+        """Identity of a signal for two data interfaces: the path, or the name."""
         return self.path_of(part, interface) or interface.name
 
 
 def role_of(call: Call) -> str:
-    """What a call is to the adapter, however the document spells it."""
+    """Return the role of a call for the adapter, however the document spells it."""
     text = call.run_type.strip().lower()
     if text.startswith("init"):
         return INIT
@@ -58,7 +58,7 @@ def role_of(call: Call) -> str:
 
 
 def named_calls(part: Part) -> tuple[NamedCall, ...]:
-    """The calls of a component under names of their own, which no runnable of the adapter has."""
+    """The calls of a component under names that no runnable of the adapter has."""
     calls = part.component.runnables
     wanted = {
         f"{index:06d}": short_name(call.name.removeprefix(f"{part.function_name}_")) for index, call in enumerate(calls)

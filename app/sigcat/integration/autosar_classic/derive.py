@@ -7,7 +7,6 @@ from sigcat import codes
 from sigcat.findings import Finding, has_errors
 from sigcat.function.document.document import pointer_text
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.conversion import of_text
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.integration.application import DEFAULT_VERSION, NO_DATE, Part, application
 from sigcat.integration.autosar_classic import model
@@ -116,7 +115,7 @@ class _Interfaces(NamedTuple):
 
 
 class _Made(NamedTuple):
-    """What a document is put together from."""
+    """Parts of a document."""
 
     elements: tuple[Element, ...]
     types: TypeTable
@@ -179,7 +178,7 @@ def _ecu(made: _Made, composition: model.Composition, context: Context) -> model
 
 
 def _refused(integration: model.ClassicIntegration, context: Context) -> Iterator[Finding]:
-    """What an RTE generator would refuse all the same, where nothing else is wrong that would explain it."""
+    """Report what an RTE generator would refuse, where no other error explains it."""
     if not has_errors(context.findings.findings):
         for problem in problems_of(integration):
             at = pointer_text(problem.pointer)
@@ -210,16 +209,16 @@ def _interfaces(elements: Sequence[Element], types: TypeTable, context: Context)
 
 def _priorities(
     components: Sequence[model.Component], behaviours: Mapping[str, Behaviour]
-) -> dict[tuple[str, str], float]:
-    """Declared priorities of what is cyclic, by component and event."""
-    found: dict[tuple[str, str], float] = {}
+) -> dict[tuple[str, str], int]:
+    """Declared priorities of cyclic calls, by component and event."""
+    found: dict[tuple[str, str], int] = {}
     for component in components:
         calls = {each.name: each.call for each in behaviours[component.name].steps}
         for event in component.events:
             call = calls.get(event.runnable)
-            number = of_text(call.priority) if call is not None and call.priority else None
+            number = call.priority_number if call is not None else None
             if event.kind == "Timing" and number is not None:
-                found[component.name, event.name] = float(number)
+                found[component.name, event.name] = number
     return found
 
 
@@ -294,7 +293,7 @@ def _calibrations(context: Context, types: TypeTable) -> tuple[model.ParameterCo
 def _meta(context: Context) -> model.MetaInformation:
     app = context.application
     if app.date is None:
-        message = f"The document must have a date, and no function has one: {NO_DATE} is written."
+        message = f"No function has a date: the document has {NO_DATE}."
         context.findings.report(
             codes.DATE_MISSING_CLASSIC, message, fix="Set `date` in the deployment file or in a function."
         )

@@ -14,7 +14,7 @@ Count = Annotated[Integer, Field(ge=0, le=255)]
 
 
 class WindowSettings(DeclarationModel):
-    """How the state machine leaves or keeps a state."""
+    """Limits at which the state machine leaves or keeps a state."""
 
     window_size: Annotated[Integer, Field(ge=1, le=255)] = Field(1, description="Last messages that count.")
     min_ok_state: Count = Field(

@@ -1,4 +1,4 @@
-"""What the components of a set exchange: each signal, status, mode and method once, with every side of it."""
+"""Exchanged elements of a set: each signal, status, mode and method once, with every side of it."""
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -95,7 +95,7 @@ def by_part(elements: Iterable[Element]) -> Mapping[str, tuple[Element, ...]]:
 
 
 def kind_of(interface: Interface) -> ElementKind:
-    """What an interface is to the RTE."""
+    """Return the kind of an interface for the RTE."""
     if isinstance(interface, ModeInterface):
         return "mode out" if interface.direction == "Out" else "mode in"
     return _OF_CLASS[type(interface)]

@@ -1,4 +1,4 @@
-"""What starts the runnables of a component."""
+"""Events that start the runnables of a component."""
 
 from collections.abc import Iterator
 

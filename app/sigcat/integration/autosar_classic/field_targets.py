@@ -1,14 +1,18 @@
-"""For every field of every interface of a function: where it stands in the Integration JSON, or that the core has it.
+"""For every field of every interface of a function: its place in the Integration JSON, or that the core has it.
 
 The document carries each function whole: what the core decides is taken from there, and stands nowhere else.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from pydantic import BaseModel
+
 from sigcat.function.function_json.code import CodeInterface
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.methods import MethodInterface
+from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
+from sigcat.function.function_json.wire import own_fields
 from sigcat.integration.application import Part
 from sigcat.integration.autosar_classic.context import Context, named_calls
 from sigcat.integration.autosar_classic.elements import Element
@@ -20,11 +24,13 @@ _SENT = "values are sent in the catalogue's datatype and unit; the core converts
 _Targets = Mapping[str, FieldTarget | str]
 
 
-def _core(*fields: str) -> dict[str, FieldTarget | str]:
-    return dict.fromkeys(fields, _CORE)
+def _of_core(*models: type[BaseModel]) -> dict[str, FieldTarget | str]:
+    """Targets of the fields that the published schema lacks, unless a table has another one."""
+    return dict.fromkeys(own_fields(*models), _CORE)
 
 
 _DATA: _Targets = {
+    **_of_core(Signal, DataQueue),
     "Name": "{port}/Elements/Uses/Interface", "Description": "{interface}/Description",
     "Role": FieldTarget("{port}/Direction", "and which accesses the runnable has"),
     "Datatype": FieldTarget("{interface}/Elements/Type", _SENT), "Units": FieldTarget("{interface}/Elements/Unit", _SENT),
@@ -33,53 +39,47 @@ _DATA: _Targets = {
     "VssMin": "DataConstraints/{element}/Min", "VssMax": "DataConstraints/{element}/Max", "VssSymbols": "CompuMethods",
     "InitValue": FieldTarget("{port}/Elements/InitValue", "in the catalogue's unit"),
     "InitElements": FieldTarget("{port}/Elements/InitValue", "in the catalogue's unit"),
-    "Default": FieldTarget("{port}/Elements/InitValue", "where there is no InitValue; the core has it too"),
-    "DefaultElements": _CORE,
-    "Timeout": FieldTarget("{port}/Elements/Uses/Timeout", "the core judges it: AliveTimeout of COM is 0"),
+    "Default": FieldTarget("{port}/Elements/InitValue", "if the element has no InitValue; the core has it too"),
+    "Timeout": FieldTarget("{port}/Elements/Uses/Timeout", "the core checks it: AliveTimeout of COM is 0"),
     "Access": FieldTarget("Runnables/Accesses/Kind", "Buffered: implicit, where the core need not know what is fresh"),
     "QueueLength": "{port}/Elements/QueueLength", "ExternalProvider": "Composition/Ports/ExternalProvider",
     "AsilLevel": "AsilLevel and MemorySections", "AsilInfo": "AsilLevel and MemorySections",
-    "E2eError": FieldTarget("{port}/Elements/TransformerErrors", "what the transformer rejects is told to the core"),
-    **_core(
-        "Min", "Max", "Variable", "Factor", "Offset", "RangeErrorAction", "TimeoutError", "Type", "Resolution",
-        "ConversionFactor", "ConversionOffset", "DefinedBy", "CType", "Members", "TimeoutStart", "TimeoutValue",
-        "TimeoutRecovery", "RangeError", "Overflow", "OverflowError", "ValuesPerStep", "CountVariable",
-    ),
+    "E2eError": FieldTarget("{port}/Elements/TransformerErrors", "the core gets what the transformer rejects"),
+    **dict.fromkeys(("Min", "Max", "Factor", "Offset", "Type"), _CORE),
 }  # fmt: skip
 _METHOD: _Targets = {
+    **_of_core(MethodInterface),
     "Name": "{interface}/Operations/Name", "Description": "{interface}/Operations/Description",
     "Role": "{port}/Direction", "InDataTypeList": "{interface}/Operations/Arguments",
     "OutDataTypeList": "{interface}/Operations/Arguments",
-    "Timeout": FieldTarget("{port}/Elements/Uses/Timeout", "the core judges it"),
-    **_core("Symbol", "RequestVariable", "StatusVariable"),
+    "Timeout": FieldTarget("{port}/Elements/Uses/Timeout", "the core checks it"),
 }  # fmt: skip
 _HEAD: _Targets = {
     "Name": "{interface}/Name", "Description": "{interface}/Description", "Datatype": "{interface}/Elements/Type",
     "VssPath": "{interface}/Elements/VssPath", "AsilLevel": "AsilLevel and MemorySections",
 }  # fmt: skip
 _ERROR: _Targets = {
-    **_HEAD,
+    **_of_core(ErrorInterface), **_HEAD, "ResetTime": _CORE, "ResetCondition": _CORE,
     "Severity": "DiagnosticEvents/Severity", "OccurenceCountLimit": "DiagnosticEvents/OccurrenceCountLimit",
     "IgnitionCountLimit": "DiagnosticEvents/IgnitionCountLimit",
     "MaturationTime": FieldTarget("SourceFunctionList", "the core matures the error: DEM debounces nothing"),
     "MaturationTimeNanoseconds": FieldTarget("SourceFunctionList", "the core matures the error: DEM debounces nothing"),
     "Dependancy": FieldTarget("Ports", "a required port for each error of another component; the core decides"),
-    **_core("ResetTime", "ResetCondition", "Variable", "StatusVariable", "DefinedBy", "CType", "Reset"),
 }  # fmt: skip
 _REACTION: _Targets = {
-    **_HEAD, "ErrorList": "Inhibitions/Events", "Initial": "{port}/Elements/InitValue",
-    "Timeout": FieldTarget("{port}/Elements/Uses/Timeout", "the core judges it"), **_core("Variable", "DefinedBy", "CType"),
+    **_of_core(SafetyReaction), **_HEAD, "ErrorList": "Inhibitions/Events", "Initial": "{port}/Elements/InitValue",
+    "Timeout": FieldTarget("{port}/Elements/Uses/Timeout", "the core checks it"),
 }  # fmt: skip
 _MODE: _Targets = {
-    **_HEAD, "Datatype": "ModeGroups/Type", "VssPath": FieldTarget("SourceFunctionList", "modes are named by their interface"),
+    **_of_core(ModeInterface), **_HEAD, "Datatype": "ModeGroups/Type", "VssPath": FieldTarget("SourceFunctionList", "modes are named by their interface"),
     "Description": "{port}/Description", "Direction": "{port}/Direction", "Modes": "ModeGroups/Modes",
     "Initial": "ModeGroups/InitialMode",
-    **_core("Variable", "DefinedBy", "CType", "UnknownAction", "UnknownError", "Values"),
 }  # fmt: skip
 _CALL: _Targets = {
+    **_of_core(Runnable),
     "Name": "{runnable}/Call", "Description": "{runnable}/Description", "Runtype": "{runnable}/Role",
     "Cycletime": "Events/Period", "CycletimeNanoseconds": "Events/Period", "ExecOffset": "Events/Offset",
-    "EventList": FieldTarget("Events", "a data received event for each, of the runnable that takes what comes"),
+    "EventList": FieldTarget("Events", "a data received event for each, of the runnable that receives values"),
     "DebounceDelay": FieldTarget("SourceFunctionList", "the core debounces; a timing event at each tick asks it"),
     "StackSize": "{runnable}/StackSize and MemorySections",
     "AsilLevel": "{runnable}/AsilLevel and Section", "Scheduling": "Ecu/Tasks/Preemptable",
@@ -87,11 +87,11 @@ _CALL: _Targets = {
     "PrevRunnable": _CORE, "ParallelProcessing": FieldTarget("SourceFunctionList", "the core answers no call then"),
     "Watchdog": "SupervisedEntities", "SupervisionType": "SupervisedEntities",
     "Checkpoint": "SupervisedEntities/Checkpoints and Logical",
-    "funcContractList": FieldTarget("Ports and {runnable}/Accesses", "each interface has entries of its own"),
-    "VssPath": FieldTarget("SourceFunctionList", "a call is no port"),
-    **_core("Symbol", "Arguments", "SuccessValue", "PreProcessing", "PostProcessing", "OverrunError"),
+    "funcContractList": FieldTarget("Ports and {runnable}/Accesses", "each interface has its own entries"),
+    "VssPath": FieldTarget("SourceFunctionList", "a call is not a port"),
 }  # fmt: skip
 _PARAMETER: _Targets = {
+    **_of_core(ParameterInterface),
     "Name": "{parameter}/Name", "Description": "{parameter}/Description", "Datatype": "{parameter}/Type",
     "Min": FieldTarget("DataConstraints", "in the catalogue's unit"), "Max": FieldTarget("DataConstraints", "in the catalogue's unit"),
     "InitValue": "{parameter}/InitValue", "InitElements": "{parameter}/InitValue", "DefaultText": "{parameter}/InitValue",
@@ -100,10 +100,7 @@ _PARAMETER: _Targets = {
     "Asillevel": "AsilLevel and MemorySections",
     "Interfacetype": FieldTarget("ParameterInterfaces or NvBlocks", "PersistenceMemory is kept, the others are calibrated"),
     "Attribute": FieldTarget("NvBlocks/Parameters", "what is learned is kept"),
-    **_core(
-        "Default", "RangeErrorAction", "ConversionFactor", "ConversionOffset", "Variable", "Factor", "Offset", "DefinedBy", "CType",
-        "Members", "Key", "Storage", "RangeError",
-    ),
+    "Default": _CORE, "RangeErrorAction": _CORE,
 }  # fmt: skip
 _FUNCTION: _Targets = {
     "FunctionName": "ApplicationInformation/Functions, Components/Function",
@@ -113,7 +110,7 @@ _FUNCTION: _Targets = {
 _META: _Targets = {
     "Authority": "MetaInformation/Authority", "SchemaAuthor": "MetaInformation/Author", "Date": "MetaInformation/Date",
     **dict.fromkeys(
-        ("SchemaVersion", "SchemaDescription"), FieldTarget("none", "each format has a version and a description of its own"),
+        ("SchemaVersion", "SchemaDescription"), FieldTarget("none", "each format has its own version and description"),
     ),
 }  # fmt: skip
 _CODE: _Targets = {str(field.alias): f"Code/{field.alias}" for field in CodeInterface.model_fields.values()}
@@ -122,11 +119,11 @@ _CONTRACT: _Targets = {
     "Type": _CORE,
     **dict.fromkeys(
         ("SignalList", "DataQList", "MethodList", "ErrorList", "SafetyReactionList"),
-        FieldTarget("Ports", "each interface has entries of its own"),
+        FieldTarget("Ports", "each interface has its own entries"),
     ),
-    "ParameterList": FieldTarget("Ports or InternalParameters", "each interface has entries of its own"),
+    "ParameterList": FieldTarget("Ports or InternalParameters", "each interface has its own entries"),
 }
-_MODES: _Targets = {"Name": "ModeGroups/Modes", **_core("Description", "RunnablesList")}
+_MODES: _Targets = {"Name": "ModeGroups/Modes", "Description": _CORE, "RunnablesList": _CORE}
 
 TABLES: Mapping[type, tuple[str, _Targets]] = {
     Signal: ("signal", _DATA),
@@ -181,7 +178,7 @@ def _of_interface(part: Part, interface: object, element: Element) -> list[Entry
 
 
 def _named(table: _Targets, names: Mapping[str, str]) -> dict[str, FieldTarget | str]:
-    """Targets with the names of what they are in."""
+    """Targets with the names of their parents."""
     made: dict[str, FieldTarget | str] = {}
     for field, known in table.items():
         target = FieldTarget(known) if isinstance(known, str) else known

@@ -1,4 +1,4 @@
-"""What the platform cannot express, or an integrator should know: each at the part of a function that it is about."""
+"""Findings on what the platform cannot express, or an integrator should know, at the part of the function concerned."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
@@ -39,7 +39,7 @@ def _meaning(side: Side, types: TypeTable) -> tuple[str, str]:
 
 
 def report_asil(elements: Iterable[Element], composition: model.Composition, context: Context) -> None:
-    """What crosses the border with an ASIL: nothing in this document protects it end to end."""
+    """Report elements with an ASIL that cross the border: nothing in this document protects them end to end."""
     crossing = {port.interface for port in composition.ports}
     for element in elements:
         for side in element.sides if element.kind == "data" and element.name in crossing else ():
@@ -54,7 +54,7 @@ def report_asil(elements: Iterable[Element], composition: model.Composition, con
 
 
 def report_long_names(context: Context) -> None:
-    """Functions whose core would have names that are no identifiers of AUTOSAR any more."""
+    """Functions whose core would have names that are not valid identifiers of AUTOSAR."""
     longest = LONGEST_SHORT_NAME - len(f"_Adapter_{STORED}")
     for function in dict.fromkeys(part.function_name for part in context.parts):
         if len(function) > longest:
@@ -90,7 +90,7 @@ def _report_call(call: Runnable, context: Context) -> None:
             context.findings.report(codes.TIME_NOT_IN_TICKS, message, subject, fix, key=key)
 
 
-def report_order(tasks: Sequence[model.Task], priorities: Mapping[tuple[str, str], float], context: Context) -> None:
+def report_order(tasks: Sequence[model.Task], priorities: Mapping[tuple[str, str], int], context: Context) -> None:
     """Calls whose declared priority is higher than that of a call with a shorter period: tasks go by the period."""
     lowest: tuple[float, str] | None = None
     for task in tasks:
@@ -102,7 +102,7 @@ def report_order(tasks: Sequence[model.Task], priorities: Mapping[tuple[str, str
                 continue
             if lowest is not None and priority > lowest[0]:
                 name = f"{event.component}.{event.event}"
-                message = f"{name} has a higher priority ({priority:g}) than {lowest[1]} ({lowest[0]:g}), whose period is shorter: tasks are ordered by period."
+                message = f"{name} has a higher priority ({priority}) than {lowest[1]} ({lowest[0]}), whose period is shorter: tasks are ordered by period."
                 context.findings.report(codes.PRIORITY_AGAINST_PERIOD, message, name)
         own = [(p, f"{e.component}.{e.event}") for e in task.events if (p := priorities.get((e.component, e.event))) is not None]  # fmt: skip
         lowest = min([*own, *([lowest] if lowest else [])], default=None)

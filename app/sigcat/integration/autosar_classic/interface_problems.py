@@ -1,4 +1,4 @@
-"""What an RTE generator would refuse in port interfaces and modes: doubled names, types and modes that there are not."""
+"""Port interfaces and modes that an RTE generator would refuse: doubled names, missing types and modes."""
 
 from collections.abc import Iterator
 
@@ -66,7 +66,7 @@ def _operation(operation: Operation, at: Pointer, types: set[str], errors: list[
 
 
 def _modes(group: ModeGroup, at: Pointer, base: str) -> Iterator[Problem]:
-    """Modes with numbers of their own, which the type of the group holds; the transition has one that no mode has."""
+    """Modes with distinct numbers, which the type of the group holds; the transition has one that no mode has."""
     yield from names((*at, "Modes"), (mode.name for mode in group.modes))
     if group.initial not in [mode.name for mode in group.modes]:
         yield unknown((*at, "InitialMode"), "mode of the group", group.initial)

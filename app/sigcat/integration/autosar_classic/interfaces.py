@@ -24,7 +24,7 @@ CALL_QUEUE = 1
 
 def queue_length(element: Element, sides: Iterable[Side]) -> int:
     """Values that wait at a receiver: beside those for which the core has room, what may come before it takes them.
-    So the core decides what is lost, and not the RTE, which drops what comes last."""
+    So the core decides what is lost, and not the RTE, which drops the newest value."""
     room = _longest_queue(sides)
     burst = _longest_queue(side for side in element.sides if side.provides)
     return room + max(room, burst) if room else max(PLAIN_QUEUE, burst)
@@ -56,7 +56,7 @@ def data_interface(element: Element, types: TypeTable, context: Context) -> mode
 
 
 def type_of(side: Side, types: TypeTable) -> str:
-    """Implementation type of what a side sends or takes."""
+    """Implementation type of a side's sent or received values."""
     interface, function = side.interface, side.part.function
     if isinstance(interface, Signal | DataQueue):
         return types.sent(function, interface)

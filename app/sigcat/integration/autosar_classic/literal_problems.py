@@ -1,4 +1,4 @@
-"""What is wrong with enumerations and ranges: names and numbers that stand twice, limits that nothing is between."""
+"""Problems of enumerations and ranges: repeated names and numbers, limits with nothing between them."""
 
 from collections.abc import Iterator
 
@@ -25,7 +25,7 @@ def literal_problems(model: ClassicIntegration) -> Iterator[Problem]:
 
 
 def _shared(model: ClassicIntegration) -> Iterator[Problem]:
-    """Names that would stand for two numbers in the code of a component."""
+    """Names that would have two numbers in the code of a component."""
     symbols = {each.name: each.symbols or () for each in model.compu_methods}
     positions = {each.name: index for index, each in enumerate(model.implementation_types)}
     types = {each.name: each for each in model.implementation_types}
@@ -41,7 +41,7 @@ def _shared(model: ClassicIntegration) -> Iterator[Problem]:
                 if number != symbol.value and other != each.name and (other, each.name) not in told:
                     told.add((other, each.name))
                     message = f"{name} must be one number in the code of {component.name}: it is {number} of {other}, and {symbol.value} of {each.name}."
-                    yield Problem(("ImplementationTypes", positions[each.name]), message, "Give it a `LiteralPrefix` of its own.")  # fmt: skip
+                    yield Problem(("ImplementationTypes", positions[each.name]), message, "Give it its own `LiteralPrefix`.")  # fmt: skip
 
 
 def _names_of_limits(model: ClassicIntegration) -> Iterator[Problem]:

@@ -1,4 +1,4 @@
-"""What the base software would refuse of a component's needs: memory, diagnosis, inhibition, supervision."""
+"""Service needs that the base software would refuse: memory, diagnosis, inhibition, supervision."""
 
 from collections.abc import Iterable, Iterator, Mapping
 
@@ -17,11 +17,11 @@ from sigcat.integration.autosar_classic.problem import names, unknown
 from sigcat.integration.checked_document import Problem
 
 _LARGEST = {"byte": 255, "word": 65_535}
-"""What counters of the base software hold."""
+"""Largest values of counters of the base software."""
 
 
 def need_problems(model: ClassicIntegration) -> Iterator[Problem]:
-    """Needs of all components: ports that lead to the right module, things that there are, numbers that it takes."""
+    """Needs of all components: ports that lead to the right module, existing elements, numbers that it takes."""
     errors = _reported(model)
     for index, component in enumerate(model.components):
         yield from _of_component(component, ("Components", index), errors)

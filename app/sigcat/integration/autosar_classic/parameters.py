@@ -18,7 +18,7 @@ LEARNING = "LearningParameter"
 
 
 class Parameter(NamedTuple):
-    """A parameter of a component, under a name of its own."""
+    """A parameter of a component, under its own name."""
 
     name: str
     interface: ParameterInterface

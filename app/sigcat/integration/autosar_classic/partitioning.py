@@ -23,7 +23,7 @@ class _Cause(NamedTuple):
 
 
 def asil_of(part: Part) -> Level:
-    """Highest ASIL of a component: of its calls and of what they exchange."""
+    """Highest ASIL of a component: of its calls and of the data that they exchange."""
     return _cause(part).level
 
 

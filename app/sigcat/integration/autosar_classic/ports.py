@@ -106,7 +106,7 @@ def whole(number: float | None) -> float | None:
 
 
 def initial_of(sides: Iterable[Side], types: TypeTable) -> Any:
-    """What an element has before the first value, as it is sent: the declared one, or 0."""
+    """Return an element's value before the first one is sent: the declared one, or 0."""
     for side in sides:
         interface = side.interface
         if isinstance(interface, Signal | DataQueue):

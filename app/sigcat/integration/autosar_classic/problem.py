@@ -1,4 +1,4 @@
-"""What is wrong with an Integration JSON, and where; and what is wrong with names."""
+"""Problems of an Integration JSON, with their places; and problems of names."""
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
@@ -44,7 +44,7 @@ def _distinct(places: Iterable[tuple[Pointer, str]]) -> Iterator[Problem]:
 
 
 def name(at: Pointer, given: str) -> Iterator[Problem]:
-    """A name that is no short name, or too long for one."""
+    """A name that is not a short name, or too long for one."""
     if len(given) > LONGEST_SHORT_NAME:
         message = f"{given[:40]}… must have {LONGEST_SHORT_NAME} characters at most, not {len(given)}."
         yield Problem(at, message, "Shorten it.")
@@ -53,9 +53,9 @@ def name(at: Pointer, given: str) -> Iterator[Problem]:
 
 
 def identifier(at: Pointer, given: str) -> Iterator[Problem]:
-    """Text that becomes a word of C, though it is no short name."""
+    """Text that becomes a word of C, though it is not a short name."""
     if not _C_IDENTIFIER.fullmatch(given) or is_reserved(given):
-        yield Problem(at, f"It must be an identifier of C that is no keyword, not {given[:60]!r}.", "Rename it.")
+        yield Problem(at, f"It must be an identifier of C, and not a keyword, not {given[:60]!r}.", "Rename it.")
 
 
 def unknown(at: Pointer, what: str, given: str) -> Problem:

@@ -1,4 +1,4 @@
-"""What an RTE generator would refuse in an Integration JSON, each with its place."""
+"""Parts of an Integration JSON that an RTE generator would refuse, each with its place."""
 
 from collections.abc import Iterator, Mapping, Sequence
 

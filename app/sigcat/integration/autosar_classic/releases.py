@@ -6,4 +6,4 @@ ReleaseName = Literal["4.4.0", "R23-11"]
 RELEASES: tuple[ReleaseName, ...] = ("4.4.0", "R23-11")
 DEFAULT_RELEASE: ReleaseName = "R23-11"
 RELEASES_WITH_ONE_WINDOW = frozenset({"4.4.0"})
-"""Those where all states of the end-to-end state machine have the same window."""
+"""Releases in which all states of the end-to-end state machine have the same window."""

@@ -32,7 +32,7 @@ CALLS = "Calls"
 
 @dataclass(frozen=True)
 class Behaviour:
-    """What the runnables of a component are made of."""
+    """Parts that the runnables of a component are made of."""
 
     part: Part
     calls: tuple[NamedCall, ...]
@@ -61,7 +61,7 @@ class Behaviour:
 
     @property
     def has_floating_windows(self) -> bool:
-        """Whether windows of its alive supervision may end between the releases of their call: they begin anew with a mode
+        """Whether windows of its alive supervision may end between the releases of their call: they begin again with a mode
         that the call comes back with, and modes come at any time."""
         modes = self.part.function.modes or ()
         return any(
@@ -94,7 +94,7 @@ def runnables_of(behaviour: Behaviour) -> tuple[model.Runnable, ...]:
     made += [_method(port, behaviour) for port in behaviour.ports if _offers(port)]
     made += [_answer(port, behaviour) for port in behaviour.ports if uses_method(port)]
     if behaviour.mode_port is not None or _arriving(behaviour):
-        made.insert(1, _own("Receive", "Receive", "Takes what comes when it comes, and starts what is due.", behaviour))
+        made.insert(1, _own("Receive", "Receive", "Receives values when they arrive, and starts due calls.", behaviour))
     if any(port.service == "WatchdogManager" for port in behaviour.ports):
         made.append(_own("Supervise", "Supervise", "Looks for calls that hang or do not come.", behaviour))
     if behaviour.has_floating_windows:
@@ -198,7 +198,7 @@ def _answer(port: model.Port, behaviour: Behaviour) -> model.Runnable:
 
 
 def _arriving(behaviour: Behaviour) -> list[model.Access]:
-    """What has to be taken when it comes: its time counts, and the core says which calls are due by it."""
+    """Return accesses to data that must be taken when it arrives: the core derives times and due calls from it."""
     found = [
         access
         for each in behaviour.steps
@@ -249,7 +249,7 @@ def _parameters(behaviour: Behaviour) -> list[model.Access]:
 
 
 def _statuses(behaviour: Behaviour) -> list[model.Access]:
-    """What the core may say at any time: states of errors and reactions, its mode, results for the DEM."""
+    """Return accesses that the core may use at any time: states of errors and reactions, its mode, DEM results."""
     made = []
     for port in behaviour.ports:
         kinds = {use.kind for element in port.elements for use in element.uses or ()}
@@ -265,7 +265,7 @@ def _statuses(behaviour: Behaviour) -> list[model.Access]:
 def _received_statuses(behaviour: Behaviour) -> list[model.Access]:
     """Errors of others and safety reactions, which the core takes for all calls."""
     return [
-        _access("ExplicitRead", port, port.elements[0], "The core is told what is fresh.")
+        _access("ExplicitRead", port, port.elements[0], "The core learns which values are fresh.")
         for port in behaviour.ports
         if port.kind == "SenderReceiver" and port.direction == "Required"
         and {use.kind for use in port.elements[0].uses or ()} <= {"error", "safety reaction"}
@@ -316,7 +316,7 @@ def _is_watched(data: Signal, call: Call) -> bool:
 
 
 def _readers(port: model.Port, behaviour: Behaviour) -> Iterator[tuple[Signal, Call]]:
-    """What the calls of a component read from a port."""
+    """Yield the signals that the calls of a component read from a port."""
     for step in behaviour.steps:
         for contract in step.call.contracts or ():
             for data in contract.signals or ():

@@ -1,4 +1,4 @@
-"""What a component needs of the base software, from the declaration: memory, diagnosis, supervision, inhibition."""
+"""Service needs of a component, from the declaration: memory, diagnosis, supervision, inhibition."""
 
 from collections.abc import Iterable, Iterator, Sequence
 
@@ -99,7 +99,7 @@ def nv_blocks(part: Part) -> tuple[model.NvBlock, ...]:
 
 
 def memories(part: Part) -> tuple[model.PerInstanceMemory, ...]:
-    """The RAM block of what is stored."""
+    """The RAM block of stored data."""
     if not nv_blocks(part):
         return ()
     core = f"{part.function_name}_Adapter"
@@ -185,13 +185,13 @@ def _transitions(calls: Sequence[NamedCall]) -> Iterator[model.LogicalTransition
 
 
 def service_ports(part: Part, calls: Sequence[NamedCall]) -> Iterator[model.Port]:
-    """Ports to the base software, and to who knows the time and the ignition cycle."""
+    """Ports to the base software, and to the sources of the time and the ignition cycle."""
     yield _call_port(CLOCK_PORT, CLOCK, "Time of the counter that starts timing events.")
     yield _call_port(IGNITION_PORT, IGNITION, "Number of the ignition cycle.")
     for event in monitors(part):
         yield _call_port(event.port, DIAGNOSTIC_MONITOR, f"Status of {event.error}.")
     if nv_blocks(part):
-        yield _call_port(NV_PORT, NV_MEMORY, "State of what is stored.")
+        yield _call_port(NV_PORT, NV_MEMORY, "State of the stored data.")
     for entity in supervised_entities(part, calls):
         for point in entity.checkpoints:
             yield _call_port(point.port, SUPERVISION, f"Checkpoint {point.name} of {entity.name}.")

@@ -34,7 +34,7 @@ class SignalSettings(DeclarationModel):
     message: BusName | None = Field(
         None, description="Message that has it; its name is part of that of the system signal."
     )
-    database: Text | None = Field(None, description="File name of the CAN database, for those who read the document.")
+    database: Text | None = Field(None, description="File name of the CAN database, for readers of the document.")
     length: Annotated[Integer, Field(ge=1, le=512)] | None = Field(
         None, description="Length of the signal, in bits: room for every value (K013)."
     )
@@ -55,14 +55,14 @@ def _each_once(signals: dict[str, SignalSettings]) -> dict[str, SignalSettings]:
 
 
 class AutosarClassicSettings(DeclarationModel):
-    """What differs from the defaults for AUTOSAR Classic."""
+    """Settings for AUTOSAR Classic that differ from the defaults."""
 
     release: ReleaseName = Field(DEFAULT_RELEASE, description="Release of AUTOSAR that the ARXML is of.")
     package: Identifier | None = Field(None, description="Outermost ARXML package; the application's name if absent.")
     ecu: Identifier | None = Field(None, description="Name of the ECU; <Application>Ecu if absent.")
     parameters: Literal["ports", "internal"] = Field(
         "ports",
-        description="Where calibration parameters are: in a component of their own, over ports, or within each component.",
+        description="Where calibration parameters are: in a separate component, over ports, or within each component.",
     )
     signals: Annotated[dict[Name, SignalSettings], AfterValidator(_each_once)] = Field(
         {}, description="Signals of buses that carry data elements, by VSS path or by the name of the port."

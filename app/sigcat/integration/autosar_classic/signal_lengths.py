@@ -1,4 +1,4 @@
-"""How long a signal of a bus has to be for every value of its data element."""
+"""Length of a bus signal that is enough for every value of its data element."""
 
 import math
 from collections.abc import Mapping
@@ -15,7 +15,7 @@ from sigcat.integration.autosar_classic.used_types import element_types
 
 
 class Need(NamedTuple):
-    """What the values of a data element need."""
+    """Bits that the values of a data element need."""
 
     bits: int
     has_floats: bool
@@ -27,7 +27,7 @@ class Need(NamedTuple):
 
     @property
     def advice(self) -> str:
-        """What to do about a signal that is too short."""
+        """Advice for a signal that is too short."""
         if self.has_floats:
             return "Name the `database` that scales it, or correct the length."
         return "Correct the length, or leave it out where a database has it."
@@ -50,7 +50,7 @@ class _Types:
         self._methods = {each.name: each for each in model.compu_methods}
 
     def need(self, name: str) -> Need | None:
-        """Of a type, by its name."""
+        """Return the need of a type, by its name."""
         meant = self._application.get(name)
         return self._of(self._implementation.get(meant.implementation if meant else name), meant, depth=0)
 
@@ -81,7 +81,7 @@ class _Types:
         return Need(_bits(*_narrowed(limits, constraint)), has_floats=False)
 
     def _base(self, each: ImplementationType) -> str:
-        """Platform type that a name stands for."""
+        """Platform type of a name."""
         for _ in self._implementation:
             if each.base is None or each.base not in self._implementation or each.base == each.name:
                 break
@@ -99,7 +99,7 @@ def _narrowed(limits: tuple[int, int], constraint: DataConstraint | None) -> tup
 
 
 def _bits(low: int, high: int) -> int:
-    """Of an unsigned number, or of one in two's complement."""
+    """Return the length of an unsigned number, or of one in two's complement."""
     if low >= 0:
         return max(high.bit_length(), 1)
     return max((-low - 1).bit_length(), max(high, 0).bit_length()) + 1

@@ -9,7 +9,7 @@ from sigcat.integration.autosar_classic.problem import identifier, name
 from sigcat.integration.checked_document import Problem
 
 _OF_BASE_SOFTWARE = ("Rte_", "SchM_", "Dem_", "NvM_", "WdgM_", "FiM_", "Os_", "EcuM_", "BswM_")
-"""What names of the base software begin with."""
+"""Prefixes of names of the base software."""
 _HEADER = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.+-]*\.h(pp)?")
 
 
@@ -42,7 +42,7 @@ def _taken(model: ClassicIntegration) -> dict[str, str]:
 
 
 def _reserved(symbol: str, model: ClassicIntegration) -> str:
-    """Whose names a symbol is one of: the core's, those of a component's source, or of the base software."""
+    """Return which reserved names a symbol belongs to: those of the core, a component's source or the base software."""
     for component in model.components:
         core = f"{component.function}_Adapter"
         if symbol == core or symbol.startswith(f"{core}_"):
@@ -55,7 +55,7 @@ def _reserved(symbol: str, model: ClassicIntegration) -> str:
 
 
 def _memory(memory: PerInstanceMemory, at: Pointer) -> Iterator[Problem]:
-    """Text that the RTE generator writes into a header as it stands."""
+    """Text that the RTE generator writes into a header unchanged."""
     yield from identifier((*at, "Type"), memory.type)
     yield from identifier((*at, "TypeDefinition"), memory.type_definition)
     if memory.header is not None and not _HEADER.fullmatch(memory.header):

@@ -4,7 +4,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.conversion import of_text
 from sigcat.integration.application import Part
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.runnables import JUDGE_WINDOWS, Behaviour
@@ -17,7 +16,7 @@ class _Mapped(NamedTuple):
     component: model.Component
     event: model.Event
     runnable: model.Runnable
-    rank: tuple[int, float, int]
+    rank: tuple[int, int, int]
     """Order within a task: what the runnable does, then the higher priority, then the order of the file."""
     preemptable: bool
     period: float | None
@@ -116,9 +115,9 @@ def _mapped(component: model.Component, behaviour: Behaviour) -> Iterable[_Mappe
     for event in component.events:
         runnable = runnables[event.runnable]
         call = calls.get(runnable.call or "")
-        priority = of_text(call.priority) if call and call.priority else None
+        priority = call.priority_number if call else None
         plain = "".join(letter for letter in (call.scheduling if call else "").lower() if letter.isalpha())
-        rank = (_ROLES.index(runnable.role), -float(priority or 0), order.index(runnable.name))
+        rank = (_ROLES.index(runnable.role), -(priority or 0), order.index(runnable.name))
         yield _Mapped(component, event, runnable, rank, plain != "nonpreemptive", periods.get(runnable.name))
 
 

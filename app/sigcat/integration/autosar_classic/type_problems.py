@@ -1,4 +1,4 @@
-"""What is wrong with datatypes: references to nothing, or to what comes later."""
+"""Problems of datatypes: references to nothing, or to a later datatype."""
 
 from collections.abc import Iterator
 
@@ -73,7 +73,7 @@ def _application(model: ClassicIntegration) -> Iterator[Problem]:
 
 
 def _form(entry: ImplementationType | ApplicationType) -> tuple[int | None, tuple[str, ...]]:
-    """How many elements an array has, and which members a structure: what means a value has the form of its code."""
+    """Return the length of an array and the members of a structure: a type of meaning has the form of its code."""
     length = entry.length if entry.category == "ARRAY" else None
     members = entry.members or () if entry.category == "STRUCTURE" else ()
     return length, tuple(member.name for member in members)

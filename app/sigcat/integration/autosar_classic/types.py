@@ -21,7 +21,7 @@ _FALLBACK = "uint8"
 
 
 class Meaning(NamedTuple):
-    """What an application type is made of, beside the datatype of the code."""
+    """Contents of an application type, besides the datatype of the code."""
 
     unit: str | None = None
     low: float | None = None
@@ -74,14 +74,14 @@ class TypeTable:
         return self._documents[id(function)]
 
     def sent(self, function: FunctionJson, interface: Scaled) -> str:
-        """Implementation type of what is sent for a data interface: in the catalogue's datatype, whatever the code's."""
+        """Implementation type on the wire for a data interface: in the catalogue's datatype, whatever the code's."""
         datatype = self.datatypes(function).get(interface.datatype)
         if (datatype is None or not datatype.kind) and interface.vss_datatype in BY_VSS:
             return self.primitive(interface.vss_datatype)
         return self.of_reference(function, interface.datatype, interface.vss_symbols, interface.vss_datatype)
 
     def numbers(self, function: FunctionJson, interface: Scaled) -> tuple[Mapping[int, str], Mapping[str, int]] | None:
-        """Of an enumeration what the numbers of the code are called, and what is sent for these names."""
+        """Return the names of an enumeration's numbers in the code, and the numbers that are sent for these names."""
         datatype = innermost(interface.datatype, self.datatypes(function))
         if datatype is None or datatype.kind != "enumeration":
             return None

@@ -40,7 +40,7 @@ def enumerations_of(
     application_types: Mapping[str, ApplicationType],
     implementation_types: Mapping[str, ImplementationType],
 ) -> tuple[ImplementationType, ...]:
-    """Those of the interfaces of its ports and of its parameters, of what arrays and structs have in them too, by name."""
+    """Return enumerations at its ports and of its parameters, and those within arrays and structs, by name."""
     names = [name for port in component.ports for name in exchanged.get(port.interface, ())]
     names += [parameter.type for parameter in component.parameters]
     left = [application_types[name].implementation if name in application_types else name for name in names]

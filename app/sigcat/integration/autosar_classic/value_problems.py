@@ -12,7 +12,7 @@ from sigcat.integration.checked_document import Problem
 
 
 class _Shape(NamedTuple):
-    """What a datatype is made of."""
+    """Form of a datatype."""
 
     base: str = ""
     """Platform type of a number."""
@@ -71,7 +71,7 @@ def _of_ports(ports: tuple[Port, ...], at: Pointer, elements: Mapping[tuple[str,
 
 
 def _value(value: Any, shape: _Shape | None, at: Pointer) -> Iterator[Problem]:
-    """One number may stand for every element and every member."""
+    """One number may apply to every element and every member."""
     if value is None or shape is None:
         return
     if shape.element is not None and isinstance(value, list):

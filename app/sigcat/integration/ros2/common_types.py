@@ -1,4 +1,4 @@
-"""Messages and services that every set has: how errors and safety reactions are told, and a step in time."""
+"""Messages and services that every set has: for errors, safety reactions, and a step in time."""
 
 from sigcat.function.document.text import Text
 from sigcat.integration.ros2.model import Message, MessageConstant, MessageField, Service
@@ -8,7 +8,7 @@ STAMP = MessageField(
     datatype="builtin_interfaces/Time",
     description=Text("Time at which the call that wrote the values began."),
 )
-_TOLD = MessageField(name="stamp", datatype="builtin_interfaces/Time", description=Text("Time at which it was told."))
+_TOLD = MessageField(name="stamp", datatype="builtin_interfaces/Time", description=Text("Time at which it was sent."))
 
 
 def _numbers(*names: str) -> tuple[MessageConstant, ...]:

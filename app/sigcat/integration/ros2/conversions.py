@@ -34,7 +34,7 @@ def conversion(
 ) -> Conversion | None:  # fmt: skip
     """The conversion between a variable and a field, or None if they are the same. `written`: the field's datatype.
 
-    `linear` leads from the variable to the field. `has_number`: the number of an enumeration stands beside its text. `is_named`: names are
+    `linear` leads from the variable to the field. `has_number`: the message has the number of an enumeration and its text. `is_named`: names are
     listed where numbers are the same, too.
     """
     result = written if is_outgoing else c_definition(reference, table)

@@ -95,7 +95,7 @@ def _exchanged(
     parts: Sequence[Part], app: Application, existing: ExistingMessages, settings: Ros2Settings, book: MessageBook,
     findings: FindingCollector,
 ) -> tuple[Communication, ...]:  # fmt: skip
-    """What each call exchanges with others."""
+    """Communications of each call with others."""
     uses = signal_uses(parts, app.paths)
     topics = topics_of(uses, existing, settings, book, findings)
     made = communications(topics, uses, settings, book, findings)

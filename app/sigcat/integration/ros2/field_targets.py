@@ -1,4 +1,4 @@
-"""For every field of every interface of a function: where it stands in the Integration JSON."""
+"""For every field of every interface of a function: its place in the Integration JSON."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
@@ -6,8 +6,12 @@ from typing import NamedTuple
 from pydantic import BaseModel
 
 from sigcat.function.function_json.code import CodeInterface
+from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.runnable import Runnable
+from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
+from sigcat.function.function_json.wire import own_fields
 from sigcat.integration.application import Part
 from sigcat.integration.report import NOT_CARRIED, Entry, FieldTarget, entries
 from sigcat.integration.ros2.model import Communication, FieldMapping, RosNode, RosService, RosTopic
@@ -20,7 +24,15 @@ Targets = Mapping[str, FieldTarget | str]
 _VERBATIM = FieldTarget("ComponentList", "kept as it was declared; nothing of ROS 2 depends on it")
 _CORE = FieldTarget("SourceFunctionList", "the core of the adapter has it from there, on every platform")
 _FIELD = "{topic}, field {field}"
+
+
+def _of_core(*models: type[BaseModel]) -> dict[str, FieldTarget | str]:
+    """Targets of the fields that the published schema lacks, unless a table has another one."""
+    return dict.fromkeys(own_fields(*models), _CORE)
+
+
 _DATA: Targets = {
+    **_of_core(Signal, DataQueue),
     "Name": _FIELD + ": Signal",
     "Description": "message {message}: description of {field}",
     "Role": "{topic}: Role",
@@ -52,13 +64,9 @@ _DATA: Targets = {
     "ExternalProvider": _FIELD + ": ExternalProvider",
     "Variable": _FIELD + ": Variable",
     "E2eError": FieldTarget("ComponentList", "ROS 2 checks no messages end to end; it is never set"),
-    **dict.fromkeys(
-        ("DefinedBy", "CType", "Members", "TimeoutStart", "TimeoutValue", "TimeoutRecovery", "RangeError", "InitElements",
-         "DefaultElements", "Overflow", "OverflowError", "ValuesPerStep", "CountVariable"),
-        _CORE,
-    ),
-}  # fmt: skip
+}
 _PARAMETER: Targets = {
+    **_of_core(ParameterInterface),
     "Name": "{parameter}: Parameter",
     "Description": "{parameter}: Description",
     "Datatype": "{parameter}: VariableDataType",
@@ -81,17 +89,17 @@ _PARAMETER: Targets = {
     "Variable": "{parameter}: Variable",
     "InitElements": "{parameter}: Default",
     **dict.fromkeys(("Factor", "Offset"), "{parameter}: Conversion"),
-    **dict.fromkeys(("DefinedBy", "CType", "Members", "Key", "Storage", "RangeError"), _CORE),
 }
 _METHOD: Targets = {
+    **_of_core(MethodInterface),
     "Name": "{service}: MethodName",
     "Description": "service {type}: description",
     "Role": "{service}: Role",
     "InDataTypeList": "service {type}: Request",
     "OutDataTypeList": "service {type}: Response",
-    **dict.fromkeys(("Symbol", "Timeout", "RequestVariable", "StatusVariable"), _CORE),
 }
 _ERROR: Targets = {
+    **_of_core(ErrorInterface),
     "Name": "{topic}: InterfaceName; {status}: Error",
     "Description": "{status}: Message",
     "Datatype": FieldTarget("{topic}: MessageType", "sent as PASSED or FAILED"),
@@ -102,24 +110,21 @@ _ERROR: Targets = {
     "MaturationTimeNanoseconds": "{status}: MaturationTime",
     "Severity": "{status}: Severity and Level",
     "ResetTime": "{status}: ResetTime",
-    "ResetCondition": FieldTarget("{status}: ResetCondition", "in words, for people"),
+    "ResetCondition": FieldTarget("{status}: ResetCondition", "as text, for people"),
     "AsilLevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
     "VssPath": "{topic}: VssPath; {status}: VssPath",
-    **dict.fromkeys(("Variable", "StatusVariable", "DefinedBy", "CType", "Reset"), _CORE),
 }
 _REACTION: Targets = {
+    **_of_core(SafetyReaction),
     "Name": "{topic}: InterfaceName; {condition}: SafetyReaction",
     "Description": "{condition}: Description",
     "Datatype": FieldTarget("{topic}: MessageType; {condition}: VariableDataType", "sent as INACTIVE or ACTIVE"),
     "ErrorList": "{condition}: Statuses",
     "AsilLevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
     "VssPath": "{topic}: VssPath; {condition}: VssPath",
-    **dict.fromkeys(("Variable", "DefinedBy", "CType", "Initial", "Timeout"), _CORE),
 }
-_CALL_IN_C: Targets = dict.fromkeys(
-    ("Symbol", "Arguments", "SuccessValue", "PreProcessing", "PostProcessing", "Checkpoint", "OverrunError"), _CORE
-)
 _CALL: Targets = {
+    **_of_core(Runnable),
     "Name": "{schedule}: RunnableName",
     "Description": _VERBATIM,
     "Runtype": "{schedule}: Trigger",
@@ -140,10 +145,9 @@ _CALL: Targets = {
     "funcContractList": "CommunicationList, and the node's Parameters, ErrorTopics and SafetyReactionTopics",
     "SupervisionType": FieldTarget("{schedule}: Alive…, Deadline…", "the limits say which there are"),
     "VssPath": _VERBATIM,
-    **_CALL_IN_C,
 }
 _TRANSITIONS: Targets = {
-    **_CALL_IN_C,
+    **_of_core(Runnable),
     **{
         field: FieldTarget("ComponentList", "a transition runs when it is asked for, in the thread of the service")
         for field in ("Cycletime", "CycletimeNanoseconds", "ExecOffset", "ParallelProcessing", "Scheduling", "DebounceDelay", "Priority",
@@ -156,16 +160,13 @@ _TRANSITIONS: Targets = {
     "funcContractList": "CommunicationList, and the node's Parameters, ErrorTopics and SafetyReactionTopics",
 }  # fmt: skip
 _MODE_INTERFACE: Targets = {
+    **_of_core(ModeInterface),
     "Name": "{topic}: InterfaceName",
     "Description": "message {message}: description",
     "Direction": "{topic}: Role",
     "Datatype": "message {message}: field mode",
     "Modes": "message {message}: Constants",
     "VssPath": "{topic}: VssPath",
-    **dict.fromkeys(
-        ("Variable", "DefinedBy", "CType", "Initial", "UnknownAction", "UnknownError", "Values"),
-        _CORE,
-    ),
 }
 _MODE: Targets = {
     "Name": "Schedules: ActiveModes",
@@ -186,7 +187,7 @@ _CODE: Targets = dict.fromkeys(
 _META: Targets = {
     "Authority": "MetaInfo: Authority", "SchemaAuthor": "MetaInfo: SchemaAuthor", "Date": "MetaInfo: Date",
     **dict.fromkeys(
-        ("SchemaVersion", "SchemaDescription"), FieldTarget("MetaInfo", "each document has a version and a description of its own"),
+        ("SchemaVersion", "SchemaDescription"), FieldTarget("MetaInfo", "each document has its own version and description"),
     ),
 }  # fmt: skip
 _COMPONENT: Targets = {"Name": "node {node}: ComponentName", "functionList": "node {node}: Lifecycle and Schedules"}
@@ -194,7 +195,7 @@ _CONTRACT: Targets = {
     "Type": _VERBATIM,
     **dict.fromkeys(
         ("SignalList", "DataQList", "MethodList", "ParameterList", "ErrorList", "SafetyReactionList"),
-        FieldTarget("CommunicationList, node {node}", "each interface has entries of its own"),
+        FieldTarget("CommunicationList, node {node}", "each interface has its own entries"),
     ),
 }
 
@@ -227,7 +228,7 @@ _Key = tuple[str, str, str, str]
 
 
 class _Exchanged(NamedTuple):
-    """What the communications have for each interface."""
+    """Topics, fields and services of each interface."""
 
     fields: Mapping[_Key, tuple[RosTopic, FieldMapping]]
     services: Mapping[_Key, RosService]

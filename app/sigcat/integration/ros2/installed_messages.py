@@ -36,7 +36,7 @@ def _text(name: str, folders: Sequence[Path]) -> str | None:
 
 
 def _places(folder: Path, path: str) -> Iterator[Path]:
-    """Where the file may be: packages are in the folder, or below it, as in a workspace."""
+    """Yield possible places of the file: packages are in the folder, or below it, as in a workspace."""
     yield folder / path
     yield from sorted(folder.glob(f"*/{path}"))
     yield from sorted(folder.glob(f"*/*/{path}"))

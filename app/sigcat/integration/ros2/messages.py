@@ -61,7 +61,7 @@ class MessageBook:
         return name
 
     def written(self, kind: FieldType, interface: Subject) -> str | None:
-        """How a message of this package writes a datatype. None, and a finding, if no message can have it."""
+        """Return how a message of this package writes a datatype. None, and a finding, if no message can have it."""
         if kind.element is not None:
             return kind.element.ros2 + kind.suffix
         name = self._struct(kind.struct, interface)

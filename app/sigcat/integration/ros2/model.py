@@ -44,7 +44,7 @@ ROS2 = "published ROS 2 integration schema 1.0.0"
 
 
 class SymbolMap(WireModel):
-    """A text of a field and the number that stands for it in the code."""
+    """A text of a field and its number in the code."""
 
     text: Name = described("Text", "Value in the message.", source=OWN)
     value: Integer = described("Value", "Number in the code.", source=OWN)
@@ -67,7 +67,7 @@ class Conversion(WireModel):
         "Saturates", "Whether the result stops at the limits of its datatype.", default=None, source=OWN
     )
     symbols: tuple[SymbolMap, ...] | None = described(
-        "Symbols", "Texts and numbers, where one stands for the other.", default=None, source=OWN, strict=False
+        "Symbols", "Texts and their numbers.", default=None, source=OWN, strict=False
     )
 
 
@@ -101,7 +101,7 @@ class FieldMapping(WireModel):
         "Min", "Smallest valid value, in the unit of the variable.", default=None, source=OWN
     )
     max: Number | None = described("Max", "Largest valid value, in the unit of the variable.", default=None, source=OWN)
-    default: Number | None = described("Default", "Value that stands in.", default=None, source=OWN)
+    default: Number | None = described("Default", "Value that replaces a missing one.", default=None, source=OWN)
     init_value: Number | None = described("InitValue", "Value before the first one.", default=None, source=OWN)
     range_error_action: Name | None = described("RangeErrorAction", "Default or Init.", default=None, source=OWN)
     timeout: Number | None = described("Timeout", "Longest age of a value.", default=None, unit="ms", source=OWN)
@@ -216,7 +216,7 @@ class RosService(WireModel):
 
 
 class Communication(WireModel):
-    """What one call exchanges with others."""
+    """Communications of one call with others."""
 
     runnable: CallName = described("RunnableName", "Name of the call.", source=ROS2)
     topics: tuple[RosTopic, ...] = described("ROSTopicList", "Topics of the call.", source=ROS2, strict=False)
@@ -298,7 +298,7 @@ class Schedule(WireModel):
     deadline_min: Number | None = described("DeadlineMin", "Shortest duration.", default=None, unit="ms", source=OWN)
     deadline_max: Number | None = described("DeadlineMax", "Longest duration.", default=None, unit="ms", source=OWN)
     deadline_error: ErrorName | None = described("DeadlineError", "Error that it sets.", default=None, source=OWN)
-    logical: Text | None = described("LogicalSupervision", "Order of calls, in words.", default=None, source=OWN)
+    logical: Text | None = described("LogicalSupervision", "Order of calls, as text.", default=None, source=OWN)
     logical_error: ErrorName | None = described("LogicalError", "Error that it sets.", default=None, source=OWN)
 
 
@@ -330,7 +330,7 @@ class RosParameter(WireModel):
 
 
 class Diagnostic(WireModel):
-    """A diagnostic status that stands for an error."""
+    """The diagnostic status of an error."""
 
     name: Name = described("Name", "Name of the status: node and error interface.", source=OWN)
     error: ErrorName = described("Error", "Error interface.", source=OWN)
@@ -344,7 +344,7 @@ class Diagnostic(WireModel):
     )
     reset_time: Number | None = described("ResetTime", "Time until reset.", default=None, unit="ms", source=OWN)
     reset_condition: Text | None = described(
-        "ResetCondition", "Condition of the reset, in words.", default=None, source=OWN
+        "ResetCondition", "Condition of the reset, as text.", default=None, source=OWN
     )
     dependencies: tuple[Name, ...] = described(
         "Dependencies", "Names of statuses that set this error too.", source=OWN, strict=False
@@ -401,7 +401,7 @@ class RosNode(WireModel):
         "ErrorTopics", "Topics of its errors, and of those of others on which they depend.", source=OWN, strict=False
     )
     reaction_topics: tuple[StatusTopic, ...] = described(
-        "SafetyReactionTopics", "Topics of its safety reactions, as it tells and as it is told.", source=OWN,
+        "SafetyReactionTopics", "Topics of its safety reactions that it publishes and receives.", source=OWN,
         strict=False,
     )  # fmt: skip
     diagnostics: tuple[Diagnostic, ...] = described("Diagnostics", "Statuses of errors.", source=OWN, strict=False)

@@ -1,6 +1,6 @@
 """Names that the generators of ROS 2 messages accept, made from names of the catalogue.
 
-One rule for each kind of name, as rosidl checks it (rosidl_adapter, `parser.py`). What is no name there is changed by
+One rule for each kind of name, as rosidl checks it (rosidl_adapter, `parser.py`). A text that is not a name there is changed by
 rule: words as lower_snake_case; nothing left or a digit first: a word in front; a keyword of C++ or Python, or a
 macro of the C library: a word behind; taken already: a number behind.
 """
@@ -30,7 +30,7 @@ PACKAGES_OF_ROS = frozenset((
     "rclcpp_components", "rclcpp_lifecycle", "rclpy", "rcutils", "rmw", "rosgraph_msgs", "rosidl_default_generators",
     "rosidl_default_runtime", "sensor_msgs", "service_msgs", "statistics_msgs", "std", "std_msgs", "std_srvs", "unique_identifier_msgs",
 ))  # fmt: skip
-"""Packages that ROS 2 brings, by which a package of one's own would be hidden, and the namespace of the standard library."""
+"""Packages that ROS 2 brings, by which the user's own package would be hidden, and the namespace of the standard library."""
 
 
 class Name(NamedTuple):

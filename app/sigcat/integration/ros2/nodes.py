@@ -46,16 +46,16 @@ _PRIORITIES = range(1, 100)
 
 
 class NodeContext(NamedTuple):
-    """What holds for all nodes of a set."""
+    """Settings of all nodes of a set."""
 
     package: str
     namespace: str
     safety_manager: Text | None
-    """Who informs of safety conditions."""
+    """Sender of safety conditions."""
     mode_manager: Text | None
-    """Who sends the modes."""
+    """Sender of modes."""
     policy: SchedulingPolicy
-    """Of the threads that run calls."""
+    """Policy of the threads that run calls."""
     exchanged: Sequence[Communication]
     statuses: Statuses
     book: MessageBook
@@ -165,11 +165,11 @@ def _after(call: Runnable, part: Part, findings: FindingCollector) -> str | None
 
 
 def _priority(call: Runnable, findings: FindingCollector) -> int | None:
-    text = call.priority.strip()
-    if text.isascii() and text.isdecimal() and len(text) < 4 and int(text) in _PRIORITIES:
-        return int(text)
-    if text:
-        message = f"The priority of {call.name} must be from 1 to 99, not {_short(text)!r}."
+    number = call.priority_number
+    if number is not None and number in _PRIORITIES:
+        return number
+    if call.priority.strip():
+        message = f"The priority of {call.name} must be from 1 to 99, not {_short(call.priority.strip())!r}."
         fix = "Use a number; higher ones run first."
         findings.report(codes.PRIORITY_NOT_A_NUMBER, message, Subject(call.name, call), fix, key="Priority")
     return None
@@ -178,7 +178,7 @@ def _priority(call: Runnable, findings: FindingCollector) -> int | None:
 def _policy(
     node: str, running: Sequence[Runnable], schedules: Sequence[Schedule], context: NodeContext
 ) -> SchedulingPolicy | None:
-    """That of the deployment, where a call says with which priority."""
+    """Return the policy of the deployment, if a call has a priority."""
     if context.policy == "other" or not running:
         return None
     if any(schedule.thread_priority is not None for schedule in schedules):

@@ -66,9 +66,9 @@ class _Ways(NamedTuple):
     """Conversions to the catalogue's unit."""
 
     physical: Linear
-    """Of values of the document, which are in the code's unit."""
+    """Conversion of the document's values, which are in the code's unit."""
     stored: Linear
-    """Of the number in the code."""
+    """Conversion of the number in the code."""
 
 
 def _resolved(
@@ -153,7 +153,7 @@ def _one_default(given: Any, kind: FieldType, linear: Linear, names: Mapping[flo
 
 
 def _constraints(kind: FieldType, limits: tuple[float | None, float | None]) -> str | None:
-    """What no range can say: texts and numbers of an enumeration, and ranges of elements."""
+    """Return constraints that no range expresses: texts and numbers of an enumeration, and ranges of elements."""
     if not kind.symbols:
         return _of_elements(*limits) if kind.suffix else None
     if kind.is_text:

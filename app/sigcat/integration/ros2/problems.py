@@ -1,4 +1,4 @@
-"""What an Integration JSON has that no ROS 2 package can: names, types and texts that rosidl or package.xml refuse."""
+"""Parts of an Integration JSON that ROS 2 refuses: names, types and texts for rosidl or package.xml."""
 
 import re
 from collections.abc import Iterable, Iterator

@@ -3,13 +3,13 @@
 - reliable where a lost value is not replaced by the next one, or matters: queues, attributes, calls without a cycle,
   ASIL A to D; best effort for QM values that come again in the next cycle.
 - transient local where values do not come again: attributes, and publishers without a cycle.
-- depth: of queues ten times their length, and 100 at least, on both ends: what comes while a process is held up is taken
+- depth: of queues ten times their length, and 100 at least, on both ends: values received while a process is held up are taken
   later, and the core counts what does not fit into the queue itself; 1 where only the latest value counts.
 - deadline: the subscriber's time-out. A publisher offers twice its cycle, so that one lost or late value passes, or
   the shortest time-out of the set's subscribers, if that is shorter.
 - liveliness asserted by the publishing call itself for ASIL C and D, by the middleware otherwise.
 
-A subscription hears only publishers that offer what it requests. Of a publisher outside of the set nobody knows that, so
+A subscription hears only publishers that offer what it requests. For a publisher outside of the set this is unknown, so
 that its subscriptions request nothing of it that an ordinary one may not offer: the adapter supervises the time-out.
 Attributes are the exception: a publisher that does not keep them has nothing for who starts late.
 """

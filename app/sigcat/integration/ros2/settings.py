@@ -36,12 +36,12 @@ Topics = Literal["cycle", "signal", "branch", "function"]
 
 Enumerations = Literal["both", "number", "text"]
 MOST_VALUES = 2**31 - 1
-"""That a topic keeps: the middleware counts in 32 bits."""
+"""Most values that a topic keeps: the middleware counts in 32 bits."""
 SchedulingPolicy = Literal["other", "fifo", "rr"]
 
 
 class QualitySettings(DeclarationModel):
-    """What differs from the quality of service that ASIL, cycle and queue lead to."""
+    """Differences from the quality of service that is derived from ASIL, cycle and queue."""
 
     reliability: Literal["reliable", "best_effort"] | None = Field(None, description="Whether lost values are resent.")
     durability: Literal["transient_local", "volatile"] | None = Field(
@@ -85,7 +85,7 @@ class MessageSettings(DeclarationModel):
 
 
 class Ros2Settings(DeclarationModel):
-    """What holds for ROS 2."""
+    """Settings for ROS 2."""
 
     topics: Topics = Field(
         "cycle",

@@ -1,4 +1,4 @@
-"""Which call of which node reads or writes which signal."""
+"""Calls of nodes that read or write each signal."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
@@ -33,7 +33,7 @@ class SignalUse(NamedTuple):
 
     @property
     def key(self) -> str:
-        """What the signal is known by in the set: its path, or its name in the function."""
+        """Identity of the signal in the set: its path, or its name in the function."""
         return self.path or f"{self.part.function_name}.{self.data.name}"
 
     @property

@@ -1,6 +1,6 @@
-"""Errors and safety reactions: what is told of them for people, and the topics on which nodes tell each other.
+"""Errors and safety reactions: their diagnostics for people, and the topics on which nodes exchange them.
 
-A node tells each of its errors and reactions on a topic of its own, `core_acc/alive_error`, and hears the errors of others
+A node publishes each of its errors and reactions on a separate topic, `core_acc/alive_error`, and hears the errors of others
 there. What the platform says of a safety condition comes on a topic for all nodes, `safety_management/acc_req_invalid`.
 """
 
@@ -22,9 +22,9 @@ from sigcat.integration.ros2.topics import PUBLISHER, SUBSCRIPTION
 from sigcat.integration.ros2.types import c_definition
 
 DIAGNOSTICS = "/diagnostics"
-"""Where nodes report their statuses, as diagnostic_updater and the aggregator have it."""
+"""Topic of the nodes' statuses, as diagnostic_updater and the aggregator have it."""
 SAFETY_MANAGEMENT = "safety_management"
-"""Where the platform tells nodes of safety conditions."""
+"""Topic of the platform's safety conditions."""
 _ERROR_ENDING, _REACTION_ENDING = "_ErrorSts", "_SftyCondSts"
 _Named = TypeVar("_Named", ErrorInterface, SafetyReaction)
 _MILD = ("warn", "information", "amber", "none")
@@ -92,7 +92,7 @@ def _short(name: str, part: Part, ending: str) -> str:
 
 
 def _outside(error: str) -> str:
-    """Where the node of another set tells an error, if it follows the rule: `Hmi_Fault_ErrorSts` → `hmi/fault`."""
+    """Return the topic of another set's error, if its name follows the rule: `Hmi_Fault_ErrorSts` → `hmi/fault`."""
     function, _, name = error.removesuffix(_ERROR_ENDING).partition("_")
     return topic_name(function, name) if name else topic_name(function)
 
@@ -133,7 +133,7 @@ def error_topics(part: Part, package: str, statuses: Statuses) -> Iterator[Statu
 
 
 def reaction_topics(part: Part, package: str, statuses: Statuses, manager: Text | None) -> Iterator[StatusTopic]:
-    """The topics on which a node tells its safety reactions, and those on which it is told of them by the platform."""
+    """The topics on which a node publishes its safety reactions, and those on which the platform sends them to it."""
     message = f"{package}/msg/{SAFETY_REACTION.name}"
     own = reactions_of(part)
     for reaction in own:

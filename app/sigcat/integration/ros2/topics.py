@@ -58,14 +58,14 @@ class Topic(NamedTuple):
     stamp: str | None = STAMP.name
     """Field of the time; None if the message has none."""
     values: tuple[FixedField, ...] = ()
-    """What other fields always have."""
+    """Constant values of further fields."""
 
 
 class _Group(NamedTuple):
     segments: tuple[str, ...]
     message: str
     title: str = ""
-    """What the message carries, if that is not plain from the segments."""
+    """Content of the message, if the segments do not tell it."""
 
 
 def topics_of(
@@ -135,7 +135,7 @@ def communications(
     book: MessageBook,
     findings: FindingCollector,
 ) -> tuple[Communication, ...]:
-    """What each call exchanges, in the order of the document."""
+    """Return the topics of each call, in the order of the document."""
     by_key = {key: topic for topic in topics for key in topic.members}
     calls: dict[tuple[str, str], list[SignalUse]] = {}
     for use in uses:
@@ -150,16 +150,16 @@ def communications(
 
 
 class _Together(NamedTuple):
-    """What decides whether a signal travels with the others of its cycle."""
+    """Facts that decide whether a signal is sent together with the others of its cycle."""
 
     queued: frozenset[str]
-    """Keys of signals that a side queues: a topic of their own has the depth of the queue."""
+    """Keys of signals that a side queues: a separate topic has the depth of the queue."""
     shared: frozenset[tuple[str, float | None]]
     """Functions and cycles in which several calls provide signals: one message has what one call writes."""
 
     @classmethod
     def of(cls, uses: Iterable[SignalUse], providers: Iterable[SignalUse]) -> "_Together":
-        """Of every use of the set, and the first provider of each signal."""
+        """Collect them from every use of the set, and the first provider of each signal."""
         calls: dict[tuple[str, float | None], set[str]] = {}
         for use in providers:
             calls.setdefault((use.part.function_name, use.cycle), set()).add(f"{use.part.name}.{use.runnable.name}")

@@ -42,7 +42,7 @@ def field_type(reference: str, vss: str | None, table: Mapping[str, Datatype]) -
 
 
 def sent(kind: FieldType, symbols: tuple[EnumerationValue, ...] | None, *, as_number: bool = False) -> FieldType:
-    """What a message has for a datatype of the code: an enumeration with the numbers of the catalogue."""
+    """Return the message's type for a datatype of the code: an enumeration has the numbers of the catalogue."""
     kind = kind._replace(symbols=symbols or kind.symbols)
     return number_of(kind) if as_number and kind.is_text and kind.symbols else kind
 
@@ -68,7 +68,7 @@ def code_type(reference: str, table: Mapping[str, Datatype]) -> Spelling | None:
 
 
 def c_definition(reference: str, table: Mapping[str, Datatype]) -> str:
-    """How C writes the datatype."""
+    """Definition of the datatype in C."""
     stored = table.get(reference)
     return stored.c_definition if stored else reference
 

@@ -3,11 +3,11 @@
 //     player MODE TRACE RECORDED END_NS [PROCESS@FUNCTION@TIME_NS...]
 //     player MODE - RECORDED
 //
-// MODE is `lock` (step by step, as fast as it goes) or `free` (in real time): nodes are brought through their life. A gateway
+// MODE is `lock` (step by step, as fast as possible) or `free` (in real time): nodes are brought through their life. A gateway
 // writes the rows of `-` to standard input while they are sent; it has two more modes, for nodes that run already: `timed`, rows
-// are sent at their times, and `live`, as they come. RECORDED then also says which columns nobody receives (`unknown NAME`),
+// are sent at their times, and `live`, as they come. RECORDED then also says which columns no node receives (`unknown NAME`),
 // when everybody listens (`ready`), and at the end how many values were sent (`sent COUNT`), in real time also how many of them while a
-// node was gone (`unheard COUNT`). At the time of a kill it asks for it on standard output, and goes on when it is answered.
+// node was gone (`unheard COUNT`). At the time of a kill it asks for it on standard output, and continues when it is answered.
 
 #include <algorithm>
 #include <chrono>
@@ -136,7 +136,7 @@ private:
         return next;
     }
 
-    /// What comes at one time in one message goes as one; what comes twice goes twice.
+    /// Values of one time and message are sent as one; repeated values are sent twice.
     void SendUntil(std::uint64_t time, bool is_lock_step, std::int64_t stamp) {
         ports_.Forget();
         for (; rows_.Time() <= time; rows_.Advance()) {
@@ -182,7 +182,7 @@ Kill KillOf(const std::string& text) {
     return {text.substr(0, first), node, std::stoull(text.substr(second + 1))};
 }
 
-/// `begin` is when the nodes were asked for: what they find of each other nobody tells, and on a busy machine it takes longer.
+/// `begin` is when the nodes were asked for: their discovery of each other is not reported, and on a busy machine it takes longer.
 void AwaitConnections(const player::Ports& ports, std::chrono::steady_clock::time_point begin) {
     const auto end = std::chrono::steady_clock::now() + player::kPatience;
     while (!ports.AreConnected()) {

@@ -95,7 +95,7 @@ inline std::string SymbolOf(std::int64_t number, const std::vector<Symbol>& symb
 /// What was sent by whom, and how many messages each node has to take.
 class Record final {
 public:
-    /// `is_read` by another program while it is written: it is told what the player does.
+    /// `is_read` by another program while it is written: it reports the actions of the player.
     Record(const std::string& file, std::size_t nodes, bool is_read);
 
     /// Stamps are those of a clock that was at `epoch`, which is 0 in lock step, when the drive was at `begin`.
@@ -243,7 +243,7 @@ private:
     std::vector<std::shared_ptr<void>> subscriptions_;
 };
 
-/// Reliable for all that hear it, or as reliable as the one that is heard. `depth`: messages that one who comes late gets.
+/// Reliable for all that hear it, or as reliable as the one that is heard. `depth`: messages that a late subscriber gets.
 inline rclcpp::QoS Quality(bool is_reliable, bool keeps, std::size_t depth) {
     rclcpp::QoS quality{rclcpp::KeepLast(keeps ? depth : kRoom)};
     is_reliable ? quality.reliable() : quality.best_effort();
@@ -261,7 +261,7 @@ const std::map<std::string, std::size_t>& Functions();
 /// Times at which a call is due: period and offset, in ns.
 const std::vector<std::pair<std::uint64_t, std::uint64_t>>& Cycles();
 
-/// Whether calls are due by what comes, too.
+/// Whether received values make calls due, too.
 bool HasEvents();
 
 void Connect(Ports& ports);

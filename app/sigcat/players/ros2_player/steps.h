@@ -26,7 +26,7 @@ public:
     /// Whether any of them has sent something to another one.
     bool Step(std::uint64_t time);
 
-    /// All nodes go on to `time`, to which nothing is due.
+    /// All nodes continue to `time`, until which nothing is due.
     void Advance(std::uint64_t time);
 
     /// The earliest time from this one on at which a node has said that it runs.

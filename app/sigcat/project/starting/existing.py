@@ -38,13 +38,13 @@ class Found(NamedTuple):
 
 
 def found_in(folder: Path) -> Found:
-    """Look at the files of a folder. Raises UsageError where there is no tree, no overlay and no function."""
+    """Look at the files of a folder. Raises UsageError for a folder without a tree, an overlay and a function."""
     sources = discover([folder])
     trees, overlays = _of(sources, "tree"), tuple(read_layer(path, is_overlay=True) for path in _of(sources, "overlay"))
     functions = _of(sources, "function")
     if not (trees or overlays or functions):
         raise UsageError(
-            f"{folder}: there is no tree, overlay or function. `sigcat init` without --from starts a project."
+            f"{folder}: no tree, overlay or function found. `sigcat init` without --from starts a project."
         )
     beside = {*files_beside([*trees, *_of(sources, "overlay")], (*UNIT_NAMES, *QUANTITY_NAMES))}
     vocabulary = {

@@ -102,7 +102,7 @@ def backed(rule: Rule, _tree: Tree) -> NodeTest:
 
 
 def ordered(rule: Rule, _tree: Tree) -> NodeTest:
-    """Those of `attributes` that are numbers do not descend, in the order in which the option lists them."""
+    """Numbers among `attributes` do not descend, in the order in which the option lists them."""
     names = tuple(rule.options["attributes"])
 
     def test(definition: Definition) -> Iterator[Problem]:
@@ -212,7 +212,7 @@ def _unknown(definition: Definition, attribute: str, known: frozenset[str]) -> P
 
 
 def is_empty(value: Any) -> bool:
-    """Whether there is no value: none at all, a blank text, an empty list or mapping."""
+    """Whether the value is missing: none at all, a blank text, an empty list or mapping."""
     return value is None or value in ("", [], {}) or (isinstance(value, str) and not value.strip())
 
 

@@ -1,7 +1,7 @@
 """Checks of tables of fields: which fields an interface has to have, and what each may hold.
 
 A table is a mapping of field names to records with `required`, `datatype` (text, number, integer, boolean, value,
-list, mapping), `unit`, `values`, `min`, `max`, `pattern` and, for a mapping, `fields` of its own.
+list, mapping), `unit`, `values`, `min`, `max`, `pattern` and, for a mapping, its own `fields`.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -57,7 +57,7 @@ _KEYS: Mapping[str, tuple[str, Callable[[Any], bool]]] = {
 
 
 def _check_table(option: str, fields: Any) -> None:
-    """Raises BadOption if this is no table of fields, whatever is wrong at any depth."""
+    """Raises BadOption if this is not a table of fields, for any error at any depth."""
     if not isinstance(fields, dict):
         raise BadOption(f"{option} must be a mapping, not {shown(fields)}.")
     for name, field in fields.items():
@@ -116,7 +116,7 @@ def _missing_within(
 def field_values(rule: Rule, _tree: Tree) -> NodeTest:
     """Every field of the table that is there has a value of its datatype, among its values and in its range.
 
-    What VSS itself says of its own attributes is found while composing (V004 and others) and not said twice.
+    Errors in attributes of VSS are found while composing (V004 and others) and not reported twice.
     """
     table: Table = rule.options["fields"]
     judged = {name: field for name, field in table.items() if name not in CORE_ATTRIBUTES or "values" in field}

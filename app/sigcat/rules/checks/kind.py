@@ -107,7 +107,7 @@ class NodeCheck(NamedTuple):
     of_overlays: bool = False
     """Whether it looks at what overlays do: there is nothing for it in a tree without any."""
     needs_whole_tree: bool = False
-    """Whether a part of a tree alone shows nothing: what is looked up may stand in another part."""
+    """Whether a part of a tree alone shows nothing: another part may have the node."""
     of_stacks: bool = False
     """Whether it is about overlays that are declared to apply together: of alternatives it would say what is not so."""
 
@@ -175,5 +175,5 @@ def is_number(value: Any) -> bool:
 
 
 def is_bound(value: Any) -> bool:
-    """Whether a value is a number that others are held against. `.nan` and `.inf` are none: composing refuses them."""
+    """Whether a value is a number that others are compared with. `.nan` and `.inf` are none: composing refuses them."""
     return is_number(value) and isfinite(value)

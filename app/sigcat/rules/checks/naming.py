@@ -63,7 +63,7 @@ def _proposal(own: str, rule: Rule) -> str:
     for ending in map(str, rule.options.get("endings", ())):
         name = name.removesuffix(ending)
     if prefixes:
-        return name if _begins(name, prefixes) else f"{prefixes[0]}{name}"
+        return name if _begins(name, prefixes) else _with_prefix(name, prefixes)
     return screaming_snake_case(name) if rule.options.get("case") == "screaming" else name
 
 
@@ -71,8 +71,14 @@ def _begins(name: str, prefixes: list[str]) -> bool:
     return any(name.startswith(prefix) and not name[len(prefix) :][:1].islower() for prefix in prefixes)
 
 
+def _with_prefix(name: str, prefixes: list[str]) -> str:
+    """The name with a prefix; one within it comes first: `DoorIsOpen` → `IsDoorOpen`."""
+    within = re.fullmatch(f"(.*[a-z0-9])({'|'.join(map(re.escape, prefixes))})([A-Z0-9].*)", name)
+    return f"{within[2]}{within[1]}{within[3]}" if within else f"{prefixes[0]}{name}"
+
+
 def _plain(name: str) -> str:
-    """The name without accents: `Tür` → `Tur`; of what has no plain letter nothing is left to propose."""
+    """The name without accents: `Tür` → `Tur`; a name without plain letters becomes empty."""
     if name.isascii():
         return name
     import unicodedata  # for few names: it takes time at start-up

@@ -81,7 +81,7 @@ def values_fit(_rule: Rule, _tree: Tree) -> NodeTest:
             for value, steps in _own_values(each, datatype, values):
                 why = _misfit(value, datatype, values)
                 if why:
-                    message = f"{shown(value)} is no value of the signal: {why}."
+                    message = f"{shown(value)} is not a value of the signal: {why}."
                     yield Problem(definition, message, each.attribute, within=steps)
 
     return test
@@ -142,7 +142,7 @@ def sent_once(_rule: Rule, tree: Tree) -> TreeTest:
             if (count := instances[id(definition)]) > 1:
                 message = f"{count} instances are sent as {sent.signal}."
                 yield Problem(
-                    definition, message, KUKSA_TARGET, "Give each instance a signal of its own.", within=("signal",)
+                    definition, message, KUKSA_TARGET, "Give each instance its own signal.", within=("signal",)
                 )
 
     return test
@@ -208,7 +208,7 @@ def names_in_database(_rule: Rule, tree: Tree) -> NodeTest:
 
 
 def _network_names(mapping: SignalMapping) -> Iterator[tuple[str, tuple[int | str, ...]]]:
-    """Names of values of the network in a list. A text of the profile may be one of the signal, too: it is not judged."""
+    """Names of values of the network in a list. A text of the profile may be one of the signal, too: it is not checked."""
     for choice in mapping.choices:
         name, key = (choice.meant, "to") if mapping.attribute == KUKSA_TARGET else (choice.given, "from")
         if isinstance(name, str) and not mapping.is_profile:

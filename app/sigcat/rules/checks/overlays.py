@@ -148,7 +148,7 @@ def _other_instances(definition: Definition, statement: Statement, tree: Tree) -
 
 
 def _instantiated_otherwise(definition: Definition, statement: Statement, tree: Tree) -> Iterator[Problem]:
-    """That an overlay moves a node into the instances of its branch, or out of them."""
+    """Report an overlay that moves a node into the instances of its branch, or out of them."""
     before = _base_values(definition)
     above = tree.definitions.get(parent_path(definition.path))
     has_instances = above is not None and bool(instances_of(above.values))
@@ -233,7 +233,7 @@ def no_effect(_rule: Rule, tree: Tree) -> TreeTest:
 
 
 def _name(overlay: str) -> str:
-    """The name of an overlay's file: where that stands on a server is nobody's concern, and of one's own the finding has it."""
+    """The name of an overlay's file: its folder on a server is private, and for the user's own file the finding has it."""
     return overlay.rpartition("/")[2]
 
 

@@ -6,6 +6,7 @@ from typing import Any
 
 from sigcat.catalogue.model.definition import Definition
 from sigcat.findings import shown
+from sigcat.line_numbers import numbered
 from sigcat.names import screaming_snake_case
 from sigcat.rules.checks.kind import LineTest, NodeTest
 from sigcat.rules.patterns import compile_exception, compile_pattern
@@ -79,11 +80,10 @@ def line_length(rule: Rule) -> LineTest:
     too_long = re.compile(rf"^.{{{most + 1},}}$", re.MULTILINE)
 
     def test(content: str) -> Iterator[LineProblem]:
-        for match in too_long.finditer(content):
+        for number, match in numbered(content, too_long.finditer(content)):
             line = match.group().rstrip("\r")
             longest = max(map(len, line.split()), default=0)
             if len(line) > most and longest < most - len(line) + len(line.lstrip()):
-                number = content.count("\n", 0, match.start()) + 1
                 message = f"The line must have at most {most} characters, not {len(line)}."
                 fix = "Break it: YAML joins the lines of a text."
                 yield LineProblem(number, most + 1, message, fix, Repair("break line"))

@@ -19,12 +19,12 @@ VERSION = 1
 
 
 class Baseline(NamedTuple):
-    """Return the number of known findings of each rule at each path."""
+    """Number of known findings of each rule at each path."""
 
     file: str
     known: Counter[tuple[str, str]]
     paths: tuple[str, ...] = ()
-    """Return the paths that were linted when it was written, relative to the root; nothing in a file without them."""
+    """Paths that were linted when it was written, relative to the root; nothing in a file without them."""
 
 
 class Compared(NamedTuple):

@@ -50,7 +50,12 @@ def _path(key: str, value: Any, faults: _Faults) -> Path | None:
     folder = faults.file.parent
     if not isinstance(value, str):
         faults.add(key, f"`{key}` must be the name of a file, not {value!r}.")
-    elif not (folder / value).exists():
+        return None
+    try:
+        (folder / value).stat()
+    except PermissionError as error:
+        faults.add(key, f"`{key}` names {value!r}, which cannot be read: {error.strerror}.")
+    except (OSError, ValueError):
         faults.add(key, f"`{key}` names {value!r}, which does not exist in {str(folder)!r}.")
     else:
         return near_path(folder / value)

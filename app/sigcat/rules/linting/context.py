@@ -33,15 +33,15 @@ def compose_tree(root: Path, options: LintOptions) -> Catalogue:
 
 
 def unchecked_tree(tree: Layer, vocabulary: Vocabulary) -> Catalogue:
-    """The tree as it is written, unchecked: nodes that no overlay mentions are looked up, and never judged."""
+    """The tree as it is written, unchecked: nodes that no overlay mentions are looked up, and never checked."""
     definitions = {s.path: Definition(s.path, (s,), s.values) for s in tree.statements}
     return Catalogue(tree.name, (), vocabulary, (), (), definitions, is_expanded=False)
 
 
 def with_instances(catalogue: Catalogue, judged: Iterable[Definition], expanded: Callable[[], Catalogue]) -> Catalogue:
-    """The catalogue with the findings of `expanded`, where judged definitions make or refine instances.
+    """The catalogue with the findings of `expanded`, where checked definitions make or refine instances.
 
-    What is written for one instance is not judged by itself: only `expanded` has all of it.
+    Statements for one instance are not checked by themselves: only `expanded` has all of it.
     """
     tree = Tree(catalogue)
     if not any("instances" in definition.values or tree.is_instance(definition.path) for definition in judged):
@@ -89,9 +89,9 @@ def tree_near(name: str, overlay: Path) -> Path | None:
 
 
 def stacks_of(group: Sequence[Path], options: LintOptions) -> Iterator[tuple[Path, ...]]:
-    """The overlays of a group as they are judged: those of the declared stack together, each other one on top of it.
+    """The overlays of a group as they are checked: those of the declared stack together, each other one on top of it.
 
-    Without a stack, overlays are alternatives: each is judged over the tree alone.
+    Without a stack, overlays are alternatives: each is checked over the tree alone.
     """
     stack = {real_path(path): path for path in options.overlays}
     named = {real_path(path): path for path in group}

@@ -16,6 +16,7 @@ from sigcat.file_kind import (
     OVERLAY_FOLDERS,
     ROOT_NAME,
     SHIPPED_ROOT,
+    TREE_ENDINGS,
     FileKind,
     ending_of,
     file_kind,
@@ -29,7 +30,7 @@ from sigcat.real_path import real_path
 from sigcat.rules.linting.includes import Includes, first_bytes, included_parts, includes_of, topmost
 from sigcat.rules.linting.nearby_trees import bytes_with_root, default_tree, has_units, is_of_types, root_of, tree_of
 
-Kind = Literal["tree", "overlay", "types", "part", "function", "rules", "vocabulary", "other"]
+Kind = Literal["tree", "overlay", "types", "part", "function", "rules", "vocabulary", "unreadable", "other"]
 
 _SKIPPED = frozenset(("node_modules", "__pycache__", "build", "dist", "site-packages"))
 _KINDS: Mapping[FileKind, Kind] = {
@@ -62,15 +63,20 @@ class Source(NamedTuple):
 
 
 def discover(
-    paths: Sequence[Path], overlays: Iterable[Path] = (), types: Iterable[Path] = (), trees: Sequence[Path] = ()
+    paths: Sequence[Path],
+    overlays: Iterable[Path] = (),
+    types: Iterable[Path] = (),
+    trees: Sequence[Path] = (),
+    rules: Iterable[Path] = (),
 ) -> tuple[Source, ...]:
-    """The files to lint in `paths`, each once. `overlays`, `types` and `trees` are known to be such. Raises NotFound."""
+    """The files to lint in `paths`, each once. The others are files whose kind is known. Raises NotFound."""
     found = _files_in(paths)
     includes = {path: includes_of(path) for path in found if ending_of(path.name) == ".vspec"}
     parts = included_parts(includes)
     known: dict[Path, Kind] = {real_path(path): "tree" for path in trees}
     known.update({real_path(path): "overlay" for path in overlays})
     known.update({real_path(path): "types" for path in types})
+    known.update({real_path(path): "rules" for path in rules})
     look = _Look(includes, next(iter(trees), None))
     sources = []
     for path, named in found.items():
@@ -88,7 +94,7 @@ def _files_in(paths: Sequence[Path]) -> dict[Path, bool]:
             raise NotFound(
                 f"{path} must be a regular file" if path.exists() else f"{path}: there is no such file or folder"
             )
-        for file in walk(path) if path.is_dir() else (path,):
+        for file in _named_like_files(path) if path.is_dir() else (path,):
             first = names.setdefault(os.path.abspath(file), file)  # noqa: PTH100 — links stay as they are
             found[first] = found.get(first, False) or file is path
     return found
@@ -99,13 +105,17 @@ def walk(folder: Path) -> Iterator[Path]:
 
     Raises OSError for a folder that cannot be read: what is in it would pass unchecked.
     """
+    return (path for path in _named_like_files(folder) if path.is_file())
+
+
+def _named_like_files(folder: Path) -> Iterator[Path]:
+    """The files, and what is called like one: links to nothing, pipes, and folders with the name of a tree."""
     for here, folders, files in os.walk(folder, onerror=_refuse):
         folders[:] = sorted(f for f in folders if not f.startswith(".") and f not in _SKIPPED)
-        for name in sorted(files):
+        trees = (f for f in folders if ending_of(f) == TREE_ENDINGS[0])
+        for name in sorted((*files, *trees)):
             if not name.startswith(".") and name.lower().endswith(ENDINGS):
-                path = Path(here, name)
-                if path.is_file():
-                    yield path
+                yield Path(here, name)
 
 
 def _refuse(error: OSError) -> None:
@@ -114,6 +124,8 @@ def _refuse(error: OSError) -> None:
 
 def _source(path: Path, named: bool, known: Kind | None, above: Path | None, look: _Look) -> Source:
     """`above` is the file of the list that includes this one, directly or through others, and is included by none."""
+    if not is_file(path):  # its name is all that is known
+        return Source(path, "unreadable" if file_kind(b"", path.name) != "unknown" else "other", named)
     if known:
         return Source(path, known, named)
     if ending_of(path.name) != ".vspec":
@@ -151,7 +163,7 @@ def _kind_of_top(path: Path, look: _Look) -> Kind:
 
 
 def _tree_around(path: Path) -> tuple[Path, str] | None:
-    """The tree in whose folder a part stands that nobody includes, since an include is missing, and the root of the tree."""
+    """The tree in whose folder a part is that no file includes, since an include is missing, and the root of the tree."""
     names = first_names(first_bytes(path))
     if not holds_top_level_node(first_bytes(path)) or _is_in_overlay_folder(path):
         return None
@@ -159,7 +171,7 @@ def _tree_around(path: Path) -> tuple[Path, str] | None:
     if tree is None or tree.parent not in real_path(path).parents:
         return None
     if len(names) == 1 and real_path(path).parent == tree.parent:
-        return None  # a tree of its own, beside the other
+        return None  # a separate tree, next to the other
     root = root_of(tree)
     return (tree, root) if root and root.encode() not in names else None
 

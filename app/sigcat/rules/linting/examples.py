@@ -1,9 +1,11 @@
 """The examples in the records of rules, run: each good one has no finding of its rule, each bad one has one."""
 
-from collections.abc import Mapping, Sequence
+import tempfile
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from sigcat import codes
 from sigcat.catalogue.composing.compose import compose
 from sigcat.catalogue.model.vocabulary import EMPTY, Vocabulary, read_vocabulary
 from sigcat.catalogue.network.can_database import CanDatabase, read_can_database
@@ -12,7 +14,36 @@ from sigcat.findings import Finding
 from sigcat.names import parent_path
 from sigcat.rules.engine import found_in, lint_lines
 from sigcat.rules.linting.suppression import apply_suppressions, read_suppressions
+from sigcat.rules.record import Rule
+from sigcat.rules.record_faults import MAKERS
 from sigcat.rules.rule_set import RuleSet
+
+
+def unfit_examples(rules: Iterable[Rule], units: Vocabulary) -> Iterator[Finding]:
+    """A finding for each example of which the rule says something else. Units are those of the project."""
+    for rule in rules:
+        alone = RuleSet((rule,))
+        if rule.check in MAKERS or alone.findings:  # its findings are not made here, or it cannot be used
+            continue
+        for index, example in enumerate(rule.good, 1):
+            wrong = [f for f in _found(alone, example, units) if f.rule == rule.id or f.severity == "error"]
+            for finding in wrong[:1]:
+                message = f"Rule {rule.id} must not report its good example {index}, and does: {finding.message}"
+                yield _unfit(rule, message)
+        for index, example in enumerate(rule.bad, 1):
+            if not any(each.rule == rule.id for each in _found(alone, example, units)):
+                yield _unfit(rule, f"Rule {rule.id} must report its bad example {index}, and does not.")
+
+
+def _found(alone: RuleSet, example: str | Mapping[str, Any], units: Vocabulary) -> tuple[Finding, ...]:
+    """Findings of a rule in an example, and those about what it is written with."""
+    with tempfile.TemporaryDirectory(prefix="sigcat-") as folder:
+        return findings_of_example(example, alone, units, Path(folder))
+
+
+def _unfit(rule: Rule, message: str) -> Finding:
+    fix = "Correct the example, or the rule."
+    return codes.RULE_EXAMPLE_UNFIT.finding(message, rule.file, rule.line, 1, rule.id, fix=fix)
 
 
 def findings_of_example(
@@ -23,7 +54,9 @@ def findings_of_example(
     texts = [text for text in _texts(parts) if isinstance(text, str)]
     vocabulary = _vocabulary(parts, units, folder)
     layers = _files(parts["files"], folder) if "files" in parts else _layers(parts)
-    found = [f for f, _ in found_in(compose(layers, vocabulary, expanded=False), rules, can=_can(parts, folder))]
+    can = _can(parts, folder)
+    found = [f for f, _ in found_in(compose(layers, vocabulary, expanded=False), rules, can=can)]
+    found.extend(can.findings if can else ())
     for text in texts:
         found.extend(finding for finding, _ in lint_lines(text, "example.vspec", rules))
     suppressions = [
@@ -77,8 +110,10 @@ def _can(parts: Mapping[str, Any], folder: Path) -> CanDatabase | None:
 
 def _vocabulary(parts: Mapping[str, Any], units: Vocabulary, folder: Path) -> Vocabulary:
     if "units" not in parts:
-        return units
-    unit_file, quantity_file = folder / "units.yaml", folder / "quantities.yaml"
-    unit_file.write_text(parts["units"], encoding="utf-8")
-    quantity_file.write_text(parts.get("quantities", ""), encoding="utf-8")
-    return read_vocabulary([unit_file], [quantity_file]) if parts["units"] else EMPTY
+        return units._replace(findings=())  # these are of the project, not of the example
+    files = {key: folder / f"{key}.yaml" for key in ("units", "quantities") if parts.get(key)}
+    for key, file in files.items():
+        file.write_text(parts[key], encoding="utf-8")
+    if "units" not in files:
+        return EMPTY
+    return read_vocabulary([files["units"]], [files["quantities"]] if "quantities" in files else [])

@@ -184,7 +184,7 @@ def _applied(text: str, edits: Iterable[Settling]) -> tuple[str, tuple[Finding, 
 
 
 def _reads_alike(before: str, after: str, changes: int) -> bool:
-    """Whether the repaired text still reads, and differs in no more values than were to be changed."""
+    """Whether the repaired text still reads, and differs only in the values to change."""
     values = [list(_leaves(text)) for text in (before, after)]
     if not values[1]:
         return False

@@ -15,7 +15,7 @@ from sigcat import codes
 from sigcat.catalogue.composing.compose import compose
 from sigcat.catalogue.composing.older_releases import read_units, with_present_spellings
 from sigcat.catalogue.model.catalogue import Catalogue
-from sigcat.catalogue.model.vocabulary import read_vocabulary
+from sigcat.catalogue.model.vocabulary import Vocabulary
 from sigcat.catalogue.reading.layers import Layer, layer_from_text, read_layer
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.data import ROOT_FILE
@@ -25,7 +25,9 @@ from sigcat.findings import Finding, has_errors, in_order
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.names import bounded_proposals
 from sigcat.open_files import made_once, read_bytes, size_of
+from sigcat.path_faults import path_fault
 from sigcat.real_path import real_path
+from sigcat.rules.compiled import compiled_rules
 from sigcat.rules.engine import Found, found_in, lint_lines
 from sigcat.rules.linting.catalogues import all_overlays, all_trees, all_types, by_catalogue, of_tree, of_types
 from sigcat.rules.linting.context import (
@@ -40,8 +42,9 @@ from sigcat.rules.linting.context import (
 )
 from sigcat.rules.linting.discovery import Source, discover
 from sigcat.rules.linting.includes import first_bytes
+from sigcat.rules.linting.nearby_trees import default_tree
 from sigcat.rules.linting.options import LintOptions, LintResult, identity_of
-from sigcat.rules.linting.selection import rules_for, selected
+from sigcat.rules.linting.selection import rules_for, selected, taken
 from sigcat.rules.linting.severity import Grading, matches
 from sigcat.rules.linting.siblings import with_own_tree, with_siblings
 from sigcat.rules.linting.suppression import MARK, Suppressions, apply_suppressions, read_suppressions
@@ -56,7 +59,7 @@ _ABOUT_RULES = frozenset((codes.RULE_UNUSABLE.id, codes.RULE_TOO_SLOW.id))
 """Findings about rules, reported on every run, whichever files are linted."""
 _NOT_READ = frozenset((codes.FILE_TOO_LARGE.id, codes.FILE_UNREADABLE.id))
 _NOT_TEXT = frozenset((codes.NOT_UTF_8.id, codes.FILE_TOO_LARGE.id))
-"""A file that is no text has no lines to judge."""
+"""A file that is not text has no lines to check."""
 
 Texts = Literal["vspec", "comments", "nothing"]
 """The checked parts of a file's text beside its values: lines and comments, comments, or nothing."""
@@ -75,17 +78,22 @@ class _Lint:
         """The files that were looked at."""
         self.beside: set[str] = set()
         """The files that were read for what they need."""
+        self.causes: set[str] = set()
+        """Faulty files of units and CAN databases: findings in other files may follow from them."""
         self.can = self._can_database()
 
     def _can_database(self) -> "CanDatabase | None":
-        """That of the options, if they name one. What is wrong with it is a finding."""
+        """Return the database of the options, if they name one. Its errors are findings."""
         if not self.options.dbc:
             return None
         from sigcat.catalogue.network.can_database import read_can_database
 
         database = read_can_database(self.options.dbc)
         self.add((finding, None) for finding in database.findings)
-        return None if has_errors(database.findings) else database
+        if not has_errors(database.findings):
+            return database
+        self.causes.update(finding.file for finding in database.findings)
+        return None
 
     def add(self, found: Iterable[Found], files: set[str] | None = None) -> None:
         """Keep findings: of all files, or of `files` and those about rules."""
@@ -94,8 +102,13 @@ class _Lint:
                 if files is None or finding.file in files or finding.rule in _ABOUT_RULES:
                     self.found.setdefault(finding, repair)
 
+    def add_composed(self, found: Iterable[Found], vocabulary: Vocabulary, files: Collection[str]) -> None:
+        """Keep findings of `files`, and of the files of units from which findings in them follow."""
+        self.causes |= vocabulary.faulty_files
+        self.add(found, {*files, *vocabulary.faulty_files})
+
     def look_at(self, files: Iterable[str], texts: Texts = "vspec") -> None:
-        """Remember files whose text is judged when all values have been."""
+        """Remember files whose text is checked after all values."""
         self.files.update(dict.fromkeys(files, texts))
 
 
@@ -107,7 +120,7 @@ def lint_paths(paths: Sequence[Path], options: LintOptions | None = None) -> Lin
 
 def _lint_paths(paths: Sequence[Path], options: LintOptions) -> LintResult:
     every_rule = rules_for(options)
-    discovered = discover(paths, all_overlays(options), all_types(options), all_trees(options))
+    discovered = discover(paths, all_overlays(options), all_types(options), all_trees(options), options.rule_files)
     sources = [source for source in discovered if not _is_excluded(source.path, options)]
     units = [source for source in sources if source.kind == "vocabulary"]
     named = [source.path for source in units if source.named]
@@ -157,6 +170,7 @@ def _lint_trees(roots: Sequence[Path], lint: _Lint) -> list[Path]:
         options = of_tree(root, lint.options)
         catalogue = compose_tree(root, options)
         _refuse_without_signals(catalogue, root, options)
+        lint.causes |= catalogue.vocabulary.faulty_files
         lint.add(found_in(catalogue, lint.rules, attributes=lint.options.attributes, can=lint.can))
         lint.look_at([*(file.name for file in catalogue.files), str(root)])
     return list(roots)
@@ -189,7 +203,7 @@ def _lint_stack(base: Path, stack: Sequence[Path], named: Collection[str], optio
         found = with_siblings(found, stack[-1], catalogue, rules.rules)
     if base == ROOT_FILE and options.base is None and not options.overlays:
         found = with_own_tree(found, layers[-1], rules.rules)
-    lint.add(found, files | beside)
+    lint.add_composed(found, catalogue.vocabulary, files | beside)
     lint.look_at([*files, *beside])
     lint.beside.update(file.name for file in catalogue.files)
 
@@ -222,13 +236,13 @@ def _lint_types(path: Path, trees: Sequence[Path], lint: _Lint) -> None:
     types = [*others, layer]
     catalogue = compose([layer], vocabulary, types, expanded=False, name=path.stem)
     files = {file.name for file in layer.files} | {str(path)}
-    lint.add(found_in(catalogue, lint.rules, attributes=options.attributes), files)
+    lint.add_composed(found_in(catalogue, lint.rules, attributes=options.attributes), vocabulary, files)
     lint.look_at(files)
     lint.beside.update(file.name for file in catalogue.files)
 
 
 def _lint_part(source: Source, lint: _Lint) -> None:
-    """A part of a tree by itself; a part whose tree is linted too has been judged with it."""
+    """A part of a tree by itself; a part whose tree is linted too was checked with it."""
     if source.tree is None:
         return
     name = str(source.path)
@@ -240,7 +254,8 @@ def _lint_part(source: Source, lint: _Lint) -> None:
     vocabulary, is_older = units_of(source.tree, layer, (), of_tree(source.tree, lint.options))
     catalogue = compose([with_present_spellings(layer) if is_older else layer], vocabulary, expanded=False)
     found = found_in(catalogue, lint.rules.for_parts, attributes=lint.options.attributes, can=lint.can)
-    lint.add((each for each in found if each[0].rule not in lint.rules.of_whole_trees), {name})
+    local = (each for each in found if each[0].rule not in lint.rules.of_whole_trees)
+    lint.add_composed(local, vocabulary, {name})
     lint.look_at([name])
 
 
@@ -257,6 +272,7 @@ def _lint_functions(paths: Sequence[Path], lint: _Lint, *, is_complete: bool) ->
         checked = lint.options.check_functions(files, is_complete)
         lint.add((finding, None) for finding in checked.findings)
         lint.beside.update(checked.beside)
+        lint.causes |= checked.causes
 
 
 def _lint_rules(source: Source, lint: _Lint) -> None:
@@ -264,25 +280,43 @@ def _lint_rules(source: Source, lint: _Lint) -> None:
     file = parse_rules(_bytes_of(source.path, lint), str(source.path), trusted=False)
     lint.add((finding, None) for finding in file.findings)
     lint.add(found_in(compose([]), RuleSet((*file.rules, *file.unusable))))
+    lint.add((finding, None) for finding in taken(file.rules, compiled_rules(lint.options.rule_folder)))
+    if not file.findings:
+        from sigcat.rules.linting.examples import unfit_examples  # few runs have rules to check
+
+        units = read_units(ROOT_FILE, lint.options.units, lint.options.quantities).vocabulary
+        lint.add((finding, None) for finding in unfit_examples(file.rules, units))
 
 
 def _lint_vocabulary(source: Source, lint: _Lint) -> None:
-    """Units and quantities that no tree or overlay has brought along."""
+    """Lint units and quantities that no tree or overlay has brought along, beside those of the nearest tree."""
     path, name = source.path, str(source.path)
     if name in lint.files:
         return
-    is_units = path.name in UNIT_NAMES
-    vocabulary = (
-        read_units(path, quantities=lint.options.quantities).vocabulary if is_units else read_vocabulary((), (path,))
-    )
-    lint.add(((finding, None) for finding in vocabulary.findings), {name})
+    options = lint.options
+    listed = [source.spec for source in options.catalogues][:1]
+    tree = options.base or (listed[0] if listed else default_tree(path)) or ROOT_FILE
+    units, quantities = (*options.units, path), options.quantities
+    if path.name in QUANTITY_NAMES:
+        units, quantities = options.units, (*options.quantities, path)
+    vocabulary = read_units(
+        tree, units, quantities, overlays=(path,), has_standard=options.has_standard_units
+    ).vocabulary
+    lint.add_composed(((finding, None) for finding in vocabulary.findings), vocabulary, {name})
     lint.look_at([name])
+
+
+def _lint_unreadable(source: Source, lint: _Lint) -> None:
+    """Report what is called like a file and is none."""
+    lint.look_at([str(source.path)], "nothing")
+    lint.add([(codes.FILE_UNREADABLE.finding(path_fault(source.path), str(source.path)), None)])
 
 
 _LINT_FILE: Mapping[str, Callable[[Source, _Lint], None]] = {
     "part": _lint_part,
     "rules": _lint_rules,
     "vocabulary": _lint_vocabulary,
+    "unreadable": _lint_unreadable,
 }
 """Kinds of files that are linted one by one."""
 
@@ -316,7 +350,12 @@ def _result(lint: _Lint, every_rule: Sequence[Rule], whole: Sequence[Path]) -> L
     repairs = {identity_of(f): r for f, r in (*lint.found.items(), *lines.items(), *unused) if r is not None}
     beside = tuple(sorted(lint.beside.difference(lint.files)))
     return LintResult(
-        in_order(findings), tuple(lint.files), beside, repairs, kept.suppressed + in_baseline, lint.rules.counted
+        in_order(findings, lint.causes),
+        tuple(lint.files),
+        beside,
+        repairs,
+        kept.suppressed + in_baseline,
+        lint.rules.counted,
     )
 
 

@@ -129,7 +129,7 @@ def has_units(folder: Path) -> bool:
 
 def _prefix_in(file: Path, wanted: Path, root: Path, prefix: str, seen: set[Path]) -> str | None:
     seen.add(file)
-    for target, inner in includes_of(file):
+    for target, inner in dict.fromkeys(includes_of(file)):
         deeper = ".".join(part for part in (prefix, inner) if part)
         for candidate in dict.fromkeys((root / target, file.parent / target)):
             if not candidate.is_file():

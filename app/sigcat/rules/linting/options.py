@@ -18,10 +18,12 @@ class CheckedFunctions(NamedTuple):
 
     findings: Sequence[Finding]
     beside: tuple[str, ...]
+    causes: frozenset[str] = frozenset()
+    """Faulty files of units: findings in functions may follow from them."""
 
 
 FunctionCheck = Callable[[Sequence[tuple[bytes, str]], bool], CheckedFunctions]
-"""Checks function files, bytes with names, alone and as one set; the flag says whether there are no further ones.
+"""Checks function files, bytes with names, alone and as one set; the flag says whether the set is complete.
 
 Passed in by the command line: this room does not import functions.
 """
@@ -63,7 +65,7 @@ class LintOptions(NamedTuple):
     has_standard_units: bool = True
     """Whether a tree without a file of units has those of VSS."""
     dbc: tuple[Path, ...] = ()
-    """The CAN database that mappings are held against."""
+    """The CAN database that mappings are checked against."""
     attributes: tuple[str, ...] = ()
     """Extended attributes that count as known."""
     rule_folder: Path = INTERFACE_RULES

@@ -36,7 +36,7 @@ def lint_text(
 ) -> tuple[Finding, ...]:
     """Findings in an overlay over `base`, or in a tree by itself. `name` is what findings call the text.
 
-    `known` are codes of all rules that there are: of one that does not run, nothing is told.
+    `known` are codes of all existing rules: those that do not run are not reported.
     """
     refused = _refused(text, name, is_tree=is_tree)
     if refused is not None:
@@ -57,7 +57,7 @@ def lint_text(
 
 
 def _refused(text: bytes, name: str, *, is_tree: bool) -> Finding | None:
-    """A text that is no vspec at all is one finding: everything in it would be wrong."""
+    """A text that is not vspec at all is one finding: everything in it would be wrong."""
     wanted = "a tree" if is_tree else "an overlay"
     if not text.strip():
         fix = f"Send the text of {wanted}."
@@ -80,7 +80,7 @@ def _found_in_tree(
 def _found_in_overlay(
     layer: Layer, base: Catalogue, rules: RuleSet, limits: Limits, attributes: Sequence[str]
 ) -> list[Found]:
-    """Only what the overlay changes is composed and judged; the whole tree only where instances need it."""
+    """Only what the overlay changes is composed and checked; the whole tree only where instances need it."""
     layers = [*base.tree_layers, layer]
     whole = partial(compose, layers, base.vocabulary, base.type_layers, name=base.name, limits=limits, earlier=base)
     part = compose_part(base, layer, limits)

@@ -1,12 +1,14 @@
 """Rules that run: those that sigcat ships and those of a company, as the options select them."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 from sigcat import codes
-from sigcat.errors import UsageError
+from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import SEVERITIES, Finding
 from sigcat.names import did_you_mean
+from sigcat.real_path import real_path
 from sigcat.rules.checks import CHECKS
 from sigcat.rules.checks.kind import BadOption, check_options
 from sigcat.rules.compiled import compiled_rules
@@ -23,12 +25,27 @@ def rules_for(options: LintOptions) -> tuple[Rule, ...]:
     """
     shipped = compiled_rules(options.rule_folder)
     own = load_rule_files(options.rule_files, trusted=False, tried=_findings_about) if options.rule_files else ()
+    if findings := tuple(taken(own, shipped)):
+        raise InputRefused("The rules cannot be used.", findings)
     rules = {rule.id: rule for rule in (*shipped, *own)}
     for code, given in options.rule_options.items():
         if code not in rules:
-            raise UsageError(f"There is no rule {code!r}. {did_you_mean(code, rules)}".strip())
+            raise UsageError(f"Unknown rule {code!r}. {did_you_mean(code, rules)}".strip())
         rules[code] = _with_options(rules[code], given)
     return tuple(rules.values())
+
+
+def taken(own: Iterable[Rule], shipped: Iterable[Rule]) -> Iterator[Finding]:
+    """A finding for each rule with the code or name of another one that sigcat ships, which it would replace."""
+    codes_of = {rule.id: rule for rule in shipped}
+    names_of = {rule.name: rule for rule in codes_of.values()}
+    for rule in own:
+        other = codes_of.get(rule.id) or names_of.get(rule.name)
+        if other is not None and real_path(Path(other.file)) != real_path(Path(rule.file)):
+            what = f"code {rule.id}" if rule.id == other.id else f"name {rule.name!r}"
+            message = f"sigcat has a rule with the {what} already: {other.title}"
+            fix = "Choose another one, such as ACME001." if rule.id == other.id else "Choose another one."
+            yield codes.RULE_UNUSABLE.finding(message, rule.file, rule.line, 1, rule.id, fix=fix)
 
 
 def _findings_about(rules: Iterable[Rule]) -> tuple[Finding, ...]:
@@ -75,7 +92,7 @@ def _starts(rule: Rule, beginnings: Sequence[str]) -> bool:
 
 
 def _is_always_told(rule: Rule) -> bool:
-    """A file that cannot be read, or a rule that cannot be used, is reported whatever was selected: it judges nothing."""
+    """A file that cannot be read, or a rule that cannot be used, is reported whatever was selected: it checks nothing."""
     is_about_reading = rule.check == "composition" and rule.category == "reading"
     return is_about_reading or rule.id in (codes.RULE_UNUSABLE.id, codes.RULE_TOO_SLOW.id)
 

@@ -48,7 +48,7 @@ def _graded_in_file(finding: Finding, per_file: Iterable[PerFile], root: Path) -
 
 
 def matches(file: str, glob: str, root: Path) -> bool:
-    """Whether a file matches a glob relative to `root`; a folder stands for all below it."""
+    """Whether a file matches a glob relative to `root`; a folder includes all below it."""
     path = Path(file)
     try:
         name = real_path(path).relative_to(real_path(root)).as_posix()

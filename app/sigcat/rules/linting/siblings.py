@@ -37,12 +37,12 @@ def with_siblings(
 
 
 def with_own_tree(found: Iterable[Found], layer: Layer, rules: Iterable[Rule]) -> Iterator[Found]:
-    """Findings of an overlay over the shipped tree, which nobody named: what would be a whole tree may be meant as one."""
+    """Findings of an overlay over the shipped tree, which the user did not name: it may be meant as a whole tree."""
     about_overlays = {rule.id for rule in rules if rule.check.startswith("overlay-")}
     is_whole = _is_whole(layer)
     for finding, repair in found:
         if is_whole and finding.rule in about_overlays:
-            fix = f"{finding.fix} If the file is a tree of its own and no overlay of the shipped one, add `-s {layer.name}`."
+            fix = f"{finding.fix} If the file is a separate tree and not an overlay of the shipped one, add `-s {layer.name}`."
             yield finding._replace(fix=fix.lstrip()), repair
         else:
             yield finding, repair

@@ -1,11 +1,12 @@
 """Comments that suppress findings.
 
-`# sigcat: ignore[CODE, …]` at the end of a line concerns that line. On a line of its own it concerns the block that
+`# sigcat: ignore[CODE, …]` at the end of a line concerns that line. On a separate line it concerns the block that
 starts on the next line: all lines indented deeper than that one. `# sigcat: ignore-file[CODE, …]` concerns the file.
 """
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache, partial
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -39,13 +40,13 @@ class Suppressions(NamedTuple):
 
 
 class Kept(NamedTuple):
-    """The findings that are left, how many were suppressed, and what is wrong with the comments themselves."""
+    """The findings that are left, how many were suppressed, and the errors of the comments themselves."""
 
     findings: tuple[Finding, ...]
     suppressed: int
     about_comments: tuple[Finding, ...]
     unused: tuple[tuple[Finding, Repair], ...]
-    """Those of `about_comments` that a repair settles."""
+    """Findings of `about_comments` that a repair settles."""
 
 
 def read_suppressions(text: str, file: str, known: Sequence[str]) -> Suppressions:
@@ -54,13 +55,14 @@ def read_suppressions(text: str, file: str, known: Sequence[str]) -> Suppression
         return Suppressions(file, (), ())
     lines = text.splitlines()
     blocks = _blocks_of(lines)
+    codes_of = lru_cache(partial(_codes, known=known))
     entries: list[Suppression] = []
     findings: list[Finding] = []
     for number, line in enumerate(lines, 1):
         if MARK.decode() not in line:
             continue
         for match in re.finditer(_COMMENT, line):
-            named, problem = _codes(match, known)
+            named, problem = codes_of(match["what"], match["codes"] or "")
             column = match.start() + 1
             if problem:
                 findings.append(codes.SUPPRESSION_MALFORMED.finding(problem, file, number, column))
@@ -117,24 +119,25 @@ def _hits(finding: Finding, entry: Suppressions) -> Iterator[tuple[int, int, str
 def _unused(
     entries: Iterable[Suppressions], used: set[tuple[str, int, int, str]], active: frozenset[str]
 ) -> Iterator[tuple[Finding, Repair]]:
+    ran = lru_cache(lambda code: any(rule.startswith(code) for rule in active))
     for entry in entries:
         for suppression in entry.entries:
             for code in suppression.codes:
-                ran = any(rule.startswith(code) for rule in active)
-                if ran and (entry.file, suppression.line, suppression.column, code) not in used:
+                if ran(code) and (entry.file, suppression.line, suppression.column, code) not in used:
                     message = f"`ignore[{code}]` suppresses nothing."
                     at = (entry.file, suppression.line, suppression.column)
                     finding = codes.SUPPRESSION_UNUSED.finding(message, *at, fix="Remove it.")
                     yield finding, Repair("remove suppression", code)
 
 
-def _codes(match: re.Match[str], known: Sequence[str]) -> tuple[tuple[str, ...], str]:
-    if match["what"] not in ("ignore", "ignore-file"):
-        hint = did_you_mean(match["what"], ("ignore", "ignore-file"))
-        return (), f"A comment must say `ignore` or `ignore-file`, not {match['what']!r}. {hint}".strip()
-    named = [code.strip() for code in (match["codes"] or "").split(",") if code.strip()]
+def _codes(what: str, listed: str, known: Sequence[str]) -> tuple[tuple[str, ...], str]:
+    """Codes that a comment lists, and its problem. `known` are the codes of all rules."""
+    if what not in ("ignore", "ignore-file"):
+        hint = did_you_mean(what, ("ignore", "ignore-file"))
+        return (), f"A comment must say `ignore` or `ignore-file`, not {what!r}. {hint}".strip()
+    named = [code.strip() for code in listed.split(",") if code.strip()]
     if not named:
-        return (), f"The comment must name codes, as in `sigcat: {match['what']}[CODE]`."
+        return (), f"The comment must name codes, as in `sigcat: {what}[CODE]`."
     good = tuple(code for code in named if re.fullmatch(_CODE, code) and any(rule.startswith(code) for rule in known))
     bad = [code for code in named if code not in good]
     hint = did_you_mean(bad[0], known) if bad else ""
@@ -152,7 +155,7 @@ def _reach(match: re.Match[str], number: int, lines: Sequence[str], blocks: "_Bl
 
 
 class _Blocks(NamedTuple):
-    """Return the starts and ends of blocks. Lines count from 0; their number is the line after the last one."""
+    """Starts and ends of blocks. Lines count from 0; their number is the line after the last one."""
 
     following: Sequence[int]
     """For each line, the first one from it on that says something."""

@@ -11,7 +11,7 @@ _LEVELS = {"error": "error", "warning": "warning", "info": "notice"}
 
 
 def report(findings: Sequence[Finding], _sources: Mapping[str, str], _rules: Sequence[Rule]) -> str:
-    """A command for each finding, and a count that is no command."""
+    """A command for each finding, and a count that is not a command."""
     return "".join(_command(finding) for finding in findings) + count(findings) + "\n"
 
 

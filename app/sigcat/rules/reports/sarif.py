@@ -1,6 +1,7 @@
 """Findings as SARIF 2.1.0, within the limits of GitHub code scanning."""
 
 import json
+import os
 from collections.abc import Mapping, Sequence
 from typing import Any
 from urllib.parse import quote
@@ -54,7 +55,9 @@ def _rule(code: str, rule: Rule | None) -> dict[str, Any]:
 
 def _result(finding: Finding, fingerprint: str, indices: Mapping[str, int]) -> dict[str, Any]:
     advice = f" {finding.fix}" if finding.fix else ""
-    location: dict[str, Any] = {"physicalLocation": {"artifactLocation": {"uri": quote(relative(finding.file))}}}
+    location: dict[str, Any] = {
+        "physicalLocation": {"artifactLocation": {"uri": quote(os.fsencode(relative(finding.file)))}}
+    }
     if finding.line:
         region = {"startLine": finding.line, "startColumn": max(finding.column, 1)}
         location["physicalLocation"]["region"] = region

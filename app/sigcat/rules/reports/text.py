@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 
 from sigcat.findings import SEVERITIES, Finding
 from sigcat.rules.record import Rule
+from sigcat.terminal_text import printable
 
 _WORD = r"[\w.\[\]/%-]+"
-_CONTROL = r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069]"
 _MOST = 160
 """Characters of a line that are shown."""
 _COLOURS = {"error": "31", "warning": "33", "info": "36", "bold": "1", "dim": "2"}
@@ -44,11 +44,13 @@ def _plural(number: int, word: str) -> str:
 
 
 def _finding(finding: Finding, lines: list[str], colour: bool) -> str:
-    position = ":".join(str(part) for part in (finding.file, finding.line or "", finding.column or "") if part)
+    position = ":".join(
+        str(part) for part in (printable(finding.file), finding.line or "", finding.column or "") if part
+    )
     severity = _painted(finding.severity, finding.severity, colour)
     rule = _painted(finding.rule, "bold", colour)
     advice = f" {finding.fix}" if finding.fix else ""
-    head = f"{position}: {severity} {rule} {_visible(finding.message + advice)}\n".removeprefix(": ")
+    head = f"{position}: {severity} {rule} {printable(finding.message + advice)}\n".removeprefix(": ")
     return head + _excerpt(finding, lines, colour)
 
 
@@ -58,17 +60,12 @@ def _excerpt(finding: Finding, lines: list[str], colour: bool) -> str:
     line = lines[finding.line - 1]
     start = max(finding.column - 1, 0)
     left = max(0, start - _MOST // 2) if len(line) > _MOST else 0
-    shown = _visible(line[left : left + _MOST].replace("\t", " "))
+    shown = printable(line[left : left + _MOST].replace("\t", " "))
     token = re.compile(_WORD).match(line, start)
     width = min(max(len(token[0]) if token else 1, 1), _MOST - (start - left))
     gutter = f"{finding.line:>5} | "
     caret = " " * len(gutter) + " " * (start - left) + _painted("^" * width, finding.severity, colour)
     return f"{_painted(gutter, 'dim', colour)}{shown}\n{caret}\n"
-
-
-def _visible(text: str) -> str:
-    """Control characters as escapes: a file must not steer the terminal."""
-    return re.sub(_CONTROL, lambda match: f"\\x{ord(match[0]):02x}", text)
 
 
 def _painted(text: str, style: str, colour: bool) -> str:

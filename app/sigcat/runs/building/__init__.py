@@ -1,4 +1,4 @@
 """Connected functions with their sources in; a program that runs them, or what the compiler says of them, out.
 
-Everything is compiled in a folder of its own, and nothing is written beside the sources.
+Everything is compiled in a separate folder, and nothing is written beside the sources.
 """

@@ -52,7 +52,7 @@ def _compiled(one: Compilation) -> Said | None:
 
 
 def _said(command: tuple[str, ...], one: Compilation | None) -> Said | None:
-    """What a command says that fails."""
+    """Run a command; return its output if it fails."""
     environment = {**os.environ, "LC_ALL": "C", "GCC_COLORS": ""}
     done = subprocess.run(command, capture_output=True, check=False, env=environment)  # noqa: S603 — no shell
     if done.returncode == 0:

@@ -1,4 +1,4 @@
-"""What is compiled, and how: a command for each file, and one that links them."""
+"""Commands of a build: one that compiles each file, and one that links them."""
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -14,7 +14,7 @@ _FLAGS = ("-c", "-O2", "-g", *EXACT)
 _OF_CORE = (
     "-Werror=incompatible-pointer-types", "-Werror=int-conversion", "-Werror=implicit-function-declaration",
 )  # fmt: skip
-"""What older compilers of C let pass."""
+"""Checks that older compilers of C do not make by default."""
 
 
 class Compilation(NamedTuple):

@@ -1,4 +1,4 @@
-"""What a compiler or linker says, taken apart: gcc, clang and zig have the same form for that."""
+"""Parser of the output of compilers and linkers: gcc, clang and zig have the same form."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -16,6 +16,8 @@ class Diagnostic(NamedTuple):
 
 
 _ERROR = re.compile(r"(?P<file>.+?):(?P<line>\d+):(?:(?P<column>\d+):)? (?:fatal )?error: (?P<message>.*)")
+_UNREADABLE = re.compile(r"cc1\w*: (?:fatal )?error: (?P<file>.+?): (?P<message>[^:]+)")
+"""gcc for a file that it cannot read."""
 _LINKER = re.compile(
     r"(?:\S*ld(?:\.\w+)?: )?(?P<file>[^()\s][^()]*?):(?P<line>\d+):? "
     r"(?P<message>undefined reference to .*|multiple definition of [^;]*)"
@@ -36,6 +38,8 @@ def diagnostics(text: str) -> Iterator[Diagnostic]:
         if match := _ERROR.match(line):
             found = Diagnostic(match["file"], int(match["line"]), int(match["column"] or 0), match["message"])
             yield _where_it_is_used(found, lines[number + 1 :]) if _ASSERTION in found.message else found
+        elif match := _UNREADABLE.fullmatch(line):
+            yield Diagnostic(match["file"], 0, 0, match["message"])
         elif match := _LINKER.match(line):
             yield Diagnostic(match["file"], int(match["line"]), 0, match["message"].replace("`", "'"))
         elif match := _SYMBOL.search(line):

@@ -1,4 +1,4 @@
-"""What a compiler says of generated code, said of the declaration that it was generated from."""
+"""Errors of a compiler in generated code, reported at the declaration that the code was generated from."""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -17,9 +17,12 @@ from sigcat.runs.building.commands import Compilation
 from sigcat.runs.building.diagnostics import Diagnostic, diagnostics
 from sigcat.runs.connections import Member
 
+_CODE: Pointer = ("Code",)
+"""Origin of a line of generated code that no interface causes."""
+
 
 class Said(NamedTuple):
-    """What a compiler or the linker said when it failed."""
+    """Output of a compiler or the linker that failed."""
 
     compilation: Compilation | None
     """None: the linker."""
@@ -39,7 +42,7 @@ class _Generated(NamedTuple):
 
 
 def refused(failed: Sequence[Said], members: Sequence[Member], cores: Sequence[CoreFiles]) -> InputRefused:
-    """What is raised: a finding for each error; the words of the compiler where it has none of the usual form."""
+    """Return the error to raise: a finding for each error, or the compiler's output if it has none of the usual form."""
     generated = {
         file.name: _Generated(member, file, core.origins)
         for member, core in zip(members, cores, strict=True) for file in core.files
@@ -68,12 +71,16 @@ def _doing(said: Said, generated: Mapping[str, _Generated]) -> str:
 
 
 def _findings(said: Said, members: Sequence[Member], generated: Mapping[str, _Generated]) -> Iterator[Finding]:
-    for found in diagnostics(said.text):
-        file = generated.get(Path(found.file).name)
+    placed = [(found, generated.get(Path(found.file).name)) for found in diagnostics(said.text)]
+    pointers = [_pointer(found, file) if file else () for found, file in placed]
+    has_interfaces = any(pointer not in ((), _CODE) for pointer in pointers)
+    for (found, file), pointer in zip(placed, pointers, strict=True):
         message = _sentence(found.message)
+        if file is not None and pointer == _CODE and has_interfaces:
+            continue  # an assertion about a variable that is wrong, which is reported at its interface
         if file is not None:
-            fix = "Correct it here, or in the code."
-            yield file.member.function.finding(codes.CODE_UNFIT, _pointer(found, file), message, fix)
+            fix = "Correct this line, or the code."
+            yield file.member.function.finding(codes.CODE_UNFIT, pointer, message, fix)
         else:
             yield codes.CODE_NOT_COMPILED.finding(message, _as_given(found.file, members), found.line, found.column)
 
@@ -95,8 +102,8 @@ def _sentence(message: str) -> str:
 
 
 def _pointer(found: Diagnostic, file: _Generated) -> Pointer:
-    """What a line was made from: of an interface its expression in C, if the line has it; else the code."""
-    pointer = file.origins.get((file.file.name, found.line), ("Code",))
+    """Return the origin of a line: the expression in C of an interface, if the line has it; else the code."""
+    pointer = file.origins.get((file.file.name, found.line), _CODE)
     item = next((item for at, item in parts(file.member.function.function) if at == pointer), None)
     line = file.line(found.line)
     for name, info in type(item).model_fields.items() if item else ():

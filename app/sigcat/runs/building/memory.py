@@ -1,4 +1,4 @@
-"""How much memory the core of each function takes: its context, and its stack as far as the compiler tells."""
+"""Memory of each function's core: its context, and its stack as far as the compiler tells it."""
 
 import re
 import subprocess
@@ -17,25 +17,25 @@ _CALL = re.compile(r"\b(\w+)\(")
 
 
 class Memory(NamedTuple):
-    """What a core takes, in bytes."""
+    """Memory of a core, in bytes."""
 
     function: str
     state: int
-    """Of one context, with what the function works on if the context holds it."""
+    """Size of one context, with the function's data if the context holds it."""
     stack: int | None
-    """Of the deepest chain of calls within the core; None where the compiler does not tell."""
+    """Size of the deepest chain of calls within the core; None if the compiler does not tell it."""
     deepest: str
-    """Where that begins."""
+    """Function in which that chain begins."""
 
     @property
     def text(self) -> str:
         """For people."""
-        stack = f"{self.stack} bytes of stack in {self.deepest}" if self.stack is not None else "stack not told"
+        stack = f"{self.stack} bytes of stack in {self.deepest}" if self.stack is not None else "stack unknown"
         return f"{self.function}: {self.state} bytes of state, {stack}"
 
 
 def memory_of(members: Sequence[Member], folder: Path, tools: Toolchain) -> tuple[Memory, ...]:
-    """Of each function, in a folder with what was generated for them and built."""
+    """Return the memory of each function, from a folder with the files that were generated for them and built."""
     cores = [one for one in compilations(members, folder, tools) if one.source.stem.endswith("_adapter")]
     return tuple(_memory(members[one.member], one) for one in cores if one.member is not None)
 

@@ -41,7 +41,7 @@ static const uint32_t SIZES[] = {0, 1, 1, 1, 2, 2, 4, 4, 8, 8, 4, 8, 8};
 
 /* -- reading numbers ---------------------------------------------------------------------------------------------- */
 
-/* Whether a double lies in the middle of two floats, or so near to 0 that floats are not as dense as elsewhere. */
+/* Whether a double is in the middle of two floats, or so near to 0 that floats are not as dense as elsewhere. */
 static bool is_doubtful(double value)
 {
     uint64_t bits;
@@ -884,7 +884,7 @@ typedef struct {
     uint64_t room;
 } row;
 
-/* The next row of a block; what is no value is left out. False if there is none, or it has too many values. */
+/* The next row of a block; other values are left out. False if there is none, or it has too many values. */
 static bool next_row(const writing *table, const unsigned char *at, const unsigned char *end, row *to)
 {
     to->count = 0;

@@ -1,4 +1,4 @@
-"""Numbers under which the driver tells of calls and of what is kept."""
+"""Numbers of calls and of kept values in the driver's messages."""
 
 from typing import NamedTuple
 
@@ -9,13 +9,13 @@ from sigcat.runs.recording.shapes import packing
 
 
 class Numbers(NamedTuple):
-    """What stands for what, function by function."""
+    """Numbers of calls and stored values, function by function."""
 
     calls: tuple[Call | None, ...]
-    """Of each function its steps, its first Init and its first Terminate; None where it has no such."""
+    """Steps, first Init and first Terminate of each function; None where it has none."""
     kept: tuple[Kept, ...]
     counts: tuple[int, ...]
-    """How many numbers the calls of each function have."""
+    """Number of entries that each function has in `calls`."""
 
     def first_call(self, member: int) -> int:
         """The number of the first step of a function."""

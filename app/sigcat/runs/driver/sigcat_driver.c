@@ -4,7 +4,7 @@
  * INPUT has records of an entry and a value, by time; the entry SIGCAT_NONE has the time of those that follow.
  * RESULTS is a file that both processes map: records of a tag, a number, a time and a value. No descriptor leads to it.
  * ECHO is 1 if RESULTS repeats what is received. MEMORY and FILES limit, in bytes, what the process may allocate beyond
- * what it starts with, and the size of a file that it writes; 0 is no limit. Times are in nanoseconds. What the
+ * what it starts with, and the size of a file that it writes; 0: unlimited. Times are in nanoseconds. What the
  * functions print goes to standard error.
  */
 

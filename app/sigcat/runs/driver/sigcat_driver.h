@@ -31,10 +31,10 @@ typedef struct {
     void (*run)(uint32_t call);
     void (*get_output)(uint32_t call, uint64_t t);
     void (*supervise)(uint64_t t);
-    void (*send)(void); /* hands what is to be published to sigcat_sends */
+    void (*send)(void); /* hands values to publish to sigcat_sends */
     bool (*serve)(uint32_t method, const unsigned char *arguments, unsigned char *results);
     void (*terminate_at)(uint64_t t);
-    void (*store)(void); /* hands what is to be stored to sigcat_stores */
+    void (*store)(void); /* hands values to store to sigcat_stores */
 } sigcat_function;
 
 /* Where a record of the input goes. */

@@ -12,7 +12,7 @@ Kind = Literal["VALUE", "DURATION", "STORED", "GONE"]
 
 
 class Target(NamedTuple):
-    """Where a record of the driver's input goes, and what it holds. Its number is its index."""
+    """Target of a record of the driver's input, and its content. Its number is its index."""
 
     kind: Kind
     member: int

@@ -22,13 +22,13 @@ class Tolerance(NamedTuple):
 
 
 class Tolerances(NamedTuple):
-    """That of all signals, and those of single ones."""
+    """Tolerance of all signals, and those of single ones."""
 
     general: Tolerance
     by_name: Mapping[str, Tolerance]
 
     def of(self, names: Collection[str]) -> Tolerance:
-        """That of a signal with these names."""
+        """Return the tolerance of a signal with these names."""
         return next((self.by_name[name] for name in names if name in self.by_name), self.general)
 
 

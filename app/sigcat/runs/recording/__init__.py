@@ -1,4 +1,4 @@
-"""What was received or sent, by time: CSV in; values, and CSV, MCAP and pictures of them, out.
+"""Received and sent values, by time: CSV in; values, and CSV, MCAP and pictures of them, out.
 
 Nothing here knows of functions or compilers.
 """

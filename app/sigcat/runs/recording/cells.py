@@ -1,6 +1,6 @@
-"""A value as it stands in a cell of a CSV file: read exactly, and written so that it can be read again.
+"""A value as it is in a cell of a CSV file: read exactly, and written so that it can be read again.
 
-Numbers have all their digits: of a double and of a float the fewest that give it again. Symbols stand for the numbers
+Numbers have all their digits: of a double and of a float the fewest that give it again. Symbols mean the numbers
 of enumerations, lists and mappings of JSON for arrays and structs.
 """
 

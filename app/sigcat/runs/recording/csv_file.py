@@ -1,4 +1,4 @@
-"""Rows written as CSV: `time`, `call`, then a column for each thing that is sent. An empty cell is no new value."""
+"""Rows written as CSV: `time`, `call`, then a column for each thing that is sent. An empty cell is not a new value."""
 
 from collections.abc import Iterable, Iterator, Mapping
 

@@ -120,7 +120,7 @@ class McapFile:
     def damaged(self) -> InputRefused:
         """Say that the file is damaged."""
         return _refused(
-            self.path, f"The file must be in MCAP: {_why(self.path)}.", "Record it anew, or try `mcap recover`."
+            self.path, f"The file must be in MCAP: {_why(self.path)}.", "Record it again, or try `mcap recover`."
         )
 
     def _read_structure(self, file: BinaryIO) -> None:
@@ -283,7 +283,7 @@ class Topics:
             self._add(codes.TRACE_COLUMN_UNUSED.finding(message, str(self._path)))
             return
         hint = did_you_mean(name, [*self._known.received, *self._known.others])
-        message = f"The topic {shown(name)} is no signal of the catalogue and no interface of the functions."
+        message = f"The topic {shown(name)} is neither a signal of the catalogue nor an interface of the functions."
         self._add(codes.TRACE_COLUMN_UNKNOWN.finding(message, str(self._path), fix=hint or "Remove it."))
 
     def _add(self, finding: Finding) -> None:
@@ -370,7 +370,7 @@ def _cells(path: Path) -> Iterator[tuple[int, str, str]]:
 
 
 def _rows(path: Path) -> Iterator[tuple[int, dict[str, str]]]:
-    """What came at one time is a row; what came twice at that time is in a row after it."""
+    """Yield values of the same time as one row; a value that is repeated then is in a row after it."""
     last, cells = -1, dict[str, str]()
     for time, name, cell in _cells(path):
         if cells and (time != last or name in cells):

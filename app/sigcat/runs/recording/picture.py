@@ -19,11 +19,11 @@ _FOOT = 44
 _STEPS = 5
 """Steps of an axis, about."""
 _FARTHEST, _NEAREST = 1e307, 1e-300
-"""What an axis reaches, and its smallest room: within them, differences and shares are numbers."""
+"""Largest value of an axis, and its smallest range: within them, differences and shares are numbers."""
 
 
 class Tick(NamedTuple):
-    """A mark on an axis, in pixels, and what stands there."""
+    """A mark on an axis, in pixels, and its label."""
 
     at: float
     label: str
@@ -39,7 +39,7 @@ class Panel(NamedTuple):
     path: str
     """Commands of an SVG path."""
     beside: str = ""
-    """Those of a second line, such as what is expected."""
+    """Commands of a second line, such as an expected one."""
 
 
 class Picture(NamedTuple):
@@ -52,7 +52,7 @@ class Picture(NamedTuple):
     height: int
     first: float
     last: float
-    """What the axis of time reaches, in ns."""
+    """Range of the axis of time, in ns."""
 
 
 class _Axis(NamedTuple):
@@ -60,7 +60,7 @@ class _Axis(NamedTuple):
     high: float
 
     def share(self, value: float) -> float:
-        """Where a value is, from 0 to 1."""
+        """Return the position of a value on the axis, from 0 to 1."""
         return min(max((value - self.low) / (self.high - self.low), 0.0), 1.0) if self.low < self.high else 0.0
 
 

@@ -7,7 +7,7 @@ from sigcat.runs.recording.shapes import Value
 
 
 class Recorded(NamedTuple):
-    """What was sent at a time."""
+    """Values that were sent at a time."""
 
     time: int
     """In ns."""
@@ -18,7 +18,7 @@ class Recorded(NamedTuple):
 
 
 def split(row: Recorded) -> Iterator[Recorded]:
-    """Rows that have each column once: earlier values of a queue stand in rows before that of the call."""
+    """Rows that have each column once: earlier values of a queue are in rows before that of the call."""
     last = {name: index for index, (name, _) in enumerate(row.values)}
     for index, value in enumerate(row.values):
         if index != last[value[0]]:

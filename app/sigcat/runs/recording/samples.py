@@ -1,4 +1,4 @@
-"""What was received and sent, value by value, in order of time."""
+"""Received and sent values, one by one, in order of time."""
 
 from typing import NamedTuple
 

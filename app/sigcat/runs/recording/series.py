@@ -1,7 +1,7 @@
 """Values of one column in order of time, thinned while they come: it stays small whatever is recorded.
 
 A value holds until another one comes, so that only changes are kept; of many in a short time the first, the smallest, the
-largest and the last, and one that is no number: what a picture can show of them. What came in all is counted.
+largest and the last, and one that is not a number: what a picture can show of them. All values are counted.
 """
 
 import math
@@ -11,7 +11,7 @@ from typing import NamedTuple
 from sigcat.limits import RUN_CHANGES
 
 _SPANS = 2_000
-"""Parts of the whole time that are told apart; a picture has fewer columns of pixels."""
+"""Parts of the whole time that are separate; a picture has fewer columns of pixels."""
 _MOST = 6 * _SPANS
 
 Point = tuple[int, float]
@@ -19,7 +19,7 @@ Point = tuple[int, float]
 
 
 class Series(NamedTuple):
-    """What came."""
+    """Summary of a column's values."""
 
     points: tuple[Point, ...]
     """Changes, the first value among them."""
@@ -27,7 +27,7 @@ class Series(NamedTuple):
     """Values in all."""
     least: float
     greatest: float
-    """Of finite values; NaN if there is none."""
+    """Smallest and greatest of the finite values; NaN if there is none."""
     changes: tuple[Point, ...]
     """The first ones, none left out."""
     change_total: int
@@ -71,7 +71,7 @@ class SeriesCollector:
 
     @property
     def series(self) -> Series:
-        """What came until now."""
+        """Return the summary of the values so far."""
         has_numbers = self._least <= self._greatest
         least, greatest = (self._least, self._greatest) if has_numbers else (math.nan, math.nan)
         return Series(tuple(self._points), self._total, least, greatest, tuple(self._changes), self._change_total)

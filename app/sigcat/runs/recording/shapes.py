@@ -1,4 +1,4 @@
-"""What a value is made of, and its numbers one after the other, as two programs hand them to each other."""
+"""Shapes of values, and their numbers one after the other, as two programs exchange them."""
 
 import struct
 from collections.abc import Iterator
@@ -46,7 +46,7 @@ Value = Any
 
 
 class Packing(NamedTuple):
-    """A shape, and how its numbers stand in memory: one after the other, without gaps, as this machine has them."""
+    """A shape, and the layout of its numbers in memory: one after the other, without gaps, as this machine has them."""
 
     shape: Shape
     struct: struct.Struct
@@ -64,7 +64,7 @@ class Packing(NamedTuple):
 
 
 def packing(shape: Shape) -> Packing:
-    """How values of a shape are packed."""
+    """Return the packing of values of a shape."""
     return Packing(shape, struct.Struct(f"={_format(shape)}"))
 
 

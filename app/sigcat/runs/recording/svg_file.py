@@ -1,4 +1,4 @@
-"""A picture of signals as an SVG file that stands for itself, in light and in dark."""
+"""A picture of signals as a self-contained SVG file, in light and in dark."""
 
 from collections.abc import Iterator, Sequence
 

@@ -1,4 +1,4 @@
-"""Times in nanoseconds, and in seconds with nine decimals as they stand in files."""
+"""Times in nanoseconds, and in seconds with nine decimals as in files."""
 
 import re
 from decimal import Decimal, InvalidOperation

@@ -24,12 +24,12 @@ TIME, CALL = RUN_COLUMNS
 
 
 class Known(NamedTuple):
-    """What the columns of a trace may be."""
+    """Columns that a trace may have."""
 
     received: Mapping[str, Shape]
-    """What is received, by every name that it has."""
+    """Received values, by each of their names."""
     others: Collection[str] | None
-    """What there is too, and nobody receives from a trace; None: whatever else there is, and it needs no word."""
+    """Further known columns, which no function receives from a trace; None: any others, without a finding."""
     ends_rows: bool = False
     """Whether every row ends with a line break, as in what a run wrote: a row without one was cut, and its last cell
     may be."""
@@ -40,7 +40,7 @@ class Known(NamedTuple):
 
 
 class Moment(NamedTuple):
-    """A row: what came at a time."""
+    """A row: the values at a time."""
 
     time: int
     values: tuple[tuple[str, Value], ...]
@@ -48,7 +48,7 @@ class Moment(NamedTuple):
     call: str = ""
     """In what a run wrote: the call that ended then."""
     line: int = 0
-    """Where it stands in its file."""
+    """Line in its file."""
 
 
 class Trace(NamedTuple):
@@ -57,7 +57,7 @@ class Trace(NamedTuple):
     file: Path
     columns: tuple[str, ...]
     shapes: tuple[Shape | None, ...]
-    """Of each column; None: it is left out."""
+    """Shape of each column; None: the column is left out."""
     findings: tuple[Finding, ...]
     taken: tuple[tuple[int, Shape], ...]
     """The columns that are not left out, by their indexes."""
@@ -159,10 +159,12 @@ class _Header(NamedTuple):
     known: Known
 
     def findings(self) -> Iterator[Finding]:
-        """What is wrong with the columns, and which of them are left out."""
+        """Yield findings about the columns, and about those that are left out."""
         if not self.names or self.names[0] != TIME:
-            message = f"The first column must be `{TIME}`, not {shown(self.names[0] if self.names else '')}."
-            yield self._finding(codes.TRACE_MALFORMED, 0, message, "Give the time of each row in seconds.")
+            first = self.names[0] if self.names else ""
+            message = f"The first column must be `{TIME}`, not {shown(first)}."
+            fix = "Separate cells by commas." if re.search("[;\t|]", first) else "Give the time of each row in seconds."
+            yield self._finding(codes.TRACE_MALFORMED, 0, message, fix)
             return
         seen = {TIME}
         for index, name in enumerate(self.names[1:], 1):
@@ -172,7 +174,7 @@ class _Header(NamedTuple):
 
     def _of_column(self, index: int, name: str, *, is_again: bool) -> Iterator[Finding]:
         if is_again:
-            message = f"The column {shown(name)} must stand in the header once."
+            message = f"The column {shown(name)} must be in the header only once."
             yield self._finding(codes.TRACE_MALFORMED, index, message, "Remove one of them.")
         elif name in self.known.received or name == CALL or self.known.others is None:
             return
@@ -181,7 +183,9 @@ class _Header(NamedTuple):
             yield self._finding(codes.TRACE_COLUMN_UNUSED, index, message, "")
         else:
             hint = did_you_mean(name, [*self.known.received, *self.known.others])
-            message = f"The column {shown(name)} is no signal of the catalogue and no interface of the functions."
+            message = (
+                f"The column {shown(name)} is neither a signal of the catalogue nor an interface of the functions."
+            )
             yield self._finding(codes.TRACE_COLUMN_UNKNOWN, index, message, hint or "Remove it.")
 
     def _finding(self, rule: RuleCode, index: int, message: str, fix: str) -> Finding:
@@ -207,7 +211,7 @@ def column_in(trace: Trace, line: int, name: str) -> int:
 
 
 def _moment(trace: Trace, row: _Row, last: int, findings: list[Finding]) -> Moment | Finding | None:
-    """What came at the time of a row; findings of its cells are added to those that are there."""
+    """Return the values at the time of a row; findings of its cells are added to the list."""
     if len(row.cells) != len(trace.columns):
         message = f"The row must have {len(trace.columns)} cells, as the header has, not {len(row.cells)}."
         return codes.TRACE_MALFORMED.finding(message, str(trace.file), row.line, 1)
@@ -227,7 +231,7 @@ def _moment(trace: Trace, row: _Row, last: int, findings: list[Finding]) -> Mome
 
 def _unfit_time(trace: Trace, row: _Row, *, is_number: bool) -> Finding:
     text = shown(row.cells[0])
-    message = f"The time must not be before that of the row above, as {text} is."
+    message = f"The time must be at least that of the row above, not {text}."
     if not is_number:
         message = f"The time must be in seconds, from 0 on, not {text}."
     return codes.TRACE_TIME_UNFIT.finding(message, str(trace.file), row.line, _column(row, 0))
@@ -281,7 +285,7 @@ _CELL = re.compile(r'[ \t]*"[^"]*(?:""[^"]*)*"[ \t]*(?=,|$)|[^",]*(?=,|$)')
 
 
 def _quoted(text: str) -> list[str] | int:
-    """The cells of a row as they stand there, or where one begins that has no end."""
+    """The cells of a row, unchanged, or where one begins that has no end."""
     cells: list[str] = []
     at = 0
     while at <= len(text):
@@ -298,7 +302,7 @@ def _unquoted(cell: str) -> str:
 
 
 def _column(row: _Row, index: int) -> int:
-    """Where a cell begins, from 1."""
+    """Return the column at which a cell begins, from 1."""
     cells = row.text.split(",") if '"' not in row.text else _quoted(row.text)
     assert not isinstance(cells, int)
     return sum(len(cell) + 1 for cell in cells[:index]) + 1

@@ -1,4 +1,4 @@
-"""The program of a set and a trace in; rows of what was sent, as they come, out.
+"""The program of a set and a trace in; rows of sent values, as they arrive, out.
 
-It is a process of its own, so that a call that crashes or hangs ends it alone.
+It is a separate process, so that a call that crashes or hangs ends it alone.
 """

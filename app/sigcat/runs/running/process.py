@@ -197,6 +197,6 @@ def _held_back(numbers: set[signal.Signals]) -> set[int]:
 
 
 def _let_through(before: set[int]) -> None:
-    """What waits comes now, but for what waited before."""
+    """Deliver pending signals, except those that were blocked before."""
     if hasattr(signal, "pthread_sigmask"):
         signal.pthread_sigmask(signal.SIG_SETMASK, before)

@@ -12,12 +12,12 @@ NO_CALL = 2**32 - 1
 
 
 class Row(NamedTuple):
-    """What was sent at a time; where a call ended then, by this call."""
+    """Values that were sent at a time, with the call that ended then, if any."""
 
     time: int
     call: int | None
     values: tuple[tuple[int, Value], ...]
-    """What was sent, by the numbers of exits."""
+    """Sent values, by the numbers of exits."""
 
 
 class Received(NamedTuple):
@@ -41,7 +41,7 @@ class InitFails(NamedTuple):
 
 
 class Stored(NamedTuple):
-    """A part of what a function keeps."""
+    """A part of the values that a function keeps."""
 
     kept: int
     value: Value

@@ -1,4 +1,4 @@
-"""A run as it goes on, and why it stopped if it did."""
+"""A run in progress, and why it stopped if it did."""
 
 import signal
 from collections.abc import Iterator
@@ -62,7 +62,7 @@ def run(command: Command, layout: Layout, scan: Scan, progress: Progress) -> Ite
             if isinstance(event, NoEnd):
                 raise Stopped("no end", None, event.time)
             is_finished = is_finished or isinstance(event, Finished)
-            yield event  # the process goes on to its end: it still writes what was measured
+            yield event  # the process continues to its end: it still writes its measurements
     except (Damaged, Ended, Garbled, Hangs, PrintsTooMuch) as stopped:
         if not is_finished:
             raise _stopped(_unpacked(stopped, command), progress, command.start) from None
@@ -94,7 +94,7 @@ def _stopped(why: Exception, progress: Progress, start: int) -> Stopped:
 
 
 def _as_text(status: int) -> str:
-    """How a process ended: `SIGSEGV (Segmentation fault)`."""
+    """Return how a process ended, as text: `SIGSEGV (Segmentation fault)`."""
     if status >= 0:
         return f"exit status {status}"
     try:

@@ -19,12 +19,12 @@ _YES = b"\x01"
 
 
 class Span(NamedTuple):
-    """Times of the first and the last row, in ns; None if there is no row."""
+    """Times of the first and the last row, in ns; None without rows."""
 
     first: int | None = None
     last: int | None = None
     line: int = 0
-    """That of the last row."""
+    """Line of the last row."""
 
 
 def write_kept(file: BinaryIO, kept: Mapping[Kept, Value], targets: Sequence[Target], numbers: Numbers) -> None:
@@ -41,7 +41,7 @@ def write_rows(
 ) -> Span:  # fmt: skip
     """Write a trace. Raises InputRefused with its findings.
 
-    `gone` says of functions, by name, from when on nothing of them is called.
+    `gone` has the time, by function name, after which nothing of it is called.
     """
     indexes = {member.name: index for index, member in enumerate(connections.members)}
     first = next(number for number, target in enumerate(targets) if target.kind == "GONE")

@@ -81,7 +81,7 @@ def show_problem_kind(request: Request, kind: str) -> Response:
     """Return the meaning of a kind of problem: the address in its `type`."""
     known = {name: (status, title) for status, (name, title) in KINDS.items()}
     if kind not in known:
-        raise NotFound(f"There is no kind of problem {kind!r}.", tuple(known))
+        raise NotFound(f"Unknown kind of problem {kind!r}.", tuple(known))
     status, title = known[kind]
     return page(request, "problem_kind.html", kinds=known, code=status, title=title)
 
@@ -149,7 +149,7 @@ def type_name(schema: Mapping[str, Any]) -> str:
 
 
 def _example(method: str, path: str, entry: Mapping[str, Any], base: str) -> str:
-    """A call that works as it stands, where the parameters of the path have examples."""
+    """A call that works unchanged, where the parameters of the path have examples."""
     for parameter in entry.get("parameters", []):
         examples = parameter.get("examples") or parameter.get("schema", {}).get("examples") or []
         if parameter["in"] == "path" and examples:

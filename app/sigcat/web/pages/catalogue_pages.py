@@ -33,6 +33,7 @@ from sigcat.function.hosting import FunctionLibrary
 from sigcat.function.node_uses import uses_in
 from sigcat.limits import PAGE_FINDINGS, PICTURED_NODES
 from sigcat.web.addresses import Addresses
+from sigcat.web.documentation import search as search_documentation
 from sigcat.web.pictures.sunburst import Sunburst, sunburst
 from sigcat.web.rendering import page
 from sigcat.web.views.catalogue_findings import findings_over
@@ -57,12 +58,6 @@ class PageQuery(SearchQuery):
 
 Opened = Annotated[str, Query(alias="open", description="Open branches, separated by commas; `*` opens all.")]
 From = Annotated[int, Query(alias="from", ge=0)]
-
-
-@router.get("/")
-def show_home(request: Request, library: TheLibrary, opened: Opened = "", start: From = 0) -> Response:
-    """The tree of the default catalogue."""
-    return _tree(request, library.default, "", opened, start)
 
 
 @router.get("/tree/{catalogue}")
@@ -133,6 +128,7 @@ def show_search(
         filters=query.filters,
         facets=_facets(result.facets, query.filters, result.total),
         result=result,
+        chapters=search_documentation(text),
         uses=uses_in(functions_of(request).files, hosted.catalogue),
         offset=offset,
         cursor=cursor_of(following, state) if result.hits and following < result.total else None,

@@ -1,5 +1,7 @@
 """Pages of the functions that the service hosts."""
 
+from collections.abc import Mapping
+from functools import partial
 from typing import Annotated, NamedTuple
 
 from fastapi import APIRouter, Depends, Query, Request
@@ -18,25 +20,21 @@ from sigcat.web.pictures.interface_diagram import interface_diagram
 from sigcat.web.pictures.timeline import time_line
 from sigcat.web.rendering import page
 from sigcat.web.views.code_view import code_view
+from sigcat.web.views.document_tabs import SET_TABS, Tab, chosen_tab, download, open_tab
 from sigcat.web.views.function_sets import known_sets
-from sigcat.web.views.generated_documents import (
-    VIEWS,
-    GeneratedDocument,
-    attached,
-    chosen_view,
-    document_named,
-    documents_of,
-)
+from sigcat.web.views.generated_documents import FUNCTION_JSON, VIEWS, GeneratedDocument, attached, documents_of
 from sigcat.web.views.needed_overlays import Need, need_of
 from sigcat.web.views.run_view import RunView, run_view
 from sigcat.web.views.source_view import shown_text, source_view
 
 router = APIRouter(route_class=InThread)
+_SOURCE = "source"
+"""View of the file as it is."""
 
 
 @router.get("/functions")
 def show_functions(request: Request, hosted: NamedCatalogue, functions: TheFunctions, library: TheLibrary) -> Response:
-    """The functions, those of one's own first, and what those need that do not build."""
+    """The functions, the operator's own first, and the needs of those that do not build."""
     return page(
         request,
         "functions.html",
@@ -116,8 +114,10 @@ def show_function(
         return _as_json(chosen)
     function = chosen.function
     runs = functions.runs_of(chosen) if run or view != "run" else ()
-    views = _views(chosen, runs)
-    shown = chosen_view(view, views) if function or view != "interfaces" else "source"
+    tabs = _tabs(chosen)
+    titles = _titles(tabs, runs) if function else {_SOURCE: tabs[_SOURCE].title}
+    wanted = view if function or view != "interfaces" else _SOURCE
+    shown = chosen_tab(wanted, titles, tabs)
     return page(
         request,
         "function.html",
@@ -126,23 +126,38 @@ def show_function(
         functions=_over(functions, hosted),
         sets=known_sets(functions.files),
         need=need_of(chosen, functions.files, expanded_of(hosted.catalogue), library),
-        views=views,
-        view=shown,
+        tabs=titles,
+        tab=shown,
         diagram=interface_diagram(function) if function else None,
         timeline=time_line([function]) if function else None,
         code=code_view(function) if function else None,
         source=source_view(shown_text(chosen.file.data), chosen.findings),
-        documents=documents_of(chosen.resolved, shown) if chosen.resolved and shown in VIEWS else (),
+        opened=open_tab(wanted, tabs[shown], partial(_made, chosen)) if shown in tabs else None,
         runs=runs,
         run=run,
     )
 
 
-def _views(chosen: HostedFunction, runs: HostedRuns) -> dict[str, str]:
-    """The views of a function, with what each is called."""
-    source = {"source": "As written" if chosen.file.is_json else "Declaration"}
+def _tabs(chosen: HostedFunction) -> dict[str, Tab]:
+    """Tabs with documents: those of a set, then the file and its Function JSON."""
+    source = {_SOURCE: "As written" if chosen.file.is_json else "Declaration"}
+    if not chosen.function:
+        return {_SOURCE: Tab("Documents", source)}
+    return {**SET_TABS, _SOURCE: Tab("Documents", {**source, FUNCTION_JSON: VIEWS[FUNCTION_JSON]})}
+
+
+def _titles(tabs: Mapping[str, Tab], runs: HostedRuns) -> dict[str, str]:
+    """Titles of all tabs of a function that is built."""
     recorded = {"run": "Run" if len(runs) == 1 else "Runs"} if runs else {}
-    return {"interfaces": "Interfaces", **source, **recorded, **VIEWS} if chosen.function else source
+    documented = {name: tab.title for name, tab in tabs.items()}
+    return {"interfaces": "Interfaces", "schedule": "Schedule", **recorded, **documented}
+
+
+def _made(chosen: HostedFunction, view: str) -> tuple[GeneratedDocument, ...]:
+    """The documents of a view."""
+    if view == _SOURCE:
+        return (_source_of(chosen),)
+    return documents_of(chosen.resolved, view) if chosen.resolved else ()
 
 
 @router.get("/functions/{function_id}/runs.json")
@@ -167,12 +182,11 @@ def download_run(hosted: NamedCatalogue, functions: TheFunctions, function_id: s
 
 @router.get("/functions/{function_id}/files/{document_id}")
 def download_document(hosted: NamedCatalogue, functions: TheFunctions, function_id: str, document_id: str) -> Response:
-    """A document of a function, or its file as it is."""
+    """A document of a function, its file as it is, or all of a tab as an archive."""
     chosen = _function(functions, hosted, function_id)
-    if document_id == "source":
+    if document_id == _SOURCE:
         return attached(_source_of(chosen))
-    resolved = chosen.resolved
-    return attached(document_named(document_id, lambda view: documents_of(resolved, view) if resolved else ()))
+    return download(document_id, chosen.name, partial(_made, chosen), _tabs(chosen))
 
 
 def _over(functions: FunctionLibrary, hosted: Hosted) -> tuple[HostedFunction, ...]:
@@ -192,7 +206,7 @@ def _needs(functions: FunctionLibrary, hosted: Hosted, library: Library) -> dict
 
 def _source_of(chosen: HostedFunction) -> GeneratedDocument:
     ending, media_type = (".json", "application/json") if chosen.file.is_json else (".yaml", "application/yaml")
-    return GeneratedDocument("source", "source", f"{chosen.id}{ending}", media_type, shown_text(chosen.file.data))
+    return GeneratedDocument(_SOURCE, _SOURCE, f"{chosen.id}{ending}", media_type, shown_text(chosen.file.data))
 
 
 def _as_json(chosen: HostedFunction) -> Response:

@@ -1,6 +1,7 @@
 """Pages of sets of functions: hosted ones by their ids in the address, any others as posted files."""
 
 from collections.abc import Iterable, Sequence
+from functools import partial
 from typing import Annotated, Any, NamedTuple
 
 from fastapi import APIRouter, Query, Request
@@ -29,6 +30,7 @@ from sigcat.web.pictures.timeline import time_line
 from sigcat.web.pictures.wiring_diagram import wiring_diagram
 from sigcat.web.rendering import page_for
 from sigcat.web.views import signal_conversions
+from sigcat.web.views.document_tabs import SET_TABS, chosen_tab, download, open_tab
 from sigcat.web.views.function_sets import (
     FunctionSet,
     as_text,
@@ -39,19 +41,12 @@ from sigcat.web.views.function_sets import (
     hosted_set,
     known_sets,
 )
-from sigcat.web.views.generated_documents import (
-    SET_VIEWS,
-    GeneratedDocument,
-    attached,
-    chosen_view,
-    document_named,
-    integrations_of,
-)
+from sigcat.web.views.generated_documents import SET_VIEWS, GeneratedDocument, integrations_of
 from sigcat.web.views.source_view import SourceView, is_shown_whole, shown_text, source_view
 from sigcat.web.visits import Visit, visit_of
 
 router = APIRouter()
-VIEWS = {"files": "Files", **SET_VIEWS}
+_TITLES = {"files": "Files", **{name: tab.title for name, tab in SET_TABS.items()}}
 
 Chosen = Annotated[list[str] | None, Query(alias="f", description="Ids of functions.")]
 
@@ -78,10 +73,10 @@ async def show_wiring(
     hosted_functions: TheFunctions,
     queue: TheWorkQueue,
     functions: Chosen = None,
-    write: Annotated[bool, Query(description="Whether to begin with functions of one's own.")] = False,
+    write: Annotated[bool, Query(description="Whether to begin with the user's own functions.")] = False,
     view: str = "files",
 ) -> Response:
-    """A set of functions: who provides what to whom, what comes from outside, and when each call runs."""
+    """A set of functions: providers and consumers, signals from outside, and when each call runs."""
     asked = Asked(
         visit_of(request), hosted, hosted_functions.files, settings_of(request).limits, hosted_functions.comparisons
     )
@@ -90,7 +85,7 @@ async def show_wiring(
 
 @router.post("/wiring")
 async def connect_posted(request: Request, functions: TheFunctions, queue: TheWorkQueue, body: PostedBody) -> Response:
-    """The same page for posted functions, together with the hosted ones that are named. Nothing of them is kept."""
+    """The same page for posted functions, together with the hosted ones that are named. They are not stored."""
     posted = posted_form(body, request.headers.get("content-type", ""))
     limits = settings_of(request).limits
     return await queue.run(_posted, visit_of(request), posted, functions.files, limits, functions.comparisons)
@@ -158,6 +153,7 @@ def _page(
     functions = functions_over(asked.files, asked.catalogue)
     sets = known_sets(asked.files)
     own_text = as_text(own)
+    tab, make = chosen_tab(view, _TITLES, SET_TABS), partial(_documents, together.whole)
     return page_for(
         asked.visit,
         "wiring.html",
@@ -176,9 +172,12 @@ def _page(
         conversions=signal_conversions,
         diagram=wiring_diagram(together.wiring),
         timeline=time_line(together.functions),
-        views=VIEWS,
-        view=chosen_view(view, VIEWS),
-        documents=_documents(together.whole, "" if view == "files" else view),
+        tabs=_TITLES,
+        tab=tab,
+        view=view,
+        views=SET_VIEWS,
+        documents=_documents(together.whole) if tab == "files" else (),
+        opened=open_tab(view, SET_TABS[tab], make) if tab in SET_TABS and together.whole else None,
         made_from=[function.name for function in together.whole],
         ids={each.name: each.id for each in functions if each.id in chosen},
     )
@@ -229,7 +228,7 @@ def _documents(functions: Sequence[ResolvedFunction], view: str = "") -> Sequenc
 
 
 def _download(functions: Sequence[ResolvedFunction], document_id: str) -> Response:
-    return attached(document_named(document_id, lambda view: _documents(functions, view)))
+    return download(document_id, "FunctionSet", partial(_documents, functions), SET_TABS)
 
 
 def _as_data(together: FunctionSet) -> dict[str, object]:

@@ -1,5 +1,6 @@
-"""A page on which one writes an overlay, a tree or a function, and sees at once what is wrong with it."""
+"""A page for writing an overlay, a tree or a function, which shows its errors at once."""
 
+from functools import partial
 from typing import Annotated, Literal, NamedTuple
 
 from fastapi import APIRouter, Query, Request
@@ -21,7 +22,7 @@ from sigcat.catalogue.hosting.variants import choice_of, expanded_of
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.datatypes import PRIMITIVES
 from sigcat.data import OVERLAYS
-from sigcat.errors import UsageError
+from sigcat.errors import NotFound, UsageError
 from sigcat.file_kind import holds_function, is_json
 from sigcat.findings import Finding
 from sigcat.function.declaration.scaffold import scaffold
@@ -37,7 +38,8 @@ from sigcat.web.pictures.timeline import time_line
 from sigcat.web.rendering import page_for
 from sigcat.web.views.change_trees import SIGNS
 from sigcat.web.views.command_lines import overlay_commands
-from sigcat.web.views.generated_documents import VIEWS, attached, chosen_view, document_named, documents_of
+from sigcat.web.views.document_tabs import TABS, chosen_tab, download, open_tab
+from sigcat.web.views.generated_documents import documents_of
 from sigcat.web.views.overlay_draft import adding_draft, changing_draft
 from sigcat.web.views.overlay_outcome import OverlayOutcome, overlay_outcome
 from sigcat.web.views.source_view import shown_text, source_view
@@ -46,8 +48,10 @@ from sigcat.web.visits import Visit, visit_of
 router = APIRouter()
 Kind = Literal["overlay", "function", "tree"]
 KINDS: dict[Kind, str] = {"overlay": "Overlay", "function": "Function", "tree": "Tree"}
-_VIEWS = {"interfaces": "Interfaces", **VIEWS}
+_TITLES = {"interfaces": "Interfaces", **{name: tab.title for name, tab in TABS.items()}}
 _EXAMPLE = "core_acc"
+_NO_EFFECT = "overlay-no-effect"
+"""The check of rules that report an overlay which repeats the tree."""
 _OVERLAY = """\
 # An overlay changes or adds nodes. Findings appear as you type.
 Vehicle.Speed:
@@ -125,8 +129,12 @@ async def try_text(
 
 
 def _begun(asked: Asked, kind: Kind, example: str, change: str, below: str) -> Response:
-    text = _draft(asked.hosted.catalogue, change, below) if change or below else _beginning(kind, example, asked.files)
-    return _page(asked, kind, text, _judged(asked, kind, text.encode("utf-8", "replace")))
+    text = _draft(asked.hosted.catalogue, change, below) if change or below else _beginning(kind, example, asked)
+    result = _judged(asked, kind, text.encode("utf-8", "replace"))
+    if change:  # the draft repeats the node until it is edited
+        unfit = {rule.id for rule in asked.rules.active.rules if rule.check == _NO_EFFECT}
+        result = result._replace(findings=tuple(each for each in result.findings if each.rule not in unfit))
+    return _page(asked, kind, text, result)
 
 
 def _tried_form(visit: Visit, posted: PostedForm, rules: ServiceRules, files: HostedFiles, limits: Limits) -> Response:
@@ -144,12 +152,14 @@ def _tried_form(visit: Visit, posted: PostedForm, rules: ServiceRules, files: Ho
 
 
 def _posted_data(form: Form) -> bytes:
-    """The file that was chosen, byte for byte, or else what stands in the field."""
+    """The file that was chosen, byte for byte, or else the text of the field."""
     return next((file.data for file in form.files), form.text("text").encode("utf-8", "replace"))
 
 
 def _download(function: ResolvedFunction | None, document_id: str) -> Response:
-    return attached(document_named(document_id, lambda view: documents_of(function, view) if function else ()))
+    if function is None:
+        raise NotFound(f"Unknown document {document_id[:100]!r}.")
+    return download(document_id, function.name, partial(documents_of, function), TABS)
 
 
 def rehearse(catalogue: Catalogue, rules: ServiceRules, files: HostedFiles, limits: Limits) -> None:
@@ -184,7 +194,7 @@ def tried(data: bytes, kind: Kind, catalogue: Catalogue, rules: ServiceRules, li
 
 def _page(asked: Asked, kind: Kind, text: str, result: Tried, view: str = "interfaces") -> Response:
     hosted = asked.hosted
-    resolved, shown = result.resolved, chosen_view(view, _VIEWS)
+    resolved, shown = result.resolved, chosen_tab(view, _TITLES, TABS)
     function = resolved.function if resolved else None
     return page_for(
         asked.visit,
@@ -199,9 +209,10 @@ def _page(asked: Asked, kind: Kind, text: str, result: Tried, view: str = "inter
         function=function,
         diagram=interface_diagram(function) if function else None,
         timeline=time_line([function]) if function else None,
-        views=_VIEWS,
-        view=shown,
-        documents=documents_of(resolved, shown) if resolved and shown in VIEWS else (),
+        tabs=_TITLES,
+        tab=shown,
+        view=view,
+        opened=open_tab(view, TABS[shown], partial(documents_of, resolved)) if resolved and shown in TABS else None,
         outcome=result.outcome,
         commands=overlay_commands(hosted) if result.outcome else (),
         old=hosted,
@@ -217,7 +228,8 @@ def _draft(catalogue: Catalogue, change: str, below: str) -> str:
     return changing_draft(node) if change else adding_draft(catalogue, node)
 
 
-def _beginning(kind: Kind, example: str, files: HostedFiles) -> str:
+def _beginning(kind: Kind, example: str, asked: Asked) -> str:
+    files, roots = asked.files, asked.hosted.catalogue.roots
     if kind == "function":
         known = [file.id for file in files]
         chosen = example or (_EXAMPLE if _EXAMPLE in known else next(iter(known), ""))
@@ -226,4 +238,4 @@ def _beginning(kind: Kind, example: str, files: HostedFiles) -> str:
         shipped = {path.stem: path for path in OVERLAYS.glob("*.vspec")}
         if example in shipped:
             return shipped[example].read_text("utf-8")
-    return _TREE if kind == "tree" else _OVERLAY
+    return _TREE if kind == "tree" else _OVERLAY.replace("Vehicle.", f"{roots[0].name if roots else 'Vehicle'}.")

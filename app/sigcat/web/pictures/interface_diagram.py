@@ -1,4 +1,4 @@
-"""A function as a box: what comes in on the left, what goes out on the right, when it runs within. Units are pixels."""
+"""A function as a box: inputs on the left, outputs on the right, its calls within. Units are pixels."""
 
 import math
 from collections.abc import Iterable
@@ -32,7 +32,7 @@ class Port(NamedTuple):
     side: Side
     kind: Literal["signal", "parameter", "error", "reaction", "mode", "method"]
     outer: str
-    """Label outside: where the interface stands in the catalogue."""
+    """Label outside: the place of the interface in the catalogue."""
     inner: str
     """Label inside: its name in the function, with datatype or unit."""
     path: str

@@ -20,7 +20,7 @@ class Tick(NamedTuple):
 
 
 class RangeBar(NamedTuple):
-    """A bar that is open to the side on which there is no limit."""
+    """A bar that is open to the side without a limit."""
 
     ticks: tuple[Tick, ...]
     is_open_left: bool

@@ -11,7 +11,7 @@ from sigcat.function.sets.wiring import Link, Wiring
 _NARROWEST, _GAP, _MARGIN = 270, 130, 40
 _ROW, _HEAD, _BETWEEN = 26, 44, 36
 _LETTER, _TITLE_LETTER, _AROUND = 7.3, 9.5, 48
-"""Width of a letter of a name and of a title, and what stands beside the two names of a row."""
+"""Width of a letter of a name and of a title, and of the space around the two names of a row."""
 
 
 class Pin(NamedTuple):
@@ -100,7 +100,7 @@ def _ends_of(name: str, wiring: Wiring) -> list[End]:
 
 
 def _width(name: str, ends: Sequence[End]) -> int:
-    """Width of a box in which the two names of each row stand beside each other."""
+    """Width of a box in which the two names of each row are next to each other."""
     taken, given = ([len(end.signal.name) for end in ends if end.is_provider is side] for side in (False, True))
     rows = [sum(row) * _LETTER for row in zip_longest(taken, given, fillvalue=0)]
     return ceil(max(_NARROWEST, _AROUND + max(rows, default=0), _AROUND + len(name) * _TITLE_LETTER))

@@ -103,7 +103,7 @@ export const askPart = async (address) => {
   try {
     const { response, content } = await progress(answered(url, under_way.signal, (each) => each.text()));
     if (response.status >= 500) throw new Unanswered(reasonOf(response));
-    if (!response.ok) location.assign(address); // the page says what is wrong with the address
+    if (!response.ok) location.assign(address); // the page describes the error of the address
     return content;
   } catch (error) {
     if (error.name !== "AbortError") throw error;

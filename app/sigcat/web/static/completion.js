@@ -114,7 +114,7 @@ export const mountCompletion = (form, text) => {
     paint();
   };
 
-  /** Below the place where the name begins; above it where there is no room below. */
+  /** Below the place where the name begins; above it without room below. */
   const place = () => {
     const before = text.value.slice(0, text.selectionStart - asked.rest.length);
     const style = getComputedStyle(text);
@@ -160,7 +160,7 @@ export const mountCompletion = (form, text) => {
     else show();
   };
 
-  /** Put the chosen name in place of what is typed of it, so that it can be undone. A branch goes on, a signal ends. */
+  /** Put the chosen name in place of its typed part, so that it can be undone. A branch continues, a signal ends. */
   const accept = (index) => {
     const { name, isBranch } = offered[index];
     const follows = text.value[text.selectionStart] ?? "\n";
@@ -190,7 +190,7 @@ export const mountCompletion = (form, text) => {
     }
     const act = keys[event.key];
     if (list.hidden || !act || event.ctrlKey || event.metaKey || event.altKey || event.shiftKey) return;
-    if (event.key === "Enter" && offered[active].name === asked.rest) { close(); return; } // it stands there: the line ends
+    if (event.key === "Enter" && offered[active].name === asked.rest) { close(); return; } // it is complete: the line ends
     event.preventDefault();
     event.stopPropagation();
     act();

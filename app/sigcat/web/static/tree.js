@@ -3,7 +3,7 @@ import { askJson, askPart, attempt, say } from "./asking.js";
 
 const MOST_ROWS = 100;
 const BEYOND = 8; // rows kept above and below what is in sight
-const LETTERS = { branch: "", sensor: "S", actuator: "A", attribute: "P", struct: "{}", property: "·" };
+const LETTERS = { branch: "", sensor: "sen", actuator: "act", attribute: "att", struct: "{}", property: "·" };
 const TYPING_PAUSE = 600;
 const RESTING = 120; // after the last movement, where one has scrolled to is kept
 
@@ -168,7 +168,7 @@ export const mountTree = () => {
 
   // -- scrolling of the node -----------------------------------------------------------------------------------------
 
-  /** What scrolls the node: its pane, or the whole page where the node stands below the tree. */
+  /** What scrolls the node: its pane, or the whole page where the node is below the tree. */
   const scroller = () => (getComputedStyle(article).overflowY === "visible" ? document.scrollingElement : article);
 
   let resting = 0;
@@ -207,7 +207,7 @@ export const mountTree = () => {
       const hint = Object.assign(document.createElement("span"), { className: "hint", textContent: datatype });
       if (unit) hint.append(" ", Object.assign(document.createElement("i"), { textContent: unit }));
       row.append(mark, name, ...(entry.users ? [usersOf(entry.users)] : []), ...(datatype ? [hint] : []));
-      row.title = `${entry.path}${entry.count ? "" : ` (${type})`}`;
+      row.title = `${entry.path}${entry.count ? "" : ` (${[type, datatype, unit].filter(Boolean).join(" ")})`}`;
       row.setAttribute("aria-level", entry.level);
       row.setAttribute("aria-posinset", entry.position);
       row.setAttribute("aria-setsize", entry.siblings);
@@ -382,6 +382,13 @@ export const mountTree = () => {
     }
   }, { signal });
 
+  article.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" || document.querySelector("details.menu[open]")) return;
+    view.focus({ preventScroll: true });
+    intoSight(active);
+    paint();
+  }, { signal });
+
   // -- mouse ---------------------------------------------------------------------------------------------------------
 
   view.addEventListener("click", (event) => {
@@ -479,6 +486,7 @@ export const mountTree = () => {
     const entry = selected ? await reveal(selected) : null;
     view.setAttribute("role", "tree");
     view.setAttribute("aria-label", "Nodes");
+    view.setAttribute("aria-description", "Space shows a node, Enter goes to it, Escape returns to the tree.");
     view.tabIndex = 0;
     view.replaceChildren(extent);
     measure();

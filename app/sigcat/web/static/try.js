@@ -14,7 +14,7 @@ export const mountTry = () => {
   let timer = 0;
   let under_way = null;
   let marks = new Map();
-  let unread = null; // a file that is no text: its bytes are checked until the text is edited
+  let unread = null; // a file that is not text: its bytes are checked until the text is edited
 
   const readMarks = () => {
     const pairs = outcome.querySelector("[data-marks]").dataset.marks.split(" ").filter(Boolean);
@@ -43,7 +43,7 @@ export const mountTry = () => {
     url.searchParams.set("part", "");
     try {
       const sent = new FormData(form);
-      sent.delete("file"); // what it holds stands in the field
+      sent.delete("file"); // its content is in the field
       if (unread) sent.set("file", unread);
       const body = unread ? sent : new URLSearchParams(sent);
       const response = await progress(fetch(url, { method: "POST", body, signal: under_way.signal }));
@@ -70,13 +70,13 @@ export const mountTry = () => {
   const show = async (view) => {
     form.querySelector("[data-view]").value = view;
     await check();
-    outcome.querySelector(".tabs [aria-current]")?.focus({ preventScroll: true });
+    outcome.querySelector(`[name=view][value="${CSS.escape(view)}"]`)?.focus({ preventScroll: true });
   };
 
   text.addEventListener("input", () => { unread = null; number(); clearTimeout(timer); timer = setTimeout(check, PAUSE); });
   text.addEventListener("scroll", () => { gutter.scrollTop = text.scrollTop; }, { passive: true });
   form.addEventListener("submit", (event) => {
-    if (event.submitter?.name === "download") return; // the browser keeps what comes back as a file
+    if (event.submitter?.name === "download") return; // the browser saves the answer as a file
     event.preventDefault();
     clearTimeout(timer);
     if (event.submitter?.name === "view") show(event.submitter.value);
@@ -103,7 +103,7 @@ export const mountTry = () => {
     text.setSelectionRange(start + Math.max(Number(link.dataset.column) - 1, 0), start + lines[line - 1].length);
     text.scrollTop = Math.max(0, (line - 5) * (text.scrollHeight / lines.length));
   });
-  addEventListener("pageshow", () => { // a reader who comes back finds what was typed, and what is wrong with it
+  addEventListener("pageshow", () => { // a reader who returns finds the typed text, and its errors
     number();
     if (text.value !== text.defaultValue) check();
   });

@@ -35,7 +35,7 @@ class CodeView(NamedTuple):
     """The code of a function."""
 
     facts: tuple[tuple[str, tuple[str, ...]], ...]
-    """Words with what stands in the code section."""
+    """Words with a value of the code section."""
     calls: tuple[CallRow, ...]
     variables: tuple[VariableRow, ...]
 

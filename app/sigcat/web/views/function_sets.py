@@ -32,7 +32,7 @@ class FunctionSet(NamedTuple):
     functions: tuple[FunctionJson, ...]
     """Every function that can be drawn, each name once."""
     whole: tuple[ResolvedFunction, ...]
-    """Those without an error: files are made of them."""
+    """Functions without an error: files are made of them."""
     findings: tuple[Finding, ...]
     wiring: Wiring
 
@@ -49,7 +49,7 @@ def function_set(files: Sequence[PostedFile], catalogue: Catalogue, limits: Limi
 
 
 def known_sets(files: HostedFiles) -> Mapping[str, tuple[str, ...]]:
-    """The sets that pages offer: ids of functions by title, those of one's own first."""
+    """The sets that pages offer: ids of functions by title, the operator's own first."""
     own = [file.id for file in files if not file.is_shipped]
     title = "Your functions" if len(own) <= PAGE_FUNCTIONS else f"Your first {PAGE_FUNCTIONS} functions"
     sets = {title: tuple(own[:PAGE_FUNCTIONS])} if len(own) > 1 else {}
@@ -68,7 +68,7 @@ def chosen_files(files: HostedFiles, function_ids: Iterable[str]) -> tuple[Poste
 
 
 def _name_in_set(file: HostedFile) -> str:
-    """Shipped files all have one name; beside each other they are told apart by their folders."""
+    """Shipped files all have one name; side by side, their folders distinguish them."""
     return f"{file.id}/{file.name}" if file.is_shipped else file.name
 
 
@@ -94,7 +94,7 @@ def as_text(files: Iterable[PostedFile]) -> str:
 
 
 def distinct(files: Iterable[PostedFile]) -> tuple[PostedFile, ...]:
-    """Files with names of their own, so that each finding has one file: a second `a.yaml` becomes `a.yaml (2)`."""
+    """Files with unique names, so that each finding has one file: a second `a.yaml` becomes `a.yaml (2)`."""
     known: Counter[str] = Counter()
     named = []
     for file in files:

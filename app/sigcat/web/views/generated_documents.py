@@ -19,7 +19,7 @@ from sigcat.platforms.table import PLATFORMS
 
 
 class GeneratedDocument(NamedTuple):
-    """A document. Its text is empty if it could not be made; the findings say why."""
+    """A document. The findings say why it could not be made."""
 
     id: str
     """Name in addresses: its view, and below that its file, so that no other view is made to find it."""
@@ -30,18 +30,29 @@ class GeneratedDocument(NamedTuple):
     media_type: str
     text: str
     findings: tuple[Finding, ...] = ()
+    is_made: bool = True
+
+    @property
+    def folder(self) -> str:
+        """The folder of the file; empty if it has none."""
+        return self.file.rpartition("/")[0]
+
+    @property
+    def name(self) -> str:
+        """The file without its folder."""
+        return self.file.rpartition("/")[2]
 
 
 JSON = "application/json"
 _SHOWN_ELSEWHERE = frozenset(("arxml", "core"))
-"""Folders of files that have a view of their own."""
+"""Folders of files with a separate view."""
 FUNCTION_JSON = "function-json"
 CORE = "core"
 _GENERATED = [(platform, generator) for platform in PLATFORMS.values() for generator in platform.generators]
 _FIRST_OF_A_TITLE = {generator.title: platform for platform, generator in reversed(_GENERATED)}
 
 
-def _views_of(platform: Platform) -> Mapping[str, str]:
+def views_of(platform: Platform) -> Mapping[str, str]:
     """The Integration JSON of a platform, then what is generated from it; a title that another one has says of which it is."""
     titles = {
         generator.view or generator.name: generator.title
@@ -52,17 +63,10 @@ def _views_of(platform: Platform) -> Mapping[str, str]:
     return {platform.name: platform.title, **titles}
 
 
-SET_VIEWS = {CORE: "Core in C", **{k: v for platform in PLATFORMS.values() for k, v in _views_of(platform).items()}}
-"""The views of a set of functions, with what each is called."""
+SET_VIEWS = {CORE: "Core in C", **{k: v for platform in PLATFORMS.values() for k, v in views_of(platform).items()}}
+"""The views of a set of functions, by their titles."""
 VIEWS = {FUNCTION_JSON: "Function JSON", **SET_VIEWS}
-"""Those of one function."""
-
-
-def chosen_view(given: str, views: Iterable[str]) -> str:
-    """The view that an address or a form names. Raises NotFound with the nearest ones."""
-    if given not in views:
-        raise NotFound(f"There is no view {given[:100]!r} of it.", nearest(given[:100], views))
-    return given
+"""Views of one function."""
 
 
 def documents_of(function: ResolvedFunction, view: str = "") -> tuple[GeneratedDocument, ...]:
@@ -90,17 +94,21 @@ def integrations_of(functions: Sequence[ResolvedFunction], name: str, view: str 
 def document_named(given: str, made: Callable[[str], Iterable[GeneratedDocument]]) -> GeneratedDocument:
     """The document that an address or a form names, of those of a view. Raises NotFound with the nearest ones."""
     view = given.partition(".")[0]
-    known = {document.id: document for document in (made(view) if view in VIEWS else ()) if document.text}
+    known = {document.id: document for document in (made(view) if view in VIEWS else ()) if document.is_made}
     if given not in known:
-        raise NotFound(f"There is no document {given[:100]!r}.", nearest(given[:100], known or VIEWS))
+        raise NotFound(f"Unknown document {given[:100]!r}.", nearest(given[:100], known or VIEWS))
     return known[given]
 
 
 def attached(document: GeneratedDocument) -> Response:
     """The document as a file to be kept."""
-    disposition = f"attachment; filename*=UTF-8''{quote(document.file, safe='')}"
-    content = document.text.encode("utf-8", "replace")
-    return Response(content, media_type=document.media_type, headers={"Content-Disposition": disposition})
+    return attachment(document.text.encode("utf-8", "replace"), document.file, document.media_type)
+
+
+def attachment(content: bytes, file: str, media_type: str) -> Response:
+    """Bytes as a file to be kept."""
+    disposition = f"attachment; filename*=UTF-8''{quote(file, safe='')}"
+    return Response(content, media_type=media_type, headers={"Content-Disposition": disposition})
 
 
 def _function_json(function: FunctionJson) -> GeneratedDocument:
@@ -114,7 +122,7 @@ def _core(function: ResolvedFunction) -> tuple[GeneratedDocument, ...]:
         files, findings = cores((function,))
     except InputRefused as refused:
         name = f"{function.name}_adapter"
-        return (GeneratedDocument(f"{CORE}.{name}", CORE, name, "", "", tuple(refused.findings)),)
+        return (GeneratedDocument(f"{CORE}.{name}", CORE, name, "", "", tuple(refused.findings), is_made=False),)
     made = [GeneratedDocument(f"{CORE}.{file.name}", CORE, file.name, "text/plain", _text(file.data)) for file in files]
     return (made[0]._replace(findings=findings), *made[1:])
 
@@ -124,7 +132,7 @@ def _integration(platform: Platform, functions: Sequence[ResolvedFunction], name
     try:
         integrated = integrate(platform, functions)
     except InputRefused as refused:
-        return document._replace(findings=tuple(refused.findings))
+        return document._replace(findings=tuple(refused.findings), is_made=False)
     return document._replace(text=_text(integrated.document), findings=integrated.findings)
 
 
@@ -136,7 +144,7 @@ def _generated(
         integrated = integrate(platform, functions)
         files = generator.generate(integrated.document, f"{name}.{platform.name}.json", DEFAULT_LIMITS, Options())
     except InputRefused as refused:
-        return (GeneratedDocument(view, view, "", "", "", tuple(refused.findings)),)
+        return (GeneratedDocument(view, view, "", "", "", tuple(refused.findings), is_made=False),)
     return tuple(
         GeneratedDocument(
             f"{view}.{file.name.replace('/', '.')}", view, file.name, generator.media_type, _text(file.data)

@@ -44,7 +44,7 @@ class NodeView(NamedTuple):
     names: Names
     """The name of the node elsewhere: (where, name)."""
     names_are_patterns: bool
-    """Whether the node stands for its instances: a `*` is what differs between their names."""
+    """Whether the node represents its instances: their names differ at the `*`."""
     uses: tuple[NodeUse, ...]
     """Functions that use the node, or an instance of it where instances are folded."""
     uses_below: tuple[UseBelow, ...]
@@ -108,7 +108,7 @@ def _ordered(attributes: list[schemas.Attribute]) -> tuple[schemas.Attribute, ..
 
 
 def _names(node: Node, detail: schemas.Node, used: Sequence[NodeUse]) -> Names:
-    """The name of a node for each of those who have rules of their own for names."""
+    """The name of a node by each set of rules for names."""
     names = [("VSS path", node.path), ("VISS path", node.path.replace(".", "/"))]
     if detail.interface_name:
         return (("Interface", detail.interface_name), *names, *_names_of_interface(detail.interface_name))

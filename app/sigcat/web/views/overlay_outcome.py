@@ -37,7 +37,7 @@ class AffectedFunction(NamedTuple):
     is_other: bool
     """Whether its Function JSON says something else than before."""
     findings: tuple[Finding, ...]
-    """Those that it did not have before."""
+    """Findings that it did not have before."""
 
 
 class OverlayOutcome(NamedTuple):
@@ -48,7 +48,7 @@ class OverlayOutcome(NamedTuple):
     node_count: int
     trees: Sequence[tuple[str, Branch]]
     classes: tuple[tuple[str, int], ...]
-    """Return the number of changes of each class that has some."""
+    """Number of changes of each class that has some."""
     change_count: int
     functions: tuple[AffectedFunction, ...]
 

@@ -31,7 +31,7 @@ class Choice(NamedTuple):
 
 
 class Values(NamedTuple):
-    """A signal in words."""
+    """A signal as text."""
 
     name: str
     unit: str
@@ -43,7 +43,7 @@ class Values(NamedTuple):
 
 
 class Status(NamedTuple):
-    """An error, a safety reaction or a mode in words: from when on it was what."""
+    """An error, a safety reaction or a mode as text: its values, and since when."""
 
     name: str
     kind: str
@@ -55,7 +55,7 @@ class Status(NamedTuple):
 
 
 class Calls(NamedTuple):
-    """A call in words. Times are in seconds."""
+    """A call as text. Times are in seconds."""
 
     name: str
     total: int
@@ -71,7 +71,7 @@ class RunView(NamedTuple):
 
     choices: tuple[Choice, ...]
     others: tuple[str, ...]
-    """Columns of the function that are no single numbers, and so not drawn."""
+    """Columns of the function that are not single numbers, and so not drawn."""
     notes: tuple[str, ...]
     findings: tuple[Finding, ...] = ()
     rows: int = 0
@@ -84,7 +84,7 @@ class RunView(NamedTuple):
 
 
 def run_view(function: ResolvedFunction, run: HostedRun, wanted: Sequence[str]) -> RunView:
-    """A run of a function, with the signals that are wanted; without any, the first ones that it sends."""
+    """A run of a function, with the requested signals; without any, the first ones that it sends."""
     try:
         of_function = columns_of(function)
     except InputRefused as refused:

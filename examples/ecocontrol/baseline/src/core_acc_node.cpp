@@ -226,7 +226,7 @@ private:
     states.AccReqInvalid = is_invalid_ ? 1U : 0U;
   }
 
-  // The function has it in the step in which it is told.
+  // The function has it in the step in which it is reported.
   static uint8_t told_next(const Error & error)
   {
     Error copy = error;

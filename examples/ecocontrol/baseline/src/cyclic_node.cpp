@@ -108,7 +108,7 @@ void CyclicNode::run()
   }
 }
 
-// What is late runs once.
+// A late call runs once.
 void CyclicNode::run_due()
 {
   const uint64_t now = current();

@@ -147,7 +147,7 @@ private:
       std::copy(altitude_.begin(), altitude_.end(), inputs_.HorizonAlt);
     }
     horizon_error_.update(horizon_timeout_.verdict(), false, now);
-    Error told = horizon_error_;  // the function has it in the step in which it is told
+    Error told = horizon_error_;  // the function has it in the step in which it is reported
     inputs_.HorizonTmo = told.news().value_or(horizon_error_.told());
     inputs_.NoSolutionSts = no_solution_error_.told();
     inputs_.DeadlineSts = deadline_error_.told();

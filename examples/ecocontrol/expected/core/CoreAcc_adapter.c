@@ -28,7 +28,7 @@ CoreAcc_Adapter CoreAcc_Adapter_Instance;
 
 /*
  * The comma makes a value of a bit field, which has a size. Before C11, an array of -1 elements is the error, and
- * its name the message: some libraries have an assertion of their own there, which says nothing.
+ * its name the message: some libraries have their own assertion there, without a message.
  */
 #if defined(__cplusplus)
 #define CORE_ACC_ADAPTER_CHECK(holds, name, message) static_assert(holds, message)
@@ -113,7 +113,7 @@ static uint32_t CoreAcc_Adapter_Added(uint32_t sum, uint64_t more)
     return (more > ((uint64_t)UINT32_MAX - sum)) ? UINT32_MAX : (sum + (uint32_t)more);
 }
 
-/* The worse of two verdicts: present, absent, not judged. */
+/* The worse of two verdicts: present, absent, not checked. */
 static CoreAcc_Adapter_Verdict CoreAcc_Adapter_Worse(CoreAcc_Adapter_Verdict a, CoreAcc_Adapter_Verdict b)
 {
     return (a > b) ? a : b;
@@ -137,7 +137,7 @@ static void CoreAcc_Adapter_Suspend(CoreAcc_Adapter_Error *error)
     }
 }
 
-/* Whether a value is late, judged in each snapshot. What is late stays so until enough new values have come. */
+/* Whether a value is late, checked in each snapshot. It stays late until enough new values have been received. */
 static void CoreAcc_Adapter_Judge(CoreAcc_Adapter_Clock *own_clock, const CoreAcc_Adapter_Reception *reception,
     uint64_t entered,
     uint64_t time_out, uint32_t recovery, bool starts_with_first, uint64_t t)
@@ -840,7 +840,7 @@ void CoreAcc_Adapter_Supervise(CoreAcc_Adapter *self, uint64_t t)
     }
 }
 
-/* A new ignition cycle: what failed in the one before counts, what was tested and did not fail starts anew. */
+/* A new ignition cycle: errors that failed in the last one count; those that were tested and passed start again. */
 static void CoreAcc_Adapter_BeginCycle(CoreAcc_Adapter_Counts *counts)
 {
     if (counts->has_failed) {

@@ -141,7 +141,7 @@ typedef struct CoreAcc_Adapter {
             CoreAcc_Adapter_Verdict verdict;
             uint64_t window; /* its beginning */
             uint32_t ends; /* in this window */
-            bool has_closed; /* whether one has since it was judged */
+            bool has_closed; /* whether one has since it was checked */
             bool is_bad; /* whether one of those was */
         } alive;
         struct {
@@ -196,7 +196,7 @@ typedef struct CoreAcc_Adapter {
         uint8_t Mode_Out; /* Vehicle.Function.CoreAcc.Mode.Out */
     } out;
 
-    /* What is to be sent now. */
+    /* Values to send now. */
     struct {
         bool AsmAcc_AccIntSts;
         bool AccReq;
@@ -258,7 +258,7 @@ bool CoreAcc_Adapter_SetParameters(CoreAcc_Adapter *self, const CoreAcc_Adapter_
 /* What `publish` names has been sent. */
 void CoreAcc_Adapter_Published(CoreAcc_Adapter *self);
 
-/* At the end. No call may run; afterwards, `stored` is to be stored. */
+/* At the end. No call may run; afterwards, store `stored`. */
 void CoreAcc_Adapter_Terminate(CoreAcc_Adapter *self, uint64_t t);
 
 #ifdef __cplusplus

@@ -26,7 +26,7 @@
 
 /*
  * The comma makes a value of a bit field, which has a size. Before C11, an array of -1 elements is the error, and
- * its name the message: some libraries have an assertion of their own there, which says nothing.
+ * its name the message: some libraries have their own assertion there, without a message.
  */
 #if defined(__cplusplus)
 #define ECO_CONTROL_MPC_ADAPTER_CHECK(holds, name, message) static_assert(holds, message)
@@ -111,7 +111,7 @@ static uint32_t EcoControlMpc_Adapter_Added(uint32_t sum, uint64_t more)
     return (more > ((uint64_t)UINT32_MAX - sum)) ? UINT32_MAX : (sum + (uint32_t)more);
 }
 
-/* The worse of two verdicts: present, absent, not judged. */
+/* The worse of two verdicts: present, absent, not checked. */
 static EcoControlMpc_Adapter_Verdict EcoControlMpc_Adapter_Worse(EcoControlMpc_Adapter_Verdict a,
     EcoControlMpc_Adapter_Verdict b)
 {
@@ -136,7 +136,7 @@ static void EcoControlMpc_Adapter_Suspend(EcoControlMpc_Adapter_Error *error)
     }
 }
 
-/* Whether a value is late, judged in each snapshot. What is late stays so until enough new values have come. */
+/* Whether a value is late, checked in each snapshot. It stays late until enough new values have been received. */
 static void EcoControlMpc_Adapter_Judge(EcoControlMpc_Adapter_Clock *own_clock,
     const EcoControlMpc_Adapter_Reception *reception, uint64_t entered,
     uint64_t time_out, uint32_t recovery, bool starts_with_first, uint64_t t)
@@ -683,7 +683,7 @@ void EcoControlMpc_Adapter_Supervise(EcoControlMpc_Adapter *self, uint64_t t)
     }
 }
 
-/* A new ignition cycle: what failed in the one before counts, what was tested and did not fail starts anew. */
+/* A new ignition cycle: errors that failed in the last one count; those that were tested and passed start again. */
 static void EcoControlMpc_Adapter_BeginCycle(EcoControlMpc_Adapter_Counts *counts)
 {
     if (counts->has_failed) {

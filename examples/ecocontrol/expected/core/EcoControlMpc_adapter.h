@@ -179,7 +179,7 @@ typedef struct EcoControlMpc_Adapter {
         uint8_t Mode_Out; /* Vehicle.Function.EcoControlMpc.Mode.Out */
     } out;
 
-    /* What is to be sent now. */
+    /* Values to send now. */
     struct {
         bool EcoAccProp;
         bool HorizonTimeout;
@@ -239,7 +239,7 @@ bool EcoControlMpc_Adapter_SetParameters(EcoControlMpc_Adapter *self,
 /* What `publish` names has been sent. */
 void EcoControlMpc_Adapter_Published(EcoControlMpc_Adapter *self);
 
-/* At the end. No call may run; afterwards, `stored` is to be stored. */
+/* At the end. No call may run; afterwards, store `stored`. */
 void EcoControlMpc_Adapter_Terminate(EcoControlMpc_Adapter *self, uint64_t t);
 
 #ifdef __cplusplus

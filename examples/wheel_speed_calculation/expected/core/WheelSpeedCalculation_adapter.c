@@ -28,7 +28,7 @@ WheelSpeedCalculation_Adapter WheelSpeedCalculation_Adapter_Instance;
 
 /*
  * The comma makes a value of a bit field, which has a size. Before C11, an array of -1 elements is the error, and
- * its name the message: some libraries have an assertion of their own there, which says nothing.
+ * its name the message: some libraries have their own assertion there, without a message.
  */
 #if defined(__cplusplus)
 #define WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(holds, name, message) static_assert(holds, message)
@@ -110,7 +110,7 @@ static uint32_t WheelSpeedCalculation_Adapter_Added(uint32_t sum, uint64_t more)
     return (more > ((uint64_t)UINT32_MAX - sum)) ? UINT32_MAX : (sum + (uint32_t)more);
 }
 
-/* The worse of two verdicts: present, absent, not judged. */
+/* The worse of two verdicts: present, absent, not checked. */
 static WheelSpeedCalculation_Adapter_Verdict WheelSpeedCalculation_Adapter_Worse(
     WheelSpeedCalculation_Adapter_Verdict a, WheelSpeedCalculation_Adapter_Verdict b)
 {
@@ -141,7 +141,7 @@ static uint64_t WheelSpeedCalculation_Adapter_Later(uint64_t a, uint64_t b)
     return (a > b) ? a : b;
 }
 
-/* Two roundings, never one: the sum is a statement of its own. */
+/* Two roundings, never one: the sum is a separate statement. */
 static inline double WheelSpeedCalculation_Adapter_Scaled(double value, double factor, double offset)
 {
     const double product = value * factor;
@@ -438,7 +438,7 @@ static void WheelSpeedCalculation_Adapter_Report_Init(WheelSpeedCalculation_Adap
         self->checkpoint.active = 1U;
         self->checkpoint.Step = WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT;
     } else {
-        /* no error is told */
+        /* no error is reported */
     }
 }
 
@@ -460,7 +460,7 @@ static void WheelSpeedCalculation_Adapter_Report_Terminate(WheelSpeedCalculation
         self->checkpoint.active = 0U;
         self->checkpoint.Step = WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT;
     } else {
-        /* no error is told */
+        /* no error is reported */
     }
 }
 
@@ -860,7 +860,7 @@ void WheelSpeedCalculation_Adapter_Supervise(WheelSpeedCalculation_Adapter *self
     }
 }
 
-/* A new ignition cycle: what failed in the one before counts, what was tested and did not fail starts anew. */
+/* A new ignition cycle: errors that failed in the last one count; those that were tested and passed start again. */
 static void WheelSpeedCalculation_Adapter_BeginCycle(WheelSpeedCalculation_Adapter_Counts *counts)
 {
     if (counts->has_failed) {

@@ -139,7 +139,7 @@ typedef struct WheelSpeedCalculation_Adapter {
             WheelSpeedCalculation_Adapter_Verdict verdict;
             uint64_t window; /* its beginning */
             uint32_t ends; /* in this window */
-            bool has_closed; /* whether one has since it was judged */
+            bool has_closed; /* whether one has since it was checked */
             bool is_bad; /* whether one of those was */
         } alive;
         WheelSpeedCalculation_Adapter_Verdict deadline;
@@ -213,7 +213,7 @@ typedef struct WheelSpeedCalculation_Adapter {
         uint8_t Mode_Out; /* Vehicle.Function.WheelSpeedCalculation.Mode.Out */
     } out;
 
-    /* What is to be sent now. */
+    /* Values to send now. */
     struct {
         bool WhlSpdFL;
         bool WhlSpdFR;
@@ -273,7 +273,7 @@ bool WheelSpeedCalculation_Adapter_SetParameters(WheelSpeedCalculation_Adapter *
 /* What `publish` names has been sent. */
 void WheelSpeedCalculation_Adapter_Published(WheelSpeedCalculation_Adapter *self);
 
-/* At the end. No call may run; afterwards, `stored` is to be stored. */
+/* At the end. No call may run; afterwards, store `stored`. */
 void WheelSpeedCalculation_Adapter_Terminate(WheelSpeedCalculation_Adapter *self, uint64_t t);
 
 #ifdef __cplusplus

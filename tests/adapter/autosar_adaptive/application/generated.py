@@ -49,11 +49,17 @@ def full():
 @cache
 def paced_integration():
     """The integration of the function with calls of three priorities, whose error is protected, and of one that follows it."""
+    return derive(
+        [each.function for each in paced_functions()],
+        deployed(autosarAdaptive={"e2e": {"profile": 4, "maxDeltaCounter": 3}}),
+    ).model
+
+
+def paced_functions():
+    """The function with calls of three priorities, and the one that follows it."""
     sources = [(path.read_bytes(), path.name) for path in sorted(PACED.glob("*.yaml"))]
     functions, _ = read_functions(sources, interfaces())
-    return derive(
-        [each.function for each in functions], deployed(autosarAdaptive={"e2e": {"profile": 4, "maxDeltaCounter": 3}})
-    ).model
+    return functions
 
 
 @cache

@@ -1,4 +1,4 @@
-"""Offers a service by somebody else's SOME/IP, and sends its subscribers the messages that lines of the input say, as they are.
+"""Offer a service with another implementation of SOME/IP, and send its subscribers the messages in the lines of the input, unchanged.
 
 Run in the network of a test: python -m tests.adapter.autosar_adaptive.application.raw_sender ADDRESS SERVICE INSTANCE GROUP
 """

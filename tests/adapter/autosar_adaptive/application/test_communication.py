@@ -77,7 +77,7 @@ def program(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def heard(program: Path, protection: str, *states: int, event: str = "there") -> list[str]:
-    """What is done with samples of these states, one after the other, and what is logged."""
+    """Return the results for samples of these states, one after the other, and the log."""
     command = [str(program), protection, event, *map(str, states)]
     printed = subprocess.run(command, check=True, capture_output=True, text=True).stdout
     return [word for line in printed.splitlines() for word in ([line] if line.startswith("log") else line.split())]

@@ -39,7 +39,7 @@ def run(executable, storage, seconds=1.0):
 
 
 def contents(storage):
-    """What each storage holds, by the end of its port."""
+    """Return the content of each storage, by the end of its port."""
     return {file.suffix.removeprefix("."): file.read_bytes() for file in storage.iterdir()}
 
 

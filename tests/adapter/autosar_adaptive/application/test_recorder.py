@@ -1,4 +1,4 @@
-"""The recorder of a player: a value has the time at which it was sent, if that is told, and otherwise that at which it came."""
+"""The recorder of a player: a value has the time at which it was sent, if known, and otherwise the time of its reception."""
 
 import csv
 import subprocess

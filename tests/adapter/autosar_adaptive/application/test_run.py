@@ -1,4 +1,4 @@
-"""EcoControl as three processes over SOME/IP, in a network of its own, built from what is generated."""
+"""EcoControl as three processes over SOME/IP, in a separate network, built from generated code."""
 
 import pytest
 
@@ -25,7 +25,7 @@ def built(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def sent(built):
-    """What the processes have sent, and what the simulation sends."""
+    """Values that the processes have sent, and those that the simulation sends."""
     return run_autosar.run(built, SECONDS), run_autosar.simulated(built, SECONDS)
 
 

@@ -6,7 +6,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import chdir, contextmanager
 from itertools import islice
 from pathlib import Path
 
@@ -19,11 +19,22 @@ from sigcat.adapter.autosar_adaptive.application.derive import derive
 from sigcat.adapter.autosar_adaptive.application.plan import ComponentPlan
 from sigcat.adapter.source_cores import source_cores
 from sigcat.adapter.source_functions import source_functions
+from sigcat.comparison.running import marks
 from sigcat.function.function_file import build_function
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import ServiceInterface, to_json
 from sigcat.limits import DEFAULT_LIMITS
-from tests.adapter.autosar_adaptive.application.generated import FULL, PACED, full, paced, paced_integration, write
+from sigcat.runs.connections import Connections
+from sigcat.runs.prepare import prepare
+from tests.adapter.autosar_adaptive.application.generated import (
+    FULL,
+    PACED,
+    full,
+    paced,
+    paced_functions,
+    paced_integration,
+    write,
+)
 from tests.adapter.autosar_adaptive.application.test_generate import STRICT
 from tests.adapter.autosar_adaptive.bench.building import THREADS
 from tests.adapter.autosar_adaptive.own_network import PATIENCE, Network, Program, network
@@ -121,11 +132,18 @@ def ended(program: Program) -> int:
     return program.process.wait(PATIENCE)
 
 
+def connections() -> Connections:
+    """The functions, as points of measurement know them."""
+    with chdir(PACED):
+        return prepare(paced_functions()).connections
+
+
 @pytest.fixture(scope="module")
 def executable(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The function, compiled for ThreadSanitizer."""
+    """The function, compiled for ThreadSanitizer, with points of measurement."""
     folder = tmp_path_factory.mktemp("paced")
-    flags = f"-O1 -g {' '.join(THREADS)}"
+    measured = marks.cmake_settings(connections().members, folder)
+    flags = f"-O1 -g {' '.join(THREADS)} {measured['CMAKE_C_FLAGS']}"
     write(paced(), folder)
     run_autosar.build(
         folder,
@@ -141,17 +159,17 @@ def executable(tmp_path_factory: pytest.TempPathFactory) -> Path:
 FIXED = ["setarch", platform.machine(), "-R"] if shutil.which("setarch") else []
 
 
-def started(net: Network, executable: Path, folder: Path, address: str) -> Program:
+def started(net: Network, executable: Path, folder: Path, address: str, **environment: str) -> Program:
     """A process of which ThreadSanitizer writes reports."""
-    environment = {"TSAN_OPTIONS": f"log_path={folder}/reports", "SIGCAT_BENCH_ADDRESS": address}
+    environment |= {"TSAN_OPTIONS": f"log_path={folder}/reports", "SIGCAT_BENCH_ADDRESS": address}
     return net.start([*FIXED, executable], **environment)
 
 
 @contextmanager
-def running(executable: Path, folder: Path) -> Iterator[tuple[Program, Network]]:
+def running(executable: Path, folder: Path, **environment: str) -> Iterator[tuple[Program, Network]]:
     """The process in a separate network; it ends well, and ThreadSanitizer is quiet."""
     with network(folder) as net:
-        program = started(net, executable, folder, "127.0.0.2")
+        program = started(net, executable, folder, "127.0.0.2", **environment)
         yield program, net
         assert ended(program) == 0
     assert [file.read_text() for file in folder.glob("reports.*")] == []
@@ -164,6 +182,16 @@ def test_a_slow_call_does_not_block_an_urgent_one_and_threads_are_in_order(execu
     with running(executable, tmp_path) as (program, _):
         program.tells("slow step 1", "slow step 5")
     assert "not alone" not in program.told
+
+
+@cmake
+@own_network
+def test_threads_that_are_measured_are_in_order(executable: Path, tmp_path: Path) -> None:
+    """A call of each thread is measured, while all write to the file of one core."""
+    with running(executable, tmp_path, **{marks.FOLDER: str(tmp_path)}) as (program, _):
+        program.tells("slow step 1", "slow step 5")
+    called = {(call.function, call.call) for call in marks.read_marks(connections(), tmp_path, 0).calls}
+    assert called == {("Paced", step.interface) for step in planned(DECLARED).core.steps}
 
 
 def provided() -> ServiceInterface:

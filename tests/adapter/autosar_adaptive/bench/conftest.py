@@ -20,6 +20,6 @@ def built() -> Mapping[str, Path]:
 
 @pytest.fixture
 def net(tmp_path: Path) -> Iterator[Network]:
-    """A network of its own."""
+    """A separate network."""
     with network(tmp_path) as made:
         yield made

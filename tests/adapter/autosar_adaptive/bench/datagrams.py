@@ -15,7 +15,7 @@ LONGEST = 4096
 
 
 def tell(line: str) -> None:
-    """Say a line at once: `print` would write its end by itself, and another thread a line of its own before it."""
+    """Print a line in one write: `print` would write its end separately, and a line of another thread could be between."""
     os.write(sys.stdout.fileno(), f"{line}\n".encode())
 
 
@@ -26,7 +26,7 @@ def listen(own: socket.socket) -> None:
 
 
 def spoilt(samples: list[bytes], chance: random.Random) -> bytes:
-    """What a broken or hostile sender might make of good ones."""
+    """Datagrams that a broken or hostile sender might make from valid ones."""
     data = bytearray(chance.choice(samples))
     for _ in range(chance.randrange(1, 5)):
         at = chance.randrange(len(data)) if data else 0

@@ -1,4 +1,4 @@
-"""Messages of SOME/IP and of its service discovery, byte by byte, and somebody who sends them."""
+"""Messages of SOME/IP and of its service discovery, byte by byte, and a sender of them."""
 
 import itertools
 import struct
@@ -41,7 +41,7 @@ def entry(kind: int, ttl: int, last: bytes, *, options: int = 1, service: int = 
 
 
 def discovery(*entries: bytes, options: bytes = b"", session: int = 0, flags: int = 0xC0) -> bytes:
-    """A message of service discovery; without a session of its own, it has the next one."""
+    """A message of service discovery; without a given session, it has the next one."""
     session = session or next(_SESSIONS)
     listed = b"".join(entries)
     payload = struct.pack("!BxxxI", flags, len(listed)) + listed + struct.pack("!I", len(options)) + options

@@ -1,4 +1,4 @@
-"""The service of the tests by somebody else's SOME/IP: offered (`server`) or used (`client`), as lines of the input say.
+"""The service of the tests on another implementation of SOME/IP: offered (`server`) or used (`client`), by the lines of the input.
 
 Run in the network of a test: python -m tests.adapter.autosar_adaptive.bench.pysomeip_peer server|client ADDRESS
 """
@@ -28,7 +28,7 @@ def tell(line: str) -> None:
 
 
 class Probe(service.SimpleService):  # type: ignore[misc]
-    """What the sender of the tests is in C++."""
+    """The counterpart of the C++ sender of the tests."""
 
     service_id = probe.SERVICE_ID
     version_major = 1

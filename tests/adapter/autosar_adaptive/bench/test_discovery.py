@@ -34,7 +34,7 @@ REBOOT, WRAPPED = 0xC0, 0x40
 
 @pytest.fixture
 def sender(net: Network, built: Mapping[str, Path]) -> Program:
-    """Who offers the service, at a known address."""
+    """Program that offers the service, at a known address."""
     started = net.start([built["sender"]], SIGCAT_BENCH_ADDRESS=OURS).tells("ready")
     return started.do("mode 1", "offer").tells("done offer")
 
@@ -54,7 +54,7 @@ def next_entry(client: Program, kind: int) -> bytes:
 
 
 def subscription(group: int, seconds: int, port: int = 40001, session: int = 0) -> bytes:
-    """A subscription, for events that are to be sent to a port."""
+    """A subscription, for events sent to a port."""
     wish = entry(SUBSCRIBE_ENTRY, seconds, struct.pack("!HH", 0, group))
     return discovery(wish, options=endpoint(STRANGER, port), session=session)
 

@@ -9,8 +9,8 @@ from e2e import p04, p05, p06, p07
 
 from sigcat.adapter.autosar_adaptive.bench.runtime_files import runtime_files
 from sigcat.adapter.toolchain import toolchain
-from tests.judges import judged_by
 from tests.needs import c_compiler
+from tests.reference_tools import checked_with
 
 pytestmark = c_compiler
 
@@ -18,14 +18,14 @@ HERE = Path(__file__).parent
 OFFSET = 8
 HEADERS = {4: 12, 5: 3, 6: 5, 7: 20}
 LAST = {4: 0xFFFF, 5: 0xFF, 6: 0xFF, 7: 0xFFFFFFFF}
-JUDGES = {
+REFERENCES = {
     4: (p04.e2e_p04_protect, p04.e2e_p04_check),
     5: (p05.e2e_p05_protect, p05.e2e_p05_check),
     6: (p06.e2e_p06_protect, p06.e2e_p06_check),
     7: (p07.e2e_p07_protect, p07.e2e_p07_check),
 }
 COUNTERS = {4: (2, 2, "big"), 5: (2, 1, "little"), 6: (4, 1, "big"), 7: (12, 4, "big")}
-"""Where the counter stands in the header, how many bytes it has, and their order."""
+"""Offset of the counter in the header, its number of bytes, and their order."""
 OK, REPEATED, WRONG_SEQUENCE, ERROR = 0, 1, 2, 3
 
 
@@ -51,9 +51,9 @@ def data_id(random, profile):
     return random.randrange(2**32 if profile in (4, 7) else 2**16)
 
 
-def judged(profile, number, counter, header, values):
+def reference(profile, number, counter, header, values):
     """The protected message as the other implementation makes it: it counts up before it protects."""
-    protect, _ = JUDGES[profile]
+    protect, _ = REFERENCES[profile]
     message = bytearray(header + bytes(HEADERS[profile]) + values)
     at, width, order = COUNTERS[profile]
     message[OFFSET + at : OFFSET + at + width] = counter.to_bytes(width, order)
@@ -61,10 +61,10 @@ def judged(profile, number, counter, header, values):
     return bytes(message)
 
 
-@judged_by(
+@checked_with(
     "autosar-e2e", "Messages are protected with the same bytes by profiles 4 to 7, and the same ones are rejected"
 )
-@pytest.mark.parametrize("profile", JUDGES)
+@pytest.mark.parametrize("profile", REFERENCES)
 def test_a_sender_adds_what_the_other_implementation_adds(profile, program):
     random = Random(profile)
     made, lines = [], []
@@ -75,41 +75,41 @@ def test_a_sender_adds_what_the_other_implementation_adds(profile, program):
         lines.append(f"protect {profile} {number} {counter} {header.hex()} .{values.hex()}")
     for (number, counter, header, values), line in zip(made, answers(program, lines), strict=True):
         payload, following = line.split(" ")
-        assert header + bytes.fromhex(payload) == judged(profile, number, counter, header, values)
+        assert header + bytes.fromhex(payload) == reference(profile, number, counter, header, values)
         assert int(following) == (counter + 1) % (LAST[profile] + 1)
-        assert JUDGES[profile][1](header + bytes.fromhex(payload), number, offset=OFFSET)
+        assert REFERENCES[profile][1](header + bytes.fromhex(payload), number, offset=OFFSET)
 
 
 def check(profile, number, most, message):
     return f"check {profile} {number} {most} {message[:OFFSET].hex()} .{message[OFFSET:].hex()}"
 
 
-@judged_by(
+@checked_with(
     "autosar-e2e", "Messages are protected with the same bytes by profiles 4 to 7, and the same ones are rejected"
 )
-@pytest.mark.parametrize("profile", JUDGES)
+@pytest.mark.parametrize("profile", REFERENCES)
 def test_a_receiver_accepts_what_the_other_implementation_accepts_and_nothing_else(profile, program):
     random, number = Random(profile), 0x1234
     lines, expected = [], []
     for counter in range(200):
-        message = judged(profile, number, counter, random.randbytes(8), random.randbytes(random.randrange(40)))
+        message = reference(profile, number, counter, random.randbytes(8), random.randbytes(random.randrange(40)))
         broken = bytearray(message)
         broken[random.randrange(len(message))] ^= 1 << random.randrange(8)
         for each in (bytes(broken), message[: random.randrange(OFFSET, len(message))], message):
-            is_good = len(each) >= OFFSET + HEADERS[profile] and JUDGES[profile][1](each, number, offset=OFFSET)
+            is_good = len(each) >= OFFSET + HEADERS[profile] and REFERENCES[profile][1](each, number, offset=OFFSET)
             lines.append(check(profile, number, 1, each))
             expected.append(OK if is_good else ERROR)
     assert [int(line) for line in answers(program, lines)] == expected
     assert expected.count(OK) == 200
 
 
-@pytest.mark.parametrize("profile", JUDGES)
+@pytest.mark.parametrize("profile", REFERENCES)
 def test_a_message_of_another_sender_is_broken(profile, program):
-    message = judged(profile, 0x1234, 0, bytes(8), b"values")
+    message = reference(profile, 0x1234, 0, bytes(8), b"values")
     assert answers(program, [check(profile, 0x1235, 1, message)]) == [str(ERROR)]
 
 
-@pytest.mark.parametrize("profile", JUDGES)
+@pytest.mark.parametrize("profile", REFERENCES)
 @pytest.mark.parametrize(
     ("counters", "statuses"),
     [
@@ -120,9 +120,9 @@ def test_a_message_of_another_sender_is_broken(profile, program):
         ((9, 10), (WRONG_SEQUENCE, OK)),
         ((-2, -1, 0, 1), (WRONG_SEQUENCE, OK, OK, OK)),
     ],
-    ids=["in order", "repeated", "lost", "begun anew", "heard late", "wrapped"],
+    ids=["in order", "repeated", "lost", "begun again", "heard late", "wrapped"],
 )
 def test_counters_of_up_to_two_lost_messages(profile, counters, statuses, program):
     wrapped = (counter % (LAST[profile] + 1) for counter in counters)
-    lines = [check(profile, 7, 3, judged(profile, 7, counter, bytes(8), b"values")) for counter in wrapped]
+    lines = [check(profile, 7, 3, reference(profile, 7, counter, bytes(8), b"values")) for counter in wrapped]
     assert tuple(map(int, answers(program, lines))) == statuses

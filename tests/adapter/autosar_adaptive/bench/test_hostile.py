@@ -1,4 +1,4 @@
-"""What comes from the network may be anything: an error is answered, or nothing; the next message is served."""
+"""The network may send anything: an error is answered, or nothing; the next message is served."""
 
 import struct
 from collections.abc import Mapping
@@ -38,7 +38,7 @@ TRIES = 25_000 if FUZZ else 1000
 
 @pytest.fixture
 def sender(net: Network, built: Mapping[str, Path]) -> Program:
-    """Who offers the service, at a known address."""
+    """Program that offers the service, at a known address."""
     started = net.start([built["sender"]], SIGCAT_BENCH_ADDRESS=SENDER).tells("ready")
     return started.do("mode 0", "offer").tells("done offer")
 
@@ -81,7 +81,7 @@ def test_a_request_that_cannot_be_served_is_answered_with_its_error(
         b"",
     ],
     ids=[
-        "no answer wanted", "no answer wanted of an unknown method", "answer", "error", "event", "unknown type",
+        "no answer expected", "no answer expected of an unknown method", "answer", "error", "event", "unknown type",
         "cut", "too long", "too short", "empty",
     ],
 )  # fmt: skip
@@ -173,7 +173,7 @@ def test_a_receiver_stands_spoilt_datagrams(net: Network, built: Mapping[str, Pa
         f"sent {TRIES}", within=120
     )
     server.do(f"fuzz {seed + 1} {TRIES} {SENDER} {DISCOVERY} {offers.hex()}").tells(f"sent {TRIES}", within=120)
-    # As one that has started anew: whatever the last spoilt offer said is forgotten.
+    # Like a restarted sender: the content of the last damaged offer is forgotten.
     server.do(f"{SENDER} {DISCOVERY} {lasting.hex()}", f"{SENDER} {DISCOVERY} {lasting.hex()}")
     server.do(f"{SENDER} {SERVICES} {message(SPEED, struct.pack('!f', 4711.0), kind=NOTIFICATION).hex()}")
     receiver.tells("speed 4711").do("quit")

@@ -1,4 +1,4 @@
-"""The bench and pysomeip, which nobody here wrote, understand each other: discovery, subscriptions, events, methods."""
+"""The bench and pysomeip, an independent implementation, understand each other: discovery, subscriptions, events, methods."""
 
 import struct
 import sys
@@ -19,8 +19,8 @@ from tests.adapter.autosar_adaptive.bench.probe_service import (
     SPEED,
 )
 from tests.adapter.autosar_adaptive.own_network import Network, Program, own_network
-from tests.judges import judged_by
 from tests.needs import c_compiler
+from tests.reference_tools import checked_with
 
 pytestmark = [own_network, c_compiler]
 _PEER = "tests.adapter.autosar_adaptive.bench.pysomeip_peer"
@@ -36,7 +36,7 @@ def peer(net: Network, role: str) -> Program:
     return net.start([sys.executable, "-m", _PEER, role, "127.0.0.100"]).tells("ready")
 
 
-@judged_by("pysomeip", "Both find, subscribe to, notify and answer each other over SOME/IP")
+@checked_with("pysomeip", "Both find, subscribe to, notify and answer each other over SOME/IP")
 def test_it_finds_what_we_offer_and_hears_that_it_ends(net: Network, built: Mapping[str, Path]) -> None:
     client = peer(net, "client")
     sender = net.start([built["sender"]]).tells("ready").do("mode 1", "offer")
@@ -45,7 +45,7 @@ def test_it_finds_what_we_offer_and_hears_that_it_ends(net: Network, built: Mapp
     client.tells("stopped")
 
 
-@judged_by("pysomeip", "Both find, subscribe to, notify and answer each other over SOME/IP")
+@checked_with("pysomeip", "Both find, subscribe to, notify and answer each other over SOME/IP")
 def test_it_is_sent_our_events_and_the_value_of_our_field(net: Network, built: Mapping[str, Path]) -> None:
     sender = net.start([built["sender"]]).tells("ready").do("mode 1", "offer").tells("done offer")
     client = peer(net, "client").tells(f"notification {MODE:#06x} E_OK 01")
@@ -54,7 +54,7 @@ def test_it_is_sent_our_events_and_the_value_of_our_field(net: Network, built: M
     client.tells(f"notification {IMAGE:#06x} E_OK 00000003000102")
 
 
-@judged_by("pysomeip", "Both find, subscribe to, notify and answer each other over SOME/IP")
+@checked_with("pysomeip", "Both find, subscribe to, notify and answer each other over SOME/IP")
 @pytest.mark.parametrize(
     ("request_", "answer"),
     [
@@ -75,7 +75,7 @@ def test_its_requests_are_answered(net: Network, built: Mapping[str, Path], requ
     client.do(request_).tells(answer)
 
 
-@judged_by("pysomeip", "Both find, subscribe to, notify and answer each other over SOME/IP")
+@checked_with("pysomeip", "Both find, subscribe to, notify and answer each other over SOME/IP")
 def test_we_find_what_it_offers_and_hear_that_it_ends(net: Network, built: Mapping[str, Path]) -> None:
     receiver = net.start([built["receiver"]]).tells("ready")
     server = peer(net, "server")
@@ -84,7 +84,7 @@ def test_we_find_what_it_offers_and_hear_that_it_ends(net: Network, built: Mappi
     receiver.tells("found 0")
 
 
-@judged_by("pysomeip", "Both find, subscribe to, notify and answer each other over SOME/IP")
+@checked_with("pysomeip", "Both find, subscribe to, notify and answer each other over SOME/IP")
 def test_we_are_sent_its_events_and_the_value_of_its_field(net: Network, built: Mapping[str, Path]) -> None:
     server = peer(net, "server")
     receiver = net.start([built["receiver"]]).tells("found 1").do("subscribe")
@@ -93,7 +93,7 @@ def test_we_are_sent_its_events_and_the_value_of_its_field(net: Network, built: 
     receiver.tells("speed 2.5")
 
 
-@judged_by("pysomeip", "Both find, subscribe to, notify and answer each other over SOME/IP")
+@checked_with("pysomeip", "Both find, subscribe to, notify and answer each other over SOME/IP")
 def test_it_answers_our_requests(net: Network, built: Mapping[str, Path]) -> None:
     peer(net, "server")
     receiver = net.start([built["receiver"]]).tells("found 1")

@@ -1,4 +1,4 @@
-"""Either side may end at any moment, and begin anew: the other one notices, and goes on."""
+"""Either side may end at any moment, and start again: the other one detects it, and continues."""
 
 import time
 from collections.abc import Mapping

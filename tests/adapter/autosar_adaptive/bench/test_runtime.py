@@ -1,4 +1,4 @@
-"""What ara::core and ara::com promise within one process, and what holds when everything ends in the middle of everything."""
+"""Guarantees of ara::core and ara::com within one process, also if everything ends while it is in use."""
 
 import platform
 import shlex

@@ -1,4 +1,4 @@
-"""How values become bytes, by every setting of the transformation, as PRS_SOMEIPProtocol lays them out."""
+"""Serialization of values, by every setting of the transformation, as in PRS_SOMEIPProtocol."""
 
 import subprocess
 from collections.abc import Mapping, Sequence
@@ -25,7 +25,7 @@ class Settings(NamedTuple):
 
 
 def run(program: Path, settings: Settings, name: str, lines: Sequence[str] = ()) -> Sequence[str]:
-    """What the track of a name is as bytes, and what the bytes of the lines say."""
+    """Return the bytes of the track of a name, and the values that the bytes of the lines have."""
     arguments = [str(int(setting)) for setting in settings]
     done = subprocess.run(
         [program, *arguments, name],

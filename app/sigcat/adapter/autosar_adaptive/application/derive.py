@@ -38,7 +38,7 @@ _TAKEN = {"all", "application", "arxml", "bench", "clean", "core", "edit_cache",
 
 
 def derive(model: IntegrationModel, cores: SourceCores) -> ApplicationPlan:
-    """The plan of the applications. Raises InputRefused if a component has no function of its own."""
+    """The plan of the applications. Raises InputRefused if a component does not have its own function."""
     assert model.deployment is not None
     holders = (
         Holder(each.name, each.function or "", f"/ComponentList/{index}/Function")
@@ -64,7 +64,7 @@ def derive(model: IntegrationModel, cores: SourceCores) -> ApplicationPlan:
 
 
 def _unusable(components: Iterable[Component], cores: SourceCores) -> Iterator[Finding]:
-    """What an edited document has that no application can be made of."""
+    """Parts of an edited document from which no application can be made."""
     for index, component in enumerate(components):
         at = f"/ComponentList/{index}"
         if component.executable.lower() in _TAKEN:
@@ -77,7 +77,7 @@ def _unusable(components: Iterable[Component], cores: SourceCores) -> Iterator[F
                 message = (
                     f"{component.name} must list the parameter in {parameter.variable} of its function, and does not."
                 )
-                fix = "Integrate it anew."
+                fix = "Integrate it again."
                 yield codes.NOT_WRITABLE_AS_ARXML.finding(message, pointer=f"{at}/ParameterList", fix=fix)
 
 
@@ -119,7 +119,7 @@ def _component(
 
 
 def _stored(component: Component, core: CorePlan, storages: Mapping[str, Storage]) -> Iterator[Stored]:
-    """What is read has the key of its element in the ARXML."""
+    """Stored values of a component. A value that is read has the key of its element in the ARXML."""
     places: dict[str | None, StoredParameter] = {}
     for each in stored_parameters(component):
         places.setdefault(each.parameter.variable, each)

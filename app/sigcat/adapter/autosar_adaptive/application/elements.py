@@ -132,7 +132,7 @@ def _sent_events(interface: ServiceInterface, context: ComponentContext) -> Iter
 
 
 def _distinct(event: Event, context: ComponentContext, of: Callable[[Pointer], T | None]) -> list[T]:
-    """What the core has for the sides of an event, each once."""
+    """Values of the core on both sides of an event, each once."""
     pointers = [context.data_pointers.get((use.call, use.interface.name)) for use in event.uses or ()]
     found = {id(each): each for pointer in pointers if pointer is not None and (each := of(pointer)) is not None}
     return list(found.values())
@@ -165,7 +165,7 @@ def _repeated_by(field: ServiceField, call: str | None, context: ComponentContex
 
 
 def _status_name(field: ServiceField) -> str:
-    """Name of the interface that a field stands for."""
+    """Name of the interface of a field."""
     status = field.error or field.safety_reaction or field.mode
     return status.name if status else field.name
 

@@ -5,8 +5,7 @@ from pathlib import Path
 
 from sigcat import codes
 from sigcat.adapter.autosar_adaptive.application import cmake, player_source
-from sigcat.adapter.autosar_adaptive.application.adapter_header import adapter_header
-from sigcat.adapter.autosar_adaptive.application.adapter_source import adapter_source
+from sigcat.adapter.autosar_adaptive.application.adapter import adapter_header, adapter_source
 from sigcat.adapter.autosar_adaptive.application.derive import derive
 from sigcat.adapter.autosar_adaptive.application.main_source import main_source
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ExecutablePlan
@@ -15,7 +14,7 @@ from sigcat.adapter.autosar_adaptive.application.structs_header import structs_h
 from sigcat.adapter.autosar_adaptive.arxml.generate import generate as generate_arxml
 from sigcat.adapter.autosar_adaptive.bench.generate import generate as generate_services
 from sigcat.adapter.autosar_adaptive.bench.runtime_files import runtime_files
-from sigcat.adapter.core.c.lines import Lines, wrapped
+from sigcat.adapter.core.c.lines import lines, wrapped
 from sigcat.adapter.files import GeneratedFile, shipped, within
 from sigcat.adapter.placed_findings import placed_in
 from sigcat.adapter.source_cores import files_of, source_cores
@@ -76,7 +75,7 @@ def generate_player(data: bytes, name: str, limits: Limits) -> tuple[GeneratedFi
     """The player alone, as a CMake project. Raises InputRefused if the document cannot be used."""
     return (
         *within("application", shipped(CPP)),
-        _file("CMakeLists.txt", cmake.project_cmake("player", (), (), bench=True)),
+        _file("CMakeLists.txt", cmake.player_cmake()),
         *_bench(read_integration(data, name, limits)),
     )
 
@@ -86,7 +85,6 @@ def _bench(model: IntegrationModel) -> Iterable[GeneratedFile]:
     yield from within("bench", runtime_files())
     yield from within("generated", generate_services(model))
     yield from within("player", shipped(player_source.CPP))
-    yield _file("player/CMakeLists.txt", player_source.CMAKE)
     yield _file("player/ports.cpp", _text(player_source.ports_source(model)))
 
 
@@ -102,8 +100,9 @@ def _executable(executable: ExecutablePlan, application: ApplicationPlan) -> Ite
             yield _file(f"{stem}_structs.h", _text(structs_header(component, application)))
 
 
-def _text(part: Lines) -> str:
-    return "\n".join(line.text for line in wrapped(part)) + "\n"
+def _text(text: str) -> str:
+    """A source, with long lines broken."""
+    return "\n".join(line.text for line in wrapped(lines(text))) + "\n"
 
 
 def _file(name: str, text: str) -> GeneratedFile:

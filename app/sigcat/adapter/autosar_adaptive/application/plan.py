@@ -1,4 +1,4 @@
-"""What the applications are made of: every name resolved, so that the writers of C++ ask nothing but this."""
+"""The plan of the applications: every name resolved, so that the writers of C++ need nothing else."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -11,9 +11,9 @@ class Receiver(NamedTuple):
     """An event, or the notifier of a field, whose values the core takes."""
 
     member: str
-    """Of the proxy."""
+    """Member of the proxy."""
     function: str
-    """What the function of the core that takes it ends with: `BrkCylP` of `CoreAcc_Adapter_Receive_BrkCylP`."""
+    """End of the core's function that receives it: `BrkCylP` of `CoreAcc_Adapter_Receive_BrkCylP`."""
     type: str
     """In C++."""
     wire: WireType
@@ -29,13 +29,13 @@ class SentEvent(NamedTuple):
     """An event that the core gives."""
 
     member: str
-    """Of the skeleton."""
+    """Member of the skeleton."""
     place: str
-    """Of the core, in `out` and `publish`."""
+    """Member of the core in `out` and `publish`."""
     is_queue: bool
     comment: str
     own_ports: tuple[Port, ...] = ()
-    """Where another call of the function takes it."""
+    """Ports of other calls of the function that receive it."""
 
 
 class SentField(NamedTuple):
@@ -45,13 +45,18 @@ class SentField(NamedTuple):
     place: str
     type: str
     initial: int | None
-    """What it has until the core says something; None: what the core has from the beginning."""
+    """Value until the core provides one; None: the start value of the core."""
     error: Error | None
     comment: str
     wire: str
     """Its type in the core."""
     repeated_by: str | None
     """The call that sends it again whenever it ends, of a field that is protected end to end."""
+
+    @property
+    def sent(self) -> str:
+        """The member that has what was sent last, if that is sent again."""
+        return f"sent_{self.place}_"
 
 
 class CalledMethod(NamedTuple):
@@ -123,9 +128,14 @@ class Monitor(NamedTuple):
 
     error: Error
     name: str
-    """Of its interface."""
+    """Name of its interface."""
     port: str
     """Its instance specifier."""
+
+    @property
+    def variable(self) -> str:
+        """The member of the adapter."""
+        return f"monitor_{self.error.named.name}_"
 
 
 class Storage(NamedTuple):
@@ -147,6 +157,11 @@ class Stored(NamedTuple):
     parameter: Parameter
     storage: Storage
     key: str
+
+    @property
+    def place(self) -> str:
+        """Its place in the stored values of the core."""
+        return f"stored.{self.parameter.named.name}"
 
 
 class CallThread(NamedTuple):
@@ -180,14 +195,14 @@ class ComponentPlan:
 
     name: str
     stem: str
-    """What its files are called."""
+    """Base name of its files."""
     core: CorePlan
     required: tuple[Required, ...]
     provided: tuple[Provided, ...]
     structs: tuple[StructPair, ...]
     type_headers: tuple[str, ...]
     monitors: tuple[Monitor, ...]
-    """Of its errors, which are stored too."""
+    """Monitors of its errors, which are stored too."""
     storages: tuple[Storage, ...]
     """Key-value storages, that of the adapter itself included."""
     stored: tuple[Stored, ...]
@@ -213,6 +228,26 @@ class ComponentPlan:
         """Whether calls may run at the same time: else the thread that finds them due runs them."""
         return len(self.threads) > 1
 
+    @property
+    def has_offered(self) -> bool:
+        """Whether the function offers a method."""
+        return any(each.methods for each in self.provided)
+
+    @property
+    def has_deadline(self) -> bool:
+        """Whether a call may be late while it runs."""
+        return any(step.deadline for step in self.core.steps)
+
+    @property
+    def writes(self) -> bool:
+        """Whether there is anything to store at the end."""
+        return bool(self.monitors) or any(each.learned is not None for each in self.core.parameters)
+
+    @property
+    def call_mutex(self) -> str:
+        """The type of the mutex that separates methods and calls."""
+        return "application::CallMutex" if self.is_threaded else "std::mutex"
+
 
 class ExecutablePlan(NamedTuple):
     """An executable and its components."""
@@ -230,5 +265,5 @@ class ApplicationPlan(NamedTuple):
 
     @property
     def components(self) -> tuple[ComponentPlan, ...]:
-        """Those of all executables."""
+        """Components of all executables."""
         return tuple(component for each in self.executables for component in each.components)

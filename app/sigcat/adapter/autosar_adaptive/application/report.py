@@ -1,4 +1,4 @@
-"""Where each field of an Integration JSON goes in ARXML, and what the applications do with the platform."""
+"""The report: each field of an Integration JSON with its place in ARXML, and how the applications use the platform."""
 
 from collections.abc import Iterator
 
@@ -21,7 +21,7 @@ _REPORTED = (
 )
 _LIMITED = "each end of the call is a checkpoint, and deployment.arxml has the ALIVE-SUPERVISION with the same limits"
 _REACTION = "received over its field; what the core decides is logged, as no service of the function sends it"
-_ERROR = "Update of its field, and ara::diag::Monitor is told kPassed and kFailed, debounced by the core"
+_ERROR = "Update of its field; kPassed and kFailed, debounced by the core, go to ara::diag::Monitor"
 _CYCLE = "the thread of the adapter runs it at the core's NextTime"
 
 
@@ -51,7 +51,7 @@ def _of_call(function: str, component: Component, call: Call) -> Iterator[Entry]
 
 
 def _supervised(component: Component, call: Call, kind: str) -> tuple[str, str]:
-    """Who supervises a call, and what is to be known of it."""
+    """The supervisor of a call, with notes."""
     if kind != "Alive" or call.name not in checkpoints(component):
         return "core", _SUPERVISION
     is_limited = call.name in (each.call for each in alive_supervisions(component))

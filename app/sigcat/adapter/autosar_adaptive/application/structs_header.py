@@ -1,37 +1,40 @@
 """Structs of the platform and of the core, copied member by member."""
 
-from sigcat.adapter.autosar_adaptive.application.names import commented, include_guard
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from sigcat.adapter.autosar_adaptive.application.names import include_guard
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ComponentPlan, StructPair
-from sigcat.adapter.core.c.lines import Line, Lines, block, joined, lines, spaced
-from sigcat.function.document.text_filters import c_string, comment
+from sigcat.adapter.templates import rendered
 
 
-def structs_header(component: ComponentPlan, application: ApplicationPlan) -> Lines:
+class _Copies(NamedTuple):
+    """Types of a struct on both sides, and its members where they are copied from and to."""
+
+    platform: str
+    core: str
+    taken: Sequence[tuple[str, str]]
+    given: Sequence[tuple[str, str]]
+
+
+class _Structs(NamedTuple):
+    """Plan of the header."""
+
+    name: str
+    guard: str
+    headers: Sequence[str]
+    copies: Sequence[_Copies]
+
+
+def structs_header(component: ComponentPlan, application: ApplicationPlan) -> str:
     """The whole header."""
+    headers = ("application/values.h", *component.type_headers, f"core/{component.core.header_file}")
     guard = include_guard(application, component, "structs")
-    headers = [c_string(name) for name in (*component.type_headers, f"core/{component.core.header_file}")]
-    return spaced([
-        commented(f"Structs that {component.name} takes and gives, between the platform and the core."),
-        lines(f"#ifndef {guard}\n#define {guard}"),
-        lines("\n".join(f"#include {name}" for name in sorted(['"application/values.h"', *headers]))),
-        lines("namespace application {"),
-        *(part for pair in component.structs for part in (_copy(pair, gives=False), _copy(pair, gives=True))),
-        lines("}  // namespace application"),
-        lines(f"#endif  // {comment(guard)}"),
-    ])  # fmt: skip
+    plan = _Structs(component.name, guard, sorted(headers), [_copies(each) for each in component.structs])
+    return rendered("adapter/autosar_adaptive/application/structs.h.j2", plan)
 
 
-def _copy(pair: StructPair, *, gives: bool) -> Lines:
-    platform, core = f"::{pair.type}", f"::{pair.struct.name}"
-    source, target = (core, platform) if gives else (platform, core)
-    names = [(field.name, member) for field, member in zip(pair.struct.fields, pair.members, strict=True)]
-    members = [
-        lines(f"Assign(from.{ours}, to.{theirs});" if gives else f"Assign(from.{theirs}, to.{ours});")
-        for ours, theirs in names
-    ]
-    return joined([
-        (Line("template <>"),),
-        block(f"struct Copy<{source}, {target}> final", [
-            block(f"static void Run(const {source}& from, {target}& to)", members),
-        ], "};"),
-    ])  # fmt: skip
+def _copies(pair: StructPair) -> _Copies:
+    core = [field.name for field in pair.struct.fields]
+    taken, given = zip(pair.members, core, strict=True), zip(core, pair.members, strict=True)
+    return _Copies(f"::{pair.type}", f"::{pair.struct.name}", list(taken), list(given))

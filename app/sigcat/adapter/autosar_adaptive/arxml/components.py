@@ -31,7 +31,7 @@ SUPERVISION = "PHM-SUPERVISED-ENTITY-INTERFACE"
 SUPERVISION_PORT = "Supervision"
 IGNITION_CYCLE = "IgnitionCycle"
 COUNTS = (("Occurrences", "uint16_t"), ("IgnitionCycles", "uint16_t"), ("HasFailed", "bool"), ("IsTested", "bool"))
-"""What is stored of each error: keys after its name, and words of their datatypes."""
+"""Stored values of each error: keys after its name, and words of their datatypes."""
 
 
 def packages(components: Iterable[Component], known: Library, release: Release) -> list[Package]:
@@ -73,7 +73,7 @@ def _component(component: Component, known: Library) -> Tag:
 
 
 def _facts(component: Component) -> list[tuple[str, object]]:
-    """What the metamodel has no place for at a component."""
+    """Fields of a component for which the metamodel has no place."""
     identity = [("Function", component.function), ("Version", component.version)]
     return [
         *identity,
@@ -120,7 +120,7 @@ def _port(interface: ServiceInterface, known: Library) -> Tag:
 
 
 def _mapped(interface: ServiceInterface) -> Tag | None:
-    """What the component does with the service: which of its calls use what, and how its code holds the values."""
+    """Use of the service by the component: the calls that use each element, and how the code stores values."""
     facts: list[tuple[str, object]] = [
         fact for provider in interface.providers or () for fact in (("Provider", provider.name), ("Contract", provider.contract))
     ]  # fmt: skip
@@ -150,7 +150,7 @@ def _arguments(method: Method) -> Iterable[tuple[str, object]]:
 
 
 def _method_used(use: MethodUse) -> dict[str, object]:
-    """The method of the function, without what stands in the service interface."""
+    """The method of the function, without the parts that the service interface has."""
     left_out = {"name", "description", "inputs", "outputs"}
     return {"Function": use.function, **use.method.model_dump(mode="json", exclude=left_out, exclude_none=True)}
 
@@ -166,7 +166,7 @@ def reported_errors(component: Component) -> tuple[str, ...]:
 
 
 def monitor_port(error: str) -> str:
-    """The port over which an error is told to the diagnosis."""
+    """The port that reports an error to the diagnosis."""
     return short_name(f"{error}_Monitor")
 
 
@@ -207,7 +207,7 @@ def _supervision_port(component: Component, known: Library) -> Tag:
 
 
 def stored_counts(component: Component) -> Iterable[tuple[str, str]]:
-    """Keys and words of what is stored of errors."""
+    """Keys and names of the stored data of errors."""
     errors = reported_errors(component)
     yield from [(IGNITION_CYCLE, "uint32")] if errors else ()
     for error in errors:
@@ -285,7 +285,7 @@ def _process_design(component: Component, release: Release, known: Library) -> T
 
 
 def executables(component: Component, release: Release, paths: Paths) -> Tag:
-    """What a process, or its design, says of its executable."""
+    """Reference to an executable from a process, or from its design."""
     executable = reference("EXECUTABLE-REF", paths.of(EXECUTABLES, component.executable), "EXECUTABLE")
     return executable if release.has_one_executable else tag("EXECUTABLE-REFS", executable)
 

@@ -54,7 +54,7 @@ def generate(model: IntegrationModel, release_name: str | None = None) -> tuple[
 
 
 def _document(model: IntegrationModel) -> list[tuple[str, object]]:
-    """Who answers for the document, and what it was made from."""
+    """Author of the document, and its sources."""
     parts = (model.meta.model_dump(mode="json"), model.info.model_dump(mode="json", exclude_none=True))
     made_from = [("Provenance", model.provenance)] if model.provenance else []
     return [*(fact for part in parts for fact in part.items()), *made_from]

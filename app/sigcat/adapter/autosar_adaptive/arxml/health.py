@@ -1,4 +1,4 @@
-"""What the health management is to supervise: the alive supervisions that come to the same there as in the core.
+"""The supervision by health management: alive supervisions with the same result there as in the core.
 
 Its verdict is at once, and final until the process starts again. So an alive supervision agrees with that of the core if
 no mode excludes its call, and if its error neither matures nor heals.
@@ -46,7 +46,7 @@ class AliveSupervision(NamedTuple):
 
 
 def alive_supervisions(component: Component) -> tuple[AliveSupervision, ...]:
-    """Those of a component."""
+    """Return the alive supervisions of a component."""
     errors = {field.error.name: field.error for field in _fields(component) if field.error is not None}
     reported = [call for call in component.calls if call.name in checkpoints(component)]
     pairs = ((call, call.watchdog.alive) for call in reported if call.watchdog)
@@ -94,7 +94,7 @@ def _supervisions_name(process: Process) -> str:
 
 
 def _point_name(call: str, process: Process) -> str:
-    """Calls have names of their own; each further process has them again."""
+    """Names of calls are unique; each further process has them again."""
     return short_name(f"{process.stem}_{call}_Checkpoint" if process.is_further else f"{call}_Checkpoint")
 
 

@@ -139,7 +139,7 @@ def _field(field: ServiceField, known: Library) -> Tag:
 
 
 def _status(field: ServiceField) -> Iterable[tuple[str, object]]:
-    """The error, safety reaction or mode that a field stands for, whole."""
+    """The whole error, safety reaction or mode of a field."""
     for key, status in (("Error", field.error), ("SafetyReaction", field.safety_reaction), ("Mode", field.mode)):
         if status is not None:
             yield key, status.model_dump(mode="json", exclude_none=True)

@@ -1,4 +1,4 @@
-"""Where the elements of AUTOSAR adaptive stand in the packages."""
+"""Paths of AUTOSAR adaptive elements in the packages."""
 
 DATATYPES = "DataTypes"
 INTERFACES = "ServiceInterfaces"

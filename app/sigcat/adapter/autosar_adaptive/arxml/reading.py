@@ -14,7 +14,7 @@ _INSTANCES = {
     "REQUIRED-SOMEIP-SERVICE-INSTANCE": "REQUIRED-SERVICE-INSTANCE-ID",
 }
 _ANY = ("ANY", "ALL")
-"""What a required instance may have instead of an id."""
+"""Values of a required instance that replace an id."""
 
 
 def read_arxml(data: bytes, name: str, limits: Limits) -> dict[str, int]:
@@ -82,5 +82,5 @@ def _text(element: Element, tag: str) -> str:
 
 
 def _target(element: Element, tag: str) -> str:
-    """Last name of what a reference leads to."""
+    """Last name in a reference."""
     return _text(element, tag).rpartition("/")[2]

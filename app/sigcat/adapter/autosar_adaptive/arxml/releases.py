@@ -1,4 +1,4 @@
-"""Where the releases of AUTOSAR differ in what is written here. A later one has what an earlier one began."""
+"""Differences between the releases of AUTOSAR in the written elements. A later one has all of an earlier one."""
 
 from collections.abc import Mapping
 from typing import NamedTuple
@@ -13,11 +13,11 @@ class Release(NamedTuple):
     schema: str
     """Name of its XML schema, which every file states."""
     has_sets: bool
-    """Start-up configurations stand in a set, as the mappings of transformation properties do."""
+    """Start-up configurations are in a set, as are the mappings of transformation properties."""
     has_one_executable: bool
     """A process refers to its executable, not to a list of them."""
     has_local_supervisions: bool
-    """Supervisions stand in local ones, and not in states of function groups."""
+    """Supervisions are in local ones, and not in states of function groups."""
     has_root_of_port: bool
     """The mapping of a service instance names the root component of the executable, above the port."""
 

@@ -1,4 +1,4 @@
-"""What all SOME/IP services share: how values become bytes, and the timing of service discovery."""
+"""Common properties of all SOME/IP services: serialization, and the timing of service discovery."""
 
 from collections.abc import Iterable, Sequence
 

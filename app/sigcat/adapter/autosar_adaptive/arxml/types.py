@@ -30,7 +30,7 @@ IDENTICAL = ("1", "0")
 
 
 class Presentation(NamedTuple):
-    """How the number that is sent is to be read: unit, scaling, limits."""
+    """Meaning of the number that is sent: unit, scaling, limits."""
 
     unit: str | None
     factor: str | None
@@ -40,7 +40,7 @@ class Presentation(NamedTuple):
 
 
 class Library(NamedTuple):
-    """Names of what several elements refer to."""
+    """Names that several elements refer to."""
 
     paths: Paths
     units: dict[str, str]
@@ -48,7 +48,7 @@ class Library(NamedTuple):
     limits: dict[tuple[float | None, float | None], str]
     types: dict[str, TypeEntry]
     namespace: tuple[str, ...]
-    """Of datatypes, the outermost first."""
+    """Namespaces of datatypes, the outermost first."""
 
     def type_path(self, word: str) -> str:
         """Path of the implementation datatype of a word or a name."""
@@ -68,7 +68,7 @@ class Library(NamedTuple):
 
 
 def presentation(event: Event) -> Presentation:
-    """How the value of an event is to be read."""
+    """Meaning of the value of an event."""
     return Presentation(event.unit, event.scaling, event.offset, event.min, event.max)
 
 
@@ -114,7 +114,7 @@ _COEFFICIENT = re.compile(r"[+-]?(?:[1-9][0-9]+|[0-9])(?:\.[0-9]+)?(?:[eE][+-]?[
 
 
 def _coefficients(shown: Presentation) -> tuple[str, str]:
-    """Factor and offset; what is no number counts as none."""
+    """Factor and offset; a text that is not a number counts as none."""
     factor, offset = shown.factor or "1", shown.offset or "0"
     kept = (factor if _COEFFICIENT.fullmatch(factor) else "1", offset if _COEFFICIENT.fullmatch(offset) else "0")
     return kept if (float(kept[0]), float(kept[1])) != (1.0, 0.0) else IDENTICAL
@@ -155,7 +155,7 @@ def _words(entries: Iterable[TypeEntry]) -> Iterable[str]:
 
 
 def _primitive(word: str, known: Library) -> Tag:
-    """A primitive. Numbers are those of the standard library, and stand in no namespace of the application."""
+    """A primitive. Numbers are those of the standard library, without a namespace of the application."""
     name = BY_ADAPTIVE[word].autosar
     if word != "string":
         return tag(TYPE, tag("CATEGORY", text="VALUE"), name=name)
@@ -207,7 +207,7 @@ def _array(entry: TypeEntry, admin: Tag | None, known: Library) -> Tag:
 
 
 def _member(field: StructField, known: Library) -> Tag:
-    """A member of a structure. It has a type and no properties: unit and limits stand in admin data."""
+    """A member of a structure. It has a type and no properties: unit and limits are in admin data."""
     target = reference("TYPE-REFERENCE-REF", known.type_path(field.type), TYPE)
     return tag(
         "CPP-IMPLEMENTATION-DATA-TYPE-ELEMENT",

@@ -1,18 +1,45 @@
 """Implementation datatypes: a header for each, `impl_type_<name>.h`."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
-from sigcat.adapter.autosar_adaptive.bench.text import comment, header, within
+from sigcat.adapter.autosar_adaptive.bench.headers import Includes, guard, includes
 from sigcat.adapter.autosar_adaptive.cpp_names import TEXT, TypeNames
-from sigcat.function.document.text import composed, sentence
-from sigcat.integration.autosar_adaptive.model import IntegrationModel, StructField, TypeEntry
+from sigcat.adapter.templates import rendered
+from sigcat.function.document.text import Text, composed, sentence
+from sigcat.function.document.text_filters import AnyText
+from sigcat.integration.autosar_adaptive.model import IntegrationModel, Symbol, TypeEntry
 from sigcat.integration.datatypes import BY_ADAPTIVE
+
+_TEMPLATE = "adapter/autosar_adaptive/bench/datatype.h.j2"
+
+
+class _Member(NamedTuple):
+    """A member of a structure."""
+
+    about: Text
+    type: str
+    name: str
+
+
+class _Datatype(NamedTuple):
+    """Plan of a header; `type` is the type of an enumeration, or the type that the name means."""
+
+    about: AnyText
+    guard: str
+    includes: Includes
+    namespace: str
+    kind: str
+    name: str
+    type: str = ""
+    members: Sequence[_Member] = ()
+    symbols: Sequence[Symbol] = ()
 
 
 def headers(model: IntegrationModel, names: TypeNames) -> dict[str, str]:
     """The headers of the datatypes of a document, and of its texts, by their paths as they are included."""
-    entries = {names.header(entry.name): _header(entry, names) for entry in model.datatypes or ()}
-    return {names.header(TEXT): _text_header(names), **entries}
+    entries = {names.header(entry.name): rendered(_TEMPLATE, _plan(entry, names)) for entry in model.datatypes or ()}
+    return {names.header(TEXT): rendered(_TEMPLATE, _text(names)), **entries}
 
 
 def used_words(entry: TypeEntry) -> tuple[str, ...]:
@@ -32,18 +59,35 @@ def array_of(element: str, entry: TypeEntry) -> str:
     return f"ara::core::Vector<{element}>" if entry.is_open else f"ara::core::Array<{element}, {entry.dimension}>"
 
 
-def _header(entry: TypeEntry, names: TypeNames) -> str:
+def _plan(entry: TypeEntry, names: TypeNames) -> _Datatype:
     path, words = names.header(entry.name), used_words(entry)
     about = sentence(entry.description, f"VSS: {entry.vss_datatype}" if entry.vss_datatype else None)
-    includes = [*_standard(entry, words), *names.headers(words)]
-    body = _definition(entry, names)
-    title = composed(entry.name, ": ", about) if about else f"{entry.name}."
-    return header(path, title, includes, within(names.namespace, [body]))
+    return _Datatype(
+        composed(entry.name, ": ", about) if about else f"{entry.name}.",
+        guard(path),
+        includes([*_standard(entry, words), *names.headers(words)]),
+        "::".join(names.namespace),
+        entry.kind,
+        entry.name,
+        _type(entry, names),
+        [
+            _Member(sentence(each.description, each.unit), names.type(each.type), each.name)
+            for each in entry.fields or ()
+        ],
+        entry.symbols or () if entry.kind != "array" else (),
+    )
 
 
-def _text_header(names: TypeNames) -> str:
-    body = f"using {names.name(TEXT)} = ara::core::String;"
-    return header(names.header(TEXT), "Texts.", ["ara/core/string.h"], within(names.namespace, [body]))
+def _text(names: TypeNames) -> _Datatype:
+    path = names.header(TEXT)
+    known = (guard(path), includes(["ara/core/string.h"]), "::".join(names.namespace))
+    return _Datatype("Texts.", *known, "value", names.name(TEXT), "ara::core::String")
+
+
+def _type(entry: TypeEntry, names: TypeNames) -> str:
+    if entry.kind == "structure":
+        return ""
+    return array_of(names.type(entry.element), entry) if entry.kind == "array" else names.type(alias_of(entry))
 
 
 def _standard(entry: TypeEntry, words: Iterable[str]) -> Iterable[str]:
@@ -51,21 +95,3 @@ def _standard(entry: TypeEntry, words: Iterable[str]) -> Iterable[str]:
         yield "ara/core/vector.h" if entry.is_open else "ara/core/array.h"
     if any(word in BY_ADAPTIVE and BY_ADAPTIVE[word].cpp.startswith("std::") and word != TEXT for word in words):
         yield "<cstdint>"
-
-
-def _definition(entry: TypeEntry, names: TypeNames) -> str:
-    if entry.kind == "structure":
-        members = "\n".join(_member(field, names) for field in entry.fields or ())
-        return f"struct {entry.name} {{\n{members}\n}};"
-    if entry.kind == "array":
-        return f"using {entry.name} = {array_of(names.type(entry.element), entry)};"
-    if entry.symbols:
-        values = "\n".join(f"    {item.symbol} = {item.value}," for item in entry.symbols)
-        return f"enum class {entry.name} : {names.type(alias_of(entry))} {{\n{values}\n}};"
-    return f"using {entry.name} = {names.type(alias_of(entry))};"
-
-
-def _member(field: StructField, names: TypeNames) -> str:
-    about = sentence(field.description, field.unit)
-    before = f"{comment(about, 1)}\n" if about else ""
-    return f"{before}    {names.type(field.type)} {field.name}{{}};"

@@ -106,7 +106,7 @@ def _area(name: str, text: Text) -> Tag:
 
 
 def _prefixes(at: Within) -> Iterable[Tag]:
-    """What the names of values begin with in the code of the component."""
+    """Prefix of the names of values in the code of the component."""
     known = at.known
     used = enumerations_of(at.component, known.exchanged_types, known.application_types, known.implementation_types)
     for each in used:
@@ -159,7 +159,7 @@ _LISTS: tuple[tuple[str, tuple[AccessKind, ...]], ...] = (
     ("MODE-SWITCH-POINTS", ("ModeSwitch",)),
     ("SERVER-CALL-POINTS", ("SynchronousCall", "AsynchronousCall")),
 )
-"""Lists of a runnable, and the accesses that stand in each."""
+"""Lists of a runnable, and the accesses in each."""
 
 
 def _runnable(runnable: Runnable, at: Within) -> Tag:

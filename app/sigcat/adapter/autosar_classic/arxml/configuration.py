@@ -22,7 +22,7 @@ _COUNTER = "AdapterCounter"
 
 
 class _Activation(NamedTuple):
-    """What activates a task, or sets one of its events."""
+    """The source that activates a task, or sets one of its events."""
 
     alarm: str | None
     """Alarm of the operating system, for what is cyclic."""
@@ -106,7 +106,7 @@ def _to(definition: str, path: str, kind: str, definition_kind: str = "ECUC-REFE
 
 
 def _foreign(definition: str, path: str, kind: str) -> Tag:
-    """Reference to what is no configuration: an event, a component."""
+    """Reference to an element outside the configuration: an event, a component."""
     return _to(definition, path, kind, "ECUC-FOREIGN-REFERENCE-DEF")
 
 
@@ -120,7 +120,7 @@ def _event_of(mapped: TaskEvent, model: ClassicIntegration) -> tuple[Component, 
 
 
 def _activations(model: ClassicIntegration) -> dict[tuple[str, str], _Activation]:
-    """Of each event, by component and name. A task that only one alarm activates has no events."""
+    """The activation of each event, by component and name. A task that only one alarm activates has no events."""
     found: dict[tuple[str, str], _Activation] = {}
     for task in model.ecu.tasks:
         sources = {(each.component, each.event): _source(task, each, model) for each in task.events}
@@ -133,7 +133,7 @@ def _activations(model: ClassicIntegration) -> dict[tuple[str, str], _Activation
 
 
 def _source(task: Task, mapped: TaskEvent, model: ClassicIntegration) -> tuple[str, bool]:
-    """Name of what activates, and whether it is cyclic. Events of one period and offset have one alarm."""
+    """Name of the activation, and whether it is cyclic. Events of one period and offset have one alarm."""
     _, event = _event_of(mapped, model)
     if event.kind != "Timing":
         return f"{mapped.component}_{event.name}", False
@@ -151,7 +151,7 @@ _MAPPING = f"{_INSTANCE}/RteEventToTaskMapping"
 _AREA = f"{_INSTANCE}/RteExclusiveAreaImplementation"
 _BATCH = "Rte/RteInitializationRunnableBatch"
 _MECHANISM = "OS_RESOURCE"
-"""What is written within an area may start runnables; an OS activates no task while interrupts are blocked."""
+"""Writes within an area may start runnables; an OS activates no task while interrupts are blocked."""
 
 
 def _instance(
@@ -194,7 +194,7 @@ def _instance(
 
 
 def _first(mapped: TaskEvent, batch: str, model: ClassicIntegration, at: Within) -> Tag:
-    """What `Rte_Init` runs has no task."""
+    """The mapping of an event that `Rte_Init` runs, which has no task."""
     _, event = _event_of(mapped, model)
     references = [
         _foreign(f"{_MAPPING}/RteEventRef", at.path(event.name), EVENT[event.kind]),
@@ -225,7 +225,7 @@ _ACTIVATION = "Rte/RteOsInteraction/RteUsedOsActivation"
 def _os_interaction(
     model: ClassicIntegration, activations: dict[tuple[str, str], _Activation], known: Library
 ) -> Iterable[Tag]:
-    """What the RTE may expect of each alarm: its offset, and the duration of a tick."""
+    """Expected offset of each alarm, and the duration of a tick."""
     alarms = {
         activations[each.component, each.event].alarm: _event_of(each, model)[1].offset or 0
         for task in model.ecu.tasks

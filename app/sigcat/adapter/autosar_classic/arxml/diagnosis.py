@@ -44,7 +44,7 @@ def packages(model: ClassicIntegration, known: Library, release: Release) -> lis
 
 
 def _event(event: DiagnosticEvent, release: Release) -> Tag:
-    """An event. The core has matured the error before it is told: no debouncing stands here."""
+    """An event. The core has matured the error before it is reported: without debouncing here."""
     limit = "CONFIRMATION-THRESHOLD" if release.has_confirmation_threshold else "EVENT-FAILURE-CYCLE-COUNTER-THRESHOLD"
     return tag(
         _EVENT,
@@ -62,7 +62,7 @@ def _inhibit_name(inhibition: Inhibition) -> str:
 
 
 def _sources(inhibition: Inhibition, model: ClassicIntegration) -> dict[str, str]:
-    """What takes the permission away: events of this set, and the names of the sources that stand for them.
+    """Conditions that inhibit a function: events of this set, and the sources that represent them.
 
     Other errors are events of other ECUs.
     """

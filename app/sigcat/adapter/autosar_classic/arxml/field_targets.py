@@ -1,4 +1,4 @@
-"""For every field of an Integration JSON: where it stands in the ARXML."""
+"""For every field of an Integration JSON: its place in the ARXML."""
 
 from sigcat.adapter.arxml.document_report import Tables, document_report
 from sigcat.integration.autosar_classic import model

@@ -25,7 +25,7 @@ from sigcat.integration.autosar_classic.model import ClassicIntegration
 from sigcat.integration.autosar_classic.window_problems import window_problems
 
 PLATFORM_FILE = "platform_types.arxml"
-"""Types that every vendor has: the file is for desks, and for nobody who has those."""
+"""Types that every vendor has: the file is for tests on a PC, without those of a vendor."""
 
 
 @collector_paused()
@@ -81,7 +81,7 @@ def _refuse_windows(model: ClassicIntegration, release: str) -> None:
 
 
 def _document(model: ClassicIntegration) -> list[tuple[str, object]]:
-    """Who answers for the document, and what it was made from."""
+    """Author of the document, and its sources."""
     parts = (model.meta.model_dump(mode="json"), model.info.model_dump(mode="json", exclude_none=True))
     made_from = [("Provenance", model.provenance)] if model.provenance else []
     return [*(fact for part in parts for fact in part.items()), *made_from]

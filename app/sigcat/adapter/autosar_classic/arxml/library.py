@@ -1,4 +1,4 @@
-"""What elements of the document are by their names: what several elements refer to."""
+"""Elements of the document by name that several elements refer to."""
 
 from collections.abc import Mapping
 from typing import NamedTuple
@@ -73,7 +73,7 @@ class Library(NamedTuple):
     def properties(
         self, *, compu_method: str | None = None, constraint: str | None = None, unit: str | None = None
     ) -> tuple[Tag | None, ...]:
-        """References of SW-DATA-DEF-PROPS to what says how a number is to be read."""
+        """References of SW-DATA-DEF-PROPS to elements that say how to read a number."""
         return (
             reference("COMPU-METHOD-REF", self.paths.of(COMPU_METHODS, compu_method), "COMPU-METHOD")
             if compu_method

@@ -1,4 +1,4 @@
-"""What a component needs of the base software: memory, diagnosis, inhibition, supervision."""
+"""Service needs of a component: memory, diagnosis, inhibition, supervision."""
 
 from collections.abc import Iterable
 

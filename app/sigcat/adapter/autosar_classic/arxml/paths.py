@@ -1,4 +1,4 @@
-"""Where the elements of AUTOSAR Classic stand in the packages."""
+"""Paths of AUTOSAR Classic elements in the packages."""
 
 from sigcat.adapter.arxml.paths import Paths
 

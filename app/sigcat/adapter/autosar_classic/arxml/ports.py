@@ -1,4 +1,4 @@
-"""Ports of components and of the composition, with what holds for each element."""
+"""Ports of components and of the composition, with the attributes of each element."""
 
 from collections.abc import Iterable
 
@@ -44,7 +44,7 @@ def outer_port(each: OuterPort, known: Library) -> Tag:
 
 
 def _facts(each: Port) -> Iterable[tuple[str, object]]:
-    """Interfaces of the function that stand behind the elements."""
+    """Interfaces of the function for the elements."""
     for element in each.elements:
         for use in element.uses or ():
             yield f"{element.name}.{use.call or use.function}", use.model_dump(mode="json", exclude_none=True)

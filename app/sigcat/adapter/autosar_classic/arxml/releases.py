@@ -1,4 +1,4 @@
-"""Where the releases of AUTOSAR differ in what is written here."""
+"""Differences between the releases of AUTOSAR in the written elements."""
 
 from collections.abc import Mapping
 from typing import NamedTuple
@@ -12,7 +12,7 @@ class Release(NamedTuple):
     schema: str
     """Name of its XML schema, which every file states."""
     has_conditional_areas: bool
-    """Exclusive areas of a runnable stand in elements that may be conditional."""
+    """Exclusive areas of a runnable are in elements that may be conditional."""
     has_confirmation_threshold: bool
     """A diagnostic event has a threshold of confirmation, and not one of failure cycles."""
     has_windows_by_state: bool

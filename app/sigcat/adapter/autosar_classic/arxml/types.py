@@ -218,7 +218,7 @@ def _constraint(entry: DataConstraint) -> Tag:
 
 
 def _mapping(model: ClassicIntegration, known: Library) -> Tag:
-    """Which datatype of the code an application type and the modes of a group are."""
+    """Datatype of the code for an application type and for the modes of a group."""
     maps = (
         tag(
             "DATA-TYPE-MAP",

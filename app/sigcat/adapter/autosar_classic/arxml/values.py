@@ -17,7 +17,7 @@ def init_value(value: Any, type_name: str, known: Library) -> Tag | None:
 def specification(value: Any, type_name: str, known: Library) -> Tag:
     """A value as its type has it: of an application type what it means, of an implementation type the number.
 
-    One number stands for every element of an array and every member of a structure.
+    One number applies to every element of an array and every member of a structure.
     """
     found = known.application_types.get(type_name) or known.implementation_types.get(type_name)
     if found is not None and found.category == "ARRAY":

@@ -69,7 +69,7 @@ class Apis:
         return tuple(found.values())
 
     def _own(self) -> Iterator[Call]:
-        """What stays within the component."""
+        """Calls of the RTE within the component."""
         component = self.swc.component
         for area in component.exclusive_areas:
             yield Call(f"Rte_Enter_{area.name}", "void", (), "Enter", element=area.name)

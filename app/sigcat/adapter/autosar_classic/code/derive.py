@@ -22,7 +22,7 @@ from sigcat.integration.autosar_classic.model import ClassicIntegration, Port
 
 
 def derive(model: ClassicIntegration, cores: SourceCores) -> ClassicPlan:
-    """The plan of the components. Raises InputRefused if one of them has no function of its own."""
+    """The plan of the components. Raises InputRefused if one of them does not have its own function."""
     holders = (
         Holder(each.name, each.function, f"/Components/{at}/Function") for at, each in enumerate(model.components)
     )
@@ -93,7 +93,7 @@ def _reported(context: SwcContext) -> Mapping[tuple[str, str], tuple[Reported, .
 
 
 def _parameters(context: SwcContext) -> Iterator[ParameterEnd]:
-    """Those that are calibrated: a learned one is kept, and nothing else gives it."""
+    """Yield parameters that are calibrated: a learned one is kept, and has no other source."""
     by_name = {context.name_of(each.named): each for each in context.core.parameters if each.learned is None}
     elements = {(one.name, each.name): each for one in context.model.parameter_interfaces for each in one.elements}
     for port in context.component.ports:

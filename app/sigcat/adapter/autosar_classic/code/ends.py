@@ -42,7 +42,7 @@ class SwcContext(CorePlaces):
 
 
 def received(context: SwcContext) -> Iterator[DataEnd]:
-    """What the component requires."""
+    """Ports that the component requires."""
     for port, element, data in context.data("Required"):
         for use in element.uses or ():
             end = _received(port, element, data, use, context)
@@ -104,7 +104,7 @@ def _columns(data: DataElement, use: Use) -> tuple[str, ...]:
 
 
 def sent(context: SwcContext) -> Iterator[DataEnd]:
-    """What the component provides."""
+    """Ports that the component provides."""
     for port, element, data in context.data("Provided"):
         for use in element.uses or ():
             end = _sent(port, element, data, use, context)

@@ -2,11 +2,10 @@
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code.plan import RteType, SwcPlan
 from sigcat.adapter.autosar_classic.code.types import rte_types
-from sigcat.adapter.core.c.lines import Lines, lines
-from sigcat.function.document.text_filters import block_comment
 from sigcat.integration.autosar_classic.model import ApplicationType, ClassicIntegration, DataConstraint
 from sigcat.integration.autosar_classic.used_types import element_types, enumerations_of, exchanged_types
 
@@ -23,13 +22,19 @@ def number(value: float, base: str) -> str:
     return _SMALLEST.get(int(value)) or f"{int(value)}{suffix}"
 
 
-def _defined(name: str, text: str) -> str:
-    """Two types may share a name, which is one number then."""
-    return f"#ifndef {name}\n#define {name} {text if text.startswith('(') else f'({text})'}\n#endif"
+class Constant(NamedTuple):
+    """A constant, its literal in brackets."""
+
+    name: str
+    literal: str
 
 
-def enumerations(swc: SwcPlan, model: ClassicIntegration) -> Iterator[Lines]:
-    """Names of values, of everything that goes through a port: elements, arguments, parameters, modes."""
+def _constant(name: str, text: str) -> Constant:
+    return Constant(name, text if text.startswith("(") else f"({text})")
+
+
+def enumerations(swc: SwcPlan, model: ClassicIntegration) -> Iterator[tuple[str, list[Constant]]]:
+    """Names of values by their types, of everything that goes through a port: elements, arguments, parameters."""
     types = {each.name: each for each in model.implementation_types}
     meant = {each.name: each for each in model.application_types}
     methods = {each.name: each for each in model.compu_methods}
@@ -37,11 +42,11 @@ def enumerations(swc: SwcPlan, model: ClassicIntegration) -> Iterator[Lines]:
         method = methods.get(each.compu_method or "")
         symbols = {f"{each.literal_prefix or ''}{one.symbol}": one.value for one in (method and method.symbols) or ()}
         if symbols:
-            rows = [_defined(name, f"{value}{'U' if value >= 0 else ''}") for name, value in symbols.items()]
-            yield lines(f"{block_comment(each.name)}\n" + "\n".join(rows))
+            literals = [_constant(name, f"{value}{'U' if value >= 0 else ''}") for name, value in symbols.items()]
+            yield each.name, literals
 
 
-def limits(swc: SwcPlan, model: ClassicIntegration) -> Iterator[Lines]:
+def limits(swc: SwcPlan, model: ClassicIntegration) -> Iterator[list[Constant]]:
     """`<type>_LowerLimit` and `<type>_UpperLimit` of the types that have a range."""
     types = rte_types(model)
     constraints = {each.name: each for each in model.constraints}
@@ -49,12 +54,11 @@ def limits(swc: SwcPlan, model: ClassicIntegration) -> Iterator[Lines]:
     for each in _meant(swc, model):
         constraint, type_ = constraints.get(each.constraint or ""), types[each.implementation]
         if constraint is not None and type_.is_number and each.compu_method not in scaled:
-            rows = [_defined(f"{each.name}_{side}Limit", text) for side, text in _sides(constraint, type_)]
-            yield lines("\n".join(rows)) if rows else ()
+            yield [_constant(f"{each.name}_{side}Limit", text) for side, text in _sides(constraint, type_)]
 
 
 def _sides(constraint: DataConstraint, type_: RteType) -> Iterator[tuple[str, str]]:
-    """Of a whole number the outermost ones that are in the range."""
+    """The outermost whole numbers in the range."""
     is_float = type_.base.startswith("float")
     if constraint.min is not None:
         yield "Lower", number(constraint.min if is_float else math.ceil(constraint.min), type_.base)
@@ -63,7 +67,7 @@ def _sides(constraint: DataConstraint, type_: RteType) -> Iterator[tuple[str, st
 
 
 def _meant(swc: SwcPlan, model: ClassicIntegration) -> Iterable[ApplicationType]:
-    """Application types of what goes through the component's ports, and of what they have in them, by name."""
+    """Application types of the values at the component's ports, and the types within them, by name."""
     known = {each.name: each for each in model.application_types}
     exchanged = exchanged_types(model)
     left = [name for port in swc.component.ports for name in exchanged.get(port.interface, ())]
@@ -77,7 +81,7 @@ def _meant(swc: SwcPlan, model: ClassicIntegration) -> Iterable[ApplicationType]
     return [found[name] for name in sorted(found)]
 
 
-def initial_values(swc: SwcPlan, model: ClassicIntegration, types: Mapping[str, RteType]) -> Iterator[str]:
+def initial_values(swc: SwcPlan, model: ClassicIntegration, types: Mapping[str, RteType]) -> Iterator[Constant]:
     """`Rte_InitValue_<port>_<element>` of each number that a port has before anything was sent."""
     meant = {each.name: each.implementation for each in model.application_types}
     elements = element_types(model)
@@ -86,4 +90,4 @@ def initial_values(swc: SwcPlan, model: ClassicIntegration, types: Mapping[str, 
             name = elements[port.interface, element.name]
             type_ = types[meant.get(name, name)]
             if type_.is_number and isinstance(element.init, int | float):
-                yield f"#define Rte_InitValue_{port.name}_{element.name} ({number(element.init, type_.base)})"
+                yield Constant(f"{port.name}_{element.name}", f"({number(element.init, type_.base)})")

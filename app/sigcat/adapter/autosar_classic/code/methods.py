@@ -1,10 +1,15 @@
 """Methods that the function offers: a server runnable for each."""
 
-from sigcat.adapter.autosar_classic.code.names import at_core, function, in_calls
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from sigcat.adapter.autosar_classic.code.c_text import c_lines
+from sigcat.adapter.autosar_classic.code.names import core_object
 from sigcat.adapter.autosar_classic.code.plan import MethodEnd, RteType, SwcPlan
 from sigcat.adapter.autosar_classic.code.values import Copy
-from sigcat.adapter.core.c.lines import Lines, block, lines
+from sigcat.adapter.core.c.lines import Lines, joined
 from sigcat.adapter.core.c.scope import Scope
+from sigcat.function.document.text_filters import AnyText
 from sigcat.integration.autosar_classic.model import Runnable
 
 
@@ -18,7 +23,7 @@ def argument(type_: RteType, name: str, *, is_out: bool) -> str:
 
 
 def head(runnable: Runnable, end: MethodEnd) -> str:
-    """Of a server runnable."""
+    """Signature of a server runnable."""
     given = [argument(each.type, f"given_{each.name}", is_out=False) for each in end.arguments]
     taken = [argument(each.type, f"taken_{each.name}", is_out=True) for each in end.results]
     return f"Std_ReturnType {runnable.symbol}({', '.join((*given, *taken)) or 'void'})"
@@ -29,10 +34,24 @@ def end_of(runnable: Runnable, swc: SwcPlan) -> MethodEnd:
     return next(each for each in swc.methods if runnable.method in each.columns)
 
 
+class _Method(NamedTuple):
+    """Plan of a server runnable: statements that copy arguments and results, and errors for replies of the core."""
+
+    swc: SwcPlan
+    core: str
+    macro: str
+    end: MethodEnd
+    head: str
+    comment: AnyText
+    arguments: Sequence[str]
+    results: Sequence[str]
+    excluded: str
+    bad_argument: str
+
+
 def offered(runnable: Runnable, swc: SwcPlan) -> Lines:
     """The answer to a request: what the core says, as an application error."""
     end = end_of(runnable, swc)
-    p, name, scope = swc.core.type_name, end.method.named.name, Scope(swc.core)
     to_core, from_core = Copy(swc.core, to_core=True), Copy(swc.core, to_core=False)
     arguments = [
         to_core.of(f"arguments.{each.place}", _read(each.type, f"given_{each.name}"), each.type, each.wire.c)
@@ -42,22 +61,23 @@ def offered(runnable: Runnable, swc: SwcPlan) -> Lines:
         from_core.of(_written(each.type, f"taken_{each.name}"), f"results.{each.place}", each.type, each.wire.c)
         for each in end.results
     ]
-    given = "".join((", &arguments" if end.arguments else "", ", &results" if end.results else ""))
-    body = [
-        lines(f"{p}_{name}_Arguments arguments;") if end.arguments else (),
-        lines(f"{p}_{name}_Results results;") if end.results else (),
-        lines(f"{p}_Reply reply;\nStd_ReturnType status = {_error(end, 'EXCLUDED')};\n"),
-        *arguments,
-        in_calls(swc, lines(f"reply = {p}_Method_{name}({at_core(swc)}{given});")),
-        block(f"if (reply == {scope.constant('OK')})", [*results, lines("status = RTE_E_OK;")]),
-        block(f"if (reply == {scope.constant('BAD_ARGUMENT')})", [lines(f"status = {_error(end, 'BAD_ARGUMENT')};")]),
-        lines("return status;"),
-    ]
-    return function(head(runnable, end), body, runnable.description or end.method.named.comment)
+    plan = _Method(
+        swc=swc,
+        core=core_object(swc),
+        macro=Scope(swc.core).macro,
+        end=end,
+        head=head(runnable, end),
+        comment=runnable.description or end.method.named.comment,
+        arguments=[line.text for line in joined(arguments)],
+        results=[line.text for line in joined(results)],
+        excluded=_error(end, "EXCLUDED"),
+        bad_argument=_error(end, "BAD_ARGUMENT"),
+    )
+    return c_lines("code/method.c.j2", plan)
 
 
 def _error(end: MethodEnd, what: str) -> str:
-    """The application error for a reply; of an operation that has none of its own the standard one."""
+    """The application error for a reply; of an operation without its own error the standard one."""
     wanted = what.replace("_", "").lower()
     name = next((each for each in end.errors if each.replace("_", "").lower().endswith(wanted)), None)
     name = name or next(iter(end.errors), None)

@@ -11,7 +11,7 @@ from sigcat.integration.autosar_classic.model import ClientServerInterface, Oper
 
 
 def method_ends(context: SwcContext) -> Iterator[MethodEnd]:
-    """Those that the function offers, and those that it uses."""
+    """Yield methods that the function offers, and those that it uses."""
     interfaces = {each.name: each for each in context.model.client_server_interfaces}
     known = {context.name_of(method.named): method for method in context.core.methods}
     for port in context.component.ports:

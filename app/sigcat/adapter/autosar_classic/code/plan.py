@@ -1,11 +1,11 @@
-"""What a software component is made of in C: every name resolved, so that the writers ask nothing but this."""
+"""The plan of a software component in C: every name resolved, so that the writers need nothing else."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NamedTuple, Union
 
 from sigcat.adapter.core.plan import CorePlan, Error, Method, Parameter, WireType
-from sigcat.integration.autosar_classic.model import Component, PerInstanceMemory, Runnable
+from sigcat.integration.autosar_classic.model import Component, PerInstanceMemory, Port, Runnable
 
 
 class RteType(NamedTuple):
@@ -40,16 +40,16 @@ class DataEnd(NamedTuple):
     type: RteType
     wire: WireType
     place: str
-    """Of the core: the end of the name of the function that takes it, or its member in `out` and `publish`."""
+    """Name in the core: the end of its receiving function, or its member in `out` and `publish`."""
     comment: str
     columns: tuple[str, ...]
-    """What it is called in traces: its path, its interface, or both."""
+    """Names in traces: its path, its interface, or both."""
     is_queue: bool = False
-    """Of the RTE."""
+    """Whether the RTE queues its values."""
     room: int = 1
     """Values that wait in the queue of the RTE."""
     has_count: bool = False
-    """Whether the core sends several values at once: the function that provides it has a queue of its own."""
+    """Whether the core sends several values at once: the providing function has its own queue."""
     has_update: bool = False
     has_transformer_errors: bool = False
     """Whether the RTE says what end-to-end protection found: a further argument of the function that reads."""
@@ -66,7 +66,7 @@ class DataEnd(NamedTuple):
 
     @property
     def name(self) -> str:
-        """What the functions of the RTE for it end with."""
+        """End of the names of its RTE functions."""
         return f"{self.port}_{self.element}"
 
 
@@ -89,7 +89,7 @@ class ModeEnd(NamedTuple):
 
 
 class Told(NamedTuple):
-    """An error whose status the diagnosis is told."""
+    """An error whose status is reported to the diagnosis."""
 
     port: str
     operation: str
@@ -156,15 +156,15 @@ class SwcPlan:
     methods: tuple[MethodEnd, ...]
     parameters: tuple[ParameterEnd, ...]
     memory: PerInstanceMemory | None
-    """What is kept."""
+    """Stored values."""
     time: str
-    """What gives the time: `Rte_Call_<port>_<operation>`."""
+    """Function that returns the time: `Rte_Call_<port>_<operation>`."""
     ignition: str
-    """What gives the number of the ignition cycle; empty if nothing does."""
+    """Function that returns the number of the ignition cycle; empty without one."""
     restored: str
-    """What says whether what is kept could be read; empty if nothing does."""
+    """Function that says whether stored values could be read; empty without one."""
     marked: str
-    """What takes that what is kept has changed; empty if nothing does."""
+    """Function that is notified of changed stored values; empty without one."""
     area: str
     """Exclusive area around the core."""
     calls_area: str
@@ -172,13 +172,19 @@ class SwcPlan:
 
     @property
     def name(self) -> str:
-        """Of the component type."""
+        """Name of the component type."""
         return self.component.name
 
     @property
     def requests(self) -> tuple[MethodEnd, ...]:
         """Methods of others that the function uses."""
         return tuple(each for each in self.methods if not each.method.is_offered)
+
+    @property
+    def required_modes(self) -> tuple[Port, ...]:
+        """Ports over which modes come, that of the ECU too."""
+        ports = self.component.ports
+        return tuple(port for port in ports if port.kind == "ModeSwitch" and port.direction == "Required")
 
     def runnable(self, role: str, of: str | None = None) -> Runnable | None:
         """The runnable of a role, of a call or a method."""
@@ -188,7 +194,7 @@ class SwcPlan:
         )  # fmt: skip
 
     def ends(self, runnable: Runnable, kind: str) -> tuple[DataEnd, ...]:
-        """What a runnable takes in one way."""
+        """Elements that a runnable receives in one way."""
         known = {each.key: each for each in self.received}
         keys = ((each.port or "", each.element) for each in runnable.accesses if each.kind == kind)
         return tuple(known[key] for key in keys if key in known)
@@ -200,4 +206,4 @@ class ClassicPlan(NamedTuple):
     name: str
     swcs: tuple[SwcPlan, ...]
     types: Mapping[str, RteType]
-    """Of the RTE, by name, in the order of the document."""
+    """Datatypes of the RTE, by name, in the order of the document."""

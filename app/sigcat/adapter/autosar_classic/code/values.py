@@ -8,7 +8,7 @@ from sigcat.adapter.core.plan import CorePlan, WireType
 
 
 class Copy(NamedTuple):
-    """Which way values go."""
+    """Direction of values."""
 
     core: CorePlan
     to_core: bool
@@ -44,10 +44,10 @@ def core_declared(wire: WireType, name: str) -> str:
 
 
 def by_address(type_: RteType, name: str) -> str:
-    """What is filled: an array is an address already."""
+    """Argument for a value to write: an array is an address already."""
     return name if type_.is_array else f"&{name}"
 
 
 def by_value(type_: RteType, name: str) -> str:
-    """What is handed over: structs by their address."""
+    """Argument for a value to read: structs by their address."""
     return f"&{name}" if type_.is_struct else name

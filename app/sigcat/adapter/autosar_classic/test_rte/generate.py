@@ -1,21 +1,29 @@
 """The files of the test RTE."""
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from pathlib import Path
+from typing import NamedTuple
 
+from sigcat.adapter.autosar_classic.code.c_text import c_file, c_lines
 from sigcat.adapter.autosar_classic.code.plan import ClassicPlan, SwcPlan
 from sigcat.adapter.autosar_classic.test_rte.cmake import cmake
 from sigcat.adapter.autosar_classic.test_rte.component import component_source
 from sigcat.adapter.autosar_classic.test_rte.plan import TestRte
 from sigcat.adapter.autosar_classic.test_rte.readme import readme
 from sigcat.adapter.autosar_classic.test_rte.tables import data_header, tables
-from sigcat.adapter.core.c.lines import Line, Lines, wrapped
+from sigcat.adapter.core.c.lines import Lines
 from sigcat.adapter.files import GeneratedFile, shipped, within
-from sigcat.function.document.text_filters import block_comment
 from sigcat.integration.autosar_classic.model import ClassicIntegration
 
 C = Path(__file__).parent / "c"
 """Files that are the same for every integration."""
+
+
+class _Sections(NamedTuple):
+    """Plan of the file of memory sections of a component."""
+
+    swc: str
+    macros: Sequence[str]
 
 
 def generate(model: ClassicIntegration, plan: ClassicPlan) -> tuple[GeneratedFile, ...]:
@@ -27,10 +35,10 @@ def generate(model: ClassicIntegration, plan: ClassicPlan) -> tuple[GeneratedFil
 def _parts(rte: TestRte, plan: ClassicPlan) -> tuple[GeneratedFile, ...]:
     return (
         *shipped(C),
-        _file("rte_data.h", data_header(rte)),
-        _file("rte_tables.c", tables(rte)),
-        *(_file(f"Rte_{swc.name}.c", component_source(swc, rte)) for swc in plan.swcs),
-        *(_file(f"include/{swc.name}_MemMap.h", _sections(swc)) for swc in plan.swcs),
+        c_file("rte_data.h", data_header(rte)),
+        c_file("rte_tables.c", tables(rte)),
+        *(c_file(f"Rte_{swc.name}.c", component_source(swc, rte)) for swc in plan.swcs),
+        *(c_file(f"include/{swc.name}_MemMap.h", _sections(swc)) for swc in plan.swcs),
         GeneratedFile("README.md", readme(rte).encode()),
     )
 
@@ -38,12 +46,5 @@ def _parts(rte: TestRte, plan: ClassicPlan) -> tuple[GeneratedFile, ...]:
 def _sections(swc: SwcPlan) -> Lines:
     """At a desk, every section is where the compiler puts it."""
     used = {"CODE", "VAR_CLEARED_UNSPECIFIED", *(each.name for each in swc.component.sections)}
-    names = sorted(f"{swc.name}_{moment}_SEC_{name}" for name in used for moment in ("START", "STOP"))
-    return (
-        Line(block_comment(f"Memory sections of {swc.name}: the integrator's file stands here on an ECU.")),
-        *(Line(f"#undef {name}") for name in names),
-    )
-
-
-def _file(name: str, part: Iterable[Line]) -> GeneratedFile:
-    return GeneratedFile(name, ("\n".join(line.text for line in wrapped(tuple(part))) + "\n").encode())
+    macros = sorted(f"{swc.name}_{moment}_SEC_{name}" for name in used for moment in ("START", "STOP"))
+    return c_lines("test_rte/MemMap.h.j2", _Sections(swc.name, macros))

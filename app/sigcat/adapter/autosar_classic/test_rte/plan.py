@@ -1,11 +1,19 @@
-"""What the test RTE is made of: components, who is connected to whom, and where each event stands in its task."""
+"""The plan of the test RTE: components, connections, and the position of each event in its task."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code.api import Apis, Call
 from sigcat.adapter.autosar_classic.code.plan import ClassicPlan, DataEnd, MethodEnd, SwcPlan
-from sigcat.integration.autosar_classic.model import ClassicIntegration, Event, InitBatch, Port, Runnable, Task
+from sigcat.integration.autosar_classic.model import (
+    ClassicIntegration,
+    Event,
+    InitBatch,
+    ModeGroup,
+    Port,
+    Runnable,
+    Task,
+)
 
 
 class Scheduled(NamedTuple):
@@ -47,6 +55,10 @@ class TestRte:
                 if event.name == each.event:
                     yield Scheduled(place.name, swc, event)
 
+    def group(self, port: Port) -> ModeGroup:
+        """The modes of a port."""
+        return self.groups[self.mode_interfaces[port.interface].group]
+
     def index(self, swc: SwcPlan) -> int:
         """The number of a component."""
         return self.plan.swcs.index(swc)
@@ -82,7 +94,7 @@ class TestRte:
 
 
 def received_at(end: End, element: str) -> DataEnd | None:
-    """What a port receives: of the element, or the only one that it has."""
+    """The end that receives an element of a port, or the only one of the port."""
     own = [each for each in end.swc.received if each.port == end.port.name]
     return next((each for each in own if each.element == element), own[0] if len(own) == 1 else None)
 

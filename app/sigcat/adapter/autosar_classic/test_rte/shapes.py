@@ -1,4 +1,4 @@
-"""Shapes of values as tables: where each number is, and what stands before it in a text."""
+"""Shapes of values as tables: the place of each number, and the text before it."""
 
 import json
 from collections.abc import Mapping, Sequence
@@ -6,8 +6,6 @@ from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code.literals import number
 from sigcat.adapter.autosar_classic.code.plan import RteType
-from sigcat.adapter.core.c.lines import Lines, block, joined, lines
-from sigcat.function.document.text_filters import c_string
 
 
 class _Number(NamedTuple):
@@ -20,6 +18,15 @@ class _Number(NamedTuple):
 Symbols = tuple[tuple[str, int], ...]
 
 
+class ShapeTable(NamedTuple):
+    """Numbers of a shape, and the text after the last one."""
+
+    name: str
+    type: str
+    numbers: Sequence[_Number]
+    after: str
+
+
 class Shape(NamedTuple):
     """A type, and the names of its numbers: those of an enumeration, or by the names of the types within."""
 
@@ -29,7 +36,7 @@ class Shape(NamedTuple):
     symbols: Symbols = ()
 
     def numbers(self) -> tuple[list[_Number], str]:
-        """Numbers, and what stands after the last one."""
+        """Numbers, and the text after the last one."""
         return self._of(self.type, "", "0U")
 
     def tables(self) -> Mapping[str, Symbols]:
@@ -63,33 +70,13 @@ class Shape(NamedTuple):
         return found, text
 
 
-def shape_tables(shapes: Sequence[Shape]) -> list[Lines]:
-    """A table for each shape, which is called `TestRte_Shape_<name>`, and before them the symbols."""
-    symbols = {name: table for each in shapes for name, table in each.tables().items()}
-    return [*(_symbols(name, table) for name, table in symbols.items()), *(_shape(each) for each in shapes)]
-
-
-def _symbols(name: str, symbols: Symbols) -> Lines:
-    rows = [lines(f"{{{c_string(text)}, {number}}},") for text, number in symbols]
-    return block(f"static const TestRte_Symbol symbols_{name}[] =", [*rows, lines("{NULL, 0}")], "};")
-
-
-def _shape(shape: Shape) -> Lines:
-    numbers, after = shape.numbers()
-    rows = [
-        lines(f"{{{c_string(each.before)}, TEST_RTE_{each.base.upper()}, (uint32)({each.offset}), "
-              f"{f'symbols_{each.symbols}' if each.symbols else 'NULL'}}},")
-        for each in numbers
-    ]  # fmt: skip
-    whole = f"{{sizeof({shape.type.name}), {len(numbers)}U, numbers_{shape.name}, {c_string(after)}}}"
-    return joined([
-        block(f"static const TestRte_Number numbers_{shape.name}[] =", rows, "};"),
-        lines(f"const TestRte_Shape TestRte_Shape_{shape.name} = {whole};"),
-    ])  # fmt: skip
+def shape_table(shape: Shape) -> ShapeTable:
+    """The table of a shape."""
+    return ShapeTable(shape.name, shape.type.name, *shape.numbers())
 
 
 def initializer(value: object, type_: RteType) -> str:
-    """A constant of C for a value of the document; one number stands for every element and every member."""
+    """A constant of C for a value of the document; one number applies to every element and every member."""
     if type_.element is not None:
         items = value if isinstance(value, list | tuple) else [value] * type_.length
         return "{" + ", ".join(initializer(each, type_.element) for each in items) + "}"

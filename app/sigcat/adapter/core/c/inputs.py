@@ -25,11 +25,6 @@ from sigcat.function.function_json.conversion import IDENTITY
 UINT8_MOST = 255
 
 
-def is_timed(port: Port) -> bool:
-    """Whether the time of its values counts."""
-    return any(item.time_out is not None for _, item in port.consumers)
-
-
 def holds_init(port: Port) -> bool:
     """Whether the start value can stand among the received ones: the call sees the very same bits."""
     return received_init(port) is not None
@@ -38,7 +33,7 @@ def holds_init(port: Port) -> bool:
 def received_init(port: Port) -> str | None:
     """The number that the conversion makes the start value of, to the bit; None if none is known for certain."""
     items = [item for _, item in port.consumers]
-    if len(items) > 1 or not is_direct(items[0]):
+    if len(items) > 1 or not items[0].is_direct:
         return None
     (leaf,) = items[0].value.leaves
     element, init = leaf.element, leaf.init[0]
@@ -48,43 +43,12 @@ def received_init(port: Port) -> str | None:
     return literal(0, element.source) if init == 0 and keeps_zero else None
 
 
-def is_direct(item: Input) -> bool:
-    """Whether an input is but an assignment: nothing is checked, nothing is late, nothing waits."""
-    is_plain = item.time_out is None and item.queue is None and not item.is_reset
-    return is_plain and item.value.is_bare and not item.value.is_checked
-
-
-def keeps(item: Input) -> bool:
-    """Whether the last good value is kept for the call, beside the one that was received: of a queue, and of an
-    enumeration whose unknown numbers nothing replaces."""
-    return item.queue is not None or (item.value.is_checked and _instead(item) == "KEPT")
-
-
-def _instead(item: Input) -> str:
-    """Where the value comes from if the received one is out of range."""
-    if item.value.is_replaced:
-        return "REPLACEMENT"
-    return "KEPT" if any(leaf.element.names is not None for leaf in item.value.leaves) else "RECEIVED"
-
-
-def places(item: Input) -> int:
-    """How many values the variable has room for."""
-    return item.queue.values_per_step if item.queue else 1
-
-
 def place_of(call: str, item: Input) -> str:
-    """Where the state of an input is."""
+    """Member with the state of an input."""
     return f"self->{call}.in.{item.named.name}"
 
 
 # -- receive ------------------------------------------------------------------------------------------------------
-
-
-def receive_functions(scope: Scope) -> list[Lines]:
-    """One function for each signal, one for what of it is not accepted, and one for what is lost before."""
-    rejections = [_reject(port, scope) for port in scope.plan.ports if port.tells_of_rejection]
-    losses = [_lose(port, scope) for port in scope.plan.ports if port.tells_of_loss]
-    return [*(_receive(port, scope) for port in scope.plan.ports), *rejections, *losses]
 
 
 def receive_head(port: Port, scope: Scope) -> str:
@@ -94,81 +58,17 @@ def receive_head(port: Port, scope: Scope) -> str:
     )
 
 
-def is_kept(port: Port) -> bool:
-    """Whether the value itself is kept where it is received, and not in queues alone."""
-    return any(item.queue is None for _, item in port.consumers)
-
-
-def _receive(port: Port, scope: Scope) -> Lines:
-    place = f"self->received.{port.name}"
-    now = f"{scope.prefix}_Now(self, t)"
-    body = [
-        stored(port.wire, "value", f"{place}.value") if is_kept(port) else (),
-        *(_pushed(call, item) for call, item in port.consumers if item.queue),
-        lines(f"{place}.reception.time = {now};\n{place}.reception.count++;")
-        if is_timed(port)
-        else lines(f"(void){now};"),
-        lines(f"{place}.e2e = {scope.absent};") if port.tells_of_rejection else (),
-        () if holds_init(port) else lines(f"{place}.reception.is_there = true;"),
-        *(_triggered(call, scope) for call in port.triggers),
-    ]
-    return function(receive_head(port, scope), body, port.comment)
-
-
 def reject_head(port: Port, scope: Scope) -> str:
-    """The head of the function that is told of a message which is not accepted."""
+    """The head of the function that reports a message which is not accepted."""
     return f"void {scope.prefix}_Reject_{port.name}({scope.self_argument}, uint64_t t)"
 
 
-def _reject(port: Port, scope: Scope) -> Lines:
-    told = [f"{place_of(call, item)}.is_rejected = true;" for call, item in port.consumers if item.e2e_error]
-    body = [
-        lines(f"(void){scope.prefix}_Now(self, t);\nself->received.{port.name}.e2e = {scope.present};"),
-        *map(lines, told),
-    ]
-    return function(reject_head(port, scope), body, port.comment)
-
-
 def lose_head(port: Port, scope: Scope) -> str:
-    """The head of the function that is told of values which the platform has lost."""
+    """The head of the function that reports values which the platform has lost."""
     return f"void {scope.prefix}_Lose_{port.name}({scope.self_argument}, uint64_t t)"
 
 
-def _tells_of_loss(item: Input) -> bool:
-    return item.queue is not None and item.queue.overflow_error is not None
-
-
-def _lose(port: Port, scope: Scope) -> Lines:
-    told = [f"{place_of(call, item)}.is_overflown = true;" for call, item in port.consumers if _tells_of_loss(item)]
-    return function(
-        lose_head(port, scope), [lines(f"(void){scope.prefix}_Now(self, t);"), *map(lines, told)], port.comment
-    )
-
-
-def _triggered(name: str, scope: Scope) -> Lines:
-    call = next(step for step in scope.plan.steps if step.name == name)
-    return block(f"if (self->{name}.events < {call.most_events}U)", [lines(f"self->{name}.events++;")])
-
-
-def _pushed(call: str, item: Input) -> Lines:
-    """A value that waits for a call; a full queue loses the oldest one, or this one."""
-    assert item.queue is not None
-    queue, length = place_of(call, item), f"{item.queue.length}U"
-    put = joined([
-        stored(item.value.wire, "value", f"{queue}.values[({queue}.first + {queue}.waiting) % {length}]"),
-        lines(f"{queue}.waiting++;"),
-    ])  # fmt: skip
-    if item.queue.drops_newest:
-        return choice([(f"{queue}.waiting == {length}", lines(f"{queue}.is_overflown = true;")), ("", put)])
-    drop = lines(f"""
-        {queue}.first = ({queue}.first + 1U) % {length};
-        {queue}.waiting--;
-        {queue}.is_overflown = true;
-    """)
-    return joined([block(f"if ({queue}.waiting == {length})", [drop]), put])
-
-
-# -- judge --------------------------------------------------------------------------------------------------------
+# -- check --------------------------------------------------------------------------------------------------------
 
 
 def judged(call: Call, item: Input, scope: Scope) -> Lines:
@@ -198,18 +98,18 @@ def judged(call: Call, item: Input, scope: Scope) -> Lines:
 
 
 def ends_of(call: Call, item: Input, scope: Scope, place: str = "place") -> Ends:
-    """Where an input comes from and goes to."""
+    """Source and target of an input."""
     source, target = f"self->received.{item.port}.value", scope.variable(item.variable)
-    if keeps(item):
-        source = f"{place_of(call.name, item)}.kept[{place if places(item) > 1 else '0'}]"
-    if places(item) > 1:
+    if item.keeps:
+        source = f"{place_of(call.name, item)}.kept[{place if item.places > 1 else '0'}]"
+    if item.places > 1:
         target = f"{target}[{place}]"
     return Ends(source, target, f"{scope.prefix}_{call.name}_{item.named.name}", item.named.pointer, put=scope.put)
 
 
 def taken(call: Call, item: Input, scope: Scope) -> Lines:
     """An input in a snapshot: an assignment, or a call of its function."""
-    if not is_direct(item):
+    if not item.is_direct:
         return lines(f"{scope.prefix}_Take_{call.name}_{item.named.name}(self);")
     ends = ends_of(call, item, scope)
     value = _right_side(assigned(item.value, ends, scope.prefix))
@@ -231,19 +131,19 @@ def initial(call: Call, item: Input, scope: Scope) -> Lines:
     count = item.queue.count_variable if item.queue else None
     none = lines(f"{scope.variable(count)} = 0;", item.named.pointer) if count else ()
     each = constant(item.value, "init", ends_of(call, item, scope))
-    if places(item) > 1:
-        each = block(f"for (place = 0U; place < {places(item)}U; place++)", [each])
+    if item.places > 1:
+        each = block(f"for (place = 0U; place < {item.places}U; place++)", [each])
     return joined([each, none])
 
 
 def take_functions(call: Call, scope: Scope) -> list[Lines]:
-    """What the snapshot of a call needs: a function for each input that is more than an assignment."""
+    """Functions for the snapshot of a call: one for each input that is more than an assignment."""
     found: list[Lines] = []
     for item in call.inputs:
         ends = ends_of(call, item, scope)
         kinds = ("init", "default", "replacement") if item.value.is_replaced else ("init", "default")
         found += [*tables(item.value, ends.names, kinds), *names_functions(item.value, ends)]
-        if not is_direct(item):
+        if not item.is_direct:
             found.append(_take_from_queue(call, item, scope) if item.queue else _take(call, item, scope))
     return [each for each in found if each]
 
@@ -253,10 +153,10 @@ def _head(call: Call, item: Input, scope: Scope) -> str:
 
 
 def _take(call: Call, item: Input, scope: Scope) -> Lines:
-    """Received, checked, not late: converted. Otherwise a constant stands in."""
+    """Received, checked, not late: converted. Otherwise a constant replaces it."""
     ends, place = ends_of(call, item, scope), place_of(call.name, item)
     is_there = f"self->received.{item.port}.reception.is_there"
-    if keeps(item):
+    if item.keeps:
         received, first, later = _kept(call, item, scope), "", lines(f"origin = {place}.origin[0];")
     else:
         received, first, later = _originated(call, item, ends, scope), f" = {scope.constant('INIT')}", ()
@@ -281,11 +181,11 @@ def _range(call: Call, item: Input, scope: Scope, flag_name: str = "is_within") 
 
 
 def _originated(call: Call, item: Input, ends: Ends, scope: Scope) -> Lines:
-    """Where the value comes from, now that there is a received one."""
+    """Source of the value once a value was received."""
     received = scope.constant("RECEIVED")
     if not item.value.is_checked:
         return lines(f"origin = {received};")
-    instead = scope.constant(_instead(item))
+    instead = scope.constant(item.instead)
     return joined([
         check(item.value, ends),
         _range(call, item, scope),
@@ -319,7 +219,7 @@ def _if_late(call: Call, item: Input, scope: Scope) -> Lines:
 
 def _by_origin(item: Input, ends: Ends, scope: Scope) -> Lines:
     """The value, from where it comes from."""
-    ways = [("RECEIVED", assigned(item.value, ends, scope.prefix, is_new=keeps(item)))]
+    ways = [("RECEIVED", assigned(item.value, ends, scope.prefix, is_new=item.keeps))]
     if item.value.is_replaced:
         ways.append(("REPLACEMENT", constant(item.value, "replacement", ends)))
     if item.time_out and item.time_out.substitute == "Default":
@@ -333,18 +233,18 @@ def _is_set(call: Call, item: Input, scope: Scope) -> Lines:
     if not item.is_reset:
         return ()
     place, variable = f"{place_of(call.name, item)}.is_set", scope.variable(item.variable)
-    is_one = item.value.leaves[0].length is None and places(item) == 1
+    is_one = item.value.leaves[0].length is None and item.places == 1
     found = [] if is_one else [lines(f"{place} = false;")]
     for leaf in item.value.leaves:
-        target = f"{variable}{'[place]' if places(item) > 1 else ''}{leaf.target}"
+        target = f"{variable}{'[place]' if item.places > 1 else ''}{leaf.target}"
         zero = literal(0, leaf.element.target)
         is_cast = scope.is_cpp and leaf.element.is_enumeration
         number = f"({leaf.element.target.c}){target}" if is_cast else target
         test = number if zero == "false" else f"({number} != {zero})"
         before = f"{place} || " if found else ""
         each = looped(leaf, lines(f"{place} = {before}{test};", item.named.pointer))
-        if places(item) > 1:
-            each = block(f"for (place = 0U; place < {places(item)}U; place++)", [each])
+        if item.places > 1:
+            each = block(f"for (place = 0U; place < {item.places}U; place++)", [each])
         found.append(each)
     return joined(found)
 
@@ -359,12 +259,12 @@ def _take_from_queue(call: Call, item: Input, scope: Scope) -> Lines:
     judged_range = block("if (taken > 0U)", [_range(call, item, scope, "are_within")]) if item.range_error else ()
     body = [
         lines("uint32_t taken;"),
-        lines("uint32_t place;") if places(item) > 1 else (),
+        lines("uint32_t place;") if item.places > 1 else (),
         index(item.value),
         known_values(item.value),
         lines("bool are_within = true;") if item.range_error else (),
         block(
-            f"for (taken = 0U; (taken < {places(item)}U) && ({queue}.waiting > 0U); taken++)",
+            f"for (taken = 0U; (taken < {item.places}U) && ({queue}.waiting > 0U); taken++)",
             [_one_of_queue(call, item, scope)],
         ),
         judged_range,
@@ -377,7 +277,7 @@ def _take_from_queue(call: Call, item: Input, scope: Scope) -> Lines:
 def _one_of_queue(call: Call, item: Input, scope: Scope) -> Lines:
     """One value that waits, kept in the place that it gets."""
     queue, length = place_of(call.name, item), item.queue.length if item.queue else 0
-    place = "taken" if places(item) > 1 else "0"
+    place = "taken" if item.places > 1 else "0"
     first = ends_of(call, item, scope)._replace(source=f"{queue}.values[{queue}.first]")
     keep = joined([
         stored(item.value.wire, _handed(item, first.source), f"{queue}.kept[{place}]"),
@@ -394,23 +294,23 @@ def _one_of_queue(call: Call, item: Input, scope: Scope) -> Lines:
             flag(item.value),
             check(item.value, first),
             lines("are_within = are_within && is_within;") if item.range_error else (),
-            choice(ways[_instead(item)]),
+            choice(ways[item.instead]),
         ])  # fmt: skip
     return joined([keep, lines(f"{queue}.first = ({queue}.first + 1U) % {length}U;\n{queue}.waiting--;")])
 
 
 def _shown(call: Call, item: Input, scope: Scope) -> Lines:
-    """What is kept, or what stands in for it, in the variable; and how many have come."""
+    """Write the stored values, or their replacement, to the variable, and the number of values."""
     assert item.queue is not None
     queue, ends = place_of(call.name, item), ends_of(call, item, scope)
-    place = "place" if places(item) > 1 else "0"
+    place = "place" if item.places > 1 else "0"
     ways = [(f"{queue}.origin[{place}] == {scope.constant('RECEIVED')}",
              assigned(item.value, ends, scope.prefix, is_new=True))]  # fmt: skip
     if item.value.is_replaced:
         replaced = constant(item.value, "replacement", ends)
         ways.append((f"{queue}.origin[{place}] == {scope.constant('REPLACEMENT')}", replaced))
     count = scope.variable(item.queue.count_variable) if item.queue.count_variable else ""
-    narrow = "uint8_t" if places(item) <= UINT8_MOST else "uint16_t"  # so that it fits whatever holds the count
+    narrow = "uint8_t" if item.places <= UINT8_MOST else "uint16_t"  # so that it fits whatever holds the count
     if item.time_out and item.time_out.substitute != "Last":
         substitute = constant(item.value, item.time_out.substitute.lower(), ends)
         ways.insert(0, (f"{queue}.clock.is_late", substitute))
@@ -418,6 +318,6 @@ def _shown(call: Call, item: Input, scope: Scope) -> Lines:
     else:
         counted = f"{count} = ({narrow})taken;"
     each = choice([*ways, ("", constant(item.value, "init", ends))])
-    if places(item) > 1:
-        each = block(f"for (place = 0U; place < {places(item)}U; place++)", [each])
+    if item.places > 1:
+        each = block(f"for (place = 0U; place < {item.places}U; place++)", [each])
     return joined([each, lines(counted, item.named.pointer) if count else ()])

@@ -14,7 +14,7 @@ class Line(NamedTuple):
 
     text: str
     source: Pointer | None = None
-    """What it was made from in Function JSON, so that a compiler's message finds its way back."""
+    """Pointer into Function JSON, so that a compiler's message leads back to its source."""
 
 
 Lines = tuple[Line, ...]
@@ -50,9 +50,9 @@ def block(head: str, body: Iterable[Lines], end: str = "}", source: Pointer | No
 
 
 def choice(ways: Sequence[tuple[str, Lines]]) -> Lines:
-    """What is done under the first condition that holds; an empty condition is the last one.
+    """Branches of the first condition that holds; an empty condition is the last one.
 
-    What is done in any other case needs no condition of its own.
+    The default case needs no separate condition.
     """
     found: list[Line] = []
     while len(ways) > 1 and not ways[-1][0] and ways[-2][1] == ways[-1][1]:
@@ -91,22 +91,14 @@ def replaced(pattern: str, by: str, part: Lines) -> Lines:
     return tuple(line._replace(text=row) for line, row in zip(part, text.split("\n"), strict=True)) if part else ()
 
 
-_TIME = r"(?<![\w.>\x02])t\b"
-
-
-def at_now(part: Iterable[Lines], prefix: str) -> Lines:
-    """What is done at a time that does not go back. The argument `t` stays as it was given."""
-    body = joined(part)
-    changed = replaced(_TIME, "now", body)
-    now = f"{prefix}_Now(self, t);"
-    return (*lines(f"const uint64_t now = {now}" if changed != body else f"(void){now}"), *changed)
+TIME = r"(?<![\w.>\x02])t\b"
 
 
 _ARGUMENT = re.compile(r"\b(\w+)(?:,|\)$)")
 
 
 def _unused(head: str, body: Lines) -> Lines:
-    rows = [row for row in code_of(body).split("\n") if "_MARK(" not in row]  # empty, if nobody measures
+    rows = [row for row in code_of(body).split("\n") if "_MARK(" not in row]  # empty without measurement
     used = set(re.findall(r"\w+", "\n".join(rows)))
     names = _ARGUMENT.findall(head.partition("(")[2])
     return joined(lines(f"(void){name};") for name in names if name != "void" and name not in used)
@@ -116,7 +108,7 @@ _DECLARATION = re.compile(r"(?:const )?\w+ \*?\w+(?:\[\w+\])?(?: = .*)?;$")
 
 
 def _declarations(body: Lines) -> int:
-    """How many lines at the beginning declare variables."""
+    """Number of lines at the beginning that declare variables."""
     return next((n for n, line in enumerate(body) if not _DECLARATION.match(line.text) or line.text.startswith("return")),
                 len(body))  # fmt: skip
 
@@ -173,6 +165,6 @@ def _wrapped_comment(line: Line) -> Lines:
 
 
 def _wrapped_rest(line: Line, indent: str) -> Lines:
-    """What follows a break stands at one indentation."""
+    """Indent the lines after a break alike."""
     found = _wrapped(line)
     return tuple(each._replace(text=f"{indent}    {each.text.lstrip()}") for each in found)

@@ -66,7 +66,7 @@ def _is_empty(element: Element) -> bool:
 
 
 def converted(value: str, element: Element, instead_of_nan: str, prefix: str) -> str:
-    """The number of the source as that of the target. An enumeration has a function of its own."""
+    """The number of the source as that of the target. An enumeration has its own function."""
     if element.conversion == IDENTITY:
         return _of_same_scale(value, element.source, element.target, instead_of_nan, prefix)
     scaled = _scaled(_as_double(value, element.source), element, prefix)

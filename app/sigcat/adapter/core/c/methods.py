@@ -18,7 +18,7 @@ from sigcat.adapter.core.c.values import (
 from sigcat.adapter.core.plan import CLASS, Argument, Call, Method
 
 STATUS = {"IDLE": 0, "PENDING": 1, "DONE": 2, "FAILED": 3, "TIMED_OUT": 4}
-"""What became of a request, as its status variable has it."""
+"""Result of a request, as its status variable has it."""
 
 
 def arguments_type(method: Method, scope: Scope) -> str:
@@ -49,7 +49,7 @@ def answer_head(method: Method, scope: Scope) -> str:
 
 
 def method_functions(scope: Scope) -> list[Lines]:
-    """What the platform calls for each method."""
+    """Functions that the platform calls for each method."""
     found: list[Lines] = []
     for method in scope.plan.methods:
         for each in (*method.arguments, *method.results):
@@ -97,7 +97,7 @@ def _known_name(argument: Argument, method: Method, scope: Scope) -> str:
 
 
 def _checked_functions(method: Method, scope: Scope) -> list[Lines]:
-    """Of each argument or result that comes with an enumeration: whether its numbers have names, and how it is taken."""
+    """Arguments and results with an enumeration: whether the numbers have names, and how each is received."""
     found = []
     items = method.arguments if method.is_offered else method.results
     struct = arguments_type(method, scope) if method.is_offered else results_type(method, scope)
@@ -188,7 +188,7 @@ def _taken(method: Method, scope: Scope) -> Lines:
 
 
 def status_written(method: Method, scope: Scope) -> Lines:
-    """What became of a request, in its variable, if it has one."""
+    """Write the result of a request to its variable, if it has one."""
     if method.status_variable is None:
         return ()
     status = f"self->method.{method.named.name}.status"

@@ -1,25 +1,62 @@
 """Modes: which calls run (section 8)."""
 
-from sigcat.adapter.core.c.lines import Line, Lines, block, choice, function, joined, lines
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from sigcat.adapter.core.c.layout import c_functions, text_of
+from sigcat.adapter.core.c.lines import Line, Lines, block, choice, joined, lines
 from sigcat.adapter.core.c.literals import time
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.core.plan import Call, ModeIn, ModeOut, ModeValue
+from sigcat.adapter.core.plan import Call, CorePlan, ModeIn, ModeOut, ModeValue
 from sigcat.function.document.text_filters import block_comment
 
 
+class _Plan(NamedTuple):
+    """Plan of the functions; `dropped` are statements by the names of calls."""
+
+    p: str
+    m: str
+    plan: CorePlan
+    is_cpp: bool
+    part: str
+    mode: ModeIn | None
+    moded: Sequence[Call]
+    dropped: Mapping[str, str]
+    mode_out: ModeOut | None
+    sent_modes: Sequence[ModeValue]
+
+
+def _functions(part: str, scope: Scope) -> list[Lines]:
+    plan = scope.plan
+    moded, out = [call for call in plan.steps if is_moded(call, scope)], plan.mode_out
+    made = _Plan(
+        p=scope.prefix,
+        m=scope.macro,
+        plan=plan,
+        is_cpp=scope.is_cpp,
+        part=part,
+        mode=plan.mode_in,
+        moded=moded,
+        dropped={call.name: text_of(dropped(call, scope)) for call in moded},
+        mode_out=out and out._replace(variable=scope.variable(out.variable)),
+        sent_modes=_first_of_each_code(out) if out else (),
+    )
+    return c_functions("modes.c.j2", made)
+
+
 def mode_functions(scope: Scope) -> list[Lines]:
-    """What happens to calls when the mode is taken."""
-    mode = scope.plan.mode_in
-    if mode is None:
-        return []
-    moded = [call for call in scope.plan.steps if is_moded(call, scope)]
-    return [*(_drop(call, scope) for call in moded), _take_mode(mode, moded, scope)]
+    """Effect on calls when the mode is entered."""
+    return _functions("in", scope) if scope.plan.mode_in else []
 
 
 def runs_functions(scope: Scope) -> list[Lines]:
-    """Which modes let each call run."""
-    mode = scope.plan.mode_in
-    return [_runs(call, mode, scope) for call in scope.plan.steps if mode and is_moded(call, scope)]
+    """Modes that let each call run."""
+    return _functions("runs", scope) if scope.plan.mode_in else []
+
+
+def mode_out_functions(scope: Scope) -> list[Lines]:
+    """The mode that the function is in: sent on change, if it has a name."""
+    return _functions("out", scope) if scope.plan.mode_out else []
 
 
 def is_moded(call: Call, scope: Scope) -> bool:
@@ -31,13 +68,6 @@ def is_moded(call: Call, scope: Scope) -> bool:
 def condition(call: Call, scope: Scope) -> str:
     """The condition that a call may run."""
     return f"{scope.prefix}_Runs_{call.name}(self->mode.now)" if is_moded(call, scope) else "true"
-
-
-def _runs(call: Call, mode: ModeIn, scope: Scope) -> Lines:
-    excluded = [each for each in mode.modes if each.name in (call.modes or ())]
-    text = " && ".join(f"(mode != {_constant(each)})" for each in excluded)
-    head = f"static bool {scope.prefix}_Runs_{call.name}({mode.wire.c} mode)"
-    return function(head, [lines(f"return {text};")], f"Whether {call.interface} runs in a mode.")
 
 
 def _constant(mode: ModeValue) -> str:
@@ -62,49 +92,6 @@ def dropped(call: Call, scope: Scope) -> Lines:
     ])  # fmt: skip
 
 
-def _drop(call: Call, scope: Scope) -> Lines:
-    place = f"self->{call.name}"
-    body = [
-        dropped(call, scope),
-        lines(f"""
-            {place}.alive.verdict = {scope.constant("NOT_JUDGED")};
-            {place}.alive.has_closed = false;
-            {place}.alive.is_bad = false;
-        """) if call.alive else (),
-        *(lines(f"{scope.prefix}_Suspend(&self->error.{error.named.name});")
-          for error in scope.plan.errors if error.call == call.name),
-    ]  # fmt: skip
-    head = f"static void {scope.prefix}_Exclude_{call.name}({scope.self_argument}, uint64_t t)"
-    return function(head, body, f"The mode excludes {call.interface}: what is due is dropped, what was under way ends.")
-
-
-def _take_mode(mode: ModeIn, moded: list[Call], scope: Scope) -> Lines:
-    p, name = scope.prefix, mode.named.name
-    received = f"self->received.{name}"
-    known = joined([*(lines(f"case {each.number}U: {block_comment(each.name)}") for each in mode.modes),
-                    _case(f"self->mode.now = {received}.value;\nself->mode.unknown = {scope.absent};")])  # fmt: skip
-    initial = f"self->mode.now = {_constant(mode.initial)};\n" if mode.goes_to_initial else ""
-    unknown = joined([lines("default:"), _case(f"{initial}self->mode.unknown = {scope.present};")])
-    taken = block(f"if ({received}.reception.is_there)", [block(f"switch ({received}.value)", [known, unknown])])
-    body = [lines(f"const {mode.wire.c} before = self->mode.now;") if moded else (), taken,
-            *(_applied(call, scope) for call in moded)]  # fmt: skip
-    head = f"static void {p}_TakeMode({scope.self_argument}, uint64_t t)"
-    return function(head, body, mode.named.comment)
-
-
-def _case(text: str) -> Lines:
-    return tuple(Line(f"    {line.text}") for line in lines(f"{text}\nbreak;"))
-
-
-def _applied(call: Call, scope: Scope) -> Lines:
-    p = scope.prefix
-    return choice([
-        (f"!{condition(call, scope)}", lines(f"{p}_Exclude_{call.name}(self, t);")),
-        (f"!{p}_Runs_{call.name}(before)", lines(f"{p}_Enter_{call.name}(self, t);")),
-        ("", lines("/* it runs as before */")),
-    ])  # fmt: skip
-
-
 def written(scope: Scope) -> Lines:
     """The mode, written to its variable, as a number of the code."""
     mode = scope.plan.mode_in
@@ -121,41 +108,5 @@ def written(scope: Scope) -> Lines:
     return choice([*ways[:-1], ("", ways[-1][1])])
 
 
-# -- mode out -----------------------------------------------------------------------------------------------------
-
-
-def mode_out_functions(scope: Scope) -> list[Lines]:
-    """The mode that the function is in: sent on change, if it has a name."""
-    mode = scope.plan.mode_out
-    if mode is None:
-        return []
-    out, name = f"self->out.{mode.named.name}", mode.named.name
-    switch = block(
-        f"switch ({'(int64_t)' if scope.is_cpp else ''}{scope.variable(mode.variable)})",
-        [
-            *(_out_case(each, mode) for each in _first_of_each_code(mode)),
-            lines("default:\n    is_named = false;\n    break;"),
-        ],
-        source=mode.named.pointer,
-    )
-    changed = lines(f"""
-        if (is_named && (!self->mode_out.is_known || ({out} != mode))) {{
-            {out} = mode;
-            self->mode_out.is_known = true;
-            self->publish.{name} = self->is_started;
-        }}
-    """)
-    body = [lines(f"{mode.wire.c} mode = {out};\nbool is_named = true;"), switch, changed]
-    return [function(f"static void {scope.prefix}_GiveMode({scope.self_argument})", body, mode.named.comment)]
-
-
 def _first_of_each_code(mode: ModeOut) -> list[ModeValue]:
     return list({each.code: each for each in reversed(mode.modes)}.values())[::-1]
-
-
-def _out_case(each: ModeValue, mode: ModeOut) -> Lines:
-    return lines(f"""
-        case {each.code}: {block_comment(each.name)}
-            mode = {each.number}U;
-            break;
-    """, mode.named.pointer)  # fmt: skip

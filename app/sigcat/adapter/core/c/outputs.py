@@ -18,13 +18,8 @@ from sigcat.adapter.core.plan import Call, Output
 from sigcat.function.document.text_filters import block_comment
 
 
-def is_direct(output: Output) -> bool:
-    """Whether an output is but an assignment."""
-    return output.queue is None and output.value.is_bare and not output.value.is_checked
-
-
 def ends_of(call: Call, output: Output, scope: Scope) -> Ends:
-    """Where an output comes from and goes to."""
+    """Source and target of an output."""
     source, target = scope.variable(output.variable), f"self->out.{output.named.name}"
     if output.queue:
         target = f"{target}.values[given]"
@@ -35,25 +30,14 @@ def ends_of(call: Call, output: Output, scope: Scope) -> Ends:
 
 def given(call: Call, output: Output, scope: Scope) -> Lines:
     """An output after a call: an assignment, or a call of its function."""
-    if not is_direct(output):
+    if not output.is_direct:
         return lines(f"{scope.prefix}_Give_{call.name}_{output.named.name}(self);")
     (line,) = assigned(output.value, ends_of(call, output, scope), scope.prefix, quiet=True)
     return (Line(f"{line.text} {block_comment(output.named.comment)}", line.source),)
 
 
-def published(call: Call) -> Lines:
-    """What a call has given is to be sent. Flags stand side by side, so that a compiler sets several at once."""
-    return joined(lines(f"self->publish.{output.named.name} = {_is_given(output)};") for output in call.outputs)
-
-
-def _is_given(output: Output) -> str:
-    """Whether there is anything to be sent: a call may give no value of a queue."""
-    may_be_none = output.queue is not None and output.queue.count_variable is not None
-    return f"self->out.{output.named.name}.count > 0U" if may_be_none else "true"
-
-
 def initial(call: Call, output: Output, scope: Scope) -> Lines:
-    """What is there to be sent before the first call."""
+    """Values to send before the first call."""
     ends = ends_of(call, output, scope)
     if output.queue:
         return ()
@@ -67,7 +51,7 @@ def give_functions(call: Call, scope: Scope) -> list[Lines]:
         ends = ends_of(call, output, scope)
         kinds = ("init", "default", "replacement") if output.value.is_replaced else ("init", "default")
         found += [*tables(output.value, ends.names, kinds), *names_functions(output.value, ends)]
-        if not is_direct(output):
+        if not output.is_direct:
             found.append(_give(call, output, ends, scope))
     return [each for each in found if each]
 
@@ -114,7 +98,7 @@ def _verdict(output: Output, all_within: str, place: str, scope: Scope) -> Lines
 
 
 def _counted(output: Output, place: str, scope: Scope) -> Lines:
-    """How many values the call has given: at most as many as there is room for."""
+    """Number of values that the call has written: at most as many as there is room for."""
     queue = output.queue
     assert queue is not None
     if queue.count_variable is None:

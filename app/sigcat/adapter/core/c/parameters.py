@@ -26,7 +26,7 @@ def ends_of(parameter: Parameter, scope: Scope) -> Ends:
 
 
 def parameter_functions(scope: Scope) -> list[Lines]:
-    """What each parameter needs."""
+    """Functions for each parameter."""
     found: list[Lines] = []
     for parameter in scope.plan.parameters:
         ends = ends_of(parameter, scope)
@@ -72,7 +72,7 @@ def handed(parameter: Parameter, place: str) -> str:
 
 
 def _load(parameter: Parameter, scope: Scope) -> Lines:
-    """What is stored, if it is there and within its limits."""
+    """Use the stored value, if it exists and is within its limits."""
     name = parameter.named.name
     place, kept = f"self->parameter.{name}", f"self->stored.{name}"
     take = taken(parameter, f"{kept}.value", scope)
@@ -131,7 +131,7 @@ def written(parameter: Parameter, scope: Scope) -> Lines:
 
 def settable(scope: Scope) -> list[Parameter]:
     """Parameters that are set from outside: all but those that the function learns."""
-    return [each for each in scope.plan.parameters if each.learned is None]
+    return list(scope.plan.settable)
 
 
 def set_function(scope: Scope) -> Lines:
@@ -174,10 +174,3 @@ def _learn(parameter: Parameter, learned_value: Value, scope: Scope) -> Lines:
     body = [index(learned_value), known_values(learned_value), *checked]
     head = f"static void {scope.prefix}_Learn_{name}({scope.self_argument})"
     return function(head, body, f"{parameter.named.comment}: stored if it is within its limits")
-
-
-def learned(scope: Scope) -> Lines:
-    """All that has been learned, kept."""
-    return joined(
-        lines(f"{scope.prefix}_Learn_{each.named.name}(self);") for each in scope.plan.parameters if each.learned
-    )

@@ -1,4 +1,4 @@
-"""What every part of the source knows: the plan, how names begin, and where the variables of the code are."""
+"""Common knowledge of every part of the source: the plan, prefixes of names, and the variables of the code."""
 
 import re
 from typing import NamedTuple
@@ -19,12 +19,12 @@ class Scope(NamedTuple):
 
     @property
     def prefix(self) -> str:
-        """What all functions and types begin with: `CoreAcc_Adapter`."""
+        """Prefix of all functions and types: `CoreAcc_Adapter`."""
         return self.plan.type_name
 
     @property
     def macro(self) -> str:
-        """What all constants and macros begin with: `CORE_ACC_ADAPTER`."""
+        """Prefix of all constants and macros: `CORE_ACC_ADAPTER`."""
         return screaming_snake_case(self.prefix)
 
     @property
@@ -33,7 +33,7 @@ class Scope(NamedTuple):
         return f"{self.prefix} *self"
 
     def variable(self, expression: str) -> str:
-        """Where a variable of the code is, seen from a function of the adapter."""
+        """Expression of a variable of the code in a function of the adapter."""
         code = self.plan.code
         if code.signature == GLOBALS:
             return self._marked(expression)
@@ -51,12 +51,12 @@ class Scope(NamedTuple):
 
     @property
     def is_cpp(self) -> bool:
-        """Whether the core is C++, where an enumeration is no number."""
+        """Whether the core is C++, where an enumeration is not a number."""
         return self.plan.code.is_cpp
 
     @property
     def put(self) -> str:
-        """What puts a number into a variable that may be an enumeration; empty where `=` does."""
+        """Function that puts a number into a variable that may be an enumeration; empty where `=` does."""
         return f"{self.prefix}_Put" if self.is_cpp else ""
 
     def assigned(self, expression: str, number: str) -> str:

@@ -1,4 +1,4 @@
-"""Variables of the code whose names the functions of the adapter have for something of their own: that is renamed."""
+"""Variables of the code with names that functions of the adapter use for their own variables: these are renamed."""
 
 import re
 from collections.abc import Iterable, Iterator
@@ -15,7 +15,7 @@ _NAME = re.compile(r"(?<![\w.>])[A-Za-z_]\w*")
 
 
 def shadowed(plan: CorePlan, part: Lines) -> frozenset[str]:
-    """Names of the code that stand for something else within a function."""
+    """Names of the code that mean something else within a function."""
     if plan.code.signature != GLOBALS:
         return frozenset()
     own = {name for text in _expressions(plan) for name in _NAME.findall(text)}

@@ -1,59 +1,58 @@
 """Alive, deadline and logical supervision (section 10)."""
 
-from sigcat.adapter.core.c import errors, modes
-from sigcat.adapter.core.c.lines import Lines, at_now, block, choice, function, joined, lines
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from sigcat.adapter.core.c import modes
+from sigcat.adapter.core.c.layout import c_functions
+from sigcat.adapter.core.c.lines import Lines, block, joined, lines
 from sigcat.adapter.core.c.literals import time
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.core.plan import Alive, Call, Error, Logical
+from sigcat.adapter.core.plan import Alive, Call, CorePlan, Logical
 
 
-def window_functions(scope: Scope) -> list[Lines]:
-    """Windows in which the ends of a call are counted."""
-    alive = [call for call in scope.plan.steps if call.alive]
-    each = [part for call in alive if call.alive for part in (_close(call, call.alive, scope), _judge(call, scope))]
-    return [*each, _close_all(alive, scope)] if alive else []
+class _Checkpoint(NamedTuple):
+    """A call in the graph, and the condition that it may follow the last one."""
+
+    call: Call
+    follows: str
 
 
-def _close(call: Call, alive: Alive, scope: Scope) -> Lines:
-    place, length = f"self->{call.name}.alive", time(alive.window)
-    ends = f"{place}.ends"
-    bad = [f"({ends} > {alive.most}U)"]
-    if alive.least > 0:
-        bad += [f"({ends} < {alive.least}U)", "(windows > 1U)"]
-    body = [
-        block(f"if (t >= ({place}.window + {length}))", [lines(f"""
-            const uint64_t windows = (t - {place}.window) / {length};
+class _Plan(NamedTuple):
+    """Plan of windows and checkpoints; `windows` are comments and `runs` conditions, by the names of calls."""
 
-            {place}.is_bad = {place}.is_bad || {' || '.join(bad)};
-            {place}.has_closed = true;
-            {place}.window += windows * {length};
-            {place}.ends = 0U;
-        """)]),
-    ]  # fmt: skip
-    head = f"static void {scope.prefix}_CloseWindows_{call.name}({scope.self_argument}, uint64_t t)"
-    text = f"{call.interface} ends {alive.least} to {alive.most} times in each {alive.window / 10**6:g} ms."
-    return function(head, body, text)
+    p: str
+    m: str
+    plan: CorePlan
+    watched: Sequence[Call]
+    windows: Mapping[str, str]
+    runs: Mapping[str, str]
+    checkpoints: Sequence[_Checkpoint]
 
 
-def _judge(call: Call, scope: Scope) -> Lines:
-    place = f"self->{call.name}.alive"
-    body = block(f"if ({place}.has_closed)", [lines(f"""
-        {place}.verdict = {place}.is_bad ? {scope.present} : {scope.absent};
-        {place}.has_closed = false;
-        {place}.is_bad = false;
-    """)])  # fmt: skip
-    head = f"static void {scope.prefix}_JudgeWindows_{call.name}({scope.self_argument})"
-    return function(head, [body], "Windows that have closed since this was asked last.")
+def supervision_functions(scope: Scope) -> list[Lines]:
+    """Windows in which the ends of a call are counted, and a function for each call that is in the graph."""
+    watched = [(call, call.alive) for call in scope.plan.steps if call.alive]
+    plan = _Plan(
+        p=scope.prefix,
+        m=scope.macro,
+        plan=scope.plan,
+        watched=[call for call, _ in watched],
+        windows={call.name: _limits(call, alive) for call, alive in watched},
+        runs={call.name: modes.condition(call, scope) for call, _ in watched},
+        checkpoints=[_Checkpoint(call, _follows(call.logical)) for call in scope.plan.calls if call.logical],
+    )
+    return c_functions("supervision.c.j2", plan)
 
 
-def _close_all(alive: list[Call], scope: Scope) -> Lines:
-    found = []
-    for call in alive:
-        close = lines(f"{scope.prefix}_CloseWindows_{call.name}(self, t);")
-        runs = modes.condition(call, scope)
-        found.append(close if runs == "true" else block(f"if ({runs})", [close]))
-    head = f"static void {scope.prefix}_CloseWindows({scope.self_argument}, uint64_t t)"
-    return function(head, found, "Windows that are over, of calls that the mode does not exclude.")
+def _limits(call: Call, alive: Alive) -> str:
+    return f"{call.interface} ends {alive.least} to {alive.most} times in each {alive.window / 10**6:g} ms."
+
+
+def _follows(logical: Logical) -> str:
+    numbers = [*logical.previous, *([0] if logical.is_initial else [])]
+    conditions = [f"self->checkpoint.active == {number}U" for number in numbers]
+    return "".join(conditions) if len(conditions) < 2 else " || ".join(f"({each})" for each in conditions)
 
 
 def closed(scope: Scope) -> Lines:
@@ -67,28 +66,6 @@ def closed(scope: Scope) -> Lines:
 def reported(call: Call, scope: Scope) -> Lines:
     """The checkpoint of a call."""
     return lines(f"{scope.prefix}_Report_{call.name}(self);") if call.logical else ()
-
-
-def checkpoint_functions(scope: Scope) -> list[Lines]:
-    """A function for each call that is in the graph."""
-    return [_report(call, call.logical, scope) for call in scope.plan.calls if call.logical]
-
-
-def _report(call: Call, logical: Logical, scope: Scope) -> Lines:
-    active = "self->checkpoint.active"
-    follows = [*logical.previous, *([0] if logical.is_initial else [])]
-    conditions = [f"{active} == {number}U" for number in follows]
-    absent = [
-        lines(f"self->checkpoint.{each.name} = {scope.absent};")
-        for each in scope.plan.calls
-        if each.logical and each.logical.error
-    ]
-    right = joined([lines(f"{active} = {0 if logical.is_final else logical.number}U;"), *absent])
-    wrong = lines(f"self->checkpoint.{call.name} = {scope.present};" if logical.error else "/* no error is told */")
-    any_of = conditions[0] if len(conditions) == 1 else " || ".join(f"({each})" for each in conditions)
-    body = choice([(any_of, right), ("", wrong)]) if conditions else wrong
-    head = f"static void {scope.prefix}_Report_{call.name}({scope.self_argument})"
-    return function(head, [body], f"The checkpoint of {call.interface}.")
 
 
 # -- alive and deadline -------------------------------------------------------------------------------------------
@@ -109,32 +86,3 @@ def ended(call: Call, scope: Scope) -> Lines:
         judged = lines(f"{place}.deadline = {is_bad} ? {scope.present} : {scope.absent};")
         found.append(block(f"if ({place}.is_running)", [judged]))
     return joined(found)
-
-
-def supervise_function(scope: Scope) -> Lines:
-    """The function that finds calls that hang or never come."""
-    supervised = [error for error in scope.plan.errors if error.is_supervised and error.call]
-    is_measured = any(call.alive or call.deadline for call in scope.plan.steps)
-    body = [
-        lines(f"{scope.constant('MARK')}(self, 4, {scope.constant('NO_CALL')});") if is_measured else (),
-        closed(scope),
-        *(_hangs(call, scope) for call in scope.plan.steps if call.deadline),
-        *(_evaluated(error, scope) for error in supervised),
-    ]
-    return function(f"void {scope.prefix}_Supervise({scope.self_argument}, uint64_t t)",
-                    [block("if (self->is_started)", [at_now(body, scope.prefix)])])  # fmt: skip
-
-
-def _hangs(call: Call, scope: Scope) -> Lines:
-    assert call.deadline is not None
-    place = f"self->{call.name}"
-    late = f"{place}.is_running && ((t - {place}.begun) > {time(call.deadline.most)})"
-    return block(f"if ({late})", [lines(f"{place}.deadline = {scope.present};")])
-
-
-def _evaluated(error: Error, scope: Scope) -> Lines:
-    """An error whose call runs in this mode."""
-    call = next(step for step in scope.plan.steps if step.name == error.call)
-    runs = modes.condition(call, scope)
-    part = errors.evaluated((error,), scope)
-    return part if runs == "true" else block(f"if ({runs})", [part])

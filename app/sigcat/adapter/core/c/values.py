@@ -32,15 +32,15 @@ def stored(wire: WireType, source: str, target: str) -> Lines:
 
 
 class Ends(NamedTuple):
-    """Where a value comes from and where it goes."""
+    """Source and target of a value."""
 
     source: str
     target: str
     names: str
-    """What the functions of its enumerations begin with: `CoreAcc_Adapter_Step_SpdLimUnit`."""
+    """Prefix of the functions of its enumerations: `CoreAcc_Adapter_Step_SpdLimUnit`."""
     pointer: Pointer
     put: str = ""
-    """What puts a number into an enumeration of C++, where the target is one."""
+    """Function that puts a number into an enumeration of C++, where the target is one."""
     is_read: bool = False
     """Whether the source is a variable of C++, which may be an enumeration."""
 
@@ -55,7 +55,7 @@ class Ends(NamedTuple):
 
 
 def looped(leaf: Leaf, body: Lines) -> Lines:
-    """What is done for a number, for each number of an array."""
+    """Statement for a number, for each number of an array."""
     if leaf.length is None:
         return body
     return block(f"for (i = 0U; i < {leaf.length}U; i++)", [body])

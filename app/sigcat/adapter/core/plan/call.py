@@ -5,6 +5,7 @@ from typing import NamedTuple
 from sigcat.adapter.core.plan.interface import Input, Output
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.text import Text
+from sigcat.names import screaming_snake_case
 
 
 class Alive(NamedTuple):
@@ -59,7 +60,7 @@ class Call(NamedTuple):
     most_events: int = 1
     """Events that wait at most: more than one if one of its triggers is a queue."""
     events_per_call: int = 1
-    """Events that one call stands for: as many as it takes values at once."""
+    """Events for one call: as many as it takes values at once."""
     triggers: frozenset[str] = frozenset()
     """Names of the ports whose values are its events."""
     is_exclusive: bool = False
@@ -72,3 +73,8 @@ class Call(NamedTuple):
     alive: Alive | None = None
     deadline: Deadline | None = None
     logical: Logical | None = None
+
+    @property
+    def constant(self) -> str:
+        """Last part of its constant: `STEP`."""
+        return screaming_snake_case(self.name)

@@ -8,7 +8,7 @@ from sigcat.adapter.core.plan.interface import Method, Output, Parameter, Port
 from sigcat.adapter.core.plan.status import Error, ForeignError, ModeIn, ModeOut, Reaction
 from sigcat.adapter.core.plan.value import WireStruct
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.code import CLASS
+from sigcat.function.function_json.code import CLASS, GLOBALS
 from sigcat.names import screaming_snake_case
 
 
@@ -33,7 +33,7 @@ class Extern(NamedTuple):
 
 
 class Code(NamedTuple):
-    """How the code of the function is compiled, included and called."""
+    """Sources, headers and calls of the function's code."""
 
     signature: str
     headers: tuple[str, ...] = ()
@@ -52,7 +52,7 @@ class Code(NamedTuple):
 
     @property
     def ending(self) -> str:
-        """Of names of files that call it."""
+        """Extension of the names of files that call it."""
         return "cpp" if self.is_cpp else "c"
 
 
@@ -80,7 +80,7 @@ class CorePlan(NamedTuple):
     """The steps in the order in which they run when they are due at the same time."""
     terminates: tuple[Call, ...]
     sources: Mapping[str, str] = {}
-    """What the plan was made from, by name and digest."""
+    """Source of the plan, by name and digest."""
 
     @property
     def calls(self) -> tuple[Call, ...]:
@@ -94,13 +94,77 @@ class CorePlan(NamedTuple):
 
     @property
     def statuses(self) -> tuple[Error | Reaction | ModeOut, ...]:
-        """What is sent of how the function is: errors, safety reactions and the mode that it is in."""
+        """Sent status of the function: errors, safety reactions and its mode."""
         return (*self.errors, *self.reactions, *((self.mode_out,) if self.mode_out else ()))
 
     @property
     def requests(self) -> tuple[Method, ...]:
         """Methods of others that the function uses."""
         return tuple(method for method in self.methods if not method.is_offered)
+
+    @property
+    def offered(self) -> tuple[Method, ...]:
+        """Methods that others use."""
+        return tuple(method for method in self.methods if method.is_offered)
+
+    @property
+    def published(self) -> tuple[Output | Error | Reaction | ModeOut | Method, ...]:
+        """Everything that the platform sends when the core says so."""
+        return (*self.outputs, *self.statuses, *self.requests)
+
+    @property
+    def hooks(self) -> tuple[str, ...]:
+        """Functions of the project, which run before and after calls."""
+        return tuple(dict.fromkeys(hook for call in self.calls for hook in (*call.before, *call.after)))
+
+    @property
+    def judged_checkpoints(self) -> tuple[Call, ...]:
+        """Checkpoints that an error reports."""
+        return tuple(call for call in self.calls if call.logical and call.logical.error)
+
+    @property
+    def settable(self) -> tuple[Parameter, ...]:
+        """Parameters that are set from outside: all but those that the function learns."""
+        return tuple(each for each in self.parameters if each.learned is None)
+
+    @property
+    def received_statuses(self) -> tuple[ForeignError, ...]:
+        """Errors of others, and the mode."""
+        mode = self.mode_in
+        modes = (ForeignError(mode.named.name, mode.named.comment, mode.wire),) if mode else ()
+        return (*self.foreign_errors, *modes)
+
+    @property
+    def is_received(self) -> bool:
+        """Whether anything is received."""
+        return bool(self.ports or self.received_statuses)
+
+    @property
+    def is_sent(self) -> bool:
+        """Whether anything is sent."""
+        return bool(self.outputs or self.statuses)
+
+    @property
+    def has_checkpoints(self) -> bool:
+        """Whether calls are checkpoints."""
+        return any(call.logical for call in self.calls)
+
+    @property
+    def uses_origin(self) -> bool:
+        """Whether any input is more than an assignment, or there are parameters."""
+        has_inputs = any(not item.is_direct for call in self.steps for item in call.inputs)
+        return has_inputs or bool(self.parameters)
+
+    @property
+    def uses_clock(self) -> bool:
+        """Whether anything can be late."""
+        late_inputs = any(item.time_out for call in self.steps for item in call.inputs)
+        return late_inputs or any(each.time_out is not None for each in self.reactions)
+
+    @property
+    def has_globals(self) -> bool:
+        """Whether the code keeps its data in global variables."""
+        return self.code.signature == GLOBALS
 
     @property
     def type_name(self) -> str:
@@ -121,6 +185,14 @@ class CorePlan(NamedTuple):
     def code_setting(self) -> str:
         """The setting of CMake that names the folder of the function's code: `CORE_ACC_CODE`."""
         return f"{screaming_snake_case(self.function)}_CODE"
+
+    def is_followed(self, call: Call) -> bool:
+        """Whether a call waits for this one."""
+        return any(call.name in other.previous for other in self.steps)
+
+    def timed_reactions(self, call: Call) -> tuple[Reaction, ...]:
+        """Reactions of a call with a time-out: each call has a clock for each of them."""
+        return tuple(each for each in self.reactions if call.name in each.calls and each.time_out is not None)
 
     def errors_of(self, call: str, *, late: bool) -> tuple[Error, ...]:
         """Errors that are evaluated when a call has ended (late), or before it."""

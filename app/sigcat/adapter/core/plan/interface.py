@@ -1,4 +1,4 @@
-"""What a call takes and gives: inputs, outputs, parameters, methods."""
+"""Interfaces of a call: inputs, outputs, parameters, methods."""
 
 from typing import NamedTuple
 
@@ -7,14 +7,14 @@ from sigcat.function.document.document import Pointer
 
 
 class Named(NamedTuple):
-    """How an interface is called in the code, and what a reader should know of it."""
+    """Names of an interface in the code, and comments for readers."""
 
     name: str
     """Identifier, unique in the function."""
     comment: str
     """Path in the catalogue and unit: `Vehicle.Speed [km/h]`."""
     pointer: Pointer
-    """Where it stands in Function JSON."""
+    """Pointer into Function JSON."""
 
 
 class TimeOut(NamedTuple):
@@ -43,7 +43,7 @@ class Input(NamedTuple):
 
     named: Named
     port: str
-    """What its receive function and its place among the received values are called: one for all calls."""
+    """Name of its receive function and of its received value: one for all calls."""
     variable: str
     value: Value
     is_immediate: bool = False
@@ -53,9 +53,38 @@ class Input(NamedTuple):
     e2e_error: str | None = None
     queue: Queue | None = None
     names: tuple[str, ...] = ()
-    """How the declaration may call it."""
+    """Names of it in the declaration."""
     is_reset: bool = False
     """Whether an error is reset by it."""
+
+    @property
+    def is_direct(self) -> bool:
+        """Whether it is but an assignment: nothing is checked, nothing is late, nothing waits."""
+        is_plain = self.time_out is None and self.queue is None and not self.is_reset
+        return is_plain and self.value.is_bare and not self.value.is_checked
+
+    @property
+    def keeps(self) -> bool:
+        """Whether the last good value is kept for the call, beside the one that was received: of a queue, and of an
+        enumeration whose unknown numbers nothing replaces."""
+        return self.queue is not None or (self.value.is_checked and self.instead == "KEPT")
+
+    @property
+    def instead(self) -> str:
+        """Origin of the value if the received one is out of range."""
+        if self.value.is_replaced:
+            return "REPLACEMENT"
+        return "KEPT" if any(leaf.element.names is not None for leaf in self.value.leaves) else "RECEIVED"
+
+    @property
+    def has_state(self) -> bool:
+        """Whether a call has to know more of it than its value."""
+        return self.keeps or self.is_reset or any((self.time_out, self.range_error, self.e2e_error))
+
+    @property
+    def places(self) -> int:
+        """Number of values for which the variable has room."""
+        return self.queue.values_per_step if self.queue else 1
 
 
 class Output(NamedTuple):
@@ -66,6 +95,16 @@ class Output(NamedTuple):
     value: Value
     range_error: str | None = None
     queue: Queue | None = None
+
+    @property
+    def is_direct(self) -> bool:
+        """Whether it is but an assignment."""
+        return self.queue is None and self.value.is_bare and not self.value.is_checked
+
+    @property
+    def has_state(self) -> bool:
+        """Whether its call has a verdict on it."""
+        return self.range_error is not None or (self.queue is not None and self.queue.overflow_error is not None)
 
 
 class Port(NamedTuple):
@@ -78,6 +117,16 @@ class Port(NamedTuple):
     """Calls that it triggers."""
     consumers: tuple[tuple[str, Input], ...] = ()
     """Calls and their inputs."""
+
+    @property
+    def is_kept(self) -> bool:
+        """Whether the value itself is kept where it is received, and not in queues alone."""
+        return any(item.queue is None for _, item in self.consumers)
+
+    @property
+    def is_timed(self) -> bool:
+        """Whether the time of its values counts."""
+        return any(item.time_out is not None for _, item in self.consumers)
 
     @property
     def tells_of_rejection(self) -> bool:

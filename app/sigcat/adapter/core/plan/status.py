@@ -1,4 +1,4 @@
-"""How the function is: its errors and what makes them present, safety reactions, modes."""
+"""Status of the function: its errors and their causes, safety reactions, modes."""
 
 from typing import NamedTuple
 
@@ -12,7 +12,7 @@ class Cause(NamedTuple):
     place: str
     """Member of the context that holds its verdict: `Step.in.BrkCylP.time_out`."""
     call: str | None
-    """Call that judges it; None where none does."""
+    """Call that checks it; None where none does."""
     is_late: bool
     """Whether it is known only when the call has ended."""
     is_supervised: bool = False
@@ -39,7 +39,7 @@ class Error(NamedTuple):
     """Time in ns."""
     waits_for_restart: bool
     reset_input: str | None
-    """Place of what tells whether its reset condition holds."""
+    """Place of the flag that tells whether its reset condition holds."""
     dependencies: tuple[str, ...]
     """Own errors that it depends on, by their names here."""
     foreign: tuple[str, ...]

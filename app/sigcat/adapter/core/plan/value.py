@@ -19,7 +19,7 @@ class Element(NamedTuple):
     is_enumeration: bool = False
     """Whether the code may have an enumeration for it."""
     names: Mapping[int, int] | None = None
-    """Of an enumeration: numbers of the source, and what they are in the target."""
+    """Numbers of an enumeration in the source, and their numbers in the target."""
     least: Number | None = None
     """Smallest number of the source within the range; None if there is none below it."""
     greatest: Number | None = None
@@ -31,7 +31,7 @@ class Leaf(NamedTuple):
     """A number, or an array of numbers, within a value. A struct has one for each member."""
 
     source: str
-    """Where in the source, after its name: ``, `.x`, `[i]`, `[i].x`, `.x[i]`."""
+    """Position in the source, after its name: ``, `.x`, `[i]`, `[i].x`, `.x[i]`."""
     target: str
     length: int | None
     """Elements, where there is an `[i]`."""
@@ -39,9 +39,9 @@ class Leaf(NamedTuple):
     init: tuple[Number, ...]
     """Start value in the target, for each element."""
     default: tuple[Number, ...]
-    """What stands in for NaN, and for a value after a time-out."""
+    """Replacement for NaN, and for a value after a time-out."""
     replacement: tuple[Number, ...] | None = None
-    """What stands in for a value out of range; None: the value passes."""
+    """Replacement for a value out of range; None: the value passes."""
 
 
 class WireField(NamedTuple):
@@ -62,7 +62,7 @@ class WireStruct(NamedTuple):
 
 
 class WireType(NamedTuple):
-    """How a value is received or sent: in the catalogue's datatype."""
+    """Datatype in which a value is received or sent: that of the catalogue."""
 
     c: str
     """Type in C: of an array that of its elements."""

@@ -1,27 +1,23 @@
 """CHANGELOG.rst, as catkin tools and bloom read it: the version that the package has now, and what it is made of."""
 
-from collections.abc import Iterator
+from collections.abc import Sequence
+from typing import NamedTuple
 
 from sigcat.adapter.ros2.plan import WorkspacePlan
-from sigcat.function.document.text_filters import comment
+from sigcat.adapter.templates import rendered
 from sigcat.integration.ros2.model import Ros2Integration
+
+
+class _Changelog(NamedTuple):
+    title: str
+    version: str
+    functions: Sequence[str]
+    """Each with its version, if it has one."""
 
 
 def changelog(package: str, version: str, workspace: WorkspacePlan, model: Ros2Integration) -> str:
     """The text of a package's file. A document without a date is not released yet."""
-    title = f"Changelog for package {package}"
-    day = ".".join(reversed((model.meta.date or "").split("."))).replace(".", "-")
-    head = f"{version} ({day})" if day else "Forthcoming"
-    return "\n".join(
-        [_line(title, "^"), title, _line(title, "^"), "", head, _line(head, "-"), *_made_of(workspace), ""]
-    )
-
-
-def _line(text: str, sign: str) -> str:
-    return sign * len(text)
-
-
-def _made_of(workspace: WorkspacePlan) -> Iterator[str]:
-    for node in workspace.nodes:
-        version = f" {node.core.version}" if node.core.version else ""
-        yield f"* Generated from the function ``{comment(f'{node.core.function}{version}')}``."
+    day = "-".join(reversed((model.meta.date or "").split(".")))
+    functions = [" ".join(filter(None, (node.core.function, node.core.version))) for node in workspace.nodes]
+    plan = _Changelog(f"Changelog for package {package}", f"{version} ({day})" if day else "Forthcoming", functions)
+    return rendered("adapter/ros2/bringup/CHANGELOG.rst.j2", plan)

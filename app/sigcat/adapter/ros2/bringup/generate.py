@@ -2,10 +2,9 @@
 
 from collections.abc import Iterator
 
-from sigcat.adapter.files import GeneratedFile
+from sigcat.adapter.files import GeneratedFile, within
 from sigcat.adapter.ros2.bringup.changelog import changelog
-from sigcat.adapter.ros2.bringup.launch_file import launch_file
-from sigcat.adapter.ros2.bringup.other_launch_files import container_launch_file, xml_launch_file
+from sigcat.adapter.ros2.bringup.launch_files import launch_files
 from sigcat.adapter.ros2.bringup.parameter_file import parameter_file, schema_name
 from sigcat.adapter.ros2.bringup.parameter_schema import parameter_schema
 from sigcat.adapter.ros2.bringup.readme import readme
@@ -19,9 +18,7 @@ def bringup_files(workspace: WorkspacePlan, model: Ros2Integration) -> Iterator[
     yield GeneratedFile("README.md", readme(workspace, model).encode())
     for package, version in _packages(workspace, model):
         yield GeneratedFile(f"{package}/CHANGELOG.rst", changelog(package, version, workspace, model).encode())
-    yield GeneratedFile(f"{name}/launch/{name}.launch.py", launch_file(workspace).encode())
-    yield GeneratedFile(f"{name}/launch/{name}.launch.xml", xml_launch_file(workspace).encode())
-    yield GeneratedFile(f"{name}/launch/{name}_container.launch.py", container_launch_file(workspace).encode())
+    yield from within(name, launch_files(workspace))
     for node in workspace.nodes:
         yield GeneratedFile(f"{name}/config/{node.name}.yaml", parameter_file(node, workspace).encode())
         yield GeneratedFile(f"{name}/config/{schema_name(node)}", parameter_schema(node).encode())

@@ -1,4 +1,4 @@
-"""Who hears whom in a set, and in which order its nodes are activated."""
+"""Connections in a set, and the order in which its nodes are activated."""
 
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
@@ -33,7 +33,7 @@ def subscribers_of(workspace: WorkspacePlan) -> Mapping[str, tuple[str, ...]]:
 
 
 def edges_of(workspace: WorkspacePlan) -> tuple[Edge, ...]:
-    """What nodes of the set hear of each other."""
+    """Topics and services between nodes of the set."""
     publishers = publishers_of(workspace)
     found: dict[tuple[str, str], list[str]] = {}
     for node in workspace.nodes:

@@ -1,26 +1,36 @@
 """Parameter files: every parameter of a node with its default, and what a reader should know of it."""
 
 import json
-import textwrap
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
 
 from sigcat.adapter.ros2.plan import NodeParameter, NodePlan, WorkspacePlan
+from sigcat.adapter.templates import rendered
 from sigcat.function.document.text import Text, composed
-from sigcat.function.document.text_filters import AnyText, comment, comment_rows, yaml_string
+from sigcat.function.document.text_filters import AnyText, yaml_string
 
-_WIDEST = 102
+
+class _Entry(NamedTuple):
+    name: str
+    about: Sequence[AnyText]
+    value: str | None
+    """None if it is a list without elements, which a file of parameters cannot have."""
+
+
+class _ParameterFile(NamedTuple):
+    node: str
+    schema: str
+    has_values: bool
+    """Whether there is a value; rcl refuses a key without one."""
+    entries: Sequence[_Entry]
 
 
 def parameter_file(node: NodePlan, workspace: WorkspacePlan) -> str:
     """The text of `config/NODE.yaml`, for the node of this name in any namespace."""
-    parts = [*map(_parameter, node.parameters), *_own(node, workspace)]
-    body = "\n".join(textwrap.indent(part, "    ") for part in parts)
-    head = f"# yaml-language-server: $schema={comment(schema_name(node))}\n"
-    head += _comment(f"Parameters of {node.name}: what it has without this file.")
-    has_values = any(not line.startswith("#") for part in parts for line in part.splitlines())
-    values = "ros__parameters:" if has_values else "ros__parameters: {}"  # rcl refuses a key without a value
-    return f"{head}/**/{node.name}:\n  {values}\n{body}"
+    entries = [*map(_entry, node.parameters), *_own(node, workspace)]
+    has_values = any(entry.value is not None for entry in entries)
+    plan = _ParameterFile(node.name, schema_name(node), has_values, entries)
+    return rendered("adapter/ros2/bringup/parameters.yaml.j2", plan)
 
 
 def schema_name(node: NodePlan) -> str:
@@ -28,26 +38,23 @@ def schema_name(node: NodePlan) -> str:
     return f"{node.name}.schema.json"
 
 
-def _own(node: NodePlan, workspace: WorkspacePlan) -> Iterator[str]:
-    """What every node has, whatever its function is."""
+def _own(node: NodePlan, workspace: WorkspacePlan) -> Iterator[_Entry]:
+    """Parameters of every node, whatever its function is."""
     if node.priority is not None:
         about = f"Policy of the thread that makes the calls: other, fifo or rr, these with priority {node.priority}."
-        yield _comment(about) + f"scheduling_policy: {node.policy}\n"
+        yield _Entry("scheduling_policy", [about], node.policy)
     if node.is_stored:
-        about = "Folder of what the node keeps from one run to the next"
-        yield (
-            _comment(f"{about}; if empty $ROS_HOME/{workspace.name}, or else ~/.ros/{workspace.name}.")
-            + 'storage_folder: ""\n'
-        )
+        folders = f"if empty $ROS_HOME/{workspace.name}, or else ~/.ros/{workspace.name}"
+        about = f"Folder of the values that the node keeps between runs; {folders}."
+        yield _Entry("storage_folder", [about], '""')
 
 
-def _parameter(parameter: NodeParameter) -> str:
+def _entry(parameter: NodeParameter) -> _Entry:
     known = [part for limit in _limits(parameter) for part in ("; ", limit)]
-    about = _comment(parameter.description) + _comment(composed(parameter.parameter.named.comment, *known))
-    value = _value(parameter.default, parameter.type.removesuffix("_array"))
-    if value == "[]":  # a file of parameters has no lists without elements
-        return f"{about}# {comment(parameter.name)}: []\n"
-    return f"{about}{parameter.name}: {value}\n"
+    about = [parameter.description, composed(parameter.parameter.named.comment, *known)]
+    is_empty = isinstance(parameter.default, list | tuple) and not parameter.default
+    value = None if is_empty else _value(parameter.default, parameter.type.removesuffix("_array"))
+    return _Entry(parameter.name, about, value)
 
 
 def _limits(parameter: NodeParameter) -> Iterator[AnyText]:
@@ -76,7 +83,3 @@ def _double(value: float) -> str:
     """With a point, by which a file of parameters tells it from an integer."""
     digits, mark, exponent = repr(value).partition("e")
     return f"{digits}{'' if '.' in digits else '.0'}{mark}{exponent}"
-
-
-def _comment(text: AnyText) -> str:
-    return "".join(f"{row}\n" for row in comment_rows(text, "#", _WIDEST))

@@ -1,11 +1,11 @@
-"""The graph of a set as a Mermaid picture: nodes are round, and what they exchange stands in boxes between them."""
+"""The graph of a set as a Mermaid picture: nodes are round, and their topics are in boxes between them."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Literal, NamedTuple
 
 from sigcat.adapter.ros2.bringup.graph import publishers_of, subscribers_of
 from sigcat.adapter.ros2.plan import WorkspacePlan
-from sigcat.function.document.text_filters import AnyText, mermaid_text
+from sigcat.function.document.text_filters import AnyText
 
 OUTSIDE = "outside of the set"
 
@@ -18,7 +18,7 @@ class End(NamedTuple):
 
 
 class Link(NamedTuple):
-    """What leads from the same ends to the same ends: names of topics, or of services."""
+    """Edges with the same ends: names of topics, or of services."""
 
     sources: tuple[End, ...]
     names: tuple[str, ...]
@@ -29,21 +29,48 @@ BEFORE = End(OUTSIDE, "before")
 BEHIND = End(OUTSIDE, "behind")
 
 
-def picture(workspace: WorkspacePlan, providers: Mapping[str, AnyText]) -> str:
+class Drawn(NamedTuple):
+    """An end, with its name in the source of the picture."""
+
+    key: str
+    name: AnyText
+
+
+class Line(NamedTuple):
+    """A link between ends of these keys."""
+
+    sources: Sequence[str]
+    names: Sequence[str]
+    targets: Sequence[str]
+
+
+class Picture(NamedTuple):
+    """Plan of the picture."""
+
+    outside: Sequence[Drawn]
+    nodes: Sequence[Drawn]
+    topics: Sequence[Line]
+    services: Sequence[Line]
+
+
+def picture(workspace: WorkspacePlan, providers: Mapping[str, AnyText]) -> Picture:
     """The picture. `providers` are who is outside, by topic."""
     topics, services = _bundled(_topics(workspace, providers)), _bundled(_services(workspace))
-    keys = {End(node.name): node.stem for node in workspace.nodes}
-    ends = (end for link in (*topics, *services) for end in (*link.sources, *link.targets) if end not in keys)
+    nodes = {End(node.name): node.stem for node in workspace.nodes}
+    ends = (end for link in (*topics, *services) for end in (*link.sources, *link.targets) if end not in nodes)
     outside = {end: f"outside{number}" for number, end in enumerate(dict.fromkeys(ends), 1)}
-    lines = [  # those outside first: where nodes hear each other, that is where lines begin
-        "flowchart LR",
-        *(f'  {key}(["{mermaid_text(end.name)}"]):::outside' for end, key in outside.items()),
-        *(f'  {key}(["{mermaid_text(end.name)}"])' for end, key in keys.items()),
-        *(_of_topics(number, link, keys | outside) for number, link in enumerate(topics, 1)),
-        *(_of_services(number, link, keys | outside) for number, link in enumerate(services, 1)),
-        *(["  classDef outside stroke-dasharray: 4"] if outside else []),
+    keys = nodes | outside
+    return Picture(_drawn(outside), _drawn(nodes), _lines(topics, keys), _lines(services, keys))
+
+
+def _drawn(ends: Mapping[End, str]) -> Sequence[Drawn]:
+    return [Drawn(key, end.name) for end, key in ends.items()]
+
+
+def _lines(links: Iterable[Link], keys: Mapping[End, str]) -> Sequence[Line]:
+    return [
+        Line([keys[end] for end in each.sources], each.names, [keys[end] for end in each.targets]) for each in links
     ]
-    return "\n".join(lines) + "\n"
 
 
 def _topics(workspace: WorkspacePlan, providers: Mapping[str, AnyText]) -> Iterator[Link]:
@@ -59,7 +86,7 @@ def _topics(workspace: WorkspacePlan, providers: Mapping[str, AnyText]) -> Itera
 
 
 def _services(workspace: WorkspacePlan) -> Iterator[Link]:
-    """Each service, from who asks to who answers."""
+    """Each service, from the client to the server."""
     asking: dict[str, list[End]] = {}
     answering: dict[str, list[End]] = {}
     for node in workspace.nodes:
@@ -79,15 +106,3 @@ def _bundled(links: Iterator[Link]) -> Sequence[Link]:
         known = found.get(ends)
         found[ends] = link if known is None else known._replace(names=known.names + link.names)
     return tuple(found.values())
-
-
-def _of_topics(number: int, link: Link, keys: Mapping[End, str]) -> str:
-    return f'  {_all(link.sources, keys)} --- topics{number}["{"<br>".join(map(mermaid_text, link.names))}"] --> {_all(link.targets, keys)}'
-
-
-def _of_services(number: int, link: Link, keys: Mapping[End, str]) -> str:
-    return f'  {_all(link.sources, keys)} -.- services{number}[["{"<br>".join(map(mermaid_text, link.names))}"]] -.-> {_all(link.targets, keys)}'
-
-
-def _all(ends: tuple[End, ...], keys: Mapping[End, str]) -> str:
-    return " & ".join(keys[end] for end in ends)

@@ -7,13 +7,13 @@ from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.ros2.cpp.cmake import cmake
 from sigcat.adapter.ros2.cpp.layout import fitted
 from sigcat.adapter.ros2.cpp.main_source import main_source
-from sigcat.adapter.ros2.cpp.names import copyright_line
 from sigcat.adapter.ros2.cpp.node_header import has_deadline, node_header
 from sigcat.adapter.ros2.cpp.node_source import node_source
 from sigcat.adapter.ros2.cpp.structs import structs_header
 from sigcat.adapter.ros2.cpp.tests import launch_test, node_test
-from sigcat.adapter.ros2.package_xml import package_xml
+from sigcat.adapter.ros2.package_xml import package_xml, rights
 from sigcat.adapter.ros2.plan import WorkspacePlan
+from sigcat.function.document.text_filters import comment
 
 _DEPENDS = (
     "builtin_interfaces",
@@ -28,7 +28,7 @@ _TEST_DEPENDS = (
     "ament_cmake_uncrustify", "ament_cmake_xmllint", "ament_lint_auto", "launch_testing_ament_cmake", "launch_testing_ros", "lifecycle_msgs",
 )  # fmt: skip
 SUPPORT = Path(__file__).parent / "support"
-"""What all nodes share, with PACKAGE_NAME and PACKAGE_GUARD for the name of the package."""
+"""Common files of all nodes, with PACKAGE_NAME and PACKAGE_GUARD for the name of the package."""
 
 
 def cpp_files(workspace: WorkspacePlan) -> Iterator[GeneratedFile]:
@@ -52,7 +52,7 @@ def cpp_files(workspace: WorkspacePlan) -> Iterator[GeneratedFile]:
 
 
 def _support(workspace: WorkspacePlan) -> Iterator[GeneratedFile]:
-    """Those that a node of the set uses."""
+    """Yield support files that a node of the set uses."""
     unused = {
         *(() if any(node.priority is not None for node in workspace.nodes) else ("scheduling",)),
         *(() if any(has_deadline(node) for node in workspace.nodes) else ("watch",)),
@@ -62,7 +62,7 @@ def _support(workspace: WorkspacePlan) -> Iterator[GeneratedFile]:
         if path.stem.removeprefix("test_") in unused:
             continue
         text = path.read_text(encoding="utf-8").replace("PACKAGE_GUARD", workspace.name.upper())
-        text = f"{copyright_line(workspace)}\n\n{text.replace('PACKAGE_NAME', workspace.name)}"
+        text = f"// {comment(rights(workspace.package))}\n\n{text.replace('PACKAGE_NAME', workspace.name)}"
         folder = f"include/{workspace.name}" if path.suffix == ".hpp" else path.parent.name
         yield GeneratedFile(f"{folder}/{path.name}", text.encode())
 

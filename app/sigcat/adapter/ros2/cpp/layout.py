@@ -1,42 +1,12 @@
-"""How C++ is laid out in ROS: two spaces, braces of functions on lines of their own, at most 100 columns."""
+"""Ends of lines of C++ in ROS: levels of two spaces, at most 100 columns."""
 
 import textwrap
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
-from sigcat.function.document.text_filters import AnyText, c_strings, comment_rows
+from sigcat.function.document.text_filters import AnyText, c_strings
 
 WIDEST = 100
 _STEP = "  "
-
-
-def text(parts: Iterable[str]) -> str:
-    """Parts, one after the other; those that are empty are left out."""
-    return "\n".join(part for part in parts if part)
-
-
-def spaced(parts: Iterable[str]) -> str:
-    """Parts with an empty line between them."""
-    return "\n\n".join(part.strip("\n") for part in parts if part.strip("\n"))
-
-
-def indented(part: str, levels: int = 1) -> str:
-    """Lines, further in."""
-    return textwrap.indent(part, _STEP * levels)
-
-
-def function(head: str, body: Iterable[str], comment: str = "") -> str:
-    """A function: its brace has a line of its own."""
-    return text([comment, head, "{", indented(text(body)), "}"])
-
-
-def scope(head: str, body: Iterable[str], end: str = "}") -> str:
-    """Statements behind a condition, a loop or nothing."""
-    return text([f"{head} {{" if head else "{", indented(text(body)), end])
-
-
-def comment(words: AnyText, levels: int = 0) -> str:
-    """A comment, on as many lines as it needs."""
-    return "\n".join(comment_rows(words, "//", WIDEST - levels * len(_STEP)))
 
 
 def call(head: str, arguments: Sequence[str], end: str = ");", levels: int = 1) -> str:
@@ -44,7 +14,7 @@ def call(head: str, arguments: Sequence[str], end: str = ");", levels: int = 1) 
     line = f"{head}({', '.join(arguments)}{end}"
     if len(line) + levels * len(_STEP) <= WIDEST and "\n" not in line:
         return line
-    return f"{head}(\n{indented(_filled(arguments, levels + 1))}{end}"
+    return f"{head}(\n{textwrap.indent(_filled(arguments, levels + 1), _STEP)}{end}"
 
 
 def _filled(arguments: Sequence[str], levels: int) -> str:
@@ -57,12 +27,12 @@ def _filled(arguments: Sequence[str], levels: int) -> str:
     return "\n".join(rows)
 
 
-def any_of(conditions: Sequence[str], head: str = "if (", end: str = ") {", levels: int = 1) -> str:
-    """A condition of several, on as many lines as it needs."""
-    line = f"{head}{' || '.join(conditions)}{end}"
-    if len(line) + levels * len(_STEP) <= WIDEST:
+def any_of(conditions: Sequence[str]) -> str:
+    """The head of a block with a condition of several, on as many lines as it needs, one level in."""
+    line = f"if ({' || '.join(conditions)}) {{"
+    if len(line) + len(_STEP) <= WIDEST:
         return line
-    return f"{head}\n{_STEP}" + f" ||\n{_STEP}".join(conditions) + end.removesuffix(" {") + "\n{"
+    return f"if (\n{_STEP}" + f" ||\n{_STEP}".join(conditions) + ")\n{"
 
 
 def literal(words: AnyText, levels: int = 3) -> str:
@@ -92,7 +62,7 @@ def _fitted(line: str) -> list[str]:
 
 
 def _break(line: str, sign: str, indent: int) -> int:
-    """Where to break behind a sign that is no part of a text."""
+    """Position of a break behind a character that is not in a text."""
     at = line.rfind(sign, indent, WIDEST - 1)
     while at > 0 and line[:at].count('"') % 2:
         at = line.rfind(sign, indent, at)

@@ -1,59 +1,104 @@
 """Methods that the function uses or offers, as services."""
 
-from sigcat.adapter.ros2.cpp.layout import call, function, scope, text
-from sigcat.adapter.ros2.cpp.names import CORE, LOCK, core_function, is_plain, scope_of, short
-from sigcat.adapter.ros2.plan import ArgumentField, MethodService, NodePlan
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from sigcat.adapter.ros2.cpp.layout import call
+from sigcat.adapter.ros2.cpp.names import CORE, core_function, is_plain, short
+from sigcat.adapter.ros2.plan import ArgumentField, MethodService, NodePlan, WorkspacePlan
+from sigcat.function.document.text_filters import c_string
 
 
-def method_functions(node: NodePlan) -> list[str]:
-    """Answers to requests of others, and requests of the function."""
-    return [*(_answer(each, node) for each in node.offered), *(_request(each, node) for each in node.used)]
+class Copied(NamedTuple):
+    """A field of a request or response, and the argument or result of the core that is copied from or to it."""
+
+    field: str
+    argument: str
+    is_plain: bool
 
 
-def _copied(source: str, target: str, each: ArgumentField) -> str:
-    return f"{target} = {source};" if is_plain(each.argument.value.wire) else f"assign({source}, {target});"
+class Offered(NamedTuple):
+    """A method of the function, which answers requests of others."""
+
+    member: str
+    topic: str
+    type: str
+    method: str
+    request: Sequence[Copied]
+    response: Sequence[Copied]
+    success: str | None
+    called: str
+    """The call of the core."""
 
 
-def _answer(each: MethodService, node: NodePlan) -> str:
-    core, name = node.core.type_name, each.method.named.name
-    arguments = [CORE, *(["&arguments"] if each.request else []), *(["&results"] if each.response else [])]
-    good = f"reply == {scope_of(node).constant('OK')}"
-    type_ = short(each.service, node)
-    request = "request" if each.request else "/* request */"
-    return function(f"void {node.type}::answer_{each.member}(\n  const {type_}::Request & {request}, {type_}::Response & response)", [
-        f"{core}_{name}_Arguments arguments{{}};" if each.request else "",
-        f"{core}_{name}_Results results{{}};" if each.response else "",
-        *(_copied(f"request.{one.field}", f"arguments.{one.argument.name}", one) for one in each.request),
-        "const std::lock_guard<std::mutex> call(call_mutex_);",
-        call(f"const {core}_Reply reply = {core_function(node, f'Method_{name}')}", arguments),
-        f"response.{each.success} = {good};",
-        *(_copied(f"results.{one.argument.name}", f"response.{one.field}", one) for one in each.response),
-    ])  # fmt: skip
+class Used(NamedTuple):
+    """A method of another function, which this one requests."""
+
+    member: str
+    type: str
+    method: str
+    request: Sequence[Copied]
+    response: Sequence[Copied]
+    given_up: str
+    """The call of the core when no answer is received."""
+    answered: str
+    """The call of the core with the answer."""
+    client: str
+    """The statement that creates its client."""
 
 
-def _request(each: MethodService, node: NodePlan) -> str:
-    core, name = node.core.type_name, each.method.named.name
-    type_, client = short(each.service, node), f"{each.member}_client_"
-    results = [f"{core}_{name}_Results results{{}};"] if each.response else []
-    given = ["&results"] if each.response else []
-    answer = core_function(node, f"Answer_{name}")
-    missing = text(
-        [*results, LOCK, call(answer, [CORE, "asked.number", "false", *given, "clock_->now()"], levels=2), "return;"]
+class Methods(NamedTuple):
+    """All methods of a node."""
+
+    quality: str
+    """Quality of service of services, as the release takes it."""
+    offered: Sequence[Offered]
+    used: Sequence[Used]
+
+
+def methods_of(node: NodePlan, workspace: WorkspacePlan) -> Methods:
+    """All that it offers and uses."""
+    quality = "rmw_qos_profile_services_default" if workspace.release == "humble" else "rclcpp::ServicesQoS()"
+    return Methods(
+        quality,
+        [_offered(each, node) for each in node.offered],
+        [_used(each, node, quality) for each in node.used],
     )
-    taken = [_copied(f"response->{one.field}", f"results.{one.argument.name}", one) for one in each.response]
-    return function(f"void {node.type}::request_{each.member}()", [
-        f"decltype(core_->adapter.method.{name}) asked{{}};",
-        scope("", [LOCK, f"asked = core_->adapter.method.{name};"]),
-        scope(f"if (!{client}->service_is_ready())", [missing]),
-        f"const auto request = std::make_shared<{type_}::Request>();",
-        *(_copied(f"asked.arguments.{one.argument.name}", f"request->{one.field}", one) for one in each.request),
-        f"{client}->prune_pending_requests();  // one at a time: others are too late",
-        f"{client}->async_send_request(\n  request,",
-        f"  [this, number = asked.number](const rclcpp::Client<{type_}>::SharedFuture answer) {{",
-        *("    " + row for row in text([
-            "const auto response = answer.get();",
-            *results, *taken, LOCK,
-            call(answer, [CORE, "number", f"response->{each.success}", *given, "clock_->now()"], levels=3),
-        ]).split("\n")),
-        "  });",
-    ])  # fmt: skip
+
+
+def _offered(each: MethodService, node: NodePlan) -> Offered:
+    name = each.method.named.name
+    arguments = [CORE, *(["&arguments"] if each.request else []), *(["&results"] if each.response else [])]
+    return Offered(
+        each.member,
+        node.private(each.topic),
+        short(each.service, node),
+        name,
+        _copied(each.request),
+        _copied(each.response),
+        each.success,
+        call(f"const {node.core.type_name}_Reply reply = {core_function(node, f'Method_{name}')}", arguments),
+    )
+
+
+def _used(each: MethodService, node: NodePlan, quality: str) -> Used:
+    name = each.method.named.name
+    answer = core_function(node, f"Answer_{name}")
+    rest = [*(["&results"] if each.response else []), "clock_->now()"]
+    return Used(
+        each.member,
+        short(each.service, node),
+        name,
+        _copied(each.request),
+        _copied(each.response),
+        call(answer, [CORE, "asked.number", "false", *rest], levels=2),
+        call(answer, [CORE, "number", f"response->{each.success}", *rest], levels=3),
+        call(
+            f"{each.member}_client_ = create_client<{short(each.service, node)}>",
+            [c_string(each.topic), quality, "answering_"],
+        ),
+    )
+
+
+def _copied(fields: Sequence[ArgumentField]) -> Sequence[Copied]:
+    return [Copied(each.field, each.argument.name, is_plain(each.argument.value.wire)) for each in fields]

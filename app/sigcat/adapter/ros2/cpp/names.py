@@ -4,13 +4,9 @@ import re
 
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import Call, WireType
-from sigcat.adapter.ros2.package_xml import rights
 from sigcat.adapter.ros2.plan import InterfaceType, NodePlan, WorkspacePlan
-from sigcat.function.document.text_filters import comment
 from sigcat.names import snake_case
 
-LOCK = "const std::lock_guard<std::mutex> lock(core_mutex_);"
-"""For what calls the core, until the end of the scope."""
 CORE = "&core_->adapter"
 """The core, as its functions take it."""
 
@@ -18,11 +14,6 @@ CORE = "&core_->adapter"
 def guard(workspace: WorkspacePlan, stem: str) -> str:
     """The include guard of a header of the package."""
     return f"{workspace.name.upper()}__{stem.upper()}_HPP_"
-
-
-def copyright_line(workspace: WorkspacePlan) -> str:
-    """Whose code it is, as the package says."""
-    return f"// {comment(rights(workspace.package))}"
 
 
 def header_of(interface: InterfaceType) -> str:
@@ -38,7 +29,7 @@ def short(interface: InterfaceType, node: NodePlan) -> str:
 
 
 def bridge_source(node: NodePlan) -> str:
-    """What the core has for Python."""
+    """File of the core's interface for Python."""
     return f"{node.core.function}_bridge.{node.core.code.ending}"
 
 
@@ -85,5 +76,5 @@ def is_plain(wire: WireType) -> bool:
 
 
 def report_name(node: NodePlan, call: Call) -> str:
-    """The local variable that has what is told of a call."""
+    """The local variable with the reported counts of a call."""
     return f"{_call_name(node, call)}_report"

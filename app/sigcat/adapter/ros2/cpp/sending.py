@@ -1,60 +1,82 @@
-"""What a node sends."""
+"""Messages that a node sends, with what the core says, outside of its lock."""
 
-from typing import Any
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 from sigcat.adapter.core.plan import Port
-from sigcat.adapter.ros2.cpp.layout import any_of, call, comment, function, indented, scope, text
-from sigcat.adapter.ros2.cpp.names import CORE, LOCK, core_function, is_plain, short, table
-from sigcat.adapter.ros2.plan import Given, NodePlan, Publisher
+from sigcat.adapter.ros2.cpp.layout import any_of, call
+from sigcat.adapter.ros2.cpp.names import CORE, core_function, is_plain, short, table
+from sigcat.adapter.ros2.plan import Fixed, Given, NodePlan, Publisher
 from sigcat.function.document.text_filters import c_string
 
 
-def publish_function(node: NodePlan) -> str:
-    """Sends what the core says, outside of its lock."""
-    uses_out = bool(node.publishers)
-    requests = [scope(f"if (due.{each.method.named.name})", [f"request_{each.member}();"]) for each in node.used]
-    told = [f"due.{given.place}" for each in node.publishers if each.is_status for given in each.gives]
-    published = f"{core_function(node, 'Published')}({CORE});"
-    head = f"void {node.type}::publish({_argument(node)})"
-    if not (uses_out or requests):
-        return function(head, [LOCK, published])
-    return function(head, [
-        "const std::lock_guard<std::mutex> publishing(publishing_mutex_);",
-        "decltype(core_->adapter.out) out{};" if uses_out else "",
-        "decltype(core_->adapter.publish) due{};",
-        scope("", [LOCK, "out = core_->adapter.out;" if uses_out else "", "due = core_->adapter.publish;", published]),
-        *(_sent(each, node) for each in node.publishers),
-        *requests,
-        f"{any_of(told)}\n  tell();\n}}" if told else "",
-    ])  # fmt: skip
+class Filled(NamedTuple):
+    """A field of a message, and the statements that fill it."""
+
+    comment: str
+    filled: Sequence[str]
 
 
-def _argument(node: NodePlan) -> str:
-    return f"const builtin_interfaces::msg::Time &{' stamp' if any(each.stamp for each in node.publishers) else ' /* stamp */'}"
+class TakenBack(NamedTuple):
+    """A value that another call of the function takes, too: no message is needed for that."""
+
+    place: str
+    received: str
+    """The call of the core."""
+    wakes: bool
+    """Whether it makes a call due."""
 
 
-def _sent(publisher: Publisher, node: NodePlan) -> str:
-    due = [f"due.{each.place}" for each in publisher.gives]
-    if publisher.is_queue:
-        place = publisher.gives[0].place
-        loop = f"for (uint32_t i = 0; i < out.{place}.count; ++i)"
-        body = scope(loop, [_message(publisher, node, f"out.{place}.values[i]")])
-    else:
-        body = _message(publisher, node, "")
-    return f"{any_of(due)}\n{indented(body)}\n}}"
+class Sent(NamedTuple):
+    """A message: its publisher, and how it is filled."""
+
+    member: str
+    type: str
+    head: str
+    """The condition that it is due."""
+    queue: str
+    """The place of the core that has several values, of which each is a message; empty if there is none."""
+    stamp: str | None
+    fixed: Sequence[Fixed]
+    """Fields with their values in C++."""
+    gives: Sequence[Filled]
+    is_status: bool
+    taken_back: Sequence[TakenBack]
 
 
-def _message(publisher: Publisher, node: NodePlan, queued: str) -> str:
-    return text([
-        f"{short(publisher.message, node)} message;",
-        f"message.{publisher.stamp} = stamp;" if publisher.stamp else "",
-        *(f"message.{each.field} = {_fixed(each.value)};" for each in publisher.fixed),
-        *(text([comment(each.comment, levels=3), _filled(each, queued or f"out.{each.place}")]) for each in publisher.gives),
-        "" if publisher.is_status else f"complete_{publisher.member}(message);",
-        f"{publisher.member}_publisher_->publish(message);",
-        *(_taken_back(port, queued or f"out.{each.place}", f"due.{each.place}", node, is_alone=len(publisher.gives) == 1)
-          for each in publisher.gives for port in each.own_ports),
-    ])  # fmt: skip
+class Sending(NamedTuple):
+    """All messages of a node."""
+
+    has_stamp: bool
+    messages: Sequence[Sent]
+    told_head: str
+    """The condition for diagnostics at once: a status is due. Empty if there is none."""
+
+
+def sending_of(node: NodePlan) -> Sending:
+    """All that it sends."""
+    due = [f"due.{given.place}" for each in node.publishers if each.is_status for given in each.gives]
+    return Sending(
+        any(each.stamp for each in node.publishers),
+        [_sent(each, node) for each in node.publishers],
+        any_of(due) if due else "",
+    )
+
+
+def _sent(publisher: Publisher, node: NodePlan) -> Sent:
+    queue = publisher.gives[0].place if publisher.is_queue else ""
+    values = {each.place: f"out.{queue}.values[i]" if queue else f"out.{each.place}" for each in publisher.gives}
+    return Sent(
+        publisher.member,
+        short(publisher.message, node),
+        any_of([f"due.{each.place}" for each in publisher.gives]),
+        queue,
+        publisher.stamp,
+        [Fixed(each.field, _fixed(each.value)) for each in publisher.fixed],
+        [Filled(each.comment, _filled(each, values[each.place])) for each in publisher.gives],
+        publisher.is_status,
+        [_taken_back(port, each, values[each.place], node) for each in publisher.gives for port in each.own_ports],
+    )
 
 
 def _fixed(value: Any) -> str:
@@ -64,25 +86,23 @@ def _fixed(value: Any) -> str:
     return repr(value) if isinstance(value, int | float) else c_string(value)
 
 
-def _filled(given: Given, value: str) -> str:
+def _filled(given: Given, value: str) -> Sequence[str]:
+    """Statements that fill a field, and the one that has its number."""
     field, is_one = f"message.{given.field}", is_plain(given.wire)
-    number = f"message.{given.number_field}" if given.number_field else ""
     if given.symbols:
-        name = table(given.place)
-        written = f"{field} = symbol_text({name}, {value});" if is_one else f"assign_texts({name}, {value}, {field});"
-        return text([written, (f"{number} = {value};" if is_one else f"assign({value}, {number});") if number else ""])
+        name, number = table(given.place), f"message.{given.number_field}"
+        rows = [f"{field} = symbol_text({name}, {value});", f"{number} = {value};"] if is_one else [
+            f"assign_texts({name}, {value}, {field});", f"assign({value}, {number});",
+        ]  # fmt: skip
+        return rows if given.number_field else rows[:1]
     if given.numbers:
         (first, one), (second, other) = given.numbers
         assert (one, other) == (0, 1), first
-        return f"{field} = {value} == {second}U ? 1U : 0U;"
-    return f"{field} = {value};" if is_one else f"assign({value}, {field});"
+        return [f"{field} = {value} == {second}U ? 1U : 0U;"]
+    return [f"{field} = {value};" if is_one else f"assign({value}, {field});"]
 
 
-def _taken_back(port: Port, value: str, due: str, node: NodePlan, *, is_alone: bool) -> str:
-    """Another call of the function takes what this one sends: no message is needed for that."""
+def _taken_back(port: Port, given: Given, value: str, node: NodePlan) -> TakenBack:
     argument = f"&{value}" if port.wire.is_struct and port.wire.length is None else value
-    take = call(core_function(node, f"Receive_{port.name}"), [CORE, argument, "clock_->now()"], levels=3)
-    if not port.triggers:
-        return scope("" if is_alone else f"if ({due})", [LOCK, take])
-    body = [scope("", [LOCK, take]), "clock_->wake();"]
-    return text(body) if is_alone else scope(f"if ({due})", body)
+    received = call(core_function(node, f"Receive_{port.name}"), [CORE, argument, "clock_->now()"], levels=3)
+    return TakenBack(given.place, received, bool(port.triggers))

@@ -1,43 +1,71 @@
 """Structs of messages and of the core, copied member by member."""
 
-from sigcat.adapter.ros2.cpp.layout import WIDEST, comment, function, indented, spaced, text
-from sigcat.adapter.ros2.cpp.names import copyright_line, guard, header_of
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from sigcat.adapter.ros2.cpp.layout import WIDEST
+from sigcat.adapter.ros2.cpp.names import guard, header_of
+from sigcat.adapter.ros2.package_xml import rights
 from sigcat.adapter.ros2.plan import NodePlan, StructPair, WorkspacePlan
-from sigcat.function.document.text_filters import c_header
+from sigcat.adapter.templates import rendered
+from sigcat.function.document.text_filters import AnyText
+
+
+class _Member(NamedTuple):
+    """Names of a member on both sides."""
+
+    source: str
+    target: str
+
+
+class _Copy(NamedTuple):
+    """A specialization that copies one struct to the other."""
+
+    head: str
+    arguments: Sequence[str]
+    """Rows of them."""
+    members: Sequence[_Member]
+
+
+class _Structs(NamedTuple):
+    """Plan of the header."""
+
+    rights: AnyText
+    name: str
+    guard: str
+    package: str
+    headers: Sequence[str]
+    copies: Sequence[_Copy]
 
 
 def structs_header(node: NodePlan, workspace: WorkspacePlan) -> str:
     """The whole header."""
-    name = guard(workspace, f"{node.name}_structs")
-    headers = sorted(
-        [node.core.header_file, f"{workspace.name}/values.hpp", *(header_of(pair.message) for pair in node.structs)]
+    messages = [header_of(pair.message) for pair in node.structs]
+    plan = _Structs(
+        rights(workspace.package),
+        node.name,
+        guard(workspace, f"{node.name}_structs"),
+        workspace.name,
+        sorted([node.core.header_file, f"{workspace.name}/values.hpp", *messages]),
+        [copy for pair in node.structs for copy in _copies(pair)],
     )
-    return spaced([
-        text([copyright_line(workspace), "//", comment(f"Structs that {node.name} takes and gives, between messages and the core.")]),
-        f"#ifndef {name}\n#define {name}",
-        "\n".join(f"#include {c_header(each)}" for each in headers),
-        f"namespace {workspace.name}\n{{",
-        *(part for pair in node.structs for part in (_copy(pair, gives=False), _copy(pair, gives=True))),
-        f"}}  {comment(f'namespace {workspace.name}')}",
-        f"#endif  {comment(name)}",
-    ]) + "\n"  # fmt: skip
+    return rendered("adapter/ros2/cpp/structs.hpp.j2", plan)
 
 
-def _copy(pair: StructPair, *, gives: bool) -> str:
+def _copies(pair: StructPair) -> tuple[_Copy, _Copy]:
+    """Copies from the message to the core, and back."""
     message, core = pair.message.cpp, f"::{pair.struct.name}"
-    source, target = (core, message) if gives else (message, core)
-    names = [(field.name, member) for field, member in zip(pair.struct.fields, pair.members, strict=True)]
-    rows = [
-        f"assign(from.{ours}, to.{theirs});" if gives else f"assign(from.{theirs}, to.{ours});"
-        for ours, theirs in names
-    ]
+    names = [(member, field.name) for field, member in zip(pair.struct.fields, pair.members, strict=True)]
+    return (
+        _copy(message, core, [_Member(theirs, ours) for theirs, ours in names]),
+        _copy(core, message, [_Member(ours, theirs) for theirs, ours in names]),
+    )
+
+
+def _copy(source: str, target: str, members: Sequence[_Member]) -> _Copy:
     head = f"struct Copy<{source}, {target}>"
     if len(head) > WIDEST:
         head = f"struct Copy<{source},\n  {target}>"
-    taken, filled = f"  const {source} & from,", f"{target} & to)"
-    arguments = f"{taken} {filled}" if len(taken) + len(filled) + 3 <= WIDEST else f"{taken}\n  {filled}"
-    return text([
-        f"template<>\n{head}\n{{",
-        indented(function(f"static void run(\n{arguments}", rows)),
-        "};",
-    ])  # fmt: skip
+    arguments = [f"const {source} & from,", f"{target} & to)"]
+    line = " ".join(arguments)
+    return _Copy(head, [line] if len(line) + 4 <= WIDEST else arguments, members)

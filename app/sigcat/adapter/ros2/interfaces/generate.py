@@ -1,16 +1,39 @@
 """The files of an interface package."""
 
+from collections.abc import Sequence
+from typing import NamedTuple
+
 from sigcat.adapter.files import GeneratedFile, within
-from sigcat.adapter.ros2.interfaces.message_text import message_text, service_text
 from sigcat.adapter.ros2.package_xml import package_xml
-from sigcat.function.document.text_filters import cmake_argument
-from sigcat.integration.ros2.model import InterfacePackage
+from sigcat.adapter.templates import rendered
+from sigcat.function.document.text import Text
+from sigcat.integration.ros2.model import InterfacePackage, Message, MessageConstant, MessageField, Service
+
+_FOLDER = "adapter/ros2/interfaces"
+
+
+class _Message(NamedTuple):
+    description: Text
+    constants: Sequence[MessageConstant]
+    fields: Sequence[MessageField]
+
+
+class _Service(NamedTuple):
+    description: Text
+    request: Sequence[MessageField]
+    response: Sequence[MessageField]
+
+
+class _CMake(NamedTuple):
+    name: str
+    dependencies: Sequence[str]
+    files: Sequence[str]
 
 
 def interface_files(package: InterfacePackage) -> tuple[GeneratedFile, ...]:
     """The package, in a folder of its name."""
-    messages = {f"msg/{message.name}.msg": message_text(message) for message in package.messages}
-    services = {f"srv/{service.name}.srv": service_text(service) for service in package.services}
+    messages = {f"msg/{message.name}.msg": _message(message) for message in package.messages}
+    services = {f"srv/{service.name}.srv": _service(service) for service in package.services}
     texts = {
         "CMakeLists.txt": _cmake(package, [*messages, *services]),
         **messages,
@@ -30,19 +53,14 @@ def _depends(package: InterfacePackage) -> list[tuple[str, str]]:
     ]
 
 
-def _cmake(package: InterfacePackage, files: list[str]) -> str:
-    found = "".join(f"find_package({name} REQUIRED)\n" for name in package.dependencies)
-    listed = "".join(f'  "{cmake_argument(name)}"\n' for name in files)
-    others = f"  DEPENDENCIES {' '.join(package.dependencies)}\n" if package.dependencies else ""
-    return f"""cmake_minimum_required(VERSION 3.16)
-project({package.name})
+def _message(message: Message) -> str:
+    plan = _Message(message.description, message.constants, message.fields)
+    return rendered(f"{_FOLDER}/message.msg.j2", plan)
 
-find_package(ament_cmake REQUIRED)
-{found}find_package(rosidl_default_generators REQUIRED)
 
-rosidl_generate_interfaces(${{PROJECT_NAME}}
-{listed}{others})
+def _service(service: Service) -> str:
+    return rendered(f"{_FOLDER}/service.srv.j2", _Service(service.description, service.request, service.response))
 
-ament_export_dependencies(rosidl_default_runtime)
-ament_package()
-"""
+
+def _cmake(package: InterfacePackage, files: Sequence[str]) -> str:
+    return rendered(f"{_FOLDER}/CMakeLists.txt.j2", _CMake(package.name, package.dependencies, files))

@@ -3,7 +3,6 @@
 from collections.abc import Iterable
 from pathlib import Path
 
-from sigcat.adapter.core.c.lines import Lines
 from sigcat.adapter.files import GeneratedFile, shipped, within
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
 from sigcat.adapter.ros2.python import package, package_tests
@@ -15,7 +14,7 @@ from sigcat.adapter.ros2.python.node_module import node_module
 SUPPORT = Path(__file__).parent / "support"
 """Modules that are the same in every package."""
 SUPPORT_OF_HUMBLE = Path(__file__).parent / "support_of_humble"
-"""Those of them that are other ones there."""
+"""Replacements of some of them for Humble."""
 _EVENTS = {"jazzy": b"rclpy.event_handler", "humble": b"rclpy.qos_event"}
 """The module of rclpy that has the events of the quality of service."""
 
@@ -40,9 +39,7 @@ def _package(workspace: WorkspacePlan) -> Iterable[GeneratedFile]:
     yield from within(f"{name}/support", _support(workspace.release))
     for node in workspace.nodes:
         yield from _node(node, workspace)
-    yield _text("test/conftest.py", package_tests.CONFTEST)
-    yield _text("test/test_flake8.py", package_tests.FLAKE8_TEST)
-    yield _text("test/test_pep257.py", package_tests.PEP257_TEST)
+    yield from (_text(f"test/{name}", package_tests.common(name)) for name in package_tests.COMMON)
 
 
 def _support(release: str) -> Iterable[GeneratedFile]:
@@ -62,8 +59,8 @@ def _node(node: NodePlan, workspace: WorkspacePlan) -> Iterable[GeneratedFile]:
     yield _module(f"test/test_{stem}.py", package_tests.node_test(node, workspace))
 
 
-def _module(name: str, part: Lines) -> GeneratedFile:
-    return GeneratedFile(name, written(part))
+def _module(name: str, text: str) -> GeneratedFile:
+    return GeneratedFile(name, written(text))
 
 
 def _text(name: str, text: str) -> GeneratedFile:

@@ -121,16 +121,12 @@ def _exporter(name: str, text: str, suffix: str, media_type: str, options: tuple
     return Exporter(name, text, suffix, media_type, options, _run, same_as=f"vspec export {name}", **rest)
 
 
-def _file(
-    name: str, text: str, suffix: str, media_type: str, *options: Option, has_types_beside: bool = False
-) -> Exporter:
-    return _exporter(name, text, suffix, media_type, (*options, *STRICTNESS), has_types_beside=has_types_beside)
+def _file(name: str, text: str, suffix: str, media_type: str, *options: Option, **rest: bool) -> Exporter:
+    return _exporter(name, text, suffix, media_type, (*options, *STRICTNESS), **rest)
 
 
-def _folder(
-    name: str, text: str, *options: Option, needs_types: bool = False, output_also: tuple[str, ...] = ()
-) -> Exporter:
-    return _exporter(name, text, "", "application/zip", options, needs_types=needs_types, output_also=output_also)
+def _folder(name: str, text: str, *options: Option, **rest: Any) -> Exporter:
+    return _exporter(name, text, "", "application/zip", options, **rest)
 
 
 VSS_TOOLS = (
@@ -138,17 +134,17 @@ VSS_TOOLS = (
     _file("csv", "table of all nodes", ".csv", "text/csv", *_CSV),
     _file("jsonschema", "JSON Schema of the values", ".json", "application/schema+json", *_JSON_SCHEMA),
     _file("id", "static ids of all nodes", ".yaml", "application/yaml", *_ID, has_types_beside=True),
-    _file("tree", "tree as text", ".txt", "text/plain", EXPAND, _ATTRIBUTES),
+    _file("tree", "tree as text", ".txt", "text/plain", EXPAND, _ATTRIBUTES, is_unescaped=True),
     _file("protobuf", "Protocol Buffers messages", ".proto", "text/plain", *_PROTOBUF, has_types_beside=True),
-    _file("ddsidl", "DDS IDL", ".idl", "text/plain", Option("all-idl-features", "flag", "use all of IDL 4.2")),
-    _file("franca", "Franca IDL", ".fidl", "text/plain", Option("franca-vss-version", "text", "version to write into the file")),
+    _file("ddsidl", "DDS IDL", ".idl", "text/plain", Option("all-idl-features", "flag", "use all of IDL 4.2"), is_unescaped=True),
+    _file("franca", "Franca IDL", ".fidl", "text/plain", Option("franca-vss-version", "text", "version to write into the file"), is_unescaped=True),
     _file("plantuml", "PlantUML class diagram", ".puml", "text/plain", EXPAND, _ATTRIBUTES),
     _file("go", "Go structs", ".go", "text/plain", *_GO),
     _file("binary", "compact binary form for small targets", ".bin", "application/octet-stream", TYPES_OUTPUT),
     _folder("s2dm", "GraphQL schema (S2DM)", *_S2DM, *STRICTNESS),
-    _folder("ros2interface", "ROS 2 messages and services", *_ROS2),
+    _folder("ros2interface", "ROS 2 messages and services", *_ROS2, is_unescaped=True),
     _folder("samm", "SAMM aspect models", *_SAMM, *STRICTNESS, output_also=("--target-folder", "-tf")),
     _folder("apigear", "ApiGear module and solution", *_APIGEAR, *STRICTNESS, output_also=("--output-dir",)),
     _folder("avro", "Avro IDL of the struct types", *_AVRO, *STRICTNESS, needs_types=True),
-    _folder("vhal", "Android vehicle properties", *_VHAL, output_also=("--aosp-workspace-path",)),
+    _folder("vhal", "Android vehicle properties", *_VHAL, output_also=("--aosp-workspace-path",), is_unescaped=True),
 )  # fmt: skip

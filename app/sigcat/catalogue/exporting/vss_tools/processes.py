@@ -58,7 +58,7 @@ def _forked(name: str, folder: Path) -> "_Forked | None":
         return None
     try:
         return _Forked(_zygote.child(name), folder)
-    except ConnectionError:  # somebody ended it
+    except ConnectionError:  # it was ended
         return None
 
 
@@ -87,7 +87,7 @@ class _Forked:
 
 
 class _Fresh:
-    """A process of its own. `-P`: no file in the current folder can pass for a module."""
+    """A separate process. `-P`: no file in the current folder can pass for a module."""
 
     def __init__(self, folder: Path) -> None:
         command = [sys.executable, "-P", "-X", "utf8", str(_WORKER)]

@@ -1,4 +1,4 @@
-"""Run an exporter of vss-tools on a catalogue, in a process of its own and a temporary folder."""
+"""Run an exporter of vss-tools on a catalogue, in a separate process and a temporary folder."""
 
 import errno
 import json
@@ -112,7 +112,7 @@ def _request(job: Job, output: Path, folders: _Folders) -> dict[str, Any]:
 
 
 def _failure(process: ExportProcess, request: Mapping[str, Any], job: Job) -> str:
-    """Why the export was refused, or nothing. Raises OSError where there is no room for files, MemoryError, and ToolCrashed."""
+    """Why the export was refused, or nothing. Raises OSError without room for files, MemoryError, and ToolCrashed."""
     name = job.exporter.name
     try:
         status = process.status(request)

@@ -1,11 +1,11 @@
-"""Runs one exporter of vss-tools in a process of its own: `python -P worker.py`, or a child of a zygote.
+"""Runs one exporter of vss-tools in a separate process: `python -P worker.py`, or a child of a zygote.
 
 Two lines arrive on standard input, or on the connection of the child: the folder that holds all files of the export, and a
 JSON object with `format`, `arguments` (of `vspec export FORMAT`), `instances` (by path; put back at the branches after the
 expansion), `log` (a file to write, each line a JSON list of level and message), `place` (the current folder), `seconds`
 and `memory` (bytes, or 0). The status is that of the process; a child sends it as a line.
 
-What they arrive on stays open as long as somebody wants the export: when it ends, the folder is removed, and the process
+What they arrive on stays open as long as the export is needed: when it ends, the folder is removed, and the process
 ends. This file imports nothing of ours, so that it runs wherever vss-tools is installed.
 """
 
@@ -126,7 +126,7 @@ def _keep_instances(exporter: Any, instances: dict[str, list[Any]]) -> None:
 
 
 class _Asker(threading.Thread):
-    """Waits until nobody wants the export any more, removes its folder, and ends the process."""
+    """Waits until the export is no longer needed, removes its folder, and ends the process."""
 
     def __init__(self, descriptor: int, folder: Path) -> None:
         super().__init__(daemon=True)

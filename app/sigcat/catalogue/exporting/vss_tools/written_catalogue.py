@@ -97,7 +97,7 @@ def type_statements(root: Node) -> dict[str, Any]:
 
 
 def unit_entries(vocabulary: Vocabulary) -> dict[str, Any]:
-    """Units in today's layout, each with a name of its own."""
+    """Units in today's layout, each with a unique name."""
     by_name: defaultdict[str, list[Unit]] = defaultdict(list)
     for unit in vocabulary.distinct_units:
         by_name[unit.name].append(unit)

@@ -1,3 +1,3 @@
 """In: texts of C and C++, as JSON.
-Out: what they declare, as JSON, told by clang's parser in a process of its own.
+Out: their declarations, as JSON, from clang's parser in a separate process.
 """

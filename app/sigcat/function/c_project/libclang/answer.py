@@ -1,4 +1,4 @@
-"""What is told of the code so far, and where in the project something stands."""
+"""Findings about the code so far, and the place of something in the project."""
 
 from typing import Any, TypeAlias
 
@@ -11,7 +11,7 @@ Json: TypeAlias = dict[str, Any]
 
 
 class Answer:
-    """What was found so far."""
+    """Declarations and errors that were found so far."""
 
     def __init__(self) -> None:
         self.functions: list[Json] = []

@@ -8,7 +8,7 @@ from sigcat.function.c_project.libclang.uses import uses_of
 from sigcat.function.c_project.libclang.values_of_c import value_of
 
 _MOST_BYTES = 64 * 1024
-"""Of a variable whose value is read: pictures and tables are larger."""
+"""Largest variable whose value is read: pictures and tables are larger."""
 
 
 def read_declarations(outer: Cursor, seen: set[str], answer: Answer) -> set[str]:

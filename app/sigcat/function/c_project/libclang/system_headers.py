@@ -1,6 +1,6 @@
-"""What declarations need of the headers of the system, written here; other headers of the system are left out.
+"""Parts of system headers that declarations need, written here; other headers of the system are left out.
 
-Beside them the types of Simulink, which many projects leave out of what they hand over; a file of the project comes first.
+They include the types of Simulink, which many projects do not pass on. A file of the project takes precedence.
 """
 
 from collections.abc import Mapping

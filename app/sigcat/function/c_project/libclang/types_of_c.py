@@ -71,7 +71,7 @@ def _inner(written: Any, canonical: Any) -> Any:
 
 
 def _names(kind: Any) -> list[str]:
-    """The name that is written, and those of the types that it stands for."""
+    """The written name, and those of the types behind it."""
     names: list[str] = []
     while len(names) < _DEEPEST:
         declaration = kind.get_declaration()

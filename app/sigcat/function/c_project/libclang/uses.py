@@ -1,4 +1,4 @@
-"""What functions name, and what they write: variables, members, and other functions."""
+"""Names that functions use, and those that they write: variables, members, and other functions."""
 
 from ctypes import c_int
 from typing import Any
@@ -20,7 +20,7 @@ def declare_calls() -> None:
 
 
 def uses_of(cursor: Cursor) -> Json:
-    """What of the project a body or a value names, functions, variables and members, and which of them it writes."""
+    """Return the functions, variables and members that a body or a value names, and those that it writes."""
     used: set[str] = set()
     written: set[str] = set()
 
@@ -48,7 +48,7 @@ _OUTER = (CursorKind.FUNCTION_DECL, CursorKind.VAR_DECL, CursorKind.CXX_METHOD)
 
 
 def _named(cursor: Cursor) -> set[str]:
-    """What a reference means: a name, or the key of a member."""
+    """Meaning of a reference: a name, or the key of a member."""
     target = cursor.referenced
     if target is not None and target.kind == CursorKind.FIELD_DECL:
         return {target.get_usr()}

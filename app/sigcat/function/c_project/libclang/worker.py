@@ -1,4 +1,4 @@
-"""Parses C and C++ with libclang in a process of its own: a request and its answer are JSON.
+"""Parses C and C++ with libclang in a separate process: a request and its answer are JSON.
 
 The request, on standard input, has `texts` (by path; nothing else is read), `units` (paths to parse, each with its
 language), `folders` (in which headers are searched), `target` (of clang), `definitions` (of the preprocessor), `megabytes`

@@ -35,10 +35,10 @@ AsynchronousCall: Rte_Call; Result: Rte_Result; Parameter: Rte_Prm; InternalTrig
 
 
 class Access(WireModel):
-    """What a runnable does with an element of a port, which decides which functions the RTE gives it."""
+    """A runnable's access to an element of a port; its kind decides which functions the RTE provides."""
 
     name: ShortName = always("Name", "Name of the access point, unique in the runnable.")
-    kind: AccessKind = always("Kind", "Which functions of the RTE it stands for.")
+    kind: AccessKind = always("Kind", "Kind of access, which decides the functions of the RTE.")
     port: ShortName | None = own("Port", "Name of the port; absent for an internal trigger.")
     element: ShortName = always(
         "Element", "Name of the element, operation or mode prototype; of an internal trigger its runnable."
@@ -70,7 +70,7 @@ class Runnable(WireModel):
 
 
 class Event(WireModel):
-    """What starts a runnable."""
+    """An event that starts a runnable."""
 
     name: ShortName = always("Name", "Name of the event.")
     kind: Literal[
@@ -79,7 +79,7 @@ class Event(WireModel):
     runnable: ShortName = always("Runnable", "Runnable that it starts.")
     period: Number | None = own("Period", "Period of a timing event.", unit="s")
     offset: Number | None = own("Offset", "Offset of a timing event.", unit="s")
-    port: ShortName | None = own("Port", "Port of what is received, called or switched.")
+    port: ShortName | None = own("Port", "Port that receives, calls or switches.")
     element: ShortName | None = own(
         "Element", "Data element, operation or mode prototype; of an internal trigger its access point."
     )
@@ -89,7 +89,7 @@ class Event(WireModel):
 
 
 class ExclusiveArea(WireModel):
-    """What only one runnable is in at a time."""
+    """An area that only one runnable is in at a time."""
 
     name: ShortName = always("Name", "Name of the area, as in Rte_Enter_<name>.")
     description: Text = always("Description", "What it protects.")
@@ -119,6 +119,6 @@ class MemorySection(WireModel):
 
     name: ShortName = always("Name", "Name, as in <Component>_START_SEC_<name>.")
     kind: Literal["CODE", "VAR_CLEARED", "VAR_INIT", "CONST", "CALIB"] = always("Kind", "What is in it.")
-    asil_level: Name = always("AsilLevel", "ASIL of what is in it: QM, A, B, C or D.")
+    asil_level: Name = always("AsilLevel", "ASIL of its content: QM, A, B, C or D.")
     alignment: Literal["UNSPECIFIED", "8", "32", "BOOLEAN"] = always("Alignment", "Alignment in bits.")
     stack_size: Integer | None = own("StackSize", "Largest stack that a runnable in it needs.", unit="bytes")

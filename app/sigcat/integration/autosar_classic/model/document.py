@@ -40,7 +40,7 @@ from sigcat.integration.source_functions import source_functions
 
 
 class MetaInformation(WireModel):
-    """Who is responsible for the document, and its version."""
+    """Responsible team of the document, and its version."""
 
     authority: Text = always("Authority", "Organization that the document belongs to.")
     author: Text = always("Author", "Author of the document.")
@@ -92,7 +92,7 @@ class ParameterComponent(WireModel):
 
 
 class ClassicDeployment(WireModel):
-    """What ARXML and code take beside the elements, as the deployment file has it."""
+    """Settings of ARXML and code besides the elements, as the deployment file has them."""
 
     package: ShortName = always("Package", "Outermost package of the ARXML.")
     release: ReleaseName = always("Release", "Release of AUTOSAR that the ARXML is of.", default=DEFAULT_RELEASE)

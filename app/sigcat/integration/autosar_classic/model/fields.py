@@ -1,4 +1,4 @@
-"""Fields of the models: there is no published schema for Classic, so that all of them are of sigcat."""
+"""Fields of the models: Classic has no published schema, so that all of them are of sigcat."""
 
 from typing import Any
 

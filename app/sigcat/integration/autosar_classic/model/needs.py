@@ -1,4 +1,4 @@
-"""What a component needs of the base software: memory, diagnosis, supervision, inhibition."""
+"""Service needs of a component: memory, diagnosis, supervision, inhibition."""
 
 from typing import Literal
 
@@ -23,7 +23,7 @@ class NvBlock(WireModel):
     )
     restore_at_start: bool = always("RestoreAtStart", "Whether it is read before the component starts.")
     store_at_shutdown: bool = always("StoreAtShutdown", "Whether it is written when the ECU shuts down.")
-    asil_level: Name = always("AsilLevel", "Highest ASIL of what is in it.")
+    asil_level: Name = always("AsilLevel", "Highest ASIL of its content.")
 
 
 class DiagnosticEvent(WireModel):
@@ -33,7 +33,7 @@ class DiagnosticEvent(WireModel):
     error: ErrorName = always("Error", "Name of the error interface.")
     port: ShortName = always("Port", "Service port through which its status is set.")
     debouncing: Literal["MonitorInternal"] = always("Debouncing", "MonitorInternal: the core has matured it.")
-    description: Text | None = own("Description", "What the error stands for.")
+    description: Text | None = own("Description", "Meaning of the error.")
     severity: Text | None = own("Severity", "What the error leads to.")
     occurrence_limit: Integer | None = own("OccurrenceCountLimit", "How often it has to occur to be confirmed.")
     ignition_limit: Integer | None = own("IgnitionCountLimit", "Ignition cycles after which it is confirmed.")
@@ -44,7 +44,7 @@ class Inhibition(WireModel):
     """A function identifier of the function inhibition manager: others ask whether it may run."""
 
     name: ShortName = always("Name", "Name of the function identifier.")
-    condition: Name = always("Condition", "Safety condition that it stands for.")
+    condition: Name = always("Condition", "Safety condition that it represents.")
     events: tuple[ErrorName, ...] = always(
         "Events", "Errors, each of which takes the permission away while it is failed.", strict=False
     )

@@ -12,7 +12,7 @@ from sigcat.integration.autosar_classic.model.interfaces import Kind
 
 
 class Use(WireModel):
-    """An interface of the function that stands behind an element of a port."""
+    """An interface of the function for an element of a port."""
 
     interface: InterfaceName = always("Interface", "Name of the interface in the function.")
     kind: Literal["signal", "queue", "method", "parameter", "error", "safety reaction", "mode"] = always(
@@ -20,7 +20,7 @@ class Use(WireModel):
     )
     function: FunctionName = always("Function", "Name of the function that has the port.")
     call: CallName | None = own("Call", "Call that has it; absent for modes.")
-    timeout: Number | None = own("Timeout", "Longest age of a value: the core judges it, not COM.", unit="ms")
+    timeout: Number | None = own("Timeout", "Longest age of a value: the core checks it, not COM.", unit="ms")
 
 
 Messages = Annotated[Integer, Field(ge=0, le=255)]
@@ -49,7 +49,7 @@ class E2eWindows(WireModel):
 
 
 class Element(WireModel):
-    """What a port says of an element of its interface: its communication specification."""
+    """Communication specification of a port for an element of its interface."""
 
     name: ShortName = always("Name", "Name of the data element, operation, mode or parameter.")
     init: AnyValue = own(
@@ -61,7 +61,7 @@ class Element(WireModel):
     update: bool | None = own("EnableUpdate", "Whether Rte_IsUpdated tells the core what is fresh.")
     alive_timeout: Number | None = own("AliveTimeout", "Time-out of COM: 0, since the core has its own.", unit="s")
     transformer_errors: bool | None = own(
-        "TransformerErrors", "Whether the RTE tells what end-to-end protection has rejected, so that the core is told."
+        "TransformerErrors", "Whether the RTE reports what end-to-end protection has rejected, for the core."
     )
     windows: E2eWindows | None = own("E2eWindows", "Windows of the state machine that checks the received data.")
     uses: tuple[Use, ...] | None = own("Uses", "Interfaces of the function behind it.", strict=False)
@@ -74,9 +74,7 @@ class Port(WireModel):
     direction: Literal["Required", "Provided"] = always("Direction", "Required or Provided.")
     kind: Kind = always("Kind", "Kind of its interface.")
     interface: ShortName = always("Interface", "Name of its interface.")
-    elements: tuple[Element, ...] = always(
-        "Elements", "Elements that are used, with what holds for each.", strict=False
-    )
+    elements: tuple[Element, ...] = always("Elements", "Elements that are used, with their attributes.", strict=False)
     service: Name | None = own(
         "ServiceKind", "Module of the base software that it is connected to, if it is a service port."
     )

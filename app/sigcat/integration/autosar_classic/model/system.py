@@ -17,7 +17,7 @@ class Prototype(WireModel):
 
 
 class OuterPort(WireModel):
-    """A port of the composition: what comes from outside of the set, or goes there."""
+    """A port of the composition: data from outside of the set, or to it."""
 
     name: ShortName = always("Name", "Name of the port.")
     direction: Literal["Required", "Provided"] = always("Direction", "Required or Provided.")

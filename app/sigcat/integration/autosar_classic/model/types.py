@@ -12,7 +12,7 @@ class Symbol(WireModel):
     """A named value of an enumeration."""
 
     symbol: ShortName = always("Symbol", "Name of the value.")
-    value: Integer = always("Value", "Number that stands for it.")
+    value: Integer = always("Value", "Its number.")
 
 
 class Unit(WireModel):
@@ -23,7 +23,7 @@ class Unit(WireModel):
 
 
 class CompuMethod(WireModel):
-    """What the numbers of a datatype mean. Values travel in the unit of the catalogue: no number is scaled."""
+    """Meaning of the numbers of a datatype. Values travel in the unit of the catalogue: no number is scaled."""
 
     name: ShortName = always("Name", "Name of the method.")
     category: Literal["IDENTICAL", "LINEAR", "TEXTTABLE"] = always(
@@ -77,7 +77,7 @@ class ImplementationType(WireModel):
 
 
 class ApplicationType(WireModel):
-    """What the values of a data element mean: unit, range, names."""
+    """Meaning of the values of a data element: unit, range, names."""
 
     name: ShortName = always("Name", "Name of the datatype.")
     category: Literal["VALUE", "BOOLEAN", "ARRAY", "STRUCTURE"] = always(

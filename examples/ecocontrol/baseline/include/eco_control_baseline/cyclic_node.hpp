@@ -79,7 +79,7 @@ protected:
     const std::shared_ptr<rclcpp_lifecycle::LifecyclePublisher<eco_control_interfaces::msg::ErrorStatus>> & publisher,
     uint8_t status);
 
-  // The mode lets the call run, from now on; or does not.
+  // Whether the mode includes the call, from now on.
   void set_on(bool is_on);
   uint64_t current() const;
   uint64_t entered() const {return entered_;}
@@ -104,7 +104,7 @@ private:
   bool is_on_ = false;
   bool is_running_ = false;
 
-  // For the comparison alone: a player gives the time.
+  // Only for the comparison: a player sets the time.
   rclcpp::Service<Step>::SharedPtr service_;
   bool is_in_lock_step_ = false;
   uint64_t time_ = 0;

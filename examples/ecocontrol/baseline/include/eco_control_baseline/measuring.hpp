@@ -1,4 +1,4 @@
-// For the comparison alone: how long a call takes, written to the folder that SIGCAT_MARKS names.
+// Only for the comparison: durations of calls, written to the folder in SIGCAT_MARKS.
 
 #ifndef ECO_CONTROL_BASELINE__MEASURING_HPP_
 #define ECO_CONTROL_BASELINE__MEASURING_HPP_
@@ -53,7 +53,7 @@ public:
 
 private:
   static constexpr uint32_t CALL = 1;
-  static constexpr uint32_t PREEMPTED = 0x80000000U;  // the processor was taken from the thread meanwhile
+  static constexpr uint32_t PREEMPTED = 0x80000000U;  // the thread was preempted meanwhile
 
   static long preemptions()
   {

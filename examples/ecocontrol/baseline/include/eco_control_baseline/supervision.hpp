@@ -36,7 +36,7 @@ public:
 
   bool is_expired() const {return is_expired_;}
 
-  // Nothing can be said before the first value has come or is missing.
+  // Unknown before the first value is received or missing.
   std::optional<bool> verdict() const
   {
     return has_come_ || is_expired_ ? std::optional<bool>(is_expired_) : std::nullopt;
@@ -50,7 +50,7 @@ private:
   bool is_expired_ = false;
 };
 
-// An error that is told once it has been present for long enough, and until it has been absent for long enough.
+// An error that is reported from when it has been present for long enough until it has been absent for long enough.
 class Error
 {
 public:
@@ -71,7 +71,7 @@ public:
   bool has_failed() const {return state_ == State::kFailed || state_ == State::kHealing;}
   uint8_t told() const {return told_.value_or(0U);}
 
-  // What is to be told, if it is not what was told last.
+  // The status to report, if it differs from the last one.
   std::optional<uint8_t> news()
   {
     if (state_ == State::kUnknown || state_ == State::kMaturing) {
@@ -120,7 +120,7 @@ private:
   std::optional<uint8_t> told_;
 };
 
-// Whether a call comes neither too rarely nor too often.
+// Whether a call runs neither too rarely nor too often.
 class AliveSupervision
 {
 public:

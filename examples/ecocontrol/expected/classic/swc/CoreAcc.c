@@ -18,7 +18,7 @@ static struct {
     boolean Step; /* CoreAcc_Step */
 } CoreAcc_Swc_Due;
 
-/* What the RTE has not taken: it is sent again with what comes next. */
+/* Values that the RTE has not taken: they are sent again with the next ones. */
 static struct {
     boolean AccReqInvalid; /* Vehicle.Function.CoreAcc.SafetyReaction.AccReqInvalid */
     boolean AliveError; /* Vehicle.Function.CoreAcc.Error.AliveError */
@@ -28,7 +28,7 @@ static struct {
     boolean Mode_Out; /* mode */
 } CoreAcc_Swc_Unsent;
 
-/* Verdicts that the diagnosis has not taken: it is told again. */
+/* Verdicts that the diagnosis has not taken: it receives them again. */
 static struct {
     boolean BrakePressureTimeout; /* Vehicle.Function.CoreAcc.Error.BrakePressureTimeout */
     boolean SteeringAngleTimeout; /* Vehicle.Function.CoreAcc.Error.SteeringAngleTimeout */
@@ -299,7 +299,7 @@ static void CoreAcc_Swc_Tell_AliveError(void)
     }
 }
 
-/* What the core may say at any time. The diagnosis is told outside of the exclusive area. */
+/* What the core may say at any time. The diagnosis receives verdicts outside of the exclusive area. */
 static void CoreAcc_Swc_Publish(void)
 {
     Rte_Enter_Core();
@@ -403,7 +403,7 @@ void CoreAcc_Run_Init(void)
 #define CoreAcc_START_SEC_CODE
 #include "CoreAcc_MemMap.h"
 
-/* Takes what comes when it comes, and starts what is due. */
+/* Receives values when they arrive, and starts due calls. */
 void CoreAcc_Run_Receive(void)
 {
     const uint64 t = CoreAcc_Swc_Now();

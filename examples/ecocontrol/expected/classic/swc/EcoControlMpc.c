@@ -19,7 +19,7 @@ static struct {
     boolean Step; /* EcoControlMpc_Step */
 } EcoControlMpc_Swc_Due;
 
-/* What the RTE has not taken: it is sent again with what comes next. */
+/* Values that the RTE has not taken: they are sent again with the next ones. */
 static struct {
     boolean AccPropInvalid; /* Vehicle.Function.EcoControlMpc.SafetyReaction.AccPropInvalid */
     boolean DeadlineError; /* Vehicle.Function.EcoControlMpc.Error.DeadlineError */
@@ -28,7 +28,7 @@ static struct {
     boolean Mode_Out; /* mode */
 } EcoControlMpc_Swc_Unsent;
 
-/* Verdicts that the diagnosis has not taken: it is told again. */
+/* Verdicts that the diagnosis has not taken: it receives them again. */
 static struct {
     boolean HorizonTimeout; /* Vehicle.Function.EcoControlMpc.Error.HorizonTimeout */
     boolean NoSolutionError; /* Vehicle.Function.EcoControlMpc.Error.NoSolutionError */
@@ -200,7 +200,7 @@ static void EcoControlMpc_Swc_Tell_DeadlineError(void)
     }
 }
 
-/* What the core may say at any time. The diagnosis is told outside of the exclusive area. */
+/* What the core may say at any time. The diagnosis receives verdicts outside of the exclusive area. */
 static void EcoControlMpc_Swc_Publish(void)
 {
     Rte_Enter_Core();
@@ -297,7 +297,7 @@ void EcoControlMpc_Run_Init(void)
 #define EcoControlMpc_START_SEC_CODE
 #include "EcoControlMpc_MemMap.h"
 
-/* Takes what comes when it comes, and starts what is due. */
+/* Receives values when they arrive, and starts due calls. */
 void EcoControlMpc_Run_Receive(void)
 {
     const uint64 t = EcoControlMpc_Swc_Now();

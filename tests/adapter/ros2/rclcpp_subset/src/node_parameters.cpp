@@ -123,7 +123,7 @@ const ParameterValue & NodeParameters::declare(
     declared.value = found->second;
   }
   const Parameter parameter(name, declared.value);
-  const Result result = judge({parameter}, {{name, declared.descriptor}});
+  const Result result = check({parameter}, {{name, declared.descriptor}});
   if (!result.successful && declared.value.get_type() != value.get_type()) {
     throw exceptions::InvalidParameterTypeException(name, result.reason);
   }
@@ -201,7 +201,7 @@ Result NodeParameters::set_atomically(const Parameters & parameters)
       return refused("parameter '" + name + "' cannot be set because it is read-only");
     }
   }
-  const Result result = judge(parameters, descriptors);
+  const Result result = check(parameters, descriptors);
   if (result.successful) {
     for (const Parameter & parameter : parameters) {
       declared_[parameter.get_name()].value = parameter.get_parameter_value();
@@ -216,7 +216,7 @@ Result NodeParameters::set_atomically(const Parameters & parameters)
   return result;
 }
 
-Result NodeParameters::judge(
+Result NodeParameters::check(
   const Parameters & parameters, const std::map<std::string, Descriptor> & descriptors)
 {
   for (const Parameter & parameter : parameters) {

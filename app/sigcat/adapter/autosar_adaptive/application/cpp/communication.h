@@ -78,7 +78,7 @@ template <typename Event, typename Value>
 void Send(ara::log::Logger& logger, Event& event, const Value& value) {
     auto allocated = event.Allocate();
     if (!allocated.HasValue()) {
-        logger.LogError() << "There is no room to send an event: " << allocated.Error().Message();
+        logger.LogError() << "No memory to send an event: " << allocated.Error().Message();
         return;
     }
     auto sample = std::move(allocated).Value();

@@ -1,4 +1,4 @@
-// The monitor of an error. It is told the verdicts of the core, which has debounced them.
+// The monitor of an error. It gets the verdicts of the core, which has debounced them.
 
 #ifndef APPLICATION_ERROR_MONITOR_H
 #define APPLICATION_ERROR_MONITOR_H

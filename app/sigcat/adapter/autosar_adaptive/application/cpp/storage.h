@@ -56,7 +56,7 @@ public:
         }
     }
 
-    /// The counts of an error, each under a key of its own.
+    /// The counts of an error, each under its own key.
     template <typename Counts>
     void ReadCounts(ara::core::StringView error, Counts& counts) const {
         const ara::core::String name{error};

@@ -1,5 +1,5 @@
 // Values between the platform and the core: numbers as they are, enumerations as their numbers, arrays element by
-// element. Structs have specializations of their own.
+// element. Structs have their own specializations.
 
 #ifndef APPLICATION_VALUES_H
 #define APPLICATION_VALUES_H

@@ -14,7 +14,7 @@ namespace application {
 /// Its thread looks once for each call, when that has ended if all is well: calls that come regularly do not have to wake it.
 class Watch final {
 public:
-    /// Calls `supervise` in a thread of its own, again and again until a late call has ended.
+    /// Calls `supervise` in a separate thread, again and again until a late call has ended.
     explicit Watch(std::function<void()> supervise);
     ~Watch();
     Watch(const Watch&) = delete;

@@ -1,4 +1,4 @@
-// Values as text: cells of a trace, and of what is recorded.
+// Values as text: cells of a trace, and of a recording.
 
 #ifndef PLAYER_CELL_H
 #define PLAYER_CELL_H
@@ -37,7 +37,7 @@ struct Symbols final {
     static const Names& All();
 };
 
-/// A value and its text. Structs have specializations of their own.
+/// A value and its text. Structs have their own specializations.
 template <typename T, typename = void>
 struct Cell;
 

@@ -1,4 +1,4 @@
-// What components send is recorded, each value at the time at which it was sent, if that is told.
+// Records what components send, each value at the time at which it was sent, if that is known.
 
 #ifndef PLAYER_HEAR_H
 #define PLAYER_HEAR_H

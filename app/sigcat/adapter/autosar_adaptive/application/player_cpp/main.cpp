@@ -4,13 +4,13 @@
 //     player - RECORDED [live]
 //
 // A gateway writes the rows of `-` to standard input while they are sent: at their times, or as they come, if they are `live`.
-// Then RECORDED also says which columns nobody receives (`unknown NAME`), when everybody listens (`ready`), and at the end how
+// Then RECORDED also says which columns no component receives (`unknown NAME`), when everybody listens (`ready`), and at the end how
 // many values were sent (`sent COUNT`), and how many of them while a process was gone (`unheard COUNT`).
 // In real time, or with BENCH_PLAYER in lock-step: that is the port at which it waits for the components.
 // --speed, or BENCH_SPEED, plays it so many times faster in real time; components need the same BENCH_SPEED. At a terminal, the
 // player shows how much was played.
 // The trace is repeated until SECONDS are over; without them it is played once. In lock-step, processes may be killed on the
-// way: when it is time, it asks for that on standard output (`kill PROCESS`), and goes on when it is answered.
+// way: when it is time, it asks for that on standard output (`kill PROCESS`), and continues when it is answered.
 
 #include <algorithm>
 #include <chrono>

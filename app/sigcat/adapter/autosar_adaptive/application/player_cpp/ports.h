@@ -19,12 +19,12 @@
 
 namespace player {
 
-/// Writes what comes: a line of time, name and value.
+/// Writes received values: a line of time, name and value.
 class Recorder final {
 public:
-    /// `is_read` by another program while it is written: it is told what the player does.
+    /// `is_read` by another program while it is written: it reports the actions of the player.
     Recorder(const std::string& file, bool is_read);
-    void Begin(std::uint64_t time);  // what came before is left out
+    void Begin(std::uint64_t time);  // earlier values are left out
     void BeginNow(double speed = 1.0);  // and times are those of the clock from then on, so many times faster
     void SetTime(std::uint64_t time);
     /// `sent_at` is a time of the steady clock, if the sender tells it: then that is the time of the value.
@@ -54,7 +54,7 @@ public:
     Ports(const Ports&) = delete;
     Ports& operator=(const Ports&) = delete;
 
-    /// Gives a signal, or a field, a value. False if nobody of these functions receives one of this name.
+    /// Gives a signal, or a field, a value. False if none of these functions receives one of this name.
     bool Send(const std::string& name, const std::string& cell);
 
     /// Whether anybody of these functions receives what has this name.

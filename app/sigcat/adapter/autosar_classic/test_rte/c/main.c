@@ -1,9 +1,9 @@
 /*
- * Plays a trace to the test RTE, and records what the components send, and what services are told:
+ * Plays a trace to the test RTE, and records what the components send, and calls of services:
  *
  *     test_rte MODE TRACE RECORDED SERVICES LENGTH_NS [-n FOLDER] [-i CYCLE] [FUNCTION@TIME_NS...]
  *
- * Time begins with the first row, and ends LENGTH_NS after it. MODE is `lock` (as fast as it goes) or `free` (in real
+ * Time begins with the first row, and ends LENGTH_NS after it. MODE is `lock` (as fast as possible) or `free` (in real
  * time). FOLDER is where blocks are kept, CYCLE the number of the ignition cycle. From its time on, nothing of a function
  * runs any more. What cannot be understood is refused before anything is written, with a status of 2.
  */
@@ -232,7 +232,7 @@ static const int deadly[] = {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV};
 static void say(const char *text)
 {
     const ssize_t written = write(STDERR_FILENO, text, strlen(text));
-    (void)written; /* there is nobody left to tell */
+    (void)written; /* no reader is left */
 }
 
 /* A runnable that crashes says nothing itself. */

@@ -137,7 +137,7 @@ static void run_first(uint32 count)
             has_waited = FALSE;
             run(i);
             last = (has_waited != FALSE) ? TestRte_Events[i].component : last;
-            i = 0U; /* what it activates may run before what comes next */
+            i = 0U; /* activated runnables may run before the next one */
         }
     }
 }

@@ -1,4 +1,4 @@
-/* Stand-ins for the services that components call: DEM, FiM, WdgM, NvM, the clock. They record what they are told. */
+/* Stand-ins for the services that components call: DEM, FiM, WdgM, NvM, the clock. They record their calls. */
 #include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
@@ -12,7 +12,7 @@
 #define PATH 4096U
 #define TELLINGS 4096U
 
-/* What a service was told; its texts are there as long as the program. */
+/* A call of a service; its texts live as long as the program. */
 typedef struct {
     uint64 time;
     const char *service;

@@ -39,7 +39,7 @@ static struct {
     void *value; /* with room for every input */
 } from;
 
-/* -- what is wrong with it ------------------------------------------------------------------------------------------ */
+/* -- errors in it -------- ------------------------------------------------------------------------------------------ */
 
 static void fail(const char *column, const char *what, const char *found)
 {
@@ -187,7 +187,7 @@ static void find_partner(uint32 of)
     }
 }
 
-/* Columns that nobody receives are left out, and named. */
+/* Columns without a receiver are left out, and named. */
 static void read_header(boolean is_told)
 {
     if (read_row() == FALSE) {
@@ -202,7 +202,7 @@ static void read_header(boolean is_told)
         from.columns[i] = column_of(from.cells[i]);
         for (uint32 k = 0U; k < i; k++) {
             if (strcmp(from.cells[k], from.cells[i]) == 0) {
-                fail("A column", "must stand in the header once", from.cells[i]);
+                fail("A column", "must be in the header only once", from.cells[i]);
             }
         }
         if (from.columns[i].input != NULL) {

@@ -1,4 +1,4 @@
-/* Values as texts: of a trace, and of what is recorded. A text of a list or a mapping has the order of its declaration. */
+/* Values as texts: of a trace, and of a recording. A text of a list or a mapping has the order of its declaration. */
 #include <ctype.h>
 #include <errno.h>
 #include <inttypes.h>
@@ -207,12 +207,38 @@ static sint64 signed_number(TestRte_Kind kind, uint64 bits)
     }
 }
 
+static void write_quoted(FILE *file, const char *text)
+{
+    for (; *text != '\0'; text++) {
+        (void)fputs((*text == '"') ? "\"\"" : (const char[]){*text, '\0'}, file);
+    }
+}
+
+/* The name of a number; NULL: it has none. */
+static const char *name_of(uint64 bits, const TestRte_Number *number)
+{
+    for (const TestRte_Symbol *each = number->symbols; each != NULL && each->name != NULL; each++) {
+        if (each->number == signed_number(number->kind, bits)) {
+            return each->name;
+        }
+    }
+    return NULL;
+}
+
 static void write_number(FILE *file, const TestRte_Number *number, const unsigned char *value, boolean is_inner)
 {
     uint64 bits = 0U;
     float32 narrow = 0.0F;
     float64 wide = 0.0;
     (void)memcpy(&bits, &value[number->offset], sizes[number->kind]);
+    const char *const name = (is_inner != FALSE) ? NULL : name_of(bits, number); /* JSON has numbers */
+    if (name != NULL) {
+        const char *const quote = (strpbrk(name, ",\"") != NULL) ? "\"" : "";
+        (void)fputs(quote, file);
+        write_quoted(file, name);
+        (void)fputs(quote, file);
+        return;
+    }
     (void)memcpy(&narrow, &value[number->offset], sizeof(narrow) < sizes[number->kind] ? sizeof(narrow) : sizes[number->kind]);
     switch (number->kind) {
     case TEST_RTE_BOOLEAN: (void)fputs((bits != 0U) ? "true" : "false", file); break;
@@ -226,13 +252,6 @@ static void write_number(FILE *file, const TestRte_Number *number, const unsigne
     case TEST_RTE_SINT32:
     case TEST_RTE_SINT64: (void)fprintf(file, "%" PRId64, signed_number(number->kind, bits)); break;
     default: (void)fprintf(file, "%" PRIu64, bits); break;
-    }
-}
-
-static void write_quoted(FILE *file, const char *text)
-{
-    for (; *text != '\0'; text++) {
-        (void)fputs((*text == '"') ? "\"\"" : (const char[]){*text, '\0'}, file);
     }
 }
 

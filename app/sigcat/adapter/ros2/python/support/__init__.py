@@ -1,1 +1,1 @@
-"""What the nodes of all functions have in common; the same in every package that sigcat writes."""
+"""Code that the nodes of all functions share; the same in every package that sigcat writes."""

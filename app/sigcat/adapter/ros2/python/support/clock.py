@@ -31,14 +31,14 @@ class Clock:
 
     @property
     def is_stopped(self) -> bool:
-        """Answer whether nobody waits any more."""
+        """Answer whether all waiting has been ended."""
         return self._is_stopped
 
     def has_gone_back(self) -> bool:
         """
         Answer whether the time of messages has gone back since this was asked last.
 
-        That of the core has not: it goes on from where it was.
+        That of the core has not: it continues from where it was.
         """
         return False
 
@@ -48,7 +48,7 @@ class Clock:
             self._is_stopped = False
 
     def stop(self) -> None:
-        """Let nobody wait any more."""
+        """End all waiting."""
         with self._changed:
             self._is_stopped = True
             self._changed.notify_all()
@@ -79,7 +79,7 @@ class Clock:
 
 
 class SteadyClock(Clock):
-    """Time that nobody sets."""
+    """Time that is not set by a simulation."""
 
     LONGEST = 3600.0
     """Seconds that are waited at once."""

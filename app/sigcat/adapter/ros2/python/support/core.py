@@ -1,8 +1,8 @@
 """
 The core of a function: an object of a shared library, without ROS.
 
-Times are in nanoseconds. There is no lock here: who has several threads holds one around
-everything but `run`. While `run` runs, other threads of Python go on.
+Times are in nanoseconds. There is no lock here: callers with several threads hold one around
+everything but `run`. While `run` runs, other threads of Python continue.
 """
 
 from pathlib import Path
@@ -12,7 +12,7 @@ from cffi import FFI
 
 NO_CALL = 0
 NEVER = 2 ** 64 - 1
-"""What `next_time` says if nothing will be due."""
+"""Result of `next_time` if nothing is due any more."""
 
 OK = 0
 """Reply of a method that has run."""
@@ -49,7 +49,7 @@ class Error(NamedTuple):
 
 
 class ErrorStatus(NamedTuple):
-    """What is known of an error."""
+    """State and counts of an error."""
 
     state: int
     is_confirmed: bool
@@ -61,13 +61,13 @@ class CallCounts(NamedTuple):
     """Activations of a call that did not run."""
 
     missed: int
-    """Which came too late."""
+    """Activations that came too late."""
     dropped: int
-    """Which the mode excluded."""
+    """Activations that the mode excluded."""
 
 
 class Leaf(NamedTuple):
-    """A number, or an array of numbers, of what is stored."""
+    """A number, or an array of numbers, of the stored values."""
 
     parameter: str
     """Name of the parameter that it is of."""
@@ -88,7 +88,7 @@ def find_library(package: str, name: str) -> Path:
 
 
 class Core:
-    """What all cores can do. A class for each function says what it takes and gives."""
+    """Behaviour of all cores. A subclass for each function defines its inputs and outputs."""
 
     function: str
     """Name of the function, with which all names of the library begin."""
@@ -97,9 +97,9 @@ class Core:
     library: str
     """Name of the library, without `lib` and `.so`."""
     declarations: str
-    """Of the library, in C."""
+    """Declarations of the library, in C."""
     digest: str
-    """Of what the library was generated from."""
+    """Digest of the input that the library was generated from."""
     structs: Tuple[str, ...]
     """Structs whose layout is compared."""
     calls: Tuple[Call, ...] = ()
@@ -145,7 +145,7 @@ class Core:
         self._adapter('Start')(self._self, t)
 
     def terminate(self, t: int) -> None:
-        """Terminate the function. Afterwards, `stored` is to be kept."""
+        """Terminate the function. Afterwards, keep `stored`."""
         self._adapter('Terminate')(self._self, t)
 
     def stored(self) -> Dict[str, Any]:
@@ -253,7 +253,7 @@ class Core:
         return ()
 
     def publish(self) -> Any:
-        """Copy what is to be sent now."""
+        """Copy the values to send now."""
         return ()
 
     def _run_method(
@@ -323,13 +323,13 @@ class Core:
         except AttributeError:
             raise LayoutError(f'{path} does not have the core of {self.function}') from None
         if digest != self.digest:
-            raise LayoutError(f'{path} was generated from another {self.function}: build it anew')
+            raise LayoutError(f'{path} was generated from another {self.function}: build it again')
         count = self._ffi.new('size_t *')
         found = self._bridge('Layout')(count)
         layout = self._ffi.unpack(found, count[0])
         expected = [number for name in self.structs for number in self._layout_of(name)]
         if layout != expected:
-            raise LayoutError(f'{path} has another layout than this machine: build it anew')
+            raise LayoutError(f'{path} has another layout than this machine: build it again')
 
     def _layout_of(self, name: str) -> Iterator[int]:
         """Answer the size of a struct, and place and size of each of its members."""

@@ -1,4 +1,4 @@
-"""What a node tells people and aggregators on /diagnostics. No function listens to it."""
+"""Diagnostics on /diagnostics, for people and aggregators. No function subscribes to it."""
 
 from time import monotonic
 from typing import Callable, Dict, Iterable, List, Optional, Tuple
@@ -10,7 +10,7 @@ from .core import Call, CallCounts, Error, ErrorStatus, FAILED, HEALING, PREFAIL
 
 STATES = ('NOT_TESTED', 'PASSED', 'PREFAILED', 'FAILED', 'HEALING')
 EVENTS = ('lost', 'skipped', 'deadline missed', 'liveliness lost', 'incompatible QoS')
-"""What may become of messages and of a topic's quality of service."""
+"""Events of messages and of a topic's quality of service."""
 
 
 class Recent:
@@ -38,7 +38,7 @@ class Recent:
 
 
 class TopicCounts:
-    """What has happened on a topic."""
+    """Counts of messages and events of a topic."""
 
     def __init__(self, name: str) -> None:
         """Begin with nothing."""
@@ -76,7 +76,7 @@ class TopicCounts:
         return _status(node, self.name, (level, message, values))
 
     def _problem(self, *, has_calls: bool) -> str:
-        """Answer what is wrong at present."""
+        """Answer the present problems."""
         found = []
         if self.events['incompatible QoS'] and self.has_stranger():
             found.append('An end of the topic has a quality of service that does not fit.')
@@ -91,7 +91,7 @@ class TopicCounts:
 
 
 class CallTimes:
-    """How often a call ran, and how long it took."""
+    """Number and durations of the runs of a call."""
 
     def __init__(self) -> None:
         """Begin with nothing."""

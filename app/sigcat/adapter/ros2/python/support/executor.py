@@ -1,4 +1,4 @@
-"""What runs the callbacks of a node."""
+"""Executor that runs the callbacks of a node."""
 
 from contextlib import suppress
 from typing import Any
@@ -23,7 +23,7 @@ def spin_node(node: Node, failure: Future) -> None:
 
     It is raised then, as is one of a callback that the executor calls itself.
 
-    An executor of events is told what has come, and does not ask every entity each time: that
+    An executor of events gets each event, and does not ask every entity each time: that
     takes a fraction of the processor.
     """
     if EventsExecutor is None:

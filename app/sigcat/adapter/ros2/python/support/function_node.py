@@ -1,7 +1,7 @@
 """
 A function as a lifecycle node.
 
-Configuring initializes the function; while the node is active, a thread of its own runs the
+Configuring initializes the function; while the node is active, its own thread runs the
 calls; whatever ends it, terminates the function once. Subscriptions only hand values over.
 """
 
@@ -42,13 +42,13 @@ PATIENCE = 10.0
 
 
 class FunctionNode(LifecycleNode):
-    """What the nodes of all functions do; a class for each says what is in its messages."""
+    """Behaviour of all nodes. A subclass for each function converts its messages."""
 
     PERIOD = 1.0
     """Seconds between two messages of the diagnostics."""
 
     priority: Optional[int] = None
-    """Of the thread that runs the calls; None if no call has one, and so the thread no policy."""
+    """Priority of the thread that runs the calls; None, without a policy, if no call has one."""
 
     policy = 'other'
     """Default of the parameter `scheduling_policy`."""
@@ -156,7 +156,7 @@ class FunctionNode(LifecycleNode):
         return TransitionCallbackReturn.SUCCESS
 
     def destroy_node(self) -> None:
-        """Terminate the function, if nobody has done so, and give its core back."""
+        """Terminate the function, if this has not been done, and give its core back."""
         self._end()
         super().destroy_node()
         self._core.close()
@@ -231,7 +231,7 @@ class FunctionNode(LifecycleNode):
                    for number, name in known):
                 return handle(request, response)
             self.get_logger().warning(
-                f'There is no transition {asked.label or asked.id} from this state'
+                f'Transition {asked.label or asked.id} is not possible in this state'
             )
             response.success = False
             return response
@@ -299,7 +299,7 @@ class FunctionNode(LifecycleNode):
         return monotonic_ns() - begin
 
     def _publish(self, stamp: Optional[Time] = None) -> None:
-        """Send what is to be sent, in the order in which the core has said it."""
+        """Send the published values, in the order of the core."""
         with self._publishing:
             with self.core_lock:
                 out, publish = self._core.out(), self._core.publish()
@@ -312,7 +312,7 @@ class FunctionNode(LifecycleNode):
             self._tell()
 
     def _schedule_thread(self) -> str:
-        """Ask for the policy that the parameter names, and answer what is wrong with it."""
+        """Ask for the policy that the parameter names, and answer the problem, if any."""
         if self.priority is None:
             return ''
         policy = self._function_parameters.value('scheduling_policy')
@@ -386,7 +386,7 @@ class FunctionNode(LifecycleNode):
     def ask(
         self, client: Any, request: Any, answered: Callable[[Optional[Any], int], None]
     ) -> None:
-        """Send a request, and hand the answer over; None if nobody offers the method."""
+        """Send a request, and hand the answer over; None if no node offers the method."""
         def answer(response: Optional[Any]) -> None:
             with self.core_lock:
                 answered(response, self._core_clock.now())

@@ -1,4 +1,4 @@
-"""What the middleware says of a message beside its values."""
+"""Information of the middleware about a message, besides its values."""
 
 from inspect import Parameter, Signature
 from typing import Any, Callable, Optional

@@ -12,7 +12,7 @@ from rclpy.parameter import Parameter
 from .core import Core
 
 POLICIES = ('other', 'fifo', 'rr')
-"""Of the thread that runs the calls."""
+"""Scheduling policies of the thread that runs the calls."""
 Limits = Tuple[float, float]
 """Smallest and largest value of a parameter, in its unit."""
 ANY: Limits = (-math.inf, math.inf)
@@ -38,7 +38,7 @@ class Parameters:
         """
         Declare what the node has beside the parameters of its function.
 
-        Raises InvalidParameterValueException for a policy that there is not.
+        Raises InvalidParameterValueException for an unknown policy.
         """
         self._declare_setting(
             'lock_step', False,
@@ -46,7 +46,7 @@ class Parameters:
         if is_stored:
             self._declare_setting(
                 'storage_folder', '',
-                f'Folder of what the node keeps; $ROS_HOME/{self._core.package} or '
+                f'Folder of the values that the node keeps; $ROS_HOME/{self._core.package} or '
                 f'~/.ros/{self._core.package} if empty.')
         if priority is not None:
             self._declare_policy(policy, priority)
@@ -86,7 +86,11 @@ class Parameters:
             values = {name: self.value(name) for name in self._defaults}
             names = ', '.join(self._defaults)
             raise InvalidParameterValueException(names, values, result.reason)
-        self._node.add_on_set_parameters_callback(self._set)
+        if hasattr(self._node, 'add_post_set_parameters_callback'):
+            self._node.add_on_set_parameters_callback(self._check)
+            self._node.add_post_set_parameters_callback(self._set)
+        else:  # Humble does not tell what other callbacks have refused
+            self._node.add_on_set_parameters_callback(self._set)
 
     def given(self, stored: Mapping[str, Any]) -> Dict[str, Any]:
         """Answer what differs from the defaults, which the core has itself."""
@@ -98,23 +102,35 @@ class Parameters:
             if value != defaults[name] and (name not in self._core.learned or name not in stored)
         }
 
-    def _set(self, parameters: Sequence[Parameter]) -> SetParametersResult:
+    def _check(self, parameters: Sequence[Parameter]) -> SetParametersResult:
+        """Refuse what the core would; it keeps what it has, since others may refuse, too."""
+        return self._set(parameters, is_only_checked=True)
+
+    def _set(
+        self, parameters: Sequence[Parameter], *, is_only_checked: bool = False,
+    ) -> SetParametersResult:
         """Take all of them, or none."""
         changed = {each.name: each.value for each in parameters}
         try:
-            values = self._core_parameters(
-                lambda name: changed[name] if name in changed else self.value(name)
-            )
+            values = self._of_core(
+                lambda name: changed[name] if name in changed else self.value(name))
+            present = self._of_core(self.value) if is_only_checked else values
             with self._core_lock:
-                is_taken = self._core.set_parameters({
-                    name: value for name, value in values.items()
-                    if name not in self._core.learned
-                })
+                is_taken = self._core.set_parameters(values)
+                if is_taken and is_only_checked:
+                    self._core.set_parameters(present)
         except (TypeError, ValueError, OverflowError) as error:
             return SetParametersResult(successful=False, reason=str(error))
         reason = '' if is_taken else self._refusal(changed or {
             name: self.value(name) for name in self._defaults})
         return SetParametersResult(successful=is_taken, reason=reason)
+
+    def _of_core(self, value: Callable[[str], Any]) -> Dict[str, Any]:
+        """Answer the parameters of the core that the node sets."""
+        return {
+            name: each for name, each in self._core_parameters(value).items()
+            if name not in self._core.learned
+        }
 
     def _refusal(self, values: Mapping[str, Any]) -> str:
         """Answer which parameter the core refuses, and what its limits are."""

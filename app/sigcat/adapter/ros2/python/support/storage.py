@@ -1,4 +1,4 @@
-"""What a node keeps from one run to the next: a file that is written whole or not at all."""
+"""Values that a node keeps between runs, in a file that is written whole or not at all."""
 
 import os
 from pathlib import Path
@@ -14,7 +14,7 @@ COUNTS = {
     'has_failed': '_Bool',
     'is_tested': '_Bool',
 }
-"""Of an error, each under a key of its own, with its datatype."""
+"""Counts of an error, each under its own key, with its datatype."""
 
 
 def default_folder(package: str) -> Path:
@@ -43,7 +43,7 @@ class Storage:
 
     def load(self) -> Dict[str, Any]:
         """
-        Read what was stored, as the core takes it; nothing if there is no file.
+        Read what was stored, as the core takes it; empty without a file.
 
         Raises BrokenFile if it cannot be read, or is not as it was written.
         """

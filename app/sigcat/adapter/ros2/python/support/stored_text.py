@@ -1,5 +1,5 @@
 """
-What a node keeps, as text: a first line that names the format, then lines of `key: value`.
+Stored values of a node as text: a first line that names the format, then lines of `key: value`.
 
 A value is a flag, a number or numbers with a space between, and is written in one way only.
 """
@@ -21,7 +21,7 @@ class BrokenFile(ValueError):
 
 
 def parse(data: bytes) -> Dict[str, str]:
-    """Answer the texts of values by key. Bytes that are no ASCII stay what they are."""
+    """Answer the texts of values by key. Bytes other than ASCII stay what they are."""
     first, *rows = data.decode('ascii', 'surrogateescape').split('\n')
     if first != FIRST_LINE or rows[-1:] != ['']:
         raise BrokenFile(f'the first line is not {FIRST_LINE!r}, or the last one has no end')
@@ -29,7 +29,7 @@ def parse(data: bytes) -> Dict[str, str]:
     for row in rows[:-1]:
         key, sign, value = row.partition(': ')
         if not sign or not key or key in values:
-            raise BrokenFile(f'{shortened(row)} is no line of it')
+            raise BrokenFile(f'{shortened(row)} is not one of its lines')
         values[key] = value
     return values
 

@@ -127,7 +127,7 @@ class Topics:
         return [counts.status(node, has_calls=has_calls) for counts in list(self._counts)]
 
     def clear(self) -> None:
-        """Destroy all of them, and begin anew."""
+        """Destroy all of them, and begin again."""
         for destroy in self._destroyers:
             destroy()
         self._destroyers.clear()

@@ -1,4 +1,4 @@
-"""Modules of `support` as rclpy of ROS 2 Humble needs them, in; the same names as there, so that they take their places, out.
+"""Modules that replace those of the same names in `support`, for rclpy of ROS 2 Humble.
 
 They are shipped as files: sigcat itself imports none of them.
 """

@@ -1,4 +1,4 @@
-"""What the middleware says of a message beside its values: nothing that rclpy would hand on."""
+"""Information of the middleware about a message: rclpy of Humble passes none on."""
 
 from typing import Any, Callable, Optional
 

@@ -73,7 +73,7 @@ private:
   };
 
   const Declared & at(const std::string & name) const;
-  Result judge(const Parameters & parameters, const std::map<std::string, Descriptor> & descriptors);
+  Result check(const Parameters & parameters, const std::map<std::string, Descriptor> & descriptors);
   void tell(const Parameters & parameters, bool are_new);
   void serve();
   template<typename ServiceT, typename CallbackT>

@@ -18,7 +18,7 @@ typedef struct {
     const char *name;
     uint32 component;
     void (*run)(void);
-    uint64 period; /* ns; 0: it is no timing event */
+    uint64 period; /* ns; 0: it is not a timing event */
     uint64 offset;
     boolean is_init;
 } TestRte_Event;
@@ -33,7 +33,7 @@ typedef struct {
     sint64 number;
 } TestRte_Symbol;
 
-/* A number of a value, and what stands before it in a text. */
+/* A number of a value, and the text before it. */
 typedef struct {
     const char *before;
     TestRte_Kind kind;
@@ -98,7 +98,7 @@ void Os_StartTiming(void); /* timing events count from now on */
 void Os_SetTime(uint64 t); /* timing events that are due by then are activated */
 void Os_Activate(uint32 event);
 void Os_Run(void); /* until nothing is activated */
-void Os_RunBefore(void); /* what comes before the runnable that runs */
+void Os_RunBefore(void); /* all that is before the runnable that runs */
 void Os_Wait(void (*wait)(uint64 until), uint64 until); /* lets the runnable that runs wait, while others run */
 void TestRte_PassTime(uint64 time); /* the runnable that runs takes so long */
 const TestRte_Event *Os_Running(void); /* NULL: no runnable does */
@@ -109,7 +109,7 @@ void Os_ExitArea(uint32 component);
 void Os_EnterCalls(uint32 component); /* the area around calls and methods */
 void Os_ExitCalls(uint32 component);
 
-/* -- services, which record what they are told --------------------------------------------------------------------- */
+/* -- services, which record their calls -------- --------------------------------------------------------------------- */
 
 void TestRte_OpenRecords(const char *sent, const char *told);
 void TestRte_CloseRecords(void);
@@ -141,7 +141,7 @@ void TestRte_Write(FILE *file, const TestRte_Shape *shape, const void *value);
 
 #define TEST_RTE_REFUSED 2 /* status of a program that refuses what it was given */
 
-void Trace_Open(const char *name); /* reads all of it once: what is wrong in it ends the program */
+void Trace_Open(const char *name); /* reads all of it once: an error in it ends the program */
 uint64 Trace_Time(void); /* of the row that comes next; UINT64_MAX: there is none */
 void Trace_DeliverUntil(uint64 t);
 void Trace_Close(void);

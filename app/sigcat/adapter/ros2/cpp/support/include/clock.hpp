@@ -29,7 +29,7 @@ public:
   virtual builtin_interfaces::msg::Time stamp() const = 0;
 
   /// Whether the time of messages has gone back since this was asked last. That of the calls has
-  /// not: it goes on from where it was.
+  /// not: it continues from where it was.
   virtual bool has_gone_back() {return false;}
 
   /// Waits until it is `time`, which does not drift, or until wake(). False after stop().

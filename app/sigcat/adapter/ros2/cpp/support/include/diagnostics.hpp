@@ -62,7 +62,7 @@ void add_value(
 /// The state of an error, numbered as in every core.
 enum class ErrorState : uint8_t {NOT_TESTED, PASSED, PREFAILED, FAILED, HEALING};
 
-/// What is told of an error.
+/// Reported state of an error.
 struct ErrorReport
 {
   const char * name;
@@ -94,7 +94,7 @@ private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// What is told of a call, with times in ns.
+/// Reported counts of a call, with times in ns.
 struct CallReport
 {
   uint64_t steps = 0;

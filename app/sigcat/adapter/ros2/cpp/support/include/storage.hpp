@@ -50,7 +50,7 @@ public:
     values_[key] = text_of(value);
   }
 
-  /// The counts of an error, each under a key of its own.
+  /// The counts of an error, each under its own key.
   template<typename CountsT>
   void read_counts(const std::string & error, CountsT & counts)
   {

@@ -55,7 +55,7 @@ struct TopicCounts
 class Topics
 {
 public:
-  /// Begins anew. There may be no publisher or subscription.
+  /// Begins again. There must be no publisher or subscription.
   void clear();
 
   /// In lock step nothing may be lost: publishers and subscriptions that are made next keep

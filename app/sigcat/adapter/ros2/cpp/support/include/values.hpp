@@ -1,5 +1,5 @@
 // Values between messages and the core: numbers as they are, arrays element by element, texts of
-// enumerations by their names. Structs have specializations of their own.
+// enumerations by their names. Structs have their own specializations.
 
 #ifndef PACKAGE_GUARD__VALUES_HPP_
 #define PACKAGE_GUARD__VALUES_HPP_

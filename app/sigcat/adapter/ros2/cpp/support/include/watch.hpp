@@ -17,7 +17,7 @@ namespace PACKAGE_NAME
 class Watch
 {
 public:
-  /// Calls `supervise` in a thread of its own, again and again until a late call has ended.
+  /// Calls `supervise` in a separate thread, again and again until a late call has ended.
   explicit Watch(std::function<void()> supervise);
   ~Watch();
   Watch(const Watch &) = delete;

@@ -9,7 +9,7 @@ namespace bench {
 
 struct Counters {
     std::uint64_t sent;      // messages of services, one for each receiver
-    std::uint64_t received;  // those that have come, and were given to who waits for them
+    std::uint64_t received;  // those that have arrived, and were given to their receivers
     std::uint64_t running;   // handlers of the application that wait or run
     std::uint64_t missing;   // services and subscriptions that are sought and not there
 };

@@ -11,7 +11,7 @@ namespace bench {
 
 class Reader {
 public:
-    // An array, a text or a struct: where it ends, and where what it stands in does.
+    // An array, a text or a struct: its end, and that of the value around it.
     struct Part {
         std::size_t end;
         std::size_t outer;
@@ -27,7 +27,7 @@ public:
     std::uint64_t Integer(std::size_t width);
     std::string Text();
 
-    // What begins here ends with the length before it; where the width of that is 0, it ends with what it stands in.
+    // What begins here ends with the length before it; where the width of that is 0, it ends with the value around it.
     Part Begin(std::size_t width);
     // Goes to its end: what a newer side has added there is left out.
     void End(const Part& part);

@@ -20,7 +20,7 @@ namespace bench {
 class ProvidedInstance;
 struct Caller;
 
-// The answer to one request: sent once, from any thread, to nobody if the service is no longer offered.
+// The answer to one request: sent once, from any thread, or not at all if the service is no longer offered.
 class Reply {
 public:
     explicit Reply(std::shared_ptr<const Caller> caller) noexcept : caller_{std::move(caller)} {}
@@ -62,7 +62,7 @@ public:
 
     void SetHandler(std::uint16_t method, Handler handler);
 
-    // A method: its arguments are read, `call` gives a future of what is answered.
+    // A method: its arguments are read, `call` gives a future of the answer.
     template <typename R, typename... Args, typename F>
     void SetMethod(std::uint16_t method, F&& call) {
         SetHandler(method, [call = std::forward<F>(call)](Reader& reader, const Reply& reply) {

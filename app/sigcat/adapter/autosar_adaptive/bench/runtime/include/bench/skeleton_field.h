@@ -29,7 +29,7 @@ public:
         return {};
     }
 
-    // Asked instead of what was kept.
+    // Asked instead of the kept value.
     ara::core::Result<void> RegisterGetHandler(std::function<ara::core::Future<T>()> handler) {
         connection_->SetMethod<T>(getter_, std::move(handler));
         return {};
@@ -63,7 +63,7 @@ public:
     }
 
     ara::core::Result<void> RegisterSetHandler(std::function<ara::core::Future<T>(const T& value)> handler) {
-        // Weak, as the value may come when there is no skeleton any more.
+        // Weak, as the value may arrive after the end of the skeleton.
         std::weak_ptr<SkeletonConnection> weak = this->connection_;
         this->connection_->template SetMethod<T, T>(
             setter_, [weak, notifier = this->notifier_, handler = std::move(handler)](const T& wanted) {

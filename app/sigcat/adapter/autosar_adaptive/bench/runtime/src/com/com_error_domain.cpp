@@ -22,7 +22,7 @@ const char* ComErrorDomain::Message(CodeType code) const noexcept {
         case ComErrc::kUnsetFailure:
             return "The handler cannot be unset.";
         case ComErrc::kSampleAllocationFailure:
-            return "There is no memory for a sample.";
+            return "No memory for a sample.";
         case ComErrc::kIllegalUseOfAllocate:
             return "The sample was not allocated.";
         case ComErrc::kServiceNotOffered:
@@ -42,7 +42,7 @@ const char* ComErrorDomain::Message(CodeType code) const noexcept {
         case ComErrc::kCouldNotExecute:
             return "The executor did not run it.";
         case ComErrc::kInvalidInstanceIdentifierString:
-            return "The text is no instance identifier.";
+            return "The text is not an instance identifier.";
         case ComErrc::kInstanceIDNotResolvable:
             return "The port is of no instance of the service.";
     }

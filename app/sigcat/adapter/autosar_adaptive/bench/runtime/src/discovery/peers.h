@@ -1,4 +1,4 @@
-// Who of the other side has started anew (PRS_SOMEIPServiceDiscovery, reboot detection).
+// Peers that have restarted (PRS_SOMEIPServiceDiscovery, reboot detection).
 #ifndef BENCH_DISCOVERY_PEERS_H_
 #define BENCH_DISCOVERY_PEERS_H_
 
@@ -29,7 +29,7 @@ private:
 
 class Peers {
 public:
-    // Whether the sender of a message has started anew since its last one. Messages to a group count for themselves.
+    // Whether the sender of a message has restarted since its last one. Messages to a group count separately.
     bool HasRebooted(const Endpoint& peer, bool is_multicast, bool reboot_flag, std::uint16_t session) {
         const auto [found, is_new] = last_.try_emplace({peer, is_multicast}, Last{reboot_flag, session});
         const Last before = found->second;
@@ -37,7 +37,7 @@ public:
         return !is_new && reboot_flag && (!before.reboot_flag || session <= before.session);
     }
 
-    // It did, as one of the two ways has told: the other one begins anew too.
+    // It did, as one of the two ways has shown: the other one begins again too.
     void Forget(const Endpoint& peer, bool is_multicast) { last_.erase({peer, !is_multicast}); }
 
 private:

@@ -1,4 +1,4 @@
-// Checksums of end-to-end protection (AUTOSAR, CRC routines): each goes on from the one of the bytes before.
+// Checksums of end-to-end protection (AUTOSAR, CRC routines): each continues the one of the bytes before.
 #ifndef BENCH_E2E_CHECKSUMS_H_
 #define BENCH_E2E_CHECKSUMS_H_
 

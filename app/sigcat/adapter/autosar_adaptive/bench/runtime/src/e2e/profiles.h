@@ -8,7 +8,7 @@
 
 namespace bench {
 
-// Where a number stands in the header; of width 0 it is not there.
+// Place of a number in the header; of width 0 it is absent.
 struct Place {
     std::size_t at;
     std::size_t width;
@@ -26,7 +26,7 @@ struct Profile {
     std::uint64_t LastCounter() const noexcept { return (std::uint64_t{1} << (8 * counter.width)) - 1; }
     std::uint64_t Read(ByteView header_bytes, const Place& place) const noexcept;
     void Write(Bytes& bytes, std::size_t offset, const Place& place, std::uint64_t value) const noexcept;
-    // Over all bytes but those of the checksum itself; the header stands at `offset`.
+    // Over all bytes but those of the checksum itself; the header is at `offset`.
     std::uint64_t Checksum(ByteView bytes, std::size_t offset, std::uint32_t id) const noexcept;
 };
 

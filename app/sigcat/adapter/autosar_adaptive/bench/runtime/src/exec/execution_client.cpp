@@ -93,7 +93,7 @@ ara::core::Result<ExecutionClient> ExecutionClient::Create(std::function<void()>
 }
 
 ara::core::Result<void> ExecutionClient::ReportExecutionState(ExecutionState /* state */) const noexcept {
-    return {};  // there is no execution management that would hear it
+    return {};  // no execution management receives it
 }
 
 }  // namespace ara::exec

@@ -1,4 +1,4 @@
-// What is to be done later.
+// Actions to run later.
 #ifndef BENCH_NET_TIMERS_H_
 #define BENCH_NET_TIMERS_H_
 

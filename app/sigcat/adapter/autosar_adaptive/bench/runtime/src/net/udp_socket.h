@@ -14,7 +14,7 @@ public:
     // Whether the port is of this socket alone on its address, or others may receive on all addresses.
     enum class Port { kOwn, kShared };
 
-    // None if the endpoint is in use; a shared port is not for those who share it.
+    // None if the endpoint is in use; a shared port is not in use for others that share it.
     static std::optional<UdpSocket> Bound(const Endpoint& endpoint, Port port);
     // Receives what is sent to a group; several processes share it.
     static std::optional<UdpSocket> OfGroup(const Endpoint& group, std::uint32_t interface_address);

@@ -13,7 +13,7 @@ namespace {
 using ara::com::ComErrc;
 using ara::com::SubscriptionState;
 
-constexpr std::size_t kMostRemotes = 10'000;  // what somebody offers must not take all memory
+constexpr std::size_t kMostRemotes = 10'000;  // offers of others must not take all memory
 
 InstanceKey KeyOf(const Handle& handle) { return {handle.Service().id, handle.Instance()}; }
 
@@ -92,7 +92,7 @@ bool Consumer::Call(const Handle& handle, std::uint16_t method, ByteView argumen
     }
     session_ = session_ == 0xFFFF ? std::uint16_t{1} : static_cast<std::uint16_t>(session_ + 1);
     const auto old = remote.calls.find(session_);
-    if (old != remote.calls.end()) {  // 65,534 requests later, nobody will answer
+    if (old != remote.calls.end()) {  // 65,534 requests later, no answer will arrive
         runtime_.Unlocked([lost = std::move(old->second.answer)] { lost(Failed(ComErrc::kCommunicationLinkError)); });
     }
     remote.calls[session_] = {method, &handle.Service(), std::move(answer)};
@@ -174,7 +174,7 @@ void Consumer::TakeEvent(const Message& message, const Endpoint& from) {
             queue->Push(message);
         }
     }
-    // Also of a field that nobody reads yet: with its group subscribed to, it comes once.
+    // Also of a field without a reader yet: with its group subscribed to, it is sent once.
     if (IsField(*remote, message.header.method)) {
         remote->latest[message.header.method] = {message.header, {message.payload.begin(), message.payload.end()}};
     }

@@ -23,7 +23,7 @@ public:
     Handles Found(const ServiceDescription& service, std::uint16_t instance) const;
     void Subscribe(const std::shared_ptr<EventQueue>& queue);
     void Unsubscribe(const std::shared_ptr<EventQueue>& queue);
-    // False if the service is not available: nobody will answer.
+    // False if the service is not available: no answer will arrive.
     bool Call(const Handle& handle, std::uint16_t method, ByteView arguments, Answer answer);
 
     // From the network.

@@ -1,4 +1,4 @@
-// The sockets of the process, on an address of its own.
+// The sockets of the process, on its own address.
 #ifndef BENCH_SERVICES_NETWORK_H_
 #define BENCH_SERVICES_NETWORK_H_
 

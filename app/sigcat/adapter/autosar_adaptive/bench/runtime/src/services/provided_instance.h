@@ -49,7 +49,7 @@ public:
     const ara::com::MethodCallProcessingMode mode;
 
     bool is_offered = false;
-    bool is_announced = false;  // past the initial wait, in which nobody is answered
+    bool is_announced = false;  // past the initial wait, in which no request is answered
     std::optional<Timers::Id> timer{};
     std::vector<Subscriber> subscribers{};
 

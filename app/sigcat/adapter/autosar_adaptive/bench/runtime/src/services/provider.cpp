@@ -34,7 +34,7 @@ ara::core::Result<void> Provider::Offer(const Instance& instance) {
     if (instance->is_offered) {
         return {};
     }
-    // Messages name a service, not its instance: a second instance would need a port of its own.
+    // Messages name a service, not its instance: a second instance would need its own port.
     const auto same = [&instance](const auto& other) { return other.first.first == instance->key.first; };
     if (!runtime_.IsRunning() || std::any_of(offered_.begin(), offered_.end(), same)) {
         return ara::core::Result<void>::FromError(ComErrc::kNetworkBindingFailure);
@@ -241,7 +241,7 @@ void Provider::SendInitial(ProvidedInstance& instance, const ProvidedInstance::S
     }
 }
 
-// A protected value is sent as it was before: a counter of its own would be a lost message for all others.
+// A protected value is sent as it was before: a separate counter would be a lost message for all others.
 void Provider::SendInitial(ProvidedInstance& instance, const EventDescription& event, ByteView value,
                            const Endpoint& to) {
     if (event.protection.profile == 0) {

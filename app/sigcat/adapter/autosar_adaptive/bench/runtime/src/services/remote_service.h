@@ -46,7 +46,7 @@ struct RemoteService {
 
     bool IsOfferedBy(const Endpoint& endpoint) const { return offer.has_value() && offer->endpoint == endpoint; }
     bool IsKnownFrom(const Endpoint& peer) const { return offer.has_value() && offer->peer == peer; }
-    // Groups of the events that somebody has subscribed to.
+    // Groups of the events that have subscribers.
     std::set<std::uint16_t> Groups() const {
         std::set<std::uint16_t> groups;
         for (const auto& queue : queues) {

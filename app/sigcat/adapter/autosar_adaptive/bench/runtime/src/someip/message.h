@@ -19,7 +19,7 @@ enum class MessageType : std::uint8_t {
     kResponse = 0x80,
     kError = 0x81,
 };
-constexpr std::uint8_t kSegment = 0x20;  // added to the type of what is sent in segments
+constexpr std::uint8_t kSegment = 0x20;  // added to the type of a message in segments
 
 enum class ReturnCode : std::uint8_t {
     kOk = 0x00,
@@ -53,7 +53,7 @@ struct Message {
 
 Bytes Written(const Header& header, ByteView payload);
 
-// The next message of a datagram, which may have several; none if the rest is no message.
+// The next message of a datagram, which may have several; none if the rest is not a message.
 std::optional<Message> NextMessage(ByteView& rest);
 
 }  // namespace bench

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kStep = 16;                 // offsets are counted in these
 constexpr std::size_t kSegmentLength = 1392;      // of a payload: the largest multiple of it that fits
-constexpr std::size_t kLongestMessage = 1 << 20;  // what somebody sends must not take all memory
+constexpr std::size_t kLongestMessage = 1 << 20;  // messages of others must not take all memory
 constexpr std::size_t kMostBegun = 64;
 
 Bytes WrittenSegment(const Header& header, ByteView payload, std::size_t offset) {

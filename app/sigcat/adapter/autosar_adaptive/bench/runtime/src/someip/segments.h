@@ -17,7 +17,7 @@ constexpr std::size_t kLongestPayload = 1400;  // of a datagram over UDP
 // The datagrams of a message: one, or as many segments as it takes.
 std::vector<Bytes> Datagrams(const Header& header, ByteView payload);
 
-// Puts segments together. What begins anew before it is whole replaces what was there.
+// Puts segments together. A message that begins again before it is complete replaces the earlier part.
 class Reassembly {
 public:
     // The whole payload, when the last segment of it comes.

@@ -1,4 +1,4 @@
-// The time at which an event was sent, in a message of its own before it in its datagram: for who records at a bench.
+// The time at which an event was sent, in a separate message before it in its datagram: for recorders at a bench.
 #ifndef BENCH_SOMEIP_STAMP_H_
 #define BENCH_SOMEIP_STAMP_H_
 

@@ -10,7 +10,7 @@ namespace bench {
 
 constexpr std::array<std::uint8_t, 3> kUtf8Mark{0xEF, 0xBB, 0xBF};
 
-// What is not UTF-8, or no pair of UTF-16, becomes the character that stands for that.
+// What is not UTF-8, or no pair of UTF-16, becomes the replacement character.
 std::u16string ToUtf16(const std::string& text);
 std::string ToUtf8(const std::u16string& units);
 

@@ -1,4 +1,4 @@
-// The end of a process that cannot go on (SWS_CORE_00052).
+// The end of a process that cannot continue (SWS_CORE_00052).
 #ifndef ARA_CORE_ABORT_H_
 #define ARA_CORE_ABORT_H_
 

@@ -44,7 +44,7 @@ public:
         return state_->WaitUntil(deadline) ? future_status::ready : future_status::timeout;
     }
 
-    // Waits; there is no value afterwards.
+    // Waits; the value is gone afterwards.
     Result<T, E> GetResult() noexcept {
         if (!valid()) {
             return Result<T, E>::FromError(future_errc::no_state);
@@ -56,7 +56,7 @@ public:
     T get() { return GetResult().ValueOrThrow(); }
 
     // What `func` makes of this future when it is ready: called by whoever sets the value, or at once. Where it gives
-    // a result, the error of that is the error of what is returned.
+    // a result, the error of that is the error of the returned future.
     template <typename F>
     auto then(F&& func) {
         using Made = std::decay_t<std::invoke_result_t<std::decay_t<F>, Future>>;

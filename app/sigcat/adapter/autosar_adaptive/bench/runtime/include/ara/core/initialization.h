@@ -1,4 +1,4 @@
-// Start and end of what a process uses of ara (SWS_CORE_10001, SWS_CORE_10002).
+// Start and end of the parts of ara that a process uses (SWS_CORE_10001, SWS_CORE_10002).
 #ifndef ARA_CORE_INITIALIZATION_H_
 #define ARA_CORE_INITIALIZATION_H_
 

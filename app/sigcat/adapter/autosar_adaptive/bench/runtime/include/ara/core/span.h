@@ -1,4 +1,4 @@
-// Elements of somebody else, one after the other (SWS_CORE_01901).
+// Elements of another owner, one after the other (SWS_CORE_01901).
 #ifndef ARA_CORE_SPAN_H_
 #define ARA_CORE_SPAN_H_
 

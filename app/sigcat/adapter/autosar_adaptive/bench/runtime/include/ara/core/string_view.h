@@ -1,4 +1,4 @@
-// A text of somebody else (SWS_CORE_02001).
+// A text of another owner (SWS_CORE_02001).
 #ifndef ARA_CORE_STRING_VIEW_H_
 #define ARA_CORE_STRING_VIEW_H_
 

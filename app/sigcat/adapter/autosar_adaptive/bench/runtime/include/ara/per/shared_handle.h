@@ -1,4 +1,4 @@
-// What several parts of a process hold together (SWS_PER_00362). Who holds it unchangeable can only read what it holds.
+// What several parts of a process hold together (SWS_PER_00362). A const handle can only read.
 #ifndef ARA_PER_SHARED_HANDLE_H_
 #define ARA_PER_SHARED_HANDLE_H_
 

@@ -1,0 +1,166 @@
+"""The adapter of a component: its header and its source."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from sigcat.adapter.autosar_adaptive.application.calls import (
+    AdapterCall,
+    AdapterThread,
+    adapter_calls,
+    adapter_threads,
+    watches,
+)
+from sigcat.adapter.autosar_adaptive.application.methods import (
+    AdapterMethod,
+    Refusal,
+    error_namespace,
+    offered_methods,
+    refusals,
+    used_methods,
+)
+from sigcat.adapter.autosar_adaptive.application.names import checkpoint, cpp_type, include_guard
+from sigcat.adapter.autosar_adaptive.application.plan import (
+    ApplicationPlan,
+    ComponentPlan,
+    Provided,
+    Receiver,
+    Required,
+)
+from sigcat.adapter.autosar_adaptive.application.stored import StoredValues, stored_values
+from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.plan import GLOBALS
+from sigcat.adapter.templates import rendered
+from sigcat.function.document.text import Text, composed
+
+_ROOM = "adapter/autosar_adaptive/application"
+
+
+class _Received(NamedTuple):
+    """A value that a service gives: its type, the variable for the core's form of it if it needs one, and the argument."""
+
+    receiver: Receiver
+    type: str
+    declared: str
+    argument: str
+    wakes: bool
+    """Whether it may make a call due."""
+
+
+class _Connected(NamedTuple):
+    """A service that is used, and the values that the core takes from it."""
+
+    proxy: str
+    received: Sequence[_Received]
+
+
+class _Adapter(NamedTuple):
+    """Plan of both files."""
+
+    component: ComponentPlan
+    type: str
+    core: str
+    """The type of the core, with which names of its functions and types begin."""
+    macro: str
+    """Names of its constants begin with it."""
+    is_global: bool
+    """Whether there is one instance of the core."""
+    namespace: Sequence[str]
+    guard: str
+    about: Text
+    headers: Sequence[str]
+    checkpoints: Sequence[str]
+    calls: Sequence[AdapterCall]
+    threads: Sequence[AdapterThread]
+    watches: Sequence[str]
+    repeating: Sequence[str]
+    """Calls that send states again when they end."""
+    has_fields: bool
+    has_out: bool
+    """Whether anything of the core is sent or logged."""
+    connected: Sequence[_Connected]
+    stored: StoredValues
+    used: Sequence[AdapterMethod]
+    offered: Mapping[str, Sequence[AdapterMethod]]
+    """By the name of the service."""
+    error_namespace: str
+    errors: Sequence[Refusal]
+    """Why the core does not answer."""
+
+
+def adapter_header(component: ComponentPlan, application: ApplicationPlan) -> str:
+    """The whole header."""
+    return rendered(f"{_ROOM}/adapter.h.j2", _adapter(component, application))
+
+
+def adapter_source(component: ComponentPlan, application: ApplicationPlan) -> str:
+    """The whole source."""
+    return rendered(f"{_ROOM}/adapter.cpp.j2", _adapter(component, application))
+
+
+def _adapter(component: ComponentPlan, application: ApplicationPlan) -> _Adapter:
+    core, fields = component.core, [each for service in component.provided for each in service.fields]
+    version = f" {core.version}" if core.version else ""
+    return _Adapter(
+        component=component,
+        type=component.type,
+        core=core.type_name,
+        macro=Scope(core).macro,
+        is_global=core.code.signature == GLOBALS,
+        namespace=application.namespace,
+        guard=include_guard(application, component, "component"),
+        about=composed(f"{component.name}{version} on AUTOSAR adaptive: ", core.description),
+        headers=sorted(_headers(component)),
+        checkpoints=[checkpoint(each) for each in component.checkpoints],
+        calls=adapter_calls(component),
+        threads=adapter_threads(component),
+        watches=watches(component),
+        repeating=sorted({each.repeated_by for each in fields if each.repeated_by}),
+        has_fields=bool(fields),
+        has_out=bool(fields or core.reactions or any(each.events for each in component.provided)),
+        connected=[_connected(each, component) for each in component.required],
+        stored=stored_values(component),
+        used=used_methods(component),
+        offered={each.name: offered_methods(each) for each in component.provided},
+        error_namespace=error_namespace(component),
+        errors=refusals(component),
+    )
+
+
+def _headers(component: ComponentPlan) -> Iterator[str]:
+    used = {
+        "clock": True,
+        "communication": True,
+        "log": True,
+        "error_monitor": component.monitors,
+        "required_service": component.required,
+        "storage": component.storages,
+        "watch": component.has_deadline,
+        "call_thread": component.is_threaded,
+        "call_mutex": component.is_threaded and component.has_offered,
+    }
+    yield from (f"application/{name}.h" for name, is_used in used.items() if is_used)
+    if component.checkpoints:
+        yield "ara/phm/supervised_entity.h"
+    services: Sequence[Required | Provided] = (*component.required, *component.provided)
+    if any(each.methods for each in services):
+        yield "ara/core/future.h"
+    yield from (each.names.proxy_header for each in component.required)
+    yield from (each.names.skeleton_header for each in component.provided)
+    yield f"core/{component.core.header_file}"
+
+
+def _connected(service: Required, component: ComponentPlan) -> _Connected:
+    return _Connected(service.names.proxy, [_received(each, component) for each in service.receivers])
+
+
+def _received(receiver: Receiver, component: ComponentPlan) -> _Received:
+    wire, type_ = receiver.wire, cpp_type(receiver.type)
+    declared, argument = "", "value"
+    if wire.length is not None:
+        declared, argument = f"{wire.c} taken[{wire.length}];", "taken"
+    elif wire.is_struct:
+        declared, argument = f"{wire.c} taken;", "&taken"
+    elif type_.startswith("::"):
+        argument = f"static_cast<{wire.c}>(value)"
+    wakes = any(receiver.function == port.name and port.triggers for port in component.core.ports)
+    return _Received(receiver, type_, declared, argument, wakes)

@@ -1,0 +1,23 @@
+"""Faults of paths that a user names."""
+
+import os
+import stat
+from pathlib import Path
+
+
+def path_fault(path: Path, kind: str = "file") -> str:
+    """A sentence about a file or folder (`kind`) that is missing or cannot be read; empty for one that can be used."""
+    shown = repr(str(path))
+    try:
+        mode = path.stat().st_mode
+        if stat.S_ISDIR(mode) != (kind == "folder"):
+            return f"{shown} must be {'a folder, not a file' if kind == 'folder' else 'a file, not a folder'}."
+        if kind == "folder":
+            os.scandir(path).close()
+        elif not stat.S_ISREG(mode):
+            return f"{shown} must be a regular file."  # reading a pipe would wait
+    except (FileNotFoundError, NotADirectoryError, ValueError):
+        return f"{shown} is a link to nothing." if path.is_symlink() else f"There is no {kind} {shown}."
+    except OSError as error:
+        return f"{shown} cannot be read: {error.strerror}."
+    return ""

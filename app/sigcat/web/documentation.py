@@ -1,0 +1,166 @@
+"""The documentation: chapters rendered from the Markdown files of sigcat, and a search in them."""
+
+import posixpath
+import re
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
+from typing import NamedTuple
+from urllib.parse import quote
+
+from markdown_it import MarkdownIt
+from markdown_it.renderer import RendererHTML
+from markdown_it.token import Token
+from markupsafe import Markup, escape
+
+from sigcat.data import DOCUMENTATION
+
+INDEX = "README.md"
+_PARTS = {"tutorial": "Learn", "how-to": "Do", "reference": "Look up", "explanation": "Understand"}
+_OF_RULES = "reference/rules/"
+_TITLE = re.compile(r'title="([^"]*)"')
+_MOST_HITS = 5
+
+
+class Section(NamedTuple):
+    """A heading of a chapter with the text below it."""
+
+    chapter: str
+    level: int
+    title: str
+    anchor: str
+    words: str
+    """The chapter's title, the heading and the text, in lower case."""
+
+
+class Chapter(NamedTuple):
+    """A page of the documentation."""
+
+    title: str
+    sections: tuple[Section, ...]
+    body: Markup
+
+
+@lru_cache(maxsize=1)
+def files() -> frozenset[str]:
+    """Paths of the files of the documentation, relative to its folder."""
+    found = (path for path in DOCUMENTATION.rglob("*") if path.is_file())
+    return frozenset(path.relative_to(DOCUMENTATION).as_posix() for path in found)
+
+
+@lru_cache(maxsize=1)
+def contents() -> tuple[tuple[str, tuple[tuple[str, str], ...]], ...]:
+    """The table of contents: parts with the path and title of each chapter. The page of a rule has no entry."""
+    chapters = sorted(name for name in files() if name.endswith(".md") and _is_listed(name))
+    return tuple(
+        (title, tuple((name, _sections(name)[0].title) for name in chapters if name.startswith(f"{part}/")))
+        for part, title in _PARTS.items()
+    )
+
+
+def search(text: str) -> Sequence[Section]:
+    """The sections that have all words of a text, those with the words in their heading first."""
+    words = text.lower().split()
+    if not words:
+        return ()
+    found = [section for section in _every_section() if all(word in section.words for word in words)]
+    found.sort(key=lambda section: (not all(word in section.title.lower() for word in words), section.level))
+    return found[:_MOST_HITS]
+
+
+def _is_listed(name: str) -> bool:
+    return not name.startswith(_OF_RULES) or name == f"{_OF_RULES}{INDEX}"
+
+
+@lru_cache(maxsize=1)
+def _every_section() -> tuple[Section, ...]:
+    return tuple(section for name in sorted(files()) if name.endswith(".md") for section in _sections(name))
+
+
+@lru_cache(maxsize=1_000)
+def _sections(name: str) -> tuple[Section, ...]:
+    return tuple(_sections_of(name, _markdown().parse((DOCUMENTATION / name).read_text("utf-8"))))
+
+
+def _sections_of(name: str, tokens: Sequence[Token]) -> Iterator[Section]:
+    starts = [number for number, token in enumerate(tokens) if token.type == "heading_open"]
+    chapter = _text(tokens[starts[0] + 1]) if starts else name
+    for start, end in zip(starts, [*starts[1:], len(tokens)], strict=True):
+        title = _text(tokens[start + 1])
+        text = " ".join(token.content for token in tokens[start:end] if token.type in ("inline", "fence"))
+        yield Section(name, int(tokens[start].tag[1:]), title, _anchor(title), f"{chapter} {text}".lower())
+
+
+def _text(heading: Token) -> str:
+    return "".join(child.content for child in heading.children or () if child.type in ("text", "code_inline"))
+
+
+def _anchor(title: str) -> str:
+    """The anchor of a heading, as GitHub makes it."""
+    return re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
+
+
+@lru_cache(maxsize=32)
+def chapter_at(name: str, base: str) -> Chapter:
+    """A chapter of `files()`; its links lead to pages below `base`."""
+    markdown = _markdown()
+    tokens = markdown.parse((DOCUMENTATION / name).read_text("utf-8"))
+    sections = tuple(_sections_of(name, tokens))
+    headings = (token for token in tokens if token.type == "heading_open")
+    for heading, section in zip(headings, sections, strict=True):
+        heading.attrSet("id", section.anchor)
+    for token in tokens:
+        _lead_on(token.children or [], name, base)
+    body = Markup(markdown.renderer.render(tokens, markdown.options, {}))  # noqa: S704 - HTML in Markdown is escaped
+    return Chapter(sections[0].title if sections else name, sections, body)
+
+
+def _lead_on(children: Sequence[Token], name: str, base: str) -> None:
+    """Turn the links of a chapter to files into addresses; those to files that are not served become plain text."""
+    is_dropped = False
+    for token in children:
+        if token.type == "link_open":
+            address = _address(str(token.attrGet("href")), name, base)
+            is_dropped = address is None
+            if address is not None:
+                token.attrSet("href", address)
+        elif token.type == "image":
+            token.attrSet("src", _address(str(token.attrGet("src")), name, base) or "")
+        if is_dropped and token.type in ("link_open", "link_close"):
+            token.tag = "span"
+            token.attrs = {}
+        is_dropped = is_dropped and token.type != "link_close"
+
+
+def _address(target: str, name: str, base: str) -> str | None:
+    if re.match(r"[a-z]+:|#", target):
+        return target
+    file, _, anchor = target.partition("#")
+    path = posixpath.normpath(posixpath.join(posixpath.dirname(name), file))
+    if path not in files():
+        return None
+    address = f"{base}/openapi.json" if path == "reference/openapi.json" else f"{base}/docs/{quote(path)}"
+    return f"{address}#{anchor}" if anchor else address
+
+
+def _markdown() -> MarkdownIt:
+    markdown = MarkdownIt("commonmark", {"html": False}).enable("table")
+    markdown.add_render_rule("fence", _fence)
+    markdown.add_render_rule("table_open", _table_open)
+    markdown.add_render_rule("table_close", _table_close)
+    return markdown
+
+
+def _fence(_renderer: RendererHTML, tokens: Sequence[Token], index: int, _options: object, _env: object) -> str:
+    """A block of code that can be scrolled by keyboard, below the name of its file."""
+    file = _TITLE.search(tokens[index].info)
+    caption = Markup('<p class="origin">{}</p>').format(file[1]) if file else ""
+    return f'{caption}<pre tabindex="0"><code>{escape(tokens[index].content)}</code></pre>\n'
+
+
+def _table_open(_renderer: RendererHTML, tokens: Sequence[Token], index: int, _options: object, _env: object) -> str:
+    number = sum(token.type == "table_open" for token in tokens[: index + 1])
+    return f'<div class="scroll" tabindex="0" role="region" aria-label="Table {number}"><table class="wide">'
+
+
+def _table_close(*_: object) -> str:
+    return "</table></div>"

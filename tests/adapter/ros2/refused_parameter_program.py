@@ -1,0 +1,41 @@
+"""A node of which another callback refuses parameters; it prints what its core has after each change.
+
+A program for the interpreter that has rclpy.
+"""
+
+from typing import Any
+
+import rclpy
+from eco_control_py.core_acc_node import CoreAccNode
+from rcl_interfaces.msg import SetParametersResult
+from rclpy.parameter import Parameter
+
+
+class Node(CoreAccNode):  # type: ignore[misc]  # generated where the test runs
+    """CoreAcc, with a callback that accepts less than its core does."""
+
+    def declare_function_parameters(self) -> None:
+        """Add the callback before that of the node: rclpy calls it last."""
+        super().declare_function_parameters()
+        self.add_on_set_parameters_callback(
+            lambda changes: SetParametersResult(successful=all(each.value < 5.0 for each in changes))
+        )
+
+
+rclpy.init()
+node = Node()
+parameters: Any = node._function_parameters
+given: list[dict[str, Any]] = []
+set_parameters = parameters._core.set_parameters
+
+
+def kept(values: dict[str, Any]) -> bool:
+    """Keep what the core is given."""
+    given.append(values)
+    return bool(set_parameters(values))
+
+
+parameters._core.set_parameters = kept
+for value in (6.0, 4.0):
+    (result,) = node.set_parameters([Parameter("a_lat_max", value=value)])
+    print(value, result.successful, *given[-1].values())

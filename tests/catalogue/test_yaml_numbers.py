@@ -1,0 +1,35 @@
+"""Numbers as YAML 1.1 has them."""
+
+import pytest
+import yaml
+from hypothesis import given
+from hypothesis import strategies as st
+
+from sigcat.catalogue.reading.yaml_numbers import number_advice, yaml_number
+from tests.properties import examples
+
+
+@examples(200)
+@given(st.one_of(st.floats(allow_nan=False, allow_infinity=False), st.integers(-(10**20), 10**20)))
+def test_a_number_is_written_as_yaml_reads_it(number):
+    assert yaml.safe_load(yaml_number(number)) == number
+    assert type(yaml.safe_load(yaml_number(number))) is type(number)
+
+
+@pytest.mark.parametrize("text", ["1e300", "1e3", "1.0e3", "1e+3", ".5e3", "-2E5"])
+def test_an_exponent_without_a_point_or_a_sign_is_explained(text):
+    assert isinstance(yaml.safe_load(text), str)
+    advice = number_advice(text)
+    number = advice.removeprefix("Write ").partition(":")[0]
+    assert yaml.safe_load(number) == float(text)
+    assert f"YAML reads {text} as a text" in advice
+
+
+@pytest.mark.parametrize("text", ["100", "-1.5", "1.0e+3"])
+def test_a_number_in_quotes_is_written_without(text):
+    assert number_advice(text).endswith(", without quotes.")
+
+
+@pytest.mark.parametrize("text", ["abc", "", "1e400", "9" * 6000, "0x10", "1 ms", "nan", "-", "e5"])
+def test_other_texts_have_no_advice(text):
+    assert number_advice(text) == ""
