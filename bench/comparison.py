@@ -9,7 +9,7 @@ from bench.measuring import interleaved
 from bench.rows import Bench, Row, at_most
 from sigcat.comparison.behaviour import in_lock_step
 from sigcat.comparison.running.recorded import read_recorded
-from sigcat.runs.recording.shapes import Number
+from sigcat.adapter.host.shapes import Number
 
 _STEPS = 12_000
 """Cycle of 50 ms."""

@@ -8,6 +8,7 @@ import pytest
 
 import sigcat
 from sigcat.adapter.files import GeneratedFile
+from sigcat.adapter.host.shapes import Number
 from sigcat.comparison.effort import Counted
 from sigcat.comparison.recording import Built, CallTime, ProcessLoad, Recording
 from sigcat.comparison.report.html import html_page
@@ -21,7 +22,6 @@ from sigcat.comparison.telling.targets import WAITING
 from sigcat.errors import InputRefused
 from sigcat.limits import COMPARISON_BYTES
 from sigcat.runs.columns import Column
-from sigcat.runs.recording.shapes import Number
 
 STYLESHEET = Path(sigcat.__file__).parent / "web/static/sigcat.css"
 

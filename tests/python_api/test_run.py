@@ -64,8 +64,8 @@ def test_the_table_has_the_rows_with_null_where_nothing_was_sent(run):
 def test_arrays_and_structs_have_types_of_arrow():
     import pyarrow as pa
 
+    from sigcat.adapter.host.shapes import Array, Number, Record
     from sigcat.python_api.rows import Row, arrow_table
-    from sigcat.runs.recording.shapes import Array, Number, Record
 
     place = Record((("X", Number("double")), ("IsSet", Number("boolean"))))
     value = [{"X": 1.5, "IsSet": True}, {"X": 2.5, "IsSet": False}]

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from sigcat.adapter.host.shapes import Array, Number, Record, Shape, packing
 from sigcat.runs.recording.cells import cell_of, value_of
-from sigcat.runs.recording.shapes import Array, Number, Record, Shape, packing
 
 NAMED = Number("uint8", (("LOW", 0), ("HIGH", 7), ('a"b,c', 9)))
 SHAPES: Sequence[Shape] = [

@@ -10,6 +10,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from scripts.cases import ROOT, RUNS
+from sigcat.adapter.host.shapes import SECONDS, Array, Number, Record, Shape, packing
 from sigcat.adapter.toolchain import toolchain
 from sigcat.cli import main
 from sigcat.errors import InputRefused
@@ -21,7 +22,6 @@ from sigcat.runs.converting.library import Writer
 from sigcat.runs.driver.tables import Target
 from sigcat.runs.recording.cells import cell_of
 from sigcat.runs.recording.mcap_file import message_text
-from sigcat.runs.recording.shapes import SECONDS, Array, Number, Record, Shape, packing
 from sigcat.runs.recording.trace_file import Known, moments, open_trace
 from sigcat.runs.running.converted_input import convert_csv
 from sigcat.runs.running.written_input import moment_bytes

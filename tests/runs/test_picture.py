@@ -7,9 +7,9 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from sigcat.adapter.host.shapes import Number
 from sigcat.runs.recording.picture import HEIGHT, LEFT, WIDTH, picture
 from sigcat.runs.recording.samples import Sample
-from sigcat.runs.recording.shapes import Number
 from sigcat.runs.recording.svg_file import svg_text
 
 SECOND = 10**9

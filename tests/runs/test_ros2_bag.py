@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from mcap_ros2.writer import Writer
 
+from sigcat.adapter.host.shapes import Array, Number, Record
 from sigcat.adapter.ros2.generate import generate
 from sigcat.cli import main
 from sigcat.errors import InputRefused
@@ -16,7 +17,6 @@ from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.integrate import integrate
 from sigcat.platforms.table import PLATFORMS
 from sigcat.runs.recording.ros2_bag import Column, bag_as_csv, is_bag
-from sigcat.runs.recording.shapes import Array, Number, Record
 from sigcat.runs.recording.trace_file import Known
 from tests.comparison.ecocontrol import EXAMPLES, subject
 

@@ -2,10 +2,10 @@
 
 import pytest
 
+from sigcat.adapter.host.shapes import Number
 from sigcat.data import INTERFACE_RULES
 from sigcat.errors import InputRefused
 from sigcat.rules.compiled import compiled_rules
-from sigcat.runs.recording.shapes import Number
 from sigcat.runs.recording.trace_file import Known, moments, open_trace
 
 OWN = [rule for rule in compiled_rules(INTERFACE_RULES) if rule.check == "simulation"]

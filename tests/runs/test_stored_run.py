@@ -8,12 +8,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from sigcat.adapter.host.shapes import Array, Number
 from sigcat.errors import InputRefused
 from sigcat.integration.reading import read_functions
 from sigcat.limits import RUN_BYTES, RUN_CHANGES
 from sigcat.runs.columns import Column, FunctionColumns, columns_of
 from sigcat.runs.recording.series import SeriesCollector
-from sigcat.runs.recording.shapes import Array, Number
 from sigcat.runs.stored_run import CallTimes, StoredRun, read_run
 from tests.function.shipped import FUNCTIONS, interfaces
 

@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sigcat import limits
+from sigcat.adapter.host.shapes import SECONDS, Array, Number, Record
 from sigcat.errors import InputRefused
 from sigcat.runs.recording import trace_file
-from sigcat.runs.recording.shapes import SECONDS, Array, Number, Record
 from sigcat.runs.recording.trace_file import Known, moments, open_trace
 
 KNOWN = Known(

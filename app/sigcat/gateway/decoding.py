@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from itertools import repeat
 from typing import Any, NamedTuple
 
+from sigcat.adapter.host.shapes import Number
 from sigcat.catalogue.network.can_database import CanDatabase
 from sigcat.catalogue.network.markers import with_markers
 from sigcat.catalogue.network.signal_limits import limited, names, physical, step, within
@@ -18,7 +19,6 @@ from sigcat.gateway.j1939 import by_pgn, pgn
 from sigcat.gateway.layout import Bits, bits, numbers, width
 from sigcat.gateway.mapped import Mapped
 from sigcat.runs.recording.cells import cell_of
-from sigcat.runs.recording.shapes import Number
 
 _KNOWN_VALUES = 4096
 """Numbers of a signal whose values are kept."""

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
+from sigcat.adapter.host.shapes import Number
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.datatypes import PRIMITIVES
 from sigcat.catalogue.model.definition import SIGNALS
@@ -15,7 +16,6 @@ from sigcat.catalogue.network.signal_limits import limited, names, physical
 from sigcat.catalogue.network.values import NO_FORMULA_VALUE, NOT_HELD, OUTSIDE, UNLISTED, WORD, Unfit, Value
 from sigcat.gateway.frames import Frame
 from sigcat.runs.recording import cells
-from sigcat.runs.recording.shapes import Number
 
 NO_SUCH_NAME = "a text that the database has no number for"
 NO_VALUE = "no value of the datatype"

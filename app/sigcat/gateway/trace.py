@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sigcat import codes
+from sigcat.adapter.host.shapes import Number
 from sigcat.catalogue.model.datatypes import PRIMITIVES
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, shown
@@ -16,7 +17,6 @@ from sigcat.limits import TRACE_ROW_BYTES
 from sigcat.names import did_you_mean
 from sigcat.runs.recording.cells import Unfit, value_of
 from sigcat.runs.recording.csv_file import SPECIAL, quoted
-from sigcat.runs.recording.shapes import Number
 from sigcat.runs.recording.times import nanoseconds, seconds
 
 

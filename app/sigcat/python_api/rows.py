@@ -5,8 +5,8 @@ from itertools import islice
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from sigcat.adapter.host.shapes import Array, Number, Shape
 from sigcat.errors import UsageError
-from sigcat.runs.recording.shapes import Array, Number, Shape
 
 if TYPE_CHECKING:
     import pyarrow as pa

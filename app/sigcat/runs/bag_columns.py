@@ -3,11 +3,11 @@
 from collections.abc import Iterator
 
 from sigcat import codes
+from sigcat.adapter.host.connections import Connections, Entry
 from sigcat.errors import InputRefused
 from sigcat.function.function_json.conversion import between
 from sigcat.integration.deployment import Deployment
 from sigcat.integration.ros2.settings import FieldSettings, Ros2Settings
-from sigcat.runs.connections import Connections, Entry
 from sigcat.runs.recording.ros2_bag import BagColumns, Column
 
 

@@ -6,9 +6,9 @@ from typing import Literal, NamedTuple
 
 from sigcat.adapter.core.cores import plans
 from sigcat.adapter.core.plan import CorePlan
+from sigcat.adapter.host.connections import Connections, Entry, Exit, Member, connect
+from sigcat.adapter.host.shapes import Shape
 from sigcat.function.function_json.resolved_function import ResolvedFunction
-from sigcat.runs.connections import Connections, Entry, Exit, Member, connect
-from sigcat.runs.recording.shapes import Shape
 
 Kind = Literal["signal", "error", "safety reaction", "mode"]
 

@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 
 from sigcat import codes
+from sigcat.adapter.host.connections import Member
 from sigcat.errors import InputRefused, UsageError
 from sigcat.limits import RUN_CALLS
-from sigcat.runs.connections import Member
 from sigcat.runs.recording.times import seconds
 from sigcat.runs.recording.trace_file import Trace
 

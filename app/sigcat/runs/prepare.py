@@ -5,13 +5,13 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sigcat.adapter.core.cores import plans
+from sigcat.adapter.host.connections import Connections, Member, connect
+from sigcat.adapter.host.numbering import Numbers, numbers_of
+from sigcat.adapter.host.shapes import SECONDS, Shape
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, in_order
 from sigcat.function.code_files import missing_files
 from sigcat.function.function_json.resolved_function import ResolvedFunction
-from sigcat.runs.connections import Connections, Member, connect
-from sigcat.runs.driver.numbering import Numbers, numbers_of
-from sigcat.runs.recording.shapes import SECONDS, Shape
 from sigcat.runs.recording.trace_file import Known
 
 

@@ -8,6 +8,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sigcat import codes
+from sigcat.adapter.host.kept import Kept
+from sigcat.adapter.host.shapes import Value, packing
 from sigcat.adapter.toolchain import Toolchain
 from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding
@@ -16,11 +18,9 @@ from sigcat.runs.building.coverage import FLAGS, report_coverage
 from sigcat.runs.building.library import convert_library
 from sigcat.runs.building.memory import Memory, memory_of
 from sigcat.runs.driver.tables import targets_of
-from sigcat.runs.kept import Kept
 from sigcat.runs.length import check_length, cyclic_calls
 from sigcat.runs.prepare import Prepared
 from sigcat.runs.recording.recorded import Recorded
-from sigcat.runs.recording.shapes import Value, packing
 from sigcat.runs.recording.trace_file import Trace
 from sigcat.runs.recording.traces import moments
 from sigcat.runs.running.converted_input import convert_csv, convert_mcap

@@ -3,12 +3,12 @@
 from collections.abc import Mapping
 
 from sigcat import codes
+from sigcat.adapter.host.connections import Entry
+from sigcat.adapter.host.shapes import Value
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, RuleCode
-from sigcat.runs.connections import Entry
 from sigcat.runs.prepare import Prepared
 from sigcat.runs.recording.cells import cell_of
-from sigcat.runs.recording.shapes import Value
 from sigcat.runs.recording.times import seconds
 from sigcat.runs.recording.trace_file import Trace
 from sigcat.runs.recording.traces import moments

@@ -4,11 +4,11 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
+from sigcat.adapter.host.connections import Member
+from sigcat.adapter.host.kept import Kept
+from sigcat.adapter.host.shapes import Value
 from sigcat.errors import UsageError
-from sigcat.runs.connections import Member
-from sigcat.runs.kept import Kept
 from sigcat.runs.recording.cells import Literal, Unfit, exact_float, fitted, json_text
-from sigcat.runs.recording.shapes import Value
 
 Stored = Mapping[Kept, Value]
 _NAMES = 3

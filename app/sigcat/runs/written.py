@@ -4,6 +4,7 @@ import ctypes
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import BinaryIO, NamedTuple, Protocol
 
+from sigcat.adapter.host.shapes import SECONDS, Number, Shape
 from sigcat.errors import UsageError
 from sigcat.names import did_you_mean
 from sigcat.runs.converting.layout import ShapeTables, Unfit, csv_tables, mcap_tables
@@ -14,7 +15,6 @@ from sigcat.runs.recording.mcap_file import McapFile, call_text, check_mcap, mes
 from sigcat.runs.recording.picture import picture
 from sigcat.runs.recording.samples import Sample
 from sigcat.runs.recording.series import SeriesCollector
-from sigcat.runs.recording.shapes import SECONDS, Number, Shape
 from sigcat.runs.recording.svg_file import svg_text
 from sigcat.runs.recording.trace_file import Trace
 from sigcat.runs.running.rows import Block, Received, Row, decoded

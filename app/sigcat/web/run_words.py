@@ -1,6 +1,6 @@
 """Values and times of a run as readers see them."""
 
-from sigcat.runs.recording.shapes import Number, Shape
+from sigcat.adapter.host.shapes import Number, Shape
 from sigcat.runs.recording.times import seconds
 from sigcat.web.template_filters import number
 

@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 import yaml
 
+from sigcat.adapter.host.shapes import Array, Number
 from sigcat.cli import main
 from sigcat.errors import InputRefused
 from sigcat.findings import has_errors
@@ -18,7 +19,6 @@ from sigcat.platforms.deployment_file import read_deployment
 from sigcat.platforms.platform import Options
 from sigcat.platforms.table import PLATFORMS
 from sigcat.runs.recording.cells import Unfit, value_of
-from sigcat.runs.recording.shapes import Array, Number
 from tests.adapter.hostile.deployment import DEPLOYMENT
 from tests.adapter.hostile.everything import DOCUMENTS, FUNCTION, FUNCTION_JSON, catalogue, changed, document
 

@@ -4,11 +4,11 @@ from pathlib import Path
 
 import pytest
 
+from sigcat.adapter.host.shapes import Number
 from sigcat.comparison.faults.drives import read_texts
 from sigcat.comparison.faults.reading import read_scenarios
 from sigcat.comparison.faults.scenario import Killed, Slow, Spoilt
 from sigcat.errors import InputRefused
-from sigcat.runs.recording.shapes import Number
 
 EXAMPLE = Path("examples/ecocontrol/faults.yaml")
 HEAD = "scenarios:\n  - name: one\n    title: One\n    from: 1\n    to: 2\n    faults:\n"

@@ -2,9 +2,9 @@
 
 import pytest
 
+from sigcat.adapter.host.shapes import Array, Number, Record
 from sigcat.comparison.running.recorded import read_recorded
 from sigcat.errors import UsageError
-from sigcat.runs.recording.shapes import Array, Number, Record
 
 FLOAT, DOUBLE, MODE = Number("float", ()), Number("double", ()), Number("uint8", (("OFF", 0), ("ACTIVE", 2)))
 

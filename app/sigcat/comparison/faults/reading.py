@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 from pydantic import BeforeValidator, Field, ValidationError
 
 from sigcat import codes
+from sigcat.adapter.host.shapes import Shape
 from sigcat.comparison.faults.scenario import Killed, Scenario, Slow, Spoilt
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, has_errors, in_order
@@ -17,7 +18,6 @@ from sigcat.function.document.structure import structural_findings
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.names import did_you_mean
 from sigcat.runs.recording.cells import Unfit, value_of
-from sigcat.runs.recording.shapes import Shape
 from sigcat.runs.recording.times import NANOSECONDS
 
 

@@ -5,6 +5,7 @@ import shutil
 from collections.abc import Mapping
 from pathlib import Path
 
+from sigcat.adapter.host.connections import Connections
 from sigcat.adapter.toolchain import Toolchain
 from sigcat.comparison.recording import Built, Recording
 from sigcat.comparison.running import bench, marks
@@ -16,7 +17,6 @@ from sigcat.comparison.running.slow_calls import durations
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
 from sigcat.limits import DEFAULT_LIMITS
-from sigcat.runs.connections import Connections
 
 NAME = "autosar-adaptive"
 _PORT = "40000"

@@ -10,8 +10,8 @@ from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
+from sigcat.adapter.host.connections import Connections
 from sigcat.comparison.recording import CallTime
-from sigcat.runs.connections import Connections
 from sigcat.runs.prepare import Prepared
 from sigcat.runs.recording.trace_file import moments, open_trace
 

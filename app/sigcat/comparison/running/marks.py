@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.host.connections import Connections, Member
 from sigcat.adapter.templates import rendered
 from sigcat.comparison.recording import CallTime, Sent, Supervised
 from sigcat.comparison.running.supervised import Moment, supervised_periods
 from sigcat.errors import UsageError
-from sigcat.runs.connections import Connections, Member
 
 NAME = "marks"
 """Name of the folder of marks in that of a run."""

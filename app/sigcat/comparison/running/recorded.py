@@ -6,13 +6,13 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
+from sigcat.adapter.host.shapes import Shape, packing
 from sigcat.comparison.recording import Built, Sent
 from sigcat.comparison.running import marks
 from sigcat.comparison.running.runner import Drive
 from sigcat.errors import UsageError
 from sigcat.runs.prepare import Prepared
 from sigcat.runs.recording.cells import Unfit, cell_of, value_of
-from sigcat.runs.recording.shapes import Shape, packing
 from sigcat.runs.recording.trace_file import moments, open_trace
 
 _COLUMNS = ("time", "name", "value")

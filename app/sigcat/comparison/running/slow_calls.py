@@ -10,8 +10,8 @@ from pathlib import PurePosixPath
 
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.files import GeneratedFile
+from sigcat.adapter.host.connections import Member
 from sigcat.comparison.running.runner import Drive
-from sigcat.runs.connections import Member
 from sigcat.runs.prepare import Prepared
 from sigcat.runs.recording.trace_file import moments, open_trace
 

@@ -3,13 +3,13 @@
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
+from sigcat.adapter.host.shapes import Number
 from sigcat.comparison import behaviour
 from sigcat.comparison.behaviour import in_free_run, in_lock_step
 from sigcat.comparison.recording import Recording
 from sigcat.comparison.report import model
 from sigcat.comparison.telling.material import Material, PlayedFault
 from sigcat.runs.columns import Column
-from sigcat.runs.recording.shapes import Number
 
 _COLUMNS = 360
 """Columns of pixels of a picture: of each the first, the smallest, the largest and the last value are kept."""

@@ -8,12 +8,12 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from sigcat.adapter.core.generate import CoreFiles, core_files
+from sigcat.adapter.host.connections import Connections
+from sigcat.adapter.host.glue import HOST_HEADER, glue_file
+from sigcat.adapter.host.numbering import Numbers
 from sigcat.adapter.toolchain import Toolchain
 from sigcat.runs.building.commands import Compilation, compilations, linking
 from sigcat.runs.building.failures import Said, refused
-from sigcat.runs.connections import Connections
-from sigcat.runs.driver.glue import glue_file
-from sigcat.runs.driver.numbering import Numbers
 from sigcat.runs.driver.tables import tables_file
 
 PROGRAM = "run.exe" if os.name == "nt" else "run"
@@ -40,8 +40,8 @@ def build(connections: Connections, numbers: Numbers, folder: Path, tools: Toolc
 
 
 def _write(connections: Connections, numbers: Numbers, cores: Sequence[CoreFiles], folder: Path) -> None:
-    for name in ("sigcat_driver.c", "sigcat_driver.h"):
-        shutil.copyfile(_DRIVER / name, folder / name)
+    for path in (_DRIVER / "sigcat_driver.c", _DRIVER / "sigcat_driver.h", HOST_HEADER):
+        shutil.copyfile(path, folder / path.name)
     glue = (glue_file(connections, numbers, index) for index in range(len(cores)))
     for file in (*(file for core in cores for file in core.files), *glue, tables_file(connections, numbers)):
         (folder / file.name).write_bytes(file.data)

@@ -4,9 +4,9 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from sigcat.adapter.host.connections import Member
 from sigcat.adapter.toolchain import EXACT, Toolchain
 from sigcat.function.function_json.code import CodeInterface
-from sigcat.runs.connections import Member
 
 _CPP = frozenset((".cc", ".cpp", ".cxx", ".c++"))
 _FLAGS = ("-c", "-O2", "-g", *EXACT)

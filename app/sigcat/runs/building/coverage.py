@@ -8,9 +8,9 @@ from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import Path
 
+from sigcat.adapter.host.connections import Member
 from sigcat.adapter.toolchain import Toolchain
 from sigcat.errors import UsageError
-from sigcat.runs.connections import Member
 
 FLAGS = ("--coverage", "-O0")
 XML, HTML = "coverage.xml", "index.html"

@@ -9,13 +9,13 @@ from sigcat import codes
 from sigcat.adapter.core.clashes import clashes
 from sigcat.adapter.core.generate import CoreFiles
 from sigcat.adapter.files import GeneratedFile
+from sigcat.adapter.host.connections import Member
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, in_order
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.walk import parts
 from sigcat.runs.building.commands import Compilation
 from sigcat.runs.building.diagnostics import Diagnostic, diagnostics
-from sigcat.runs.connections import Member
 
 _CODE: Pointer = ("Code",)
 """Origin of a line of generated code that no interface causes."""

@@ -6,10 +6,10 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from sigcat.adapter.host.connections import Member
 from sigcat.adapter.toolchain import Toolchain
 from sigcat.function.document.text_filters import c_header
 from sigcat.runs.building.commands import Compilation, compilations
-from sigcat.runs.connections import Member
 
 _USAGE = re.compile(r"[^\t]*:\d+:\d+:(?P<name>[^\t]*)\t(?P<bytes>\d+)\t")
 _DEFINITION = re.compile(r"^\w[^;{}()=]*?\b(?P<name>\w+)\([^;{}]*\)\n\{\n(?P<body>.*?)^\}", re.MULTILINE | re.DOTALL)

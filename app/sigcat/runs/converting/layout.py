@@ -5,8 +5,8 @@ import struct
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
+from sigcat.adapter.host.shapes import SECONDS, Array, Number, Shape, packing
 from sigcat.runs.recording.csv_file import quoted
-from sigcat.runs.recording.shapes import SECONDS, Array, Number, Shape, packing
 
 SKIPPED, LEFT = 0, 13
 NONE = 2**32 - 1

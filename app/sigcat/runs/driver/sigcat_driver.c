@@ -36,6 +36,7 @@
 #define ROUNDS 100000U /* of calls at one time; after so many, they trigger each other without end */
 
 typedef struct {
+    void *state;
     uint64_t ends;
     uint32_t call;
     bool is_busy;
@@ -130,43 +131,37 @@ static void report_row(uint32_t call)
     has_sent = false;
 }
 
-void sigcat_sends(uint32_t number, const unsigned char *bytes)
+static void sends(void *self, uint32_t number, const unsigned char *bytes)
 {
     const sigcat_exit *sent = &sigcat_exits[number];
+    (void)self;
     report_value('S', number, bytes, sent->size);
     has_sent = true;
     for (uint32_t i = 0; i < sent->count; i++) {
         const sigcat_entry *entry = &sigcat_entries[sent->entries[i]];
-        sigcat_functions[entry->function]->receive(entry->number, bytes, now);
+        sigcat_functions[entry->function]->receive(running_calls[entry->function].state, entry->number, bytes, now);
     }
 }
 
-bool sigcat_is_there(uint32_t function)
+static void stores(void *self, uint32_t number, const unsigned char *bytes, size_t size)
 {
-    return !running_calls[function].is_gone;
-}
-
-bool sigcat_serves(uint32_t function, uint32_t method, const unsigned char *arguments, unsigned char *results)
-{
-    return sigcat_functions[function]->serve(method, arguments, results);
-}
-
-void sigcat_stores(uint32_t number, const unsigned char *bytes, size_t size)
-{
+    (void)self;
     report_value('K', number, bytes, size);
 }
 
-const unsigned char *sigcat_take(const unsigned char *from, void *to, size_t size)
+static bool is_there(void *self, uint32_t function)
 {
-    (void)memcpy(to, from, size);
-    return from + size;
+    (void)self;
+    return !running_calls[function].is_gone;
 }
 
-unsigned char *sigcat_put(unsigned char *to, const void *from, size_t size)
+static bool serves(void *self, uint32_t function, uint32_t method, const unsigned char *arguments, unsigned char *answer)
 {
-    (void)memcpy(to, from, size);
-    return to + size;
+    (void)self;
+    return sigcat_functions[function]->serve(running_calls[function].state, method, arguments, answer);
 }
+
+static const sigcat_host host = {NULL, sends, stores, is_there, serves};
 
 /* -- the trace --------------------------------------------------------------------------------------------------- */
 
@@ -230,6 +225,7 @@ static void take(void)
 {
     const sigcat_entry *entry = &sigcat_entries[next.entry];
     const sigcat_function *function = sigcat_functions[entry->function];
+    void *const state = running_calls[entry->function].state;
     if (entry->kind == SIGCAT_GONE) {
         running_calls[entry->function].is_gone = true;
         running_calls[entry->function].is_busy = false;
@@ -237,11 +233,11 @@ static void take(void)
         if (is_echoing) {
             report_value('R', next.entry, next.value, entry->size);
         }
-        function->receive(entry->number, next.value, now);
+        function->receive(state, entry->number, next.value, now);
     } else if (entry->kind == SIGCAT_DURATION) {
         (void)memcpy(&durations[entry->number], next.value, sizeof(uint64_t));
     } else {
-        function->restore(entry->number, next.value);
+        function->restore(state, entry->number, next.value);
     }
 }
 
@@ -265,8 +261,9 @@ static void receive_values(void)
 
 static void supervise_function(uint32_t function)
 {
-    sigcat_functions[function]->supervise(now);
-    sigcat_functions[function]->send();
+    void *const state = running_calls[function].state;
+    sigcat_functions[function]->supervise(state, now);
+    sigcat_functions[function]->send(state, &host);
     report_row(SIGCAT_NONE);
 }
 
@@ -274,8 +271,8 @@ static void supervise_function(uint32_t function)
 static bool end_call(uint32_t function)
 {
     running *call = &running_calls[function];
-    sigcat_functions[function]->get_output(call->call, now);
-    sigcat_functions[function]->send();
+    sigcat_functions[function]->get_output(call->state, call->call, now);
+    sigcat_functions[function]->send(call->state, &host);
     call->is_busy = false;
     const bool sends = has_sent;
     report_row(sigcat_functions[function]->first + call->call);
@@ -296,12 +293,13 @@ static void run_call(uint32_t function, uint32_t call)
 {
     const sigcat_function *called = sigcat_functions[function];
     const uint32_t number = called->first + call;
+    void *const state = running_calls[function].state;
 
-    called->set_input(call, now);
-    called->begin(call, now);
-    called->send();
+    called->set_input(state, call, now);
+    called->begin(state, call, now);
+    called->send(state, &host);
     report('B', number);
-    called->run(call);
+    called->run(state, call);
     report('D', number);
 
     running_calls[function].call = call;
@@ -324,7 +322,7 @@ static bool run_calls_once(void)
             continue;
         }
         if (!running_calls[i].is_busy && !running_calls[i].is_gone) {
-            const uint32_t call = sigcat_functions[i]->next_call(now);
+            const uint32_t call = sigcat_functions[i]->next_call(running_calls[i].state, now);
             if (call != SIGCAT_NONE) {
                 run_call(i, call);
                 any = true;
@@ -363,7 +361,7 @@ static uint64_t next_time(void)
 {
     uint64_t found = next.is_there ? next.time : UINT64_MAX;
     for (uint32_t i = 0; i < sigcat_function_count; i++) {
-        const uint64_t time = sigcat_functions[i]->next_time();
+        const uint64_t time = sigcat_functions[i]->next_time(running_calls[i].state);
         if (time > now && !running_calls[i].is_gone) { /* what has passed is asked for again when anything happens */
             found = earlier(found, time);
         }
@@ -380,14 +378,14 @@ static void begin(uint32_t ignition_cycle)
     for (uint32_t i = 0; i < sigcat_function_count; i++) {
         const sigcat_function *function = sigcat_functions[i];
         report('B', function->init);
-        if (!function->start_up(ignition_cycle)) {
+        if (!function->start_up(running_calls[i].state, ignition_cycle)) {
             report('F', i);
         }
         report('D', function->init);
     }
     for (uint32_t i = 0; i < sigcat_function_count; i++) {
-        sigcat_functions[i]->start(now);
-        sigcat_functions[i]->send();
+        sigcat_functions[i]->start(running_calls[i].state, now);
+        sigcat_functions[i]->send(running_calls[i].state, &host);
         report_row(sigcat_functions[i]->init);
     }
 }
@@ -414,11 +412,11 @@ static void finish(void)
             continue;
         }
         report('B', function->terminate);
-        function->terminate_at(now);
+        function->terminate_at(running_calls[i].state, now);
         report('D', function->terminate);
-        function->send();
+        function->send(running_calls[i].state, &host);
         report_row(function->terminate);
-        function->store();
+        function->store(running_calls[i].state, &host);
     }
 }
 
@@ -528,9 +526,19 @@ static bool make_room(void)
     return running_calls != NULL && durations != NULL && input.bytes != NULL;
 }
 
+static bool create_functions(void)
+{
+    bool is_whole = true;
+    for (uint32_t i = 0; i < sigcat_function_count; i++) {
+        running_calls[i].state = sigcat_functions[i]->create();
+        is_whole = is_whole && running_calls[i].state != NULL;
+    }
+    return is_whole;
+}
+
 int main(int count, char **arguments)
 {
-    if (count != 9 || !open_files(arguments[1], arguments[2]) || !make_room()) {
+    if (count != 9 || !open_files(arguments[1], arguments[2]) || !make_room() || !create_functions()) {
         return EXIT_FAILURE;
     }
     now = strtoull(arguments[3], NULL, 10);

@@ -4,9 +4,9 @@ from collections.abc import Iterable
 from typing import Literal, NamedTuple
 
 from sigcat.adapter.files import GeneratedFile
-from sigcat.runs.connections import Connections
-from sigcat.runs.driver.numbering import Numbers
-from sigcat.runs.recording.shapes import SECONDS, Number, Packing, packing
+from sigcat.adapter.host.connections import Connections
+from sigcat.adapter.host.numbering import Numbers
+from sigcat.adapter.host.shapes import SECONDS, Number, Packing, packing
 
 Kind = Literal["VALUE", "DURATION", "STORED", "GONE"]
 

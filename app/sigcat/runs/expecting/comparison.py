@@ -5,8 +5,8 @@ from collections.abc import Iterator, Mapping
 from itertools import groupby
 from typing import NamedTuple
 
+from sigcat.adapter.host.shapes import Number, Shape, Value, numbers, packing
 from sigcat.runs.expecting.tolerances import Tolerance, Tolerances
-from sigcat.runs.recording.shapes import Number, Shape, Value, numbers, packing
 from sigcat.runs.recording.trace_file import Moment, Trace, moments
 
 _AROUND = 100

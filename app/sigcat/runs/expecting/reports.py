@@ -4,12 +4,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from xml.etree import ElementTree as ET
 
 from sigcat import codes
+from sigcat.adapter.host.shapes import Number
 from sigcat.findings import Finding
 from sigcat.runs.expecting.comparison import Compared, Difference
 from sigcat.runs.recording.cells import cell_of
 from sigcat.runs.recording.picture import Beside, picture
 from sigcat.runs.recording.samples import Sample
-from sigcat.runs.recording.shapes import Number
 from sigcat.runs.recording.svg_file import stacked
 from sigcat.runs.recording.times import seconds
 from sigcat.runs.recording.trace_file import Trace, column_in

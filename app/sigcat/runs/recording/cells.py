@@ -11,10 +11,10 @@ from decimal import Decimal
 from functools import lru_cache
 from typing import Any
 
+from sigcat.adapter.host.shapes import SECONDS, Array, Number, Shape, Value
 from sigcat.catalogue.model.datatypes import FLOATING, INTEGER_RANGES
 from sigcat.findings import shown
 from sigcat.names import did_you_mean
-from sigcat.runs.recording.shapes import SECONDS, Array, Number, Shape, Value
 from sigcat.runs.recording.times import nanoseconds
 
 LARGEST_FLOAT = float(struct.unpack(">f", bytes.fromhex("7f7fffff"))[0])

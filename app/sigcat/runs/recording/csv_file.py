@@ -2,9 +2,9 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 
+from sigcat.adapter.host.shapes import Shape
 from sigcat.runs.recording.cells import cell_of
 from sigcat.runs.recording.recorded import Recorded, split
-from sigcat.runs.recording.shapes import Shape
 from sigcat.runs.recording.times import seconds
 from sigcat.runs.recording.trace_file import CALL, TIME
 

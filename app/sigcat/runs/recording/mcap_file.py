@@ -10,9 +10,9 @@ from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from typing import Any, BinaryIO, NamedTuple
 
+from sigcat.adapter.host.shapes import Array, Number, Shape, Value
 from sigcat.errors import UsageError
 from sigcat.runs.recording.cells import json_text
-from sigcat.runs.recording.shapes import Array, Number, Shape, Value
 
 CHUNK_BYTES = 1 << 20
 _MAGIC = b"\x89MCAP0\r\n"

@@ -14,12 +14,12 @@ from pathlib import Path
 from typing import Any, BinaryIO, NamedTuple
 
 from sigcat import codes
+from sigcat.adapter.host.shapes import Shape, Value
 from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding, has_errors, shown
 from sigcat.limits import TRACE_FINDINGS
 from sigcat.names import did_you_mean
 from sigcat.runs.recording.cells import Unfit, exact_float, fitted, value_of
-from sigcat.runs.recording.shapes import Shape, Value
 from sigcat.runs.recording.times import LATEST, seconds
 from sigcat.runs.recording.trace_file import TIME, Known, Moment, Trace, missing_inputs
 

@@ -9,8 +9,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from types import MappingProxyType
 from typing import NamedTuple
 
+from sigcat.adapter.host.shapes import Number, Shape
 from sigcat.runs.recording.samples import Sample
-from sigcat.runs.recording.shapes import Number, Shape
 from sigcat.runs.recording.times import NANOSECONDS
 
 LEFT, WIDTH, RIGHT = 110, 820, 20

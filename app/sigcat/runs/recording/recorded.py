@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from sigcat.runs.recording.shapes import Value
+from sigcat.adapter.host.shapes import Value
 
 
 class Recorded(NamedTuple):

@@ -15,12 +15,12 @@ from typing import Any, NamedTuple
 import yaml
 
 from sigcat import codes
+from sigcat.adapter.host.shapes import Array, Record, Shape
 from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding, shown
 from sigcat.function.function_json.conversion import IDENTITY, Linear
 from sigcat.names import snake_case
 from sigcat.runs.recording.cells import Unfit, cell_of, fitted
-from sigcat.runs.recording.shapes import Array, Record, Shape
 from sigcat.runs.recording.times import seconds
 from sigcat.runs.recording.trace_file import TIME, Known
 

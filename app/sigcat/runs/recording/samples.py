@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from sigcat.runs.recording.shapes import Value
+from sigcat.adapter.host.shapes import Value
 
 
 class Sample(NamedTuple):

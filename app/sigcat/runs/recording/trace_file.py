@@ -10,13 +10,13 @@ from tempfile import TemporaryDirectory
 from typing import BinaryIO, NamedTuple
 
 from sigcat import codes
+from sigcat.adapter.host.shapes import Shape, Value
 from sigcat.errors import InputRefused
 from sigcat.file_kind import RUN_COLUMNS
 from sigcat.findings import Finding, RuleCode, has_errors, shown
 from sigcat.limits import TRACE_FINDINGS, TRACE_ROW_BYTES
 from sigcat.names import did_you_mean
 from sigcat.runs.recording.cells import Unfit, value_of
-from sigcat.runs.recording.shapes import Shape, Value
 from sigcat.runs.recording.times import nanoseconds
 
 TIME, CALL = RUN_COLUMNS

@@ -4,13 +4,13 @@ import ctypes
 from collections.abc import Mapping, Sequence
 from typing import BinaryIO
 
+from sigcat.adapter.host.shapes import Shape
 from sigcat.findings import Finding
 from sigcat.limits import TRACE_ROW_BYTES
 from sigcat.runs.converting.layout import SKIPPED, column_tables
 from sigcat.runs.converting.library import IGNORED, UNKNOWN, Reader, channel_table
 from sigcat.runs.driver.tables import Target
 from sigcat.runs.recording.mcap_trace import CHANNEL, McapFile, Message, Piece, Topics
-from sigcat.runs.recording.shapes import Shape
 from sigcat.runs.recording.trace_file import Lines, Moment, Trace
 from sigcat.runs.running.written_input import Span, moment_bytes
 

@@ -4,7 +4,7 @@ import struct
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple, Protocol
 
-from sigcat.runs.recording.shapes import Packing, Value
+from sigcat.adapter.host.shapes import Packing, Value
 
 _HEAD = struct.Struct("=cIQ")
 _SEQUENCE = struct.Struct("=Q")

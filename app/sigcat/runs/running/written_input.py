@@ -4,11 +4,11 @@ import struct
 from collections.abc import Iterable, Mapping, Sequence
 from typing import BinaryIO, NamedTuple
 
-from sigcat.runs.connections import Connections
-from sigcat.runs.driver.numbering import Numbers
+from sigcat.adapter.host.connections import Connections
+from sigcat.adapter.host.kept import Kept
+from sigcat.adapter.host.numbering import Numbers
+from sigcat.adapter.host.shapes import Value
 from sigcat.runs.driver.tables import Target
-from sigcat.runs.kept import Kept
-from sigcat.runs.recording.shapes import Value
 from sigcat.runs.recording.trace_file import Moment
 
 _ENTRY = struct.Struct("=I")

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
+from sigcat.adapter.host.shapes import Number
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from sigcat.function.function_json.resolved_function import ResolvedFunction
@@ -12,7 +13,6 @@ from sigcat.runs.columns import Column, columns_of
 from sigcat.runs.recording.picture import Picture, picture
 from sigcat.runs.recording.samples import Sample
 from sigcat.runs.recording.series import Series
-from sigcat.runs.recording.shapes import Number
 from sigcat.runs.stored_run import CallTimes, StoredRun, read_run
 from sigcat.web.pictures.run_lanes import Lanes, run_lanes
 from sigcat.web.run_words import seconds_text, word_of

@@ -17,6 +17,7 @@ from scripts import run_autosar
 from sigcat import codes
 from sigcat.adapter.autosar_adaptive.application.derive import derive
 from sigcat.adapter.autosar_adaptive.application.plan import ComponentPlan
+from sigcat.adapter.host.connections import Connections
 from sigcat.adapter.source_cores import source_cores
 from sigcat.adapter.source_functions import source_functions
 from sigcat.comparison.running import marks
@@ -24,7 +25,6 @@ from sigcat.function.function_file import build_function
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import ServiceInterface, to_json
 from sigcat.limits import DEFAULT_LIMITS
-from sigcat.runs.connections import Connections
 from sigcat.runs.prepare import prepare
 from tests.adapter.autosar_adaptive.application.generated import (
     FULL,

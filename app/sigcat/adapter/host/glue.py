@@ -1,15 +1,19 @@
-"""A function, bound to the driver: a file in its own language that calls its adapter by name."""
+"""A function, bound to its host: a file in its own language that calls its adapter by name."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
 from typing import NamedTuple
 
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.core.plan import GLOBALS, CorePlan, WireStruct, WireType
+from sigcat.adapter.core.plan import GLOBALS, CorePlan, Parameter, WireStruct, WireType
 from sigcat.adapter.files import GeneratedFile
+from sigcat.adapter.host.connections import Connections, Entry, Exit, Server, answer_struct, request_struct
+from sigcat.adapter.host.kept import Kept
+from sigcat.adapter.host.numbering import Numbers, bytes_of_largest
 from sigcat.adapter.templates import rendered
-from sigcat.runs.connections import Connections, Entry, Exit, Server, answer_struct, request_struct
-from sigcat.runs.driver.numbering import Numbers, bytes_of_largest
-from sigcat.runs.kept import Kept
+
+HOST_HEADER = Path(__file__).with_name("sigcat_host.h")
+"""Header of every host, and of the files that bind functions to one."""
 
 
 class _Struct(NamedTuple):
@@ -68,6 +72,9 @@ class _Glue(NamedTuple):
     instance: str
     is_global: bool
     """Whether the adapter has the instance."""
+    is_cpp: bool
+    is_copied: bool
+    """Whether its bytes are its whole state: not with global variables, and not with objects of C++."""
     ok: str
     largest: int
     """Bytes of the largest value that is sent or kept, or handed over with a request."""
@@ -78,6 +85,8 @@ class _Glue(NamedTuple):
     calls: Sequence[_Call]
     answers: Sequence[_Answer]
     served: Sequence[_Served]
+    parameters: Sequence[Parameter]
+    """Those that are set from outside."""
     first_call: int
     init: str
     terminate: str
@@ -96,8 +105,10 @@ def glue_file(connections: Connections, numbers: Numbers, index: int) -> Generat
         header=plan.header_file,
         p=plan.type_name,
         d=f"{plan.function}_Driver",
-        instance=f"{plan.type_name if is_global else f'{plan.function}_Driver'}_Instance",
+        instance=f"{plan.type_name}_Instance" if is_global else "state->adapter",
         is_global=is_global,
+        is_cpp=plan.code.is_cpp,
+        is_copied=not is_global and not plan.code.is_cpp,
         ok=scope.constant("OK"),
         largest=bytes_of_largest(connections, numbers),
         structs=list(_structs(plan)),
@@ -111,11 +122,12 @@ def glue_file(connections: Connections, numbers: Numbers, index: int) -> Generat
             for number, each in enumerate(plan.methods)
             if each.is_offered
         ],
+        parameters=plan.settable,
         first_call=numbers.first_call(index),
         init=f"{end}U" if plan.inits else "SIGCAT_NONE",
         terminate=f"{end + 1}U" if plan.terminates else "SIGCAT_NONE",
     )
-    text = rendered("runs/driver/glue.c.j2", glue)
+    text = rendered("adapter/host/glue.c.j2", glue)
     return GeneratedFile(f"{member.name}_driver.{plan.code.ending}", text.encode())
 
 

@@ -10,13 +10,13 @@ from sigcat.adapter.core.numbers import type_of_c
 from sigcat.adapter.core.plan import Argument, CorePlan, Method, ModeIn, ModeOut, WireField, WireStruct, WireType
 from sigcat.adapter.core.planning import Context, context_of
 from sigcat.adapter.core.values import struct_name
+from sigcat.adapter.host.shapes import Array, Number, Record, Shape
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.datatype import innermost
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.walk import parts
-from sigcat.runs.recording.shapes import Array, Number, Record, Shape
 
 Symbols = tuple[tuple[str, int], ...]
 """Names and numbers of an enumeration."""

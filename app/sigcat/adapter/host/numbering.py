@@ -3,9 +3,9 @@
 from typing import NamedTuple
 
 from sigcat.adapter.core.plan import Call
-from sigcat.runs.connections import Connections, Member, handed_over
-from sigcat.runs.kept import Kept, kept_of
-from sigcat.runs.recording.shapes import packing
+from sigcat.adapter.host.connections import Connections, Member, handed_over
+from sigcat.adapter.host.kept import Kept, kept_of
+from sigcat.adapter.host.shapes import packing
 
 
 class Numbers(NamedTuple):

@@ -4,8 +4,8 @@ from collections.abc import Iterator, Sequence
 from typing import Literal, NamedTuple
 
 from sigcat.adapter.core.stored_keys import stored_keys
-from sigcat.runs.connections import Member, names_of, shape_of, structs_of
-from sigcat.runs.recording.shapes import Number, Record, Shape
+from sigcat.adapter.host.connections import Member, names_of, shape_of, structs_of
+from sigcat.adapter.host.shapes import Number, Record, Shape
 
 COUNTS = Record((
     ("occurrences", Number("uint16")), ("ignitionCycles", Number("uint16")),
