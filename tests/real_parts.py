@@ -311,6 +311,11 @@ KINDS = (
         ("tests/adapter/autosar_classic/test_components.py::test_cppcheck_finds_documented_deviations[methods]",),
     ),
     Kind(
+        "FMUs in an importer of others",
+        ("tests/adapter/fmi/test_fmus.py", "tests/adapter/fmi/test_hostile.py", "tests/adapter/fmi/test_state.py"),
+        ("tests/adapter/fmi/test_fmus.py::test_each_function_has_an_fmu_and_the_system_connects_them",),
+    ),
+    Kind(
         "functions compiled and run",
         (
             "tests/adapter/core/test_equivalence.py",

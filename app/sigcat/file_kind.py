@@ -71,6 +71,12 @@ INTEGRATION_JSON = (
     ),
     DocumentKind(
         "integration json",
+        frozenset(("FmiInformation",)),
+        "Integration JSON for FMI",
+        "Run `sigcat generate fmi` on it.",
+    ),
+    DocumentKind(
+        "integration json",
         FUNCTION_JSON.keys | {"CommunicationList"},
         "Integration JSON for ROS 2",
         "For ARXML, run `sigcat integrate autosar-adaptive` on the functions.",

@@ -10,6 +10,7 @@ from sigcat.errors import InputRefused
 from sigcat.function.sets.check_set import read_set
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_classic.document import read_integration as read_classic
+from sigcat.integration.fmi.document import read_integration as read_fmi
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
 from sigcat.platforms.platform import Options
@@ -21,7 +22,7 @@ from tests.function.shipped import interfaces
 
 RULES = compiled_rules(INTERFACE_RULES)
 OWN = [rule for rule in RULES if rule.check in ("integration", "configuration")]
-PLATFORM_OF = {"A": "autosar-adaptive", "K": "autosar-classic", "N": "ros2"}
+PLATFORM_OF = {"A": "autosar-adaptive", "K": "autosar-classic", "N": "ros2", "J": "fmi"}
 """Platforms by the first letter of their rules."""
 GOOD = [pytest.param(rule, e, id=f"{rule.id}-{i}") for rule in OWN for i, e in enumerate(rule.good, 1)]
 BAD = [pytest.param(rule, e, id=f"{rule.id}-{i}") for rule in OWN for i, e in enumerate(rule.bad, 1)]
@@ -64,7 +65,7 @@ def findings_of_packages(document):
 
 
 def findings_of_document(data, rule):
-    read = {"K": read_classic}.get(rule.id[0], read_integration)
+    read = {"K": read_classic, "J": read_fmi}.get(rule.id[0], read_integration)
     try:
         read(data, "integration.json")
     except InputRefused as refused:

@@ -98,6 +98,16 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         help="what the functions may print, and write to one file (default: %(default)s)",
     )  # fmt: skip
     parser.add_argument(
+        "--fmu", type=Path, metavar="FILE",
+        help="run this FMU (FMI 2.0 or 3.0, co-simulation) instead of functions; columns of the trace are its inputs",
+    )  # fmt: skip
+    parser.add_argument(
+        "--step",
+        type=positive(float),
+        metavar="MS",
+        help="communication step of --fmu (default: the one that it proposes)",
+    )
+    parser.add_argument(
         "--sandbox", action="store_true", help="run the functions in bubblewrap: without the network and without files"
     )
     add_output(parser, "--report", metavar="FILE", help="write what is found here, too")
@@ -133,6 +143,8 @@ def _simulate(arguments: argparse.Namespace, found: "list[Finding]") -> int:
     from sigcat.runs.stored_file import EMPTY, stored_text
     from sigcat.runs.written import check_plotted, echoes, form_of, signals_of
 
+    if arguments.fmu is not None:
+        return _play_fmu(arguments)
     listed = _forms(arguments)
     tools = toolchain()
     _check(arguments, tools)
@@ -303,3 +315,24 @@ def _settings(arguments: argparse.Namespace, stored: "Stored") -> "Settings":
         memory_limit=arguments.memory_limit * MIB, output_limit=arguments.output_limit * MIB,
         is_sandboxed=arguments.sandbox, coverage=arguments.coverage,
     )  # fmt: skip
+
+
+def _play_fmu(arguments: argparse.Namespace) -> int:
+    """Play the trace to an FMU, and write its outputs as CSV."""
+    from sigcat.players.fmu import columns_of, played, read_fmu
+    from sigcat.runs.recording.csv_file import csv_header, csv_lines
+
+    if arguments.trace is None:
+        raise UsageError("--fmu needs a trace: --trace TRACE.")
+    fmu = read_fmu(existing_file(arguments.fmu))
+    step = fmu.step if arguments.step is None else round(arguments.step * 1e6)
+    duration = None if arguments.duration is None else round(arguments.duration * 1e9)
+    columns = columns_of(fmu)
+    (output, *more) = arguments.output or [None]
+    if more or (output is not None and output.suffix.lower() != ".csv"):
+        raise UsageError("--fmu writes one CSV file: -o OUT.csv.")
+    with opened(output) as file:
+        file.write(csv_header(columns).encode())
+        for line in csv_lines(played(fmu, existing_file(arguments.trace), step, duration), columns):
+            file.write(line.encode())
+    return 0

@@ -168,6 +168,9 @@ _ROS_STEP = rf"{_ROS_WORD}(?:\[[0-9]{{1,9}}\])?"
 ROS_FIELD = _matching("a field of a message such as speed or linear.x", rf"{_ROS_STEP}(?:\.{_ROS_STEP})*", "", 2_000)
 RosField = Annotated[str, ROS_FIELD]
 """A field of a message, or of a message in it."""
+_FMI_STEP = r"(?:[A-Za-z_][A-Za-z0-9_]*|'[A-Za-z0-9_ .:,/-]+')(?:\[[0-9]{1,9}\])?"
+FMI_VARIABLE = _matching("a structured name of FMI such as Vehicle.Speed", rf"{_FMI_STEP}(?:\.{_FMI_STEP})*", "", 2_000)
+FmiVariableName = Annotated[str, FMI_VARIABLE]
 ROS_TOPIC = _matching("a ROS 2 topic such as vehicle/speed", rf"/?{_ROS_WORD}(?:/{_ROS_WORD})*")
 RosTopicName = Annotated[str, ROS_TOPIC]
 ROS_NAMESPACE = _matching("a ROS 2 namespace such as /ego", rf"/?|(?:/{_ROS_WORD})+")

@@ -1,0 +1,1118 @@
+/*
+ * The functions of FMI 3.0 for co-simulation, over the cores of functions.
+ *
+ * A step from t to t + h hands over the inputs that were set, as received at t, and runs every call that is due at t or
+ * later, and before t + h, at its own time. A call that is due at t + h runs in the next step, after the inputs of that time.
+ */
+
+#include "sigcat_fmi3.h"
+#include "sigcat_fmu.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define ROUNDS 100000U /* of calls at one time; after so many, they trigger each other without end */
+#define NANOSECONDS 1e9
+#define LONGEST 9e6 /* s: a double holds every nanosecond of it */
+
+static const size_t sizes[] = {4U, 8U, 1U, 1U, 2U, 2U, 4U, 4U, 8U, 8U, 1U}; /* by sigcat_type */
+
+typedef enum { INSTANTIATED, INITIALIZATION, STEP, TERMINATED } phase;
+
+/* What is saved with the state of an instance, besides values and cores. */
+typedef struct {
+    uint64_t now; /* since the start, in ns */
+    double start; /* in s */
+    phase phase;
+} progress;
+
+typedef struct {
+    fmi3InstanceEnvironment environment;
+    fmi3LogMessageCallback log;
+    bool is_logging;
+    sigcat_host host;
+    progress at;
+    unsigned char *values;
+    bool *is_set; /* of each input: whether it was set since the last step */
+    bool *has_parameters; /* of each function: whether one was set since the last step */
+    void **states;
+} component;
+
+static bool is_instantiated; /* where a process has one instance */
+
+/* -- messages ---------------------------------------------------------------------------------------------------- */
+
+static fmi3Status told(const component *self, fmi3Status status, const char *message)
+{
+    if ((self != NULL) && (self->log != NULL) && (self->is_logging || (status >= fmi3Error))) {
+        self->log(self->environment, status, (status >= fmi3Error) ? "logStatusError" : "logStatusWarning", message);
+    }
+    return status;
+}
+
+static fmi3Status not_offered(fmi3Instance instance)
+{
+    return told((const component *)instance, fmi3Error, "This FMU does not offer the function that was called.");
+}
+
+/* NULL, with a message, in another phase. */
+static component *in_phase(fmi3Instance instance, phase wanted, const char *message)
+{
+    component *const self = (component *)instance;
+    if ((self != NULL) && (self->at.phase == wanted)) {
+        return self;
+    }
+    (void)told(self, fmi3Error, message);
+    return NULL;
+}
+
+/* -- what functions exchange ------------------------------------------------------------------------------------- */
+
+static void sends(void *given, uint32_t number, const unsigned char *bytes)
+{
+    component *const self = (component *)given;
+    const sigcat_output *const sent = &sigcat_model.outputs[number];
+    (void)memcpy(&self->values[sent->offset], bytes, sent->size);
+    for (uint32_t i = 0; i < sent->count; i++) {
+        const sigcat_input *const input = &sigcat_model.inputs[sent->inputs[i]];
+        sigcat_model.functions[input->function]->receive(self->states[input->function], input->receiver, bytes, self->at.now);
+    }
+}
+
+static void stores(void *self, uint32_t number, const unsigned char *bytes, size_t size)
+{
+    (void)self;
+    (void)number;
+    (void)bytes;
+    (void)size;
+}
+
+static bool is_there(void *self, uint32_t function)
+{
+    (void)self;
+    (void)function;
+    return true;
+}
+
+static bool serves(void *given, uint32_t function, uint32_t method, const unsigned char *arguments, unsigned char *results)
+{
+    component *const self = (component *)given;
+    return sigcat_model.functions[function]->serve(self->states[function], method, arguments, results);
+}
+
+static void receive_inputs(component *self)
+{
+    for (uint32_t i = 0; i < sigcat_model.input_count; i++) {
+        const sigcat_input *const input = &sigcat_model.inputs[i];
+        if (self->is_set[input->variable]) {
+            sigcat_model.functions[input->function]->receive(
+                self->states[input->function], input->receiver, &self->values[input->offset], self->at.now);
+        }
+    }
+    (void)memset(self->is_set, 0, sigcat_model.input_count * sizeof(bool));
+}
+
+static bool take_parameters(component *self)
+{
+    bool is_taken = true;
+    for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
+        if (self->has_parameters[i]) {
+            unsigned char *const bytes = &self->values[sigcat_model.parameters[i]];
+            self->has_parameters[i] = false;
+            if (!sigcat_model.functions[i]->set_parameters(self->states[i], bytes)) {
+                sigcat_model.functions[i]->get_parameters(self->states[i], bytes);
+                is_taken = false;
+            }
+        }
+    }
+    return is_taken;
+}
+
+/* -- calls ------------------------------------------------------------------------------------------------------- */
+
+/* Functions take turns, in the order of the set, as in a simulation. */
+static bool run_calls_once(component *self)
+{
+    bool any = false;
+    for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
+        const sigcat_function *const function = sigcat_model.functions[i];
+        void *const state = self->states[i];
+        const uint64_t now = self->at.now;
+        const uint32_t call = function->next_call(state, now);
+        if (call != SIGCAT_NONE) {
+            function->set_input(state, call, now);
+            function->begin(state, call, now);
+            function->send(state, &self->host);
+            function->run(state, call);
+            function->get_output(state, call, now);
+            function->send(state, &self->host);
+            any = true;
+        }
+    }
+    return any;
+}
+
+static bool run_calls(component *self)
+{
+    uint32_t rounds = 0;
+    while ((rounds < ROUNDS) && run_calls_once(self)) {
+        rounds++;
+    }
+    for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
+        sigcat_model.functions[i]->supervise(self->states[i], self->at.now);
+        sigcat_model.functions[i]->send(self->states[i], &self->host);
+    }
+    return rounds < ROUNDS;
+}
+
+static uint64_t next_time(const component *self, uint64_t end)
+{
+    uint64_t found = end;
+    for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
+        const uint64_t time = sigcat_model.functions[i]->next_time(self->states[i]);
+        if ((time > self->at.now) && (time < found)) {
+            found = time;
+        }
+    }
+    return found;
+}
+
+static bool run_until(component *self, uint64_t end)
+{
+    bool is_done = true;
+    while (is_done && (self->at.now < end)) {
+        is_done = run_calls(self);
+        self->at.now = next_time(self, end);
+    }
+    return is_done;
+}
+
+/* -- life -------------------------------------------------------------------------------------------------------- */
+
+static void destroy_states(component *self)
+{
+    for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
+        if (self->states[i] != NULL) {
+            sigcat_model.functions[i]->destroy(self->states[i]);
+            self->states[i] = NULL;
+        }
+    }
+}
+
+static bool create_states(component *self)
+{
+    bool is_whole = true;
+    for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
+        self->states[i] = sigcat_model.functions[i]->create();
+        is_whole = is_whole && (self->states[i] != NULL);
+    }
+    return is_whole;
+}
+
+static void begin_again(component *self)
+{
+    const progress beginning = {0U, 0.0, INSTANTIATED};
+    self->at = beginning;
+    (void)memcpy(self->values, sigcat_model.values, sigcat_model.value_count);
+    (void)memset(self->is_set, 0, sigcat_model.input_count * sizeof(bool));
+    (void)memset(self->has_parameters, 0, sigcat_model.function_count * sizeof(bool));
+}
+
+static void free_component(component *self)
+{
+    if (self->states != NULL) {
+        destroy_states(self);
+    }
+    free(self->values);
+    free(self->is_set);
+    free(self->has_parameters);
+    free(self->states);
+    free(self);
+}
+
+static component *new_component(void)
+{
+    component *self = (component *)calloc(1U, sizeof(component));
+    if (self != NULL) {
+        const sigcat_host host = {self, sends, stores, is_there, serves};
+        self->host = host;
+        self->values = (unsigned char *)malloc((size_t)sigcat_model.value_count + 1U);
+        self->is_set = (bool *)calloc((size_t)sigcat_model.input_count + 1U, sizeof(bool));
+        self->has_parameters = (bool *)calloc((size_t)sigcat_model.function_count + 1U, sizeof(bool));
+        self->states = (void **)calloc((size_t)sigcat_model.function_count + 1U, sizeof(void *));
+        if ((self->values == NULL) || (self->is_set == NULL) || (self->has_parameters == NULL) || (self->states == NULL)
+            || !create_states(self)) {
+            free_component(self);
+            self = NULL;
+        }
+    }
+    return self;
+}
+
+SIGCAT_EXPORT const char *FMI3(GetVersion)(void)
+{
+    return "3.0";
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(SetDebugLogging)(fmi3Instance instance, fmi3Boolean loggingOn, size_t nCategories, const fmi3String categories[])
+{
+    component *const self = (component *)instance;
+    (void)nCategories;
+    (void)categories;
+    if (self == NULL) {
+        return fmi3Error;
+    }
+    self->is_logging = loggingOn;
+    return fmi3OK;
+}
+
+static fmi3Instance refused(fmi3LogMessageCallback log, fmi3InstanceEnvironment environment, const char *message)
+{
+    if (log != NULL) {
+        log(environment, fmi3Error, "logStatusError", message);
+    }
+    return NULL;
+}
+
+SIGCAT_EXPORT fmi3Instance FMI3(InstantiateCoSimulation)(
+    fmi3String instanceName, fmi3String instantiationToken, fmi3String resourcePath, fmi3Boolean visible, fmi3Boolean loggingOn,
+    fmi3Boolean eventModeUsed, fmi3Boolean earlyReturnAllowed, const fmi3ValueReference requiredIntermediateVariables[],
+    size_t nRequiredIntermediateVariables, fmi3InstanceEnvironment instanceEnvironment, fmi3LogMessageCallback logMessage,
+    fmi3IntermediateUpdateCallback intermediateUpdate)
+{
+    component *self;
+    (void)resourcePath;
+    (void)visible;
+    (void)earlyReturnAllowed;
+    (void)requiredIntermediateVariables;
+    (void)nRequiredIntermediateVariables;
+    (void)intermediateUpdate;
+    if ((instanceName == NULL) || (instanceName[0] == '\0')) {
+        return refused(logMessage, instanceEnvironment, "The instance must have a name.");
+    }
+    if ((instantiationToken == NULL) || (strcmp(instantiationToken, sigcat_model.token) != 0)) {
+        return refused(logMessage, instanceEnvironment, "The instantiation token must be that of modelDescription.xml.");
+    }
+    if (eventModeUsed) {
+        return refused(logMessage, instanceEnvironment, "This FMU has no event mode.");
+    }
+    if (sigcat_model.is_single && is_instantiated) {
+        return refused(logMessage, instanceEnvironment, "The code has global variables: a process can have one instance.");
+    }
+    self = new_component();
+    if (self == NULL) {
+        return refused(logMessage, instanceEnvironment, "No memory is left.");
+    }
+    self->environment = instanceEnvironment;
+    self->log = logMessage;
+    self->is_logging = loggingOn;
+    begin_again(self);
+    is_instantiated = true;
+    return self;
+}
+
+SIGCAT_EXPORT void FMI3(FreeInstance)(fmi3Instance instance)
+{
+    if (instance != NULL) {
+        free_component((component *)instance);
+        is_instantiated = false;
+    }
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(EnterInitializationMode)(
+    fmi3Instance instance, fmi3Boolean toleranceDefined, fmi3Float64 tolerance, fmi3Float64 startTime, fmi3Boolean stopTimeDefined,
+    fmi3Float64 stopTime)
+{
+    component *const self = in_phase(instance, INSTANTIATED, "fmi3EnterInitializationMode is called once, first.");
+    (void)toleranceDefined;
+    (void)tolerance;
+    if (self == NULL) {
+        return fmi3Error;
+    }
+    if (!((startTime >= -LONGEST) && (startTime <= LONGEST)) || (stopTimeDefined && !(stopTime >= startTime))) {
+        return told(self, fmi3Error, "The start time must be a number, within 9e6 s, and not after the stop time.");
+    }
+    self->at.start = startTime;
+    self->at.phase = INITIALIZATION;
+    return fmi3OK;
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(ExitInitializationMode)(fmi3Instance instance)
+{
+    component *const self = in_phase(instance, INITIALIZATION, "fmi3ExitInitializationMode ends the initialization mode.");
+    bool is_ready = true;
+    if (self == NULL) {
+        return fmi3Error;
+    }
+    for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
+        is_ready = sigcat_model.functions[i]->start_up(self->states[i], 0U) && is_ready;
+    }
+    if (!take_parameters(self)) {
+        return told(self, fmi3Error, "A parameter is out of its range.");
+    }
+    for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
+        sigcat_model.functions[i]->start(self->states[i], self->at.now);
+        sigcat_model.functions[i]->send(self->states[i], &self->host);
+    }
+    self->at.phase = STEP;
+    return is_ready ? fmi3OK : told(self, fmi3Warning, "Init of a function has failed: its safety reactions are active.");
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(Terminate)(fmi3Instance instance)
+{
+    component *const self = in_phase(instance, STEP, "fmi3Terminate ends the step mode.");
+    if (self == NULL) {
+        return fmi3Error;
+    }
+    for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
+        sigcat_model.functions[i]->terminate_at(self->states[i], self->at.now);
+        sigcat_model.functions[i]->send(self->states[i], &self->host);
+    }
+    self->at.phase = TERMINATED;
+    return fmi3OK;
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(Reset)(fmi3Instance instance)
+{
+    component *const self = (component *)instance;
+    if (self == NULL) {
+        return fmi3Error;
+    }
+    if (sigcat_model.is_single) {
+        return told(self, fmi3Error, "The code has global variables, which cannot be reset. Start another process.");
+    }
+    destroy_states(self);
+    if (!create_states(self)) {
+        return told(self, fmi3Fatal, "No memory is left.");
+    }
+    begin_again(self);
+    return fmi3OK;
+}
+
+/* In s since the start of the simulation to ns since then; false if it is not a time of this instance. */
+static bool to_nanoseconds(const component *self, double time, uint64_t *found)
+{
+    const double since = time - self->at.start;
+    const bool is_time = (since >= 0.0) && (since <= LONGEST);
+    *found = is_time ? (uint64_t)((since * NANOSECONDS) + 0.5) : 0U;
+    return is_time;
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(DoStep)(
+    fmi3Instance instance, fmi3Float64 currentCommunicationPoint, fmi3Float64 communicationStepSize,
+    fmi3Boolean noSetFMUStatePriorToCurrentPoint, fmi3Boolean *eventHandlingNeeded, fmi3Boolean *terminateSimulation,
+    fmi3Boolean *earlyReturn, fmi3Float64 *lastSuccessfulTime)
+{
+    component *const self = in_phase(instance, STEP, "fmi3DoStep is called in step mode.");
+    uint64_t begin;
+    uint64_t end;
+    (void)noSetFMUStatePriorToCurrentPoint;
+    if ((self == NULL) || (eventHandlingNeeded == NULL) || (terminateSimulation == NULL) || (earlyReturn == NULL)
+        || (lastSuccessfulTime == NULL)) {
+        return told(self, fmi3Error, "fmi3DoStep needs places for its results.");
+    }
+    *eventHandlingNeeded = false;
+    *terminateSimulation = false;
+    *earlyReturn = false;
+    *lastSuccessfulTime = self->at.start + ((double)self->at.now / NANOSECONDS);
+    if (!to_nanoseconds(self, currentCommunicationPoint, &begin) || (begin != self->at.now)) {
+        return told(self, fmi3Error, "A step must begin where the one before it has ended.");
+    }
+    if (!(communicationStepSize > 0.0) || !to_nanoseconds(self, currentCommunicationPoint + communicationStepSize, &end)) {
+        return told(self, fmi3Error, "A step must be longer than 0, and end within 9e6 s.");
+    }
+    if (!take_parameters(self)) {
+        return told(self, fmi3Error, "A parameter is out of its range; none of its function has changed.");
+    }
+    receive_inputs(self);
+    if (!run_until(self, end)) {
+        return told(self, fmi3Error, "Calls trigger each other without end.");
+    }
+    *lastSuccessfulTime = currentCommunicationPoint + communicationStepSize;
+    return fmi3OK;
+}
+
+/* -- values ------------------------------------------------------------------------------------------------------ */
+
+static int64_t number_at(const unsigned char *bytes, sigcat_type type)
+{
+    int64_t found = 0;
+    int8_t i8;
+    int16_t i16;
+    int32_t i32;
+    uint16_t u16;
+    uint32_t u32;
+    switch (type) {
+        case SIGCAT_INT8: (void)memcpy(&i8, bytes, sizeof(i8)); found = i8; break;
+        case SIGCAT_UINT8: found = bytes[0]; break;
+        case SIGCAT_INT16: (void)memcpy(&i16, bytes, sizeof(i16)); found = i16; break;
+        case SIGCAT_UINT16: (void)memcpy(&u16, bytes, sizeof(u16)); found = u16; break;
+        case SIGCAT_INT32: (void)memcpy(&i32, bytes, sizeof(i32)); found = i32; break;
+        case SIGCAT_UINT32: (void)memcpy(&u32, bytes, sizeof(u32)); found = u32; break;
+        default: (void)memcpy(&found, bytes, sizeof(found)); break;
+    }
+    return found;
+}
+
+/* False if the type does not hold the number. */
+static bool put_number(unsigned char *bytes, sigcat_type type, int64_t number)
+{
+    unsigned char made[sizeof(number)];
+    const int8_t i8 = (int8_t)number;
+    const uint8_t u8 = (uint8_t)number;
+    const int16_t i16 = (int16_t)number;
+    const uint16_t u16 = (uint16_t)number;
+    const int32_t i32 = (int32_t)number;
+    const uint32_t u32 = (uint32_t)number;
+    switch (type) {
+        case SIGCAT_INT8: (void)memcpy(made, &i8, sizeof(i8)); break;
+        case SIGCAT_UINT8: (void)memcpy(made, &u8, sizeof(u8)); break;
+        case SIGCAT_INT16: (void)memcpy(made, &i16, sizeof(i16)); break;
+        case SIGCAT_UINT16: (void)memcpy(made, &u16, sizeof(u16)); break;
+        case SIGCAT_INT32: (void)memcpy(made, &i32, sizeof(i32)); break;
+        case SIGCAT_UINT32: (void)memcpy(made, &u32, sizeof(u32)); break;
+        default: (void)memcpy(made, &number, sizeof(number)); break;
+    }
+    if (number_at(made, type) != number) {
+        return false;
+    }
+    (void)memcpy(bytes, made, sizes[type]);
+    return true;
+}
+
+/* NULL, with a message, if there is no such variable of the type, or no room for it among the values. */
+static const sigcat_variable *variable_of(const component *self, fmi3ValueReference reference, sigcat_type type, size_t room)
+{
+    const sigcat_variable *const found = (reference < sigcat_model.variable_count) ? &sigcat_model.variables[reference] : NULL;
+    if (found == NULL) {
+        (void)told(self, fmi3Error, "A value reference is not one of modelDescription.xml.");
+        return NULL;
+    }
+    if ((found->is_enumeration ? SIGCAT_INT64 : found->type) != type) {
+        (void)told(self, fmi3Error, "A variable has another type in modelDescription.xml.");
+        return NULL;
+    }
+    if (found->count > room) {
+        (void)told(self, fmi3Error, "There are fewer values than the variables have elements.");
+        return NULL;
+    }
+    return found;
+}
+
+static fmi3Status get_one(component *self, const sigcat_variable *variable, unsigned char *to)
+{
+    const unsigned char *const from = &self->values[variable->offset];
+    if (variable->causality == SIGCAT_TIME) {
+        const double time = self->at.start + ((double)self->at.now / NANOSECONDS);
+        (void)memcpy(to, &time, sizeof(time));
+    } else if (variable->is_enumeration) {
+        for (uint32_t i = 0; i < variable->count; i++) {
+            const int64_t number = number_at(&from[i * sizes[variable->type]], variable->type);
+            (void)memcpy(&to[i * sizeof(number)], &number, sizeof(number));
+        }
+    } else {
+        (void)memcpy(to, from, variable->count * sizes[variable->type]);
+    }
+    return fmi3OK;
+}
+
+static fmi3Status get(
+    fmi3Instance instance, const fmi3ValueReference references[], size_t count, void *values, size_t value_count, sigcat_type type)
+{
+    component *const self = (component *)instance;
+    unsigned char *const to = (unsigned char *)values;
+    size_t at = 0;
+    if ((self == NULL) || ((count > 0U) && ((references == NULL) || (values == NULL)))) {
+        return told(self, fmi3Error, "Value references and values must be there.");
+    }
+    for (size_t i = 0; i < count; i++) {
+        const sigcat_variable *const variable = variable_of(self, references[i], type, value_count - at);
+        if (variable == NULL) {
+            return fmi3Error;
+        }
+        (void)get_one(self, variable, &to[at * sizes[type]]);
+        at += variable->count;
+    }
+    return (at == value_count) ? fmi3OK : told(self, fmi3Error, "There are more values than the variables have elements.");
+}
+
+static fmi3Status set_one(component *self, const sigcat_variable *variable, const unsigned char *from)
+{
+    unsigned char *const to = &self->values[variable->offset];
+    if (variable->is_enumeration) {
+        for (uint32_t i = 0; i < variable->count; i++) {
+            int64_t number;
+            (void)memcpy(&number, &from[i * sizeof(number)], sizeof(number));
+            if (!put_number(&to[i * sizes[variable->type]], variable->type, number)) {
+                return told(self, fmi3Error, "A number is out of the range of the enumeration's datatype.");
+            }
+        }
+    } else {
+        (void)memcpy(to, from, variable->count * sizes[variable->type]);
+    }
+    if (variable->causality == SIGCAT_INPUT) {
+        self->is_set[variable->owner] = true;
+    } else {
+        self->has_parameters[variable->owner] = true;
+    }
+    return fmi3OK;
+}
+
+static fmi3Status set(
+    fmi3Instance instance, const fmi3ValueReference references[], size_t count, const void *values, size_t value_count,
+    sigcat_type type)
+{
+    component *const self = (component *)instance;
+    const unsigned char *const from = (const unsigned char *)values;
+    size_t at = 0;
+    fmi3Status status = fmi3OK;
+    if ((self == NULL) || ((count > 0U) && ((references == NULL) || (values == NULL)))) {
+        return told(self, fmi3Error, "Value references and values must be there.");
+    }
+    if (self->at.phase == TERMINATED) {
+        return told(self, fmi3Error, "Nothing is set after fmi3Terminate.");
+    }
+    for (size_t i = 0; (i < count) && (status == fmi3OK); i++) {
+        const sigcat_variable *const variable = variable_of(self, references[i], type, value_count - at);
+        if (variable == NULL) {
+            return fmi3Error;
+        }
+        if ((variable->causality != SIGCAT_INPUT) && (variable->causality != SIGCAT_PARAMETER)) {
+            return told(self, fmi3Error, "Only inputs and parameters are set.");
+        }
+        status = set_one(self, variable, &from[at * sizes[type]]);
+        at += variable->count;
+    }
+    if ((status == fmi3OK) && (at != value_count)) {
+        status = told(self, fmi3Error, "There are more values than the variables have elements.");
+    }
+    return status;
+}
+
+#define ACCESS(name, type, kind) \
+    SIGCAT_EXPORT fmi3Status FMI3(Get##name)( \
+        fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, type values[], size_t nValues) \
+    { \
+        return get(instance, valueReferences, nValueReferences, values, nValues, kind); \
+    } \
+    SIGCAT_EXPORT fmi3Status FMI3(Set##name)( \
+        fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const type values[], \
+        size_t nValues) \
+    { \
+        return set(instance, valueReferences, nValueReferences, values, nValues, kind); \
+    }
+
+ACCESS(Float32, fmi3Float32, SIGCAT_FLOAT32)
+ACCESS(Float64, fmi3Float64, SIGCAT_FLOAT64)
+ACCESS(Int8, fmi3Int8, SIGCAT_INT8)
+ACCESS(UInt8, fmi3UInt8, SIGCAT_UINT8)
+ACCESS(Int16, fmi3Int16, SIGCAT_INT16)
+ACCESS(UInt16, fmi3UInt16, SIGCAT_UINT16)
+ACCESS(Int32, fmi3Int32, SIGCAT_INT32)
+ACCESS(UInt32, fmi3UInt32, SIGCAT_UINT32)
+ACCESS(Int64, fmi3Int64, SIGCAT_INT64)
+ACCESS(UInt64, fmi3UInt64, SIGCAT_UINT64)
+ACCESS(Boolean, fmi3Boolean, SIGCAT_BOOLEAN)
+
+/* -- state ------------------------------------------------------------------------------------------------------- */
+
+static size_t saved_size(void)
+{
+    size_t found = sizeof(progress) + sigcat_model.value_count + sigcat_model.input_count + sigcat_model.function_count;
+    for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
+        found += sigcat_model.functions[i]->state_size;
+    }
+    return found;
+}
+
+static void save(const component *self, unsigned char *to)
+{
+    to = sigcat_put(to, &self->at, sizeof(self->at));
+    to = sigcat_put(to, self->values, sigcat_model.value_count);
+    to = sigcat_put(to, self->is_set, sigcat_model.input_count);
+    to = sigcat_put(to, self->has_parameters, sigcat_model.function_count);
+    for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
+        to = sigcat_put(to, self->states[i], sigcat_model.functions[i]->state_size);
+    }
+}
+
+static void restore(component *self, const unsigned char *from)
+{
+    from = sigcat_take(from, &self->at, sizeof(self->at));
+    from = sigcat_take(from, self->values, sigcat_model.value_count);
+    from = sigcat_take(from, self->is_set, sigcat_model.input_count);
+    from = sigcat_take(from, self->has_parameters, sigcat_model.function_count);
+    for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
+        from = sigcat_take(from, self->states[i], sigcat_model.functions[i]->state_size);
+    }
+}
+
+static component *saving(fmi3Instance instance, const void *place)
+{
+    component *const self = (component *)instance;
+    if ((self == NULL) || (place == NULL)) {
+        (void)told(self, fmi3Error, "A state and its place must be there.");
+        return NULL;
+    }
+    if (!sigcat_model.is_copied) {
+        (void)told(self, fmi3Error, "The state of this FMU cannot be saved: its code keeps data outside of it.");
+        return NULL;
+    }
+    return self;
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(GetFMUState)(fmi3Instance instance, fmi3FMUState *FMUState)
+{
+    const component *const self = saving(instance, FMUState);
+    if (self == NULL) {
+        return fmi3Error;
+    }
+    if (*FMUState == NULL) {
+        *FMUState = malloc(saved_size());
+    }
+    if (*FMUState == NULL) {
+        return told(self, fmi3Error, "No memory is left.");
+    }
+    save(self, (unsigned char *)*FMUState);
+    return fmi3OK;
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(SetFMUState)(fmi3Instance instance, fmi3FMUState FMUState)
+{
+    component *const self = saving(instance, FMUState);
+    if (self == NULL) {
+        return fmi3Error;
+    }
+    restore(self, (const unsigned char *)FMUState);
+    return fmi3OK;
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(FreeFMUState)(fmi3Instance instance, fmi3FMUState *FMUState)
+{
+    if (instance == NULL) {
+        return fmi3Error;
+    }
+    if (FMUState != NULL) {
+        free(*FMUState);
+        *FMUState = NULL;
+    }
+    return fmi3OK;
+}
+
+/* A state in bytes begins with a sum over the token and the rest: those of another FMU, or damaged ones, are refused. */
+static uint64_t sum_of(const unsigned char *bytes, size_t size)
+{
+    uint64_t sum = UINT64_C(14695981039346656037);
+    for (const char *each = sigcat_model.token; *each != '\0'; each++) {
+        sum = (sum ^ (unsigned char)*each) * UINT64_C(1099511628211);
+    }
+    for (size_t i = 0; i < size; i++) {
+        sum = (sum ^ bytes[i]) * UINT64_C(1099511628211);
+    }
+    return sum;
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(SerializedFMUStateSize)(fmi3Instance instance, fmi3FMUState FMUState, size_t *size)
+{
+    const component *const self = saving(instance, FMUState);
+    if ((self == NULL) || (size == NULL)) {
+        return fmi3Error;
+    }
+    *size = saved_size() + sizeof(uint64_t);
+    return fmi3OK;
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(SerializeFMUState)(fmi3Instance instance, fmi3FMUState FMUState, fmi3Byte serializedState[], size_t size)
+{
+    const component *const self = saving(instance, FMUState);
+    uint64_t sum;
+    if ((self == NULL) || (serializedState == NULL) || (size != (saved_size() + sizeof(sum)))) {
+        return told(self, fmi3Error, "A state needs as many bytes as fmi3SerializedFMUStateSize says.");
+    }
+    sum = sum_of((const unsigned char *)FMUState, saved_size());
+    (void)memcpy(serializedState, &sum, sizeof(sum));
+    (void)memcpy(&serializedState[sizeof(sum)], FMUState, saved_size());
+    return fmi3OK;
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(DeserializeFMUState)(
+    fmi3Instance instance, const fmi3Byte serializedState[], size_t size, fmi3FMUState *FMUState)
+{
+    const component *const self = saving(instance, FMUState);
+    uint64_t sum;
+    if ((self == NULL) || (serializedState == NULL) || (size != (saved_size() + sizeof(sum)))) {
+        return told(self, fmi3Error, "A state has as many bytes as fmi3SerializedFMUStateSize says.");
+    }
+    (void)memcpy(&sum, serializedState, sizeof(sum));
+    if (sum != sum_of(&serializedState[sizeof(sum)], saved_size())) {
+        return told(self, fmi3Error, "The bytes are damaged, or are a state of another FMU.");
+    }
+    if (*FMUState == NULL) {
+        *FMUState = malloc(saved_size());
+    }
+    if (*FMUState == NULL) {
+        return told(self, fmi3Error, "No memory is left.");
+    }
+    (void)memcpy(*FMUState, &serializedState[sizeof(sum)], saved_size());
+    return fmi3OK;
+}
+
+/* -- what this FMU does not offer, as its modelDescription.xml says ----------------------------------------------- */
+
+SIGCAT_EXPORT fmi3Instance FMI3(InstantiateModelExchange)(
+    fmi3String instanceName, fmi3String instantiationToken, fmi3String resourcePath, fmi3Boolean visible, fmi3Boolean loggingOn,
+    fmi3InstanceEnvironment instanceEnvironment, fmi3LogMessageCallback logMessage)
+{
+    (void)instanceName;
+    (void)instantiationToken;
+    (void)resourcePath;
+    (void)visible;
+    (void)loggingOn;
+    return refused(logMessage, instanceEnvironment, "This FMU is for co-simulation.");
+}
+
+SIGCAT_EXPORT fmi3Instance FMI3(InstantiateScheduledExecution)(
+    fmi3String instanceName, fmi3String instantiationToken, fmi3String resourcePath, fmi3Boolean visible, fmi3Boolean loggingOn,
+    fmi3InstanceEnvironment instanceEnvironment, fmi3LogMessageCallback logMessage, fmi3ClockUpdateCallback clockUpdate,
+    fmi3LockPreemptionCallback lockPreemption, fmi3UnlockPreemptionCallback unlockPreemption)
+{
+    (void)instanceName;
+    (void)instantiationToken;
+    (void)resourcePath;
+    (void)visible;
+    (void)loggingOn;
+    (void)clockUpdate;
+    (void)lockPreemption;
+    (void)unlockPreemption;
+    return refused(logMessage, instanceEnvironment, "This FMU is for co-simulation.");
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(EnterEventMode)(fmi3Instance instance)
+{
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(GetString)(
+    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, fmi3String values[], size_t
+    nValues)
+{
+    (void)valueReferences;
+    (void)nValueReferences;
+    (void)values;
+    (void)nValues;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(GetBinary)(
+    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, size_t valueSizes[],
+    fmi3Binary values[], size_t nValues)
+{
+    (void)valueReferences;
+    (void)nValueReferences;
+    (void)valueSizes;
+    (void)values;
+    (void)nValues;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(GetClock)(
+    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, fmi3Clock values[])
+{
+    (void)valueReferences;
+    (void)nValueReferences;
+    (void)values;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(SetString)(
+    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const fmi3String values[],
+    size_t nValues)
+{
+    (void)valueReferences;
+    (void)nValueReferences;
+    (void)values;
+    (void)nValues;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(SetBinary)(
+    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const size_t valueSizes[],
+    const fmi3Binary values[], size_t nValues)
+{
+    (void)valueReferences;
+    (void)nValueReferences;
+    (void)valueSizes;
+    (void)values;
+    (void)nValues;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(SetClock)(
+    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const fmi3Clock values[])
+{
+    (void)valueReferences;
+    (void)nValueReferences;
+    (void)values;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(GetNumberOfVariableDependencies)(
+    fmi3Instance instance, fmi3ValueReference valueReference, size_t *nDependencies)
+{
+    (void)valueReference;
+    (void)nDependencies;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(GetVariableDependencies)(
+    fmi3Instance instance, fmi3ValueReference dependent, size_t elementIndicesOfDependent[], fmi3ValueReference
+    independents[], size_t elementIndicesOfIndependents[], fmi3DependencyKind dependencyKinds[], size_t nDependencies)
+{
+    (void)dependent;
+    (void)elementIndicesOfDependent;
+    (void)independents;
+    (void)elementIndicesOfIndependents;
+    (void)dependencyKinds;
+    (void)nDependencies;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(GetDirectionalDerivative)(
+    fmi3Instance instance, const fmi3ValueReference unknowns[], size_t nUnknowns, const fmi3ValueReference knowns[], size_t
+    nKnowns, const fmi3Float64 seed[], size_t nSeed, fmi3Float64 sensitivity[], size_t nSensitivity)
+{
+    (void)unknowns;
+    (void)nUnknowns;
+    (void)knowns;
+    (void)nKnowns;
+    (void)seed;
+    (void)nSeed;
+    (void)sensitivity;
+    (void)nSensitivity;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(GetAdjointDerivative)(
+    fmi3Instance instance, const fmi3ValueReference unknowns[], size_t nUnknowns, const fmi3ValueReference knowns[], size_t
+    nKnowns, const fmi3Float64 seed[], size_t nSeed, fmi3Float64 sensitivity[], size_t nSensitivity)
+{
+    (void)unknowns;
+    (void)nUnknowns;
+    (void)knowns;
+    (void)nKnowns;
+    (void)seed;
+    (void)nSeed;
+    (void)sensitivity;
+    (void)nSensitivity;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(EnterConfigurationMode)(fmi3Instance instance)
+{
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(ExitConfigurationMode)(fmi3Instance instance)
+{
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(GetIntervalDecimal)(
+    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, fmi3Float64 intervals[],
+    fmi3IntervalQualifier qualifiers[])
+{
+    (void)valueReferences;
+    (void)nValueReferences;
+    (void)intervals;
+    (void)qualifiers;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(GetIntervalFraction)(
+    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, fmi3UInt64 counters[],
+    fmi3UInt64 resolutions[], fmi3IntervalQualifier qualifiers[])
+{
+    (void)valueReferences;
+    (void)nValueReferences;
+    (void)counters;
+    (void)resolutions;
+    (void)qualifiers;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(GetShiftDecimal)(
+    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, fmi3Float64 shifts[])
+{
+    (void)valueReferences;
+    (void)nValueReferences;
+    (void)shifts;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(GetShiftFraction)(
+    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, fmi3UInt64 counters[],
+    fmi3UInt64 resolutions[])
+{
+    (void)valueReferences;
+    (void)nValueReferences;
+    (void)counters;
+    (void)resolutions;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(SetIntervalDecimal)(
+    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const fmi3Float64
+    intervals[])
+{
+    (void)valueReferences;
+    (void)nValueReferences;
+    (void)intervals;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(SetIntervalFraction)(
+    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const fmi3UInt64 counters[],
+    const fmi3UInt64 resolutions[])
+{
+    (void)valueReferences;
+    (void)nValueReferences;
+    (void)counters;
+    (void)resolutions;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(SetShiftDecimal)(
+    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const fmi3Float64 shifts[])
+{
+    (void)valueReferences;
+    (void)nValueReferences;
+    (void)shifts;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(SetShiftFraction)(
+    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const fmi3UInt64 counters[],
+    const fmi3UInt64 resolutions[])
+{
+    (void)valueReferences;
+    (void)nValueReferences;
+    (void)counters;
+    (void)resolutions;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(EvaluateDiscreteStates)(fmi3Instance instance)
+{
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(UpdateDiscreteStates)(
+    fmi3Instance instance, fmi3Boolean *discreteStatesNeedUpdate, fmi3Boolean *terminateSimulation, fmi3Boolean
+    *nominalsOfContinuousStatesChanged, fmi3Boolean *valuesOfContinuousStatesChanged, fmi3Boolean *nextEventTimeDefined,
+    fmi3Float64 *nextEventTime)
+{
+    (void)discreteStatesNeedUpdate;
+    (void)terminateSimulation;
+    (void)nominalsOfContinuousStatesChanged;
+    (void)valuesOfContinuousStatesChanged;
+    (void)nextEventTimeDefined;
+    (void)nextEventTime;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(EnterContinuousTimeMode)(fmi3Instance instance)
+{
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(CompletedIntegratorStep)(
+    fmi3Instance instance, fmi3Boolean noSetFMUStatePriorToCurrentPoint, fmi3Boolean *enterEventMode, fmi3Boolean
+    *terminateSimulation)
+{
+    (void)noSetFMUStatePriorToCurrentPoint;
+    (void)enterEventMode;
+    (void)terminateSimulation;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(SetTime)(fmi3Instance instance, fmi3Float64 time)
+{
+    (void)time;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(SetContinuousStates)(
+    fmi3Instance instance, const fmi3Float64 continuousStates[], size_t nContinuousStates)
+{
+    (void)continuousStates;
+    (void)nContinuousStates;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(GetContinuousStateDerivatives)(
+    fmi3Instance instance, fmi3Float64 derivatives[], size_t nContinuousStates)
+{
+    (void)derivatives;
+    (void)nContinuousStates;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(GetEventIndicators)(fmi3Instance instance, fmi3Float64 eventIndicators[], size_t nEventIndicators)
+{
+    (void)eventIndicators;
+    (void)nEventIndicators;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(GetContinuousStates)(
+    fmi3Instance instance, fmi3Float64 continuousStates[], size_t nContinuousStates)
+{
+    (void)continuousStates;
+    (void)nContinuousStates;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(GetNominalsOfContinuousStates)(
+    fmi3Instance instance, fmi3Float64 nominals[], size_t nContinuousStates)
+{
+    (void)nominals;
+    (void)nContinuousStates;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(GetNumberOfEventIndicators)(fmi3Instance instance, size_t *nEventIndicators)
+{
+    (void)nEventIndicators;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(GetNumberOfContinuousStates)(fmi3Instance instance, size_t *nContinuousStates)
+{
+    (void)nContinuousStates;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(EnterStepMode)(fmi3Instance instance)
+{
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(GetOutputDerivatives)(
+    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const fmi3Int32 orders[],
+    fmi3Float64 values[], size_t nValues)
+{
+    (void)valueReferences;
+    (void)nValueReferences;
+    (void)orders;
+    (void)values;
+    (void)nValues;
+    return not_offered(instance);
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(ActivateModelPartition)(
+    fmi3Instance instance, fmi3ValueReference clockReference, fmi3Float64 activationTime)
+{
+    (void)clockReference;
+    (void)activationTime;
+    return not_offered(instance);
+}

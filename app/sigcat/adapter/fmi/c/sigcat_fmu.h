@@ -1,0 +1,77 @@
+/* Tables of an FMU: its functions, its variables by value reference, and what is sent to whom. */
+
+#ifndef SIGCAT_FMU_H
+#define SIGCAT_FMU_H
+
+#include "sigcat_host.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum {
+    SIGCAT_FLOAT32,
+    SIGCAT_FLOAT64,
+    SIGCAT_INT8,
+    SIGCAT_UINT8,
+    SIGCAT_INT16,
+    SIGCAT_UINT16,
+    SIGCAT_INT32,
+    SIGCAT_UINT32,
+    SIGCAT_INT64,
+    SIGCAT_UINT64,
+    SIGCAT_BOOLEAN
+} sigcat_type;
+
+typedef enum { SIGCAT_TIME, SIGCAT_INPUT, SIGCAT_OUTPUT, SIGCAT_PARAMETER } sigcat_causality;
+
+/* A variable; its value reference is its index. */
+typedef struct {
+    sigcat_causality causality;
+    sigcat_type type; /* in which it is stored */
+    bool is_enumeration; /* FMI has 64 bits for it, whatever it is stored in */
+    uint32_t owner; /* number of the input, the output, or the function whose parameter it is */
+    uint32_t offset; /* of its first byte among the values of an instance */
+    uint32_t count; /* elements */
+} sigcat_variable;
+
+/* What a function receives. */
+typedef struct {
+    uint32_t function;
+    uint32_t receiver; /* its number among those of the function */
+    uint32_t offset; /* of its value; nothing is there for one that a function of the FMU sends */
+    uint32_t variable; /* the first input of this name: all of them are one variable */
+} sigcat_input;
+
+/* What a function sends, and the inputs of others that get it. */
+typedef struct {
+    uint32_t offset;
+    uint32_t size;
+    uint32_t count;
+    const uint32_t *inputs;
+} sigcat_output;
+
+typedef struct {
+    const char *token;
+    uint32_t function_count;
+    const sigcat_function *const *functions;
+    const uint32_t *parameters; /* of each function, the offset of its parameters, which are in the order of the function */
+    uint32_t variable_count;
+    const sigcat_variable *variables;
+    uint32_t input_count;
+    const sigcat_input *inputs;
+    uint32_t output_count;
+    const sigcat_output *outputs;
+    uint32_t value_count; /* bytes of the values of an instance */
+    const unsigned char *values; /* in the beginning */
+    bool is_single; /* whether a process has one instance, as its code has global variables */
+    bool is_copied; /* whether its state can be saved */
+} sigcat_fmu;
+
+extern const sigcat_fmu sigcat_model;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* SIGCAT_FMU_H */

@@ -1,0 +1,162 @@
+"""From functions to the Integration JSON of FMI. The variables of an FMU follow from the cores of its functions."""
+
+import hashlib
+import json
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from sigcat import codes
+from sigcat.adapter.core.cores import plans
+from sigcat.adapter.core.identifiers import identifier
+from sigcat.adapter.fmi.variables import Layout, Variable, layout_of
+from sigcat.adapter.host.connections import Connections, Member, connect
+from sigcat.findings import Finding
+from sigcat.function.document.text import Text
+from sigcat.function.function_json.model import FunctionInfo, MetaInfo
+from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.function.function_json.walk import methods, parts
+from sigcat.integration.application import Application, application
+from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
+from sigcat.integration.finding_collector import FindingCollector, Subject
+from sigcat.integration.fmi.model import EnumerationItem, FmiIntegration, Fmu, FmuConnection, FmuVariable
+from sigcat.integration.fmi.settings import NO_SETTINGS, FmiSettings
+from sigcat.integration.report import Entry, FieldTarget, entries
+
+SCHEMA_VERSION = "1.0.0"
+_DEFAULT_STEP_MS = 10
+_LONGEST_NAME = 100
+
+
+class Derived(NamedTuple):
+    """The document, the findings about it, and where each field of each interface went."""
+
+    model: FmiIntegration
+    findings: tuple[Finding, ...]
+    report: tuple[Entry, ...]
+
+
+class Unit(NamedTuple):
+    """An FMU: its name, its functions, connected, and the layout of its values."""
+
+    name: str
+    connections: Connections
+    layout: Layout
+
+
+def derive(
+    functions: Sequence[ResolvedFunction], deployment: Deployment = NO_DEPLOYMENT, settings: FmiSettings = NO_SETTINGS
+) -> Derived:
+    """The integration of a function or a set. Raises InputRefused if a function has no core, or the set does not fit."""
+    app = application(functions, deployment)
+    findings = FindingCollector(app.functions, deployment)
+    _report_methods(app, settings, findings)
+    units = units_of(app.functions, app.name if settings.fmus == "set" else None)
+    model = FmiIntegration(
+        meta=_meta(app),
+        info=FunctionInfo(
+            function_name=app.name,
+            function_responsible=app.responsible,
+            description=app.description,
+            version=app.version,
+        ),
+        license=Text(settings.license),
+        copyright=Text(settings.copyright) if settings.copyright else None,
+        fmus=tuple(_fmu(unit, settings) for unit in units),
+        connections=tuple(_connections(units)),
+        functions=tuple(each.function for each in app.functions),
+    )
+    return Derived(model, findings.findings, tuple(_targets(app, units)))
+
+
+def units_of(functions: Sequence[ResolvedFunction], set_name: str | None) -> tuple[Unit, ...]:
+    """One FMU for each function, or one of a name for all of them."""
+    planned = plans(functions)
+    members = [Member(each, one.plan, Path()) for each, one in zip(functions, planned, strict=True)]
+    if set_name is not None:
+        connections = connect(members)
+        return (Unit(identifier(set_name)[:_LONGEST_NAME], connections, layout_of(connections)),)
+    alone = [connect([member]) for member in members]
+    return tuple(Unit(each.members[0].name[:_LONGEST_NAME], each, layout_of(each)) for each in alone)
+
+
+def _fmu(unit: Unit, settings: FmiSettings) -> Fmu:
+    members = unit.connections.members
+    cycles = [call.cycle for member in members for call in member.plan.steps if call.cycle]
+    descriptions = [each.plan.description.raw for each in members]
+    variables = tuple(_variable(index, each) for index, each in enumerate(unit.layout.variables))
+    return Fmu(
+        name=unit.name,
+        description=Text(" ".join(descriptions)),
+        functions=tuple(each.function.name for each in members),
+        token=token_of(unit.name, variables),
+        step_size=settings.step_size or (_milliseconds(min(cycles)) if cycles else _DEFAULT_STEP_MS),
+        variables=variables,
+    )
+
+
+def _milliseconds(nanoseconds: int) -> int | float:
+    whole, rest = divmod(nanoseconds, 10**6)
+    return nanoseconds / 10**6 if rest else whole
+
+
+def token_of(name: str, variables: Sequence[FmuVariable]) -> str:
+    """The instantiation token: it changes with everything that an importer reads of the variables."""
+    read = [name, *(each.model_dump(mode="json", by_alias=True) for each in variables)]
+    return f"sigcat_{hashlib.sha256(json.dumps(read, sort_keys=True).encode()).hexdigest()[:32]}"
+
+
+def _variable(index: int, each: Variable) -> FmuVariable:
+    items = tuple(EnumerationItem(name=name, value=number) for name, number in each.number.symbols)
+    return FmuVariable(
+        name=each.name, reference=index, causality=each.causality, type=each.type, length=each.length, unit=each.unit or None,
+        min=each.least, max=each.greatest, start=each.start, items=items or None, description=Text(each.description),
+    )  # fmt: skip
+
+
+def _connections(units: Sequence[Unit]) -> Iterator[FmuConnection]:
+    """Outputs of one FMU, and the inputs of others that have their names."""
+    outputs = {
+        each.name: (unit.name, each) for unit in units for each in unit.layout.variables if each.causality == "output"
+    }
+    for unit in units:
+        for each in unit.layout.variables:
+            found = outputs.get(each.name) if each.causality == "input" else None
+            if found and found[0] != unit.name and (found[1].type, found[1].length) == (each.type, each.length):
+                yield FmuConnection(
+                    start_fmu=found[0], start_variable=each.name, end_fmu=unit.name, end_variable=each.name
+                )
+
+
+def _meta(app: Application) -> MetaInfo:
+    return MetaInfo(
+        authority=app.authority or None,
+        schema_author=app.author or None,
+        date=app.date.strftime("%d.%m.%Y") if app.date else None,
+        schema_version=SCHEMA_VERSION,
+        schema_description=Text("Integration JSON for FMI"),
+    )
+
+
+def _report_methods(app: Application, settings: FmiSettings, findings: FindingCollector) -> None:
+    """FMI has no calls from one FMU to another: a method works within the FMU of a set alone."""
+    for function in app.functions:
+        for _, _, method in methods(function.function):
+            is_inside = settings.fmus == "set" and len(app.functions) > 1
+            if not is_inside:
+                message = f"{method.name} cannot be called through FMI: an FMU exchanges values alone."
+                fix = "Use `fmi: {fmus: set}` in the deployment file if both functions are in the set."
+                findings.report(codes.METHOD_WITHOUT_FMI, message, Subject(method.name, method), fix)
+
+
+def _targets(app: Application, units: Sequence[Unit]) -> Iterator[Entry]:
+    """Each field goes to the function in the document, from which the FMU is generated."""
+    names = {member.function.name: unit.name for unit in units for member in unit.connections.members}
+    for function in app.functions:
+        for pointer, part in parts(function.function):
+            kind = str(next((step for step in reversed(pointer) if isinstance(step, str)), "document"))
+            fields = {str(field.alias or name) for name, field in type(part).model_fields.items()}
+            goes = FieldTarget(f"FMU {names[function.name]}, SourceFunctionList")
+            scalars = dict.fromkeys(fields, goes)
+            name = getattr(part, "name", None)
+            yield from entries(function.name, name if isinstance(name, str) else function.name, kind, part, scalars)

@@ -1,0 +1,207 @@
+"""From Integration JSON to the sources of FMUs, and a CMake project that builds and packs them.
+
+A build finds the code of functions by the settings of CMake that other platforms have, such as `CORE_ACC_CODE`.
+"""
+
+import re
+from collections.abc import Iterator, Sequence
+from pathlib import Path, PurePosixPath
+from typing import NamedTuple
+
+from pydantic import BaseModel
+
+from sigcat import __version__, codes
+from sigcat.adapter.core.generate import core_files
+from sigcat.adapter.core.plan import CorePlan
+from sigcat.adapter.files import GeneratedFile, shipped, within
+from sigcat.adapter.fmi.derive import Unit, units_of
+from sigcat.adapter.fmi.variables import Variable
+from sigcat.adapter.host.glue import HOST_HEADER, glue_file
+from sigcat.adapter.host.numbering import numbers_of
+from sigcat.adapter.host.shapes import packing
+from sigcat.adapter.source_functions import source_functions
+from sigcat.adapter.templates import Plan, rendered
+from sigcat.catalogue.reading.yaml_document import collector_paused
+from sigcat.errors import InputRefused
+from sigcat.integration.fmi.document import read_integration
+from sigcat.integration.fmi.model import FmiIntegration, Fmu, FmuVariable
+from sigcat.integration.report import Entry, FieldTarget, entries
+from sigcat.limits import Limits
+
+_C = Path(__file__).with_name("c")
+_CPP = frozenset((".cc", ".cpp", ".cxx", ".c++", ".C"))
+_AGAIN = "Integrate the functions again."
+
+
+class _Source(NamedTuple):
+    """A function in an FMU: its code, and the files around it."""
+
+    name: str
+    setting: str
+    """Setting of CMake that names the folder of its code."""
+    code: tuple[tuple[str, str, str], ...]
+    """Sources, from the folder of the code, and their paths and folders in the FMU."""
+    folders: tuple[tuple[str, str], ...]
+    """Folders of headers, likewise."""
+    definitions: tuple[str, ...]
+    generated: tuple[str, ...]
+    """Sources of the core and of what calls it."""
+
+
+class _FmuPlan(NamedTuple):
+    """Plan of the files of an FMU."""
+
+    version: str
+    model: FmiIntegration
+    fmu: Fmu
+    functions: tuple[_Source, ...]
+    variables: tuple[tuple[FmuVariable, Variable], ...]
+    inputs: tuple[tuple[int, int, int, int], ...]
+    """Function, receiver, offset, and the first input of the same variable."""
+    outputs: tuple[tuple[int, int, tuple[int, ...]], ...]
+    """Offset, size and the inputs that get it."""
+    parameters: tuple[int, ...]
+    values: bytes
+    is_single: bool
+    is_copied: bool
+    is_cpp: bool
+    units: tuple[str, ...]
+    languages: tuple[tuple[str, tuple[str, ...]], ...]
+    """Languages, as FMI names them, and the sources in each."""
+
+
+class _ProjectPlan(NamedTuple):
+    """Plan of what all FMUs share."""
+
+    version: str
+    model: FmiIntegration
+    fmus: tuple[_FmuPlan, ...]
+    languages: str
+
+
+@collector_paused()
+def generate(data: bytes, name: str, limits: Limits) -> tuple[GeneratedFile, ...]:
+    """A folder for each FMU, the system of all of them, and a CMake project. The same document gives the same bytes.
+
+    Raises InputRefused if the document cannot be used, or a core cannot be generated.
+    """
+    model = read_integration(data, name, limits)
+    functions = source_functions(model.functions, data, name, limits, codes.NOT_WRITABLE_AS_FMU, "fmi")
+    units = units_of(functions, model.fmus[0].name if len(model.fmus) == 1 else None)
+    if [each.name for each in units] != [each.name for each in model.fmus]:
+        raise _unlike(name, "/FmuList", "The FMUs must be those of the functions of the document.")
+    fmus = tuple(_plan(fmu, unit, model, name) for fmu, unit in zip(model.fmus, units, strict=True))
+    languages = "C CXX" if any(each.is_cpp for each in fmus) else "C"
+    project = _ProjectPlan(__version__, model, fmus, languages)
+    return (
+        _file("CMakeLists.txt", project),
+        _file("README.md", project),
+        _file("SystemStructure.ssd", project),
+        *(file for plan, unit in zip(fmus, units, strict=True) for file in within(plan.fmu.name, _files(plan, unit))),
+    )
+
+
+def report(data: bytes, name: str, limits: Limits) -> tuple[Entry, ...]:
+    """The place of each field of the document. Raises InputRefused if the document cannot be used."""
+    model = read_integration(data, name, limits)
+    made: list[Entry] = []
+    for fmu in model.fmus:
+        place = FieldTarget(f"{fmu.name}/modelDescription.xml")
+        made += entries(fmu.name, fmu.name, "FMU", fmu, dict.fromkeys(_aliases(fmu), place))
+        for each in fmu.variables:
+            made += entries(fmu.name, each.name, "variable", each, dict.fromkeys(_aliases(each), place))
+    for one in model.connections:
+        system = FieldTarget("SystemStructure.ssd")
+        made += entries(one.end_fmu, one.end_variable, "connection", one, dict.fromkeys(_aliases(one), system))
+    return tuple(made)
+
+
+def _aliases(model: BaseModel) -> list[str]:
+    return [str(field.alias or key) for key, field in type(model).model_fields.items()]
+
+
+def _unlike(name: str, pointer: str, message: str) -> InputRefused:
+    finding = codes.NOT_WRITABLE_AS_FMU.finding(message, name, 1, 1, pointer=pointer, fix=_AGAIN)
+    return InputRefused(f"{name} cannot be used.", (finding,))
+
+
+def _plan(fmu: Fmu, unit: Unit, model: FmiIntegration, name: str) -> _FmuPlan:
+    layout, connections = unit.layout, unit.connections
+    if [(each.type, each.length, each.causality) for each in fmu.variables] != [
+        (each.type, each.length, each.causality) for each in layout.variables
+    ]:
+        raise _unlike(
+            name,
+            f"/FmuList/{model.fmus.index(fmu)}/VariableList",
+            f"The variables of {fmu.name} must be those of its functions.",
+        )
+    plans = [member.plan for member in connections.members]
+    seen = [0] * len(plans)
+    inputs: list[tuple[int, int, int, int]] = []
+    for entry, place in zip(connections.entries, layout.inputs, strict=True):
+        inputs.append((entry.member, seen[entry.member], *place))
+        seen[entry.member] += 1
+    has_globals = any(each.has_globals for each in plans)
+    is_cpp = any(each.code.is_cpp for each in plans)
+    sources = tuple(_source(each, is_alone=len(plans) == 1) for each in plans)
+    return _FmuPlan(
+        version=__version__, model=model, fmu=fmu,
+        functions=sources,
+        variables=tuple(zip(fmu.variables, layout.variables, strict=True)),
+        inputs=tuple(inputs),
+        outputs=tuple(zip(layout.outputs, _sizes(unit), connections.routes, strict=True)),
+        parameters=layout.parameters, values=layout.values,
+        is_single=has_globals, is_copied=not has_globals and not is_cpp, is_cpp=is_cpp,
+        languages=tuple(_languages(sources)),
+        units=tuple(dict.fromkeys(each.unit for each in fmu.variables if each.unit)),
+    )  # fmt: skip
+
+
+def _languages(sources: Sequence[_Source]) -> Iterator[tuple[str, tuple[str, ...]]]:
+    own = [name for each in sources for name in (*each.generated, *(inside for _, inside, _ in each.code))]
+    cpp = tuple(each for each in own if Path(each).suffix in _CPP)
+    yield "C99", ("sigcat_fmu.c", "sigcat_model.c", *(each for each in own if each not in cpp))
+    if cpp:
+        yield "C++17", cpp
+
+
+def _sizes(unit: Unit) -> Iterator[int]:
+    return (packing(each.shape).struct.size for each in unit.connections.exits)
+
+
+def _source(plan: CorePlan, *, is_alone: bool) -> _Source:
+    root = () if is_alone else ("code", plan.function)
+    code = [(each, _inside(each, root)) for each in plan.code.sources]
+    return _Source(
+        name=plan.function,
+        setting=plan.code_setting,
+        code=tuple((each, inside, str(PurePosixPath(inside).parent)) for each, inside in code),
+        folders=tuple((each, _inside(each, root)) for each in dict.fromkeys((".", *plan.code.include_folders))),
+        definitions=plan.code.definitions,
+        generated=(plan.source_file, f"{plan.function}_driver.{plan.code.ending}"),
+    )
+
+
+def _inside(path: str, root: tuple[str, ...]) -> str:
+    """A path of the code in the sources of an FMU: nothing is above the folder of the function."""
+    steps = ["up" if step == ".." else step for step in re.split(r"[/\\]", path) if step not in ("", ".")]
+    return "/".join((*root, *steps)) or "."
+
+
+def _files(plan: _FmuPlan, unit: Unit) -> Iterator[GeneratedFile]:
+    yield _file("modelDescription.xml", plan)
+    yield _file("documentation/index.html", plan)
+    numbers = numbers_of(unit.connections)
+    sources: list[GeneratedFile] = [
+        _file("buildDescription.xml", plan),
+        _file("sigcat_model.c", plan),
+        *(file for member in unit.connections.members for file in core_files(member.plan).files),
+        *(glue_file(unit.connections, numbers, index) for index in range(len(unit.connections.members))),
+        *shipped(_C),
+        GeneratedFile(HOST_HEADER.name, HOST_HEADER.read_bytes()),
+    ]
+    yield from within("sources", sources)
+
+
+def _file(name: str, plan: Plan) -> GeneratedFile:
+    return GeneratedFile(name, rendered(f"adapter/fmi/{name.rpartition('/')[2]}.j2", plan).encode())

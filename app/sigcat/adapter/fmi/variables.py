@@ -1,0 +1,259 @@
+"""Variables of an FMU, and where their values are among the bytes of an instance.
+
+A value of the core is one variable if it is a number or an array of numbers. A struct has a variable for each member.
+"""
+
+import re
+import struct
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from sigcat.adapter.core.plan import Value
+from sigcat.adapter.host.connections import Connections, Entry, Exit, names_of, shape_of, structs_of
+from sigcat.adapter.host.shapes import Array, Number, Shape, packing
+from sigcat.function.document.field_types import FMI_VARIABLE
+from sigcat.integration.fmi.model import Causality, FmiType
+
+Start = tuple[int | float | bool, ...]
+_TYPES: Mapping[str, FmiType] = {
+    "float": "Float32", "double": "Float64", "int8": "Int8", "uint8": "UInt8", "int16": "Int16", "uint16": "UInt16",
+    "int32": "Int32", "uint32": "UInt32", "int64": "Int64", "uint64": "UInt64", "boolean": "Boolean",
+}  # fmt: skip
+
+
+class Variable(NamedTuple):
+    """A variable; its value reference is its index among all of them."""
+
+    name: str
+    causality: Causality
+    number: Number
+    length: int | None
+    """Elements of an array."""
+    owner: int
+    """Number of the entry or the exit, or the function whose parameter it is."""
+    offset: int
+    """Of its first byte among the values of an instance."""
+    start: Start
+    unit: str = ""
+    least: int | float | None = None
+    greatest: int | float | None = None
+    description: str = ""
+
+    @property
+    def type(self) -> FmiType:
+        """Datatype of FMI."""
+        return "Enumeration" if self.number.symbols else _TYPES[self.number.datatype]
+
+    @property
+    def storage(self) -> str:
+        """Datatype in which it is stored, as the constants of `sigcat_fmu.h` end."""
+        return _TYPES[self.number.datatype].upper()
+
+
+class Layout(NamedTuple):
+    """The variables of an FMU, and the places of its values."""
+
+    variables: tuple[Variable, ...]
+    inputs: tuple["Input", ...]
+    """For each entry."""
+    outputs: tuple[int, ...]
+    """Offset of the value of each exit."""
+    parameters: tuple[int, ...]
+    """Offset of the parameters of each function."""
+    values: bytes
+    """All values in the beginning."""
+
+
+class Input(NamedTuple):
+    """Something that a function receives."""
+
+    offset: int
+    """Of its value; 0 where another function of the FMU sends it."""
+    variable: int
+    """The first entry of its name: all of them are one variable."""
+
+
+class _Place(NamedTuple):
+    """A value of a core, and its place."""
+
+    name: str
+    shape: Shape
+    causality: Causality
+    owner: int
+    offset: int
+    unit: str
+    description: str
+    value: Value | None
+    """Its plan, for its range and its start value; None for a status."""
+    start: int = 0
+
+
+def layout_of(connections: Connections) -> Layout:
+    """The variables of a set of functions. What one function sends to another one is an output alone."""
+    places, outputs, parameters = _Places(), list[int](), list[int]()
+    inputs: list[Input] = []
+    first: dict[str, int] = {}
+    inside = {target for route in connections.routes for target in route} | connections.servers.keys()
+    for index, entry in enumerate(connections.entries):
+        known = first.setdefault(entry.names[-1], index)
+        if index in inside:
+            inputs.append(Input(0, index))
+        elif known != index:
+            inputs.append(inputs[known])
+        else:
+            inputs.append(Input(places.add(_of_entry(index, entry, connections)), index))
+    for index, each in enumerate(connections.exits):
+        outputs.append(places.add(_of_exit(index, each, connections)))
+    for index in range(len(connections.members)):
+        parameters.append(places.size)
+        for place in _of_parameters(index, connections):
+            places.add(place)
+    variables = tuple(_variables(places.found))
+    return Layout((_TIME, *variables), tuple(inputs), tuple(outputs), tuple(parameters), _bytes(variables, places.size))
+
+
+def _bytes(variables: Iterable[Variable], size: int) -> bytes:
+    """Start values, each at its place."""
+    values = bytearray(size)
+    for each in variables:
+        code = packing(each.number).struct.format.lstrip("=")
+        struct.pack_into(f"={len(each.start)}{code}", values, each.offset, *each.start)
+    return bytes(values)
+
+
+_TIME = Variable("time", "independent", Number("double"), None, 0, 0, (), "s", description="Time of the simulation.")
+
+
+class _Places:
+    """Values one after the other."""
+
+    def __init__(self) -> None:
+        self.found: list[_Place] = []
+        self.size = 0
+
+    def add(self, place: _Place) -> int:
+        """Give a value the next place, and return its offset."""
+        offset, self.size = self.size, self.size + packing(place.shape).struct.size
+        self.found.append(place._replace(offset=offset))
+        return offset
+
+
+def _of_entry(index: int, entry: Entry, connections: Connections) -> _Place:
+    plan = connections.members[entry.member].plan
+    port = next((each for each in plan.ports if each.name == entry.receiver), None)
+    value = port.consumers[0][1].value if port and not entry.is_answer else None
+    description = port.comment if port else f"{entry.receiver}, which {plan.function} receives"
+    if entry.is_answer:
+        description = f"Answer to {entry.receiver}, which {plan.function} asks for"
+    return _Place(entry.names[-1], entry.shape, "input", index, 0, entry.unit, description, value)
+
+
+def _of_exit(index: int, each: Exit, connections: Connections) -> _Place:
+    plan = connections.members[each.member].plan
+    output = next((one for one in plan.outputs if one.named.name == each.field), None)
+    start = {error.named.name: error.passed for error in plan.errors}.get(each.field, 0)
+    description = output.named.comment if output else f"{each.field} of {plan.function}"
+    return _Place(
+        each.names[-1], each.shape, "output", index, 0, each.unit, description, output.value if output else None, start
+    )
+
+
+def _of_parameters(index: int, connections: Connections) -> Iterator[_Place]:
+    member = connections.members[index]
+    structs = structs_of(member)
+    names = names_of(member)
+    for each in member.plan.settable:
+        (name,), unit = names[each.named.pointer].path_or_name, names[each.named.pointer].unit
+        shape = shape_of(each.value.wire, structs)
+        yield _Place(name, shape, "parameter", index, 0, unit, each.named.comment, each.value)
+
+
+# -- leaves -------------------------------------------------------------------------------------------------------
+
+
+def _variables(places: Sequence[_Place]) -> Iterator[Variable]:
+    taken: set[str] = {_TIME.name}
+    for place in sorted(
+        places, key=lambda each: each.causality != "output"
+    ):  # an output has the name that it has everywhere
+        name = _free(_structured(place.name), place.causality, taken)
+        for leaf in _leaves(name, place.shape, place.offset):
+            taken.add(leaf.name)
+            yield _variable(leaf, place, is_whole=leaf.name == name)
+
+
+class _Leaf(NamedTuple):
+    name: str
+    number: Number
+    length: int | None
+    offset: int
+
+
+def _leaves(name: str, shape: Shape, offset: int) -> Iterator[_Leaf]:
+    if isinstance(shape, Number):
+        yield _Leaf(name, shape, None, offset)
+    elif isinstance(shape, Array) and isinstance(shape.element, Number):
+        yield _Leaf(name, shape.element, shape.length, offset)
+    elif isinstance(shape, Array):
+        size = packing(shape.element).struct.size
+        for index in range(shape.length):
+            yield from _leaves(f"{name}[{index + 1}]", shape.element, offset + index * size)
+    else:
+        for field, inner in shape.fields:
+            yield from _leaves(f"{name}.{field}", inner, offset)
+            offset += packing(inner).struct.size
+
+
+def _variable(leaf: _Leaf, place: _Place, *, is_whole: bool) -> Variable:
+    element = place.value.leaves[0].element if place.value and is_whole and len(place.value.leaves) == 1 else None
+    is_input = place.causality != "output"
+    least = element.least if element and is_input else None
+    greatest = element.greatest if element and is_input else None
+    return Variable(
+        leaf.name, place.causality, leaf.number, leaf.length, place.owner, leaf.offset,
+        _start(leaf, place, least, greatest), place.unit, _whole(least, leaf.number), _whole(greatest, leaf.number),
+        place.description,
+    )  # fmt: skip
+
+
+def _start(leaf: _Leaf, place: _Place, least: object, greatest: object) -> Start:
+    """Zeros, or what is nearest to them within the range; the start values of a parameter and of an output."""
+    count = leaf.length or 1
+    if place.value is not None and place.causality != "input" and len(place.value.leaves) == 1:
+        given = tuple(place.value.leaves[0].init)
+        return tuple(_typed(each, leaf.number) for each in (given * count if len(given) == 1 else given))
+    number: int | float = place.start
+    if leaf.number.symbols and number not in {value for _, value in leaf.number.symbols}:
+        number = leaf.number.symbols[0][1]
+    if isinstance(least, int | float) and number < least:
+        number = least
+    if isinstance(greatest, int | float) and number > greatest:
+        number = greatest
+    return (_typed(number, leaf.number),) * count
+
+
+def _typed(number: float, datatype: Number) -> int | float | bool:
+    if datatype.datatype == "boolean":
+        return bool(number)
+    if datatype.is_whole:
+        return int(number)
+    return struct.unpack("=f", struct.pack("=f", number))[0] if datatype.datatype == "float" else float(number)
+
+
+def _whole(limit: float | None, datatype: Number) -> int | float | None:
+    """A limit as modelDescription.xml may have it: not of a truth value, and not of an enumeration, which has its items."""
+    return None if limit is None or datatype.symbols or datatype.datatype == "boolean" else _typed(limit, datatype)
+
+
+def _structured(name: str) -> str:
+    """A name of the structured form of FMI; in quotation marks if it is not of that form."""
+    return name if FMI_VARIABLE.accepts(name) else f"'{re.sub(r'[^A-Za-z0-9_ .:,/-]', '_', name)}'"
+
+
+def _free(name: str, causality: Causality, taken: Iterable[str]) -> str:
+    """A name that no other variable has: what is received beside what is sent, as the state of a safety reaction."""
+    known = set(taken)
+    if name not in known:
+        return name
+    wanted = f"{name}.{'received' if causality == 'input' else causality}"
+    return next(each for each in (wanted, *(f"{wanted}{n}" for n in range(2, 1000))) if each not in known)

@@ -1,0 +1,60 @@
+"""FMI, as the table of platforms has it."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from sigcat.platforms.platform import Generator, Integrated, Options, Platform
+
+if TYPE_CHECKING:
+    from sigcat.adapter.files import GeneratedFile
+    from sigcat.function.function_json.resolved_function import ResolvedFunction
+    from sigcat.integration.deployment import Deployment
+    from sigcat.integration.fmi.settings import FmiSettings
+    from sigcat.integration.report import Entry
+    from sigcat.limits import Limits
+
+
+def _settings() -> "type[FmiSettings]":
+    from sigcat.integration.fmi.settings import FmiSettings
+
+    return FmiSettings
+
+
+def _derive(functions: "Sequence[ResolvedFunction]", deployment: "Deployment", settings: "FmiSettings") -> Integrated:
+    from sigcat.adapter.fmi.derive import derive
+    from sigcat.integration.fmi.model import to_json
+
+    model, findings, report = derive(functions, deployment, settings)
+    return Integrated(to_json(model), findings, report)
+
+
+def _schema() -> dict[str, Any]:
+    from sigcat.integration.fmi.model import integration_schema
+
+    return integration_schema()
+
+
+def _generate(data: bytes, name: str, limits: "Limits", options: Options) -> "tuple[GeneratedFile, ...]":
+    from sigcat.adapter.fmi.generate import generate
+
+    del options  # there is one version of FMI, and an FMU needs no bench
+    return generate(data, name, limits)
+
+
+def _report(data: bytes, name: str, limits: "Limits") -> "tuple[Entry, ...]":
+    from sigcat.adapter.fmi.generate import report
+
+    return report(data, name, limits)
+
+
+FMUS = Generator(
+    name="fmi",
+    title="FMUs",
+    target="FMI 3.0",
+    contents="model descriptions, sources, documentation, and a CMake project that packs them",
+    media_type="text/plain",
+    report=_report,
+    generate=_generate,
+    view="fmus",
+)
+FMI = Platform("fmi", "FMI", _settings, _derive, _schema, (FMUS,))

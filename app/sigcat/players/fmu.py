@@ -1,0 +1,165 @@
+"""An FMU, of sigcat or of any tool, is played a trace: inputs are set at communication points, and outputs are read there."""
+
+import json
+import subprocess
+import sys
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from sigcat.adapter.host.shapes import Array, Number, Shape, Value, numbers
+from sigcat.errors import UsageError
+from sigcat.runs.recording.recorded import Recorded
+from sigcat.runs.recording.trace_file import Known, Trace, moments, open_trace
+
+_DATATYPES: Mapping[str, str] = {
+    "Float32": "float", "Float64": "double", "Real": "double", "Int8": "int8", "UInt8": "uint8", "Int16": "int16",
+    "UInt16": "uint16", "Int32": "int32", "Integer": "int32", "UInt32": "uint32", "Int64": "int64", "UInt64": "uint64",
+    "Boolean": "boolean", "Enumeration": "int64",
+}  # fmt: skip
+"""Datatypes of VSS for those of FMI 2.0 and 3.0. Strings, binaries and clocks have none, and are not played."""
+_MOST_SAID = 2000
+"""Characters of what an FMU says that a message has."""
+
+
+class Port(NamedTuple):
+    """A variable that is set or read."""
+
+    name: str
+    reference: int
+    type: str
+    shape: Shape
+
+
+class Fmu(NamedTuple):
+    """A model description, as far as a player needs it."""
+
+    file: Path
+    step: int
+    """Proposed step in ns."""
+    inputs: Mapping[str, Port]
+    """Inputs, and parameters that may change."""
+    outputs: tuple[Port, ...]
+
+
+def read_fmu(file: Path) -> Fmu:
+    """The model description of a file. Raises UsageError if it is not an FMU for co-simulation, or FMPy is missing."""
+    try:
+        from fmpy import read_model_description
+    except ImportError:
+        raise UsageError("FMUs need the extra `fmi`: run `pip install 'sigcat[fmi]'`") from None
+    try:
+        description: Any = read_model_description(str(file))
+    except Exception as error:  # noqa: BLE001 — FMPy raises any for a file that is none
+        reason = next(iter(str(error).splitlines()), type(error).__name__)
+        raise UsageError(f"{file} is not an FMU: {reason}") from None
+    if description.coSimulation is None:
+        raise UsageError(f"{file} must be for co-simulation. Export it as a co-simulation FMU.")
+    experiment = description.defaultExperiment
+    step = float(experiment.stepSize) if experiment is not None and experiment.stepSize else 0.01
+    known = [each for each in description.modelVariables if each.type in _DATATYPES]
+    inputs = [each for each in known if each.causality == "input" or each.variability == "tunable"]
+    outputs = tuple(_port(each) for each in description.modelVariables if each.causality == "output")
+    return Fmu(file, round(step * 1e9), {each.name: _port(each) for each in inputs}, outputs)
+
+
+def _port(variable: Any) -> Port:
+    symbols: tuple[tuple[str, int], ...] = ()
+    if variable.type == "Enumeration" and variable.declaredType is not None:
+        symbols = tuple((each.name, int(each.value)) for each in variable.declaredType.items)
+    shape: Shape = Number(_DATATYPES.get(variable.type, "double"), symbols)
+    for dimension in reversed(variable.dimensions):
+        shape = Array(shape, int(dimension.start))
+    return Port(variable.name, variable.valueReference, variable.type, shape)
+
+
+def columns_of(fmu: Fmu) -> Mapping[str, Shape]:
+    """Shapes of the outputs that are recorded."""
+    return {each.name: each.shape for each in fmu.outputs if each.type in _DATATYPES}
+
+
+def played(fmu: Fmu, trace: Path, step: int, duration: int | None = None) -> Iterator[Recorded]:
+    """Outputs after each step, as far as they have changed. `step` is in ns, and `duration` too; None: to the end of the trace.
+
+    A row of the trace is set at the first communication point that is not before it. Raises InputRefused for a trace that
+    does not fit, and UsageError for an FMU that refuses a step or ends.
+    """
+    opened = open_trace(trace, Known({name: each.shape for name, each in fmu.inputs.items()}, ()))
+    process = subprocess.Popen(  # noqa: S603 — our own interpreter
+        [sys.executable, "-m", "sigcat.players.fmu_process", str(fmu.file.absolute()), "0"],
+        stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+    )  # fmt: skip
+    try:
+        yield from _rows(fmu, _steps(opened, step, duration), process)
+    finally:
+        process.kill()
+        process.wait()
+        for stream in (process.stdin, process.stdout, process.stderr):
+            assert stream is not None
+            stream.close()
+
+
+class _Step(NamedTuple):
+    begin: int
+    length: int
+    values: dict[str, Value]
+
+
+def _steps(trace: Trace, step: int, duration: int | None) -> Iterator[_Step]:
+    now, values = 0, dict[str, Value]()
+    for moment in moments(trace):
+        while moment.time > now and (duration is None or now < duration):
+            yield _Step(now, step, values)
+            now, values = now + step, {}
+        values.update(moment.values)
+    end = now + step if duration is None else duration
+    while now < end:
+        yield _Step(now, step, values)
+        now, values = now + step, {}
+
+
+def _rows(fmu: Fmu, steps: Iterator[_Step], process: "subprocess.Popen[str]") -> Iterator[Recorded]:
+    assert process.stdin is not None
+    assert process.stdout is not None
+    before: dict[str, Value] = {}
+    for each in steps:
+        given = [_set(fmu.inputs[name], value) for name, value in each.values.items()]
+        try:
+            process.stdin.write(json.dumps([each.length, given]) + "\n")
+            process.stdin.flush()
+        except OSError:
+            raise _ended(fmu, each, process) from None
+        line = process.stdout.readline()
+        if not line:
+            raise _ended(fmu, each, process)
+        after = {port.name: _value(found, port.shape) for port, found in zip(fmu.outputs, json.loads(line), strict=True)
+                 if port.type in _DATATYPES}  # fmt: skip
+        changed = tuple(
+            (name, value) for name, value in after.items() if name not in before or not _same(before[name], value)
+        )
+        before = after
+        if changed:
+            yield Recorded(each.begin + each.length, "", changed)
+
+
+def _same(one: Value, other: Value) -> bool:
+    """Whether values are equal, also if both are not numbers."""
+    return repr(one) == repr(other)
+
+
+def _set(port: Port, value: Value) -> tuple[int, str, list[Any]]:
+    return port.reference, port.type, list(numbers(value, port.shape))
+
+
+def _value(found: list[Any], shape: Shape) -> Value:
+    return found if isinstance(shape, Array) else found[0]
+
+
+def _ended(fmu: Fmu, step: _Step, process: "subprocess.Popen[str]") -> UsageError:
+    """An error with what the FMU said last."""
+    assert process.stderr is not None
+    status = process.wait()
+    said = process.stderr.read()[-_MOST_SAID:].strip().splitlines()
+    how = f"ended with signal {-status}" if status < 0 else "refused the step"
+    last = f" It said: {said[-1]}" if said else ""
+    return UsageError(f"{fmu.file} {how} at {step.begin / 1e9:g} s.{last}")

@@ -1,0 +1,187 @@
+/*
+ * Calls functions of an FMU at random, in any phase and with any arguments: `fuzz TOKEN SEED CALLS`.
+ * The sanitizers end it at the first fault.
+ */
+
+#include "sigcat_fmi3.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+fmi3Instance fmi3InstantiateCoSimulation(
+    fmi3String, fmi3String, fmi3String, fmi3Boolean, fmi3Boolean, fmi3Boolean, fmi3Boolean, const fmi3ValueReference[], size_t,
+    fmi3InstanceEnvironment, fmi3LogMessageCallback, fmi3IntermediateUpdateCallback);
+void fmi3FreeInstance(fmi3Instance);
+fmi3Status fmi3EnterInitializationMode(fmi3Instance, fmi3Boolean, fmi3Float64, fmi3Float64, fmi3Boolean, fmi3Float64);
+fmi3Status fmi3ExitInitializationMode(fmi3Instance);
+fmi3Status fmi3Terminate(fmi3Instance);
+fmi3Status fmi3Reset(fmi3Instance);
+fmi3Status fmi3DoStep(fmi3Instance, fmi3Float64, fmi3Float64, fmi3Boolean, fmi3Boolean *, fmi3Boolean *, fmi3Boolean *, fmi3Float64 *);
+fmi3Status fmi3GetFloat64(fmi3Instance, const fmi3ValueReference[], size_t, fmi3Float64[], size_t);
+fmi3Status fmi3SetFloat32(fmi3Instance, const fmi3ValueReference[], size_t, const fmi3Float32[], size_t);
+fmi3Status fmi3GetFloat32(fmi3Instance, const fmi3ValueReference[], size_t, fmi3Float32[], size_t);
+fmi3Status fmi3SetInt64(fmi3Instance, const fmi3ValueReference[], size_t, const fmi3Int64[], size_t);
+fmi3Status fmi3GetInt64(fmi3Instance, const fmi3ValueReference[], size_t, fmi3Int64[], size_t);
+fmi3Status fmi3GetFMUState(fmi3Instance, fmi3FMUState *);
+fmi3Status fmi3SetFMUState(fmi3Instance, fmi3FMUState);
+fmi3Status fmi3FreeFMUState(fmi3Instance, fmi3FMUState *);
+fmi3Status fmi3SerializedFMUStateSize(fmi3Instance, fmi3FMUState, size_t *);
+fmi3Status fmi3SerializeFMUState(fmi3Instance, fmi3FMUState, fmi3Byte[], size_t);
+fmi3Status fmi3DeserializeFMUState(fmi3Instance, const fmi3Byte[], size_t, fmi3FMUState *);
+fmi3Status fmi3EnterEventMode(fmi3Instance);
+fmi3Status fmi3ActivateModelPartition(fmi3Instance, fmi3ValueReference, fmi3Float64);
+fmi3Status fmi3GetNumberOfContinuousStates(fmi3Instance, size_t *);
+
+#define MOST 8U
+
+static uint64_t seed;
+
+static uint32_t any(uint32_t below)
+{
+    seed ^= seed << 13;
+    seed ^= seed >> 7;
+    seed ^= seed << 17;
+    return (uint32_t)(seed >> 11) % below;
+}
+
+static double any_number(void)
+{
+    static const double edges[] = {0.0, -0.0, 1e308, -1e308, 0.01, -0.01, 9e6, 1e-12};
+    const uint32_t which = any(16U);
+    const double zero = 0.0;
+    if (which == 0U) {
+        return zero / zero;
+    }
+    return (which <= 8U) ? edges[which - 1U] : (double)any(1000U) / 10.0;
+}
+
+static void said(fmi3InstanceEnvironment environment, fmi3Status status, fmi3String category, fmi3String message)
+{
+    (void)environment;
+    if ((status < fmi3Warning) || (strlen(category) == 0U) || (strlen(message) < 10U)) {
+        abort();
+    }
+}
+
+static fmi3Instance instance;
+static fmi3FMUState state;
+static double now;
+static unsigned counts[5];
+static fmi3Byte bytes[1U << 16];
+
+static fmi3Status access(void)
+{
+    fmi3ValueReference references[MOST];
+    double doubles[MOST];
+    float floats[MOST];
+    int64_t integers[MOST];
+    const size_t count = any(MOST);
+    const size_t values = any(2U) ? count : any(MOST);
+    for (size_t i = 0; i < MOST; i++) {
+        references[i] = any(8U) ? any(12U) : any(UINT32_MAX);
+        doubles[i] = any_number();
+        floats[i] = (float)any(1000U);
+        integers[i] = (int64_t)any(UINT32_MAX) - 1000;
+    }
+    switch (any(5U)) {
+        case 0U: return fmi3GetFloat64(instance, any(50U) ? references : NULL, count, doubles, values);
+        case 1U: return fmi3SetFloat32(instance, references, count, any(50U) ? floats : NULL, values);
+        case 2U: return fmi3GetFloat32(instance, references, count, floats, values);
+        case 3U: return fmi3SetInt64(instance, references, count, integers, values);
+        default: return fmi3GetInt64(instance, references, count, integers, values);
+    }
+}
+
+static fmi3Status step(void)
+{
+    fmi3Boolean event = false;
+    fmi3Boolean end = false;
+    fmi3Boolean early = false;
+    double last = 0.0;
+    const bool is_right = any(4U) > 0U;
+    const double length = is_right ? 0.001 * (double)(1U + any(50U)) : any_number();
+    const fmi3Status status = (length > 1000.0) ? fmi3Discard
+        : fmi3DoStep(instance, is_right ? now : any_number(), length, true, &event, &end, &early, any(50U) ? &last : NULL);
+    now = (status == fmi3OK) ? last : now;
+    return status;
+}
+
+static fmi3Status save(void)
+{
+    size_t size = 0;
+    switch (any(5U)) {
+        case 0U: return fmi3GetFMUState(instance, any(9U) ? &state : NULL);
+        case 1U: return fmi3SetFMUState(instance, state);
+        case 2U: return fmi3FreeFMUState(instance, &state);
+        case 3U:
+            if ((fmi3SerializedFMUStateSize(instance, state, &size) != fmi3OK) || (size > sizeof(bytes))) {
+                return fmi3Error;
+            }
+            return fmi3SerializeFMUState(instance, state, bytes, any(4U) ? size : any(sizeof(bytes)));
+        default:
+            if (any(3U) == 0U) {
+                bytes[any(4000U)] ^= 1U;
+            }
+            if (fmi3SerializedFMUStateSize(instance, state, &size) != fmi3OK) {
+                size = any(sizeof(bytes));
+            }
+            return fmi3DeserializeFMUState(instance, bytes, size, &state);
+    }
+}
+
+static fmi3Status call(const char *token)
+{
+    size_t found = 0;
+    switch (any(24U)) {
+        case 0U:
+            if (any(20U) == 0U) {
+                (void)fmi3FreeFMUState(instance, &state);
+                fmi3FreeInstance(instance);
+                now = 0.0;
+                instance = fmi3InstantiateCoSimulation(
+                    any(9U) ? "x" : NULL, any(9U) ? token : "wrong", NULL, false, true, any(9U) == 0U, false, NULL, 0U, NULL, said, NULL);
+            }
+            return fmi3OK;
+        case 1U: return fmi3EnterInitializationMode(instance, false, 0.0, any(4U) ? 0.0 : any_number(), any(2U) == 0U, any_number());
+        case 2U: return fmi3ExitInitializationMode(instance);
+        case 3U: return any(30U) ? fmi3EnterEventMode(instance) : fmi3Terminate(instance);
+        case 4U:
+            if (any(30U) == 0U) {
+                now = 0.0;
+                return fmi3Reset(instance);
+            }
+            return fmi3ActivateModelPartition(instance, any(9U), any_number());
+        case 5U: return fmi3GetNumberOfContinuousStates(instance, &found);
+        case 6U:
+        case 7U:
+        case 8U: return save();
+        case 9U:
+        case 10U:
+        case 11U:
+        case 12U: return step();
+        default: return access();
+    }
+}
+
+int main(int count, char **arguments)
+{
+    unsigned long calls;
+    if (count != 4) {
+        return EXIT_FAILURE;
+    }
+    seed = strtoull(arguments[2], NULL, 10) * UINT64_C(2654435761) + 1U;
+    calls = strtoul(arguments[3], NULL, 10);
+    for (unsigned long i = 0; i < calls; i++) {
+        const fmi3Status status = call(arguments[1]);
+        if ((status < fmi3OK) || (status >= fmi3Fatal)) {
+            return EXIT_FAILURE;
+        }
+        counts[status]++;
+    }
+    (void)fmi3FreeFMUState(instance, &state);
+    fmi3FreeInstance(instance);
+    free(state);
+    (void)printf("%u ok, %u refused\n", counts[fmi3OK], counts[fmi3Error]);
+    return EXIT_SUCCESS;
+}

@@ -1,0 +1,50 @@
+"""The functions of an FMU are called at random, with sanitizers of the compiler: nothing crashes, and what is wrong is refused."""
+
+import json
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from sigcat.cli import main
+from tests.needs import IS_SLOW_RUN, c_compiler
+
+HERE = Path(__file__).parent
+CALLS = 1_000_000 if IS_SLOW_RUN else 100_000
+
+
+@pytest.fixture(scope="module")
+def fuzzed(tmp_path_factory):
+    """A program with an FMU in it, and the token of the FMU."""
+    folder = tmp_path_factory.mktemp("fuzz")
+    assert main(["integrate", "fmi", str(HERE / "averaging/function.yaml"), "-o", str(folder / "fmi.json")]) == 0
+    assert main(["generate", "fmi", str(folder / "fmi.json"), "-o", str(folder)]) == 0
+    (fmu,) = json.loads((folder / "fmi.json").read_text())["FmuList"]
+    sources = folder / fmu["Name"] / "sources"
+    flags = [
+        "-std=c11",
+        "-g",
+        "-O1",
+        "-Wall",
+        "-Wextra",
+        "-Werror",
+        "-ffp-contract=off",
+        "-fsanitize=address,undefined",
+        "-fno-sanitize-recover=all",
+    ]
+    files = [*sorted(sources.glob("*.c")), HERE / "averaging/averaging.c", HERE / "fuzz.c"]
+    command = ["gcc", *flags, f"-I{sources}", f"-I{HERE / 'averaging'}", *map(str, files), "-o", str(folder / "fuzz")]
+    subprocess.run(command, check=True)
+    return folder / "fuzz", fmu["InstantiationToken"]
+
+
+@pytest.mark.parametrize("seed", range(1, 4))
+@c_compiler
+def test_random_calls_never_crash(fuzzed, seed):
+    program, token = fuzzed
+    done = subprocess.run([program, token, str(seed), str(CALLS)], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr[-3000:]
+    found = re.fullmatch(r"(\d+) ok, (\d+) refused\n", done.stdout)
+    assert found, done.stdout
+    assert all(int(each) > CALLS / 20 for each in found.groups())
