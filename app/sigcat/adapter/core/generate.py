@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from sigcat.adapter.core.c.header import header
 from sigcat.adapter.core.c.lines import Lines, wrapped
-from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.c.scope import Scope, in_adapter
 from sigcat.adapter.core.c.shadowing import renamed, shadowed
 from sigcat.adapter.core.c.source import source
 from sigcat.adapter.core.plan import CorePlan
@@ -41,9 +41,9 @@ def core_files(plan: CorePlan) -> CoreFiles:
 
 
 def _source(plan: CorePlan) -> Lines:
-    part = source(Scope(plan))
+    part = source(in_adapter(plan))
     names = shadowed(plan, part)
-    return renamed(source(Scope(plan, names)), names) if names else part
+    return renamed(source(in_adapter(plan, names)), names) if names else part
 
 
 def _text(part: Lines) -> bytes:

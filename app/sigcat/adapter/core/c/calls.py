@@ -1,92 +1,75 @@
-"""Functions around each call: its snapshot, its outputs, and the errors that are evaluated with them."""
+"""Calls, and what is done before and after each."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
-from sigcat.adapter.core.c import errors, inputs, methods, modes, outputs, parameters, schedule, supervision
-from sigcat.adapter.core.c.layout import c_functions, text_of
-from sigcat.adapter.core.c.lines import TIME, Lines, joined, replaced
+from sigcat.adapter.core.c.inputs import InputPlan, input_plan
+from sigcat.adapter.core.c.methods import MethodPlan, method_plan
+from sigcat.adapter.core.c.outputs import OutputPlan, output_plan
+from sigcat.adapter.core.c.schedule import is_due, runs, statement, waits
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.core.plan import Call, CorePlan
+from sigcat.adapter.core.plan import Call, Error, Logical, Reaction
 
 
-class _Call(NamedTuple):
-    """A call and the statements around it."""
+class CallPlan(NamedTuple):
+    """A call, and what surrounds it."""
 
     call: Call
+    place: str
+    """Member with its state: `self->Step`."""
+    constant: str
     statement: str
-    takes_arrays: bool
-    requests_arrays: bool
-    closed: str
-    reported: str
-    before: str
-    immediate: str
-    ended: str
-    given: str
-    requested: str
-    is_set: Mapping[str, str]
+    uses_self: bool
+    """Whether its statement and its hooks use the adapter."""
+    runs: str
+    """Whether the mode lets it run; empty if every mode does."""
+    is_due: str
+    waits: str
+    """Whether it has to wait for other calls; empty if it never has to."""
+    follows: str
+    """Whether it may follow the last checkpoint; empty if it may not."""
+    inputs: Sequence[InputPlan]
+    outputs: Sequence[OutputPlan]
+    requests: Sequence[MethodPlan]
+    errors: Sequence[Error]
+    """Evaluated before it."""
+    late_errors: Sequence[Error]
+    """Evaluated after it."""
+    reactions: Sequence[Reaction]
+    uses_time_before: bool
+    uses_time_after: bool
 
 
-class _Plan(NamedTuple):
-    """Plan of the functions; `runs` are conditions, by the names of calls."""
-
-    p: str
-    m: str
-    plan: CorePlan
-    calls: Sequence[_Call]
-    measures: bool
-    closed: str
-    runs: Mapping[str, str]
-
-
-def call_functions(scope: Scope) -> list[Lines]:
-    """The four functions of each call, and Supervise."""
-    steps = scope.plan.steps
-    plan = _Plan(
-        p=scope.prefix,
-        m=scope.macro,
-        plan=scope.plan,
-        calls=[_call(call, scope) for call in steps],
-        measures=any(call.alive or call.deadline for call in steps),
-        closed=_at_now(supervision.closed(scope)),
-        runs={call.name: modes.condition(call, scope) for call in steps},
+def call_plan(call: Call, scope: Scope) -> CallPlan:
+    """A call, as functions of the adapter surround it."""
+    plan, called = scope.plan, statement(call.symbol, call.arguments, scope)
+    errors, late_errors = (plan.errors_of(call.name, late=late) for late in (False, True))
+    requests = [method for method in plan.requests if method.call == call.name]
+    is_timed = bool(
+        any(item.time_out for item in call.inputs) or any(method.time_out is not None for method in requests)
     )
-    return c_functions("calls.c.j2", plan)
-
-
-def _call(call: Call, scope: Scope) -> _Call:
-    plan = scope.plan
-    return _Call(
+    return CallPlan(
         call=call,
-        statement=schedule.called(call, scope),
-        takes_arrays=methods.takes_arrays(call, scope),
-        requests_arrays=methods.requests_arrays(call, scope),
-        closed=_at_now(supervision.closed(scope)),
-        reported=text_of(supervision.reported(call, scope)),
-        before=_at_now(_before(call, scope)),
-        immediate=text_of(joined(inputs.taken(call, item, scope) for item in call.inputs if item.is_immediate)),
-        ended=_at_now(supervision.ended(call, scope)),
-        given=text_of(joined(outputs.given(call, output, scope) for output in call.outputs)),
-        requested=_at_now(methods.requested(call, scope)),
-        is_set={error.named.name: scope.is_set(error.variable) for error in plan.errors if error.variable},
+        place=f"self->{call.name}",
+        constant=scope.call(call.name),
+        statement=called,
+        uses_self="self->" in called or bool(call.before or call.after),
+        runs=runs(call, scope),
+        is_due=is_due(call, scope),
+        waits=waits(call, scope),
+        follows=_follows(call.logical) if call.logical else "",
+        inputs=[input_plan(call, item, scope) for item in call.inputs],
+        outputs=[output_plan(call, output, scope) for output in call.outputs],
+        requests=[method_plan(method, scope) for method in requests],
+        errors=errors,
+        late_errors=late_errors,
+        reactions=[each for each in plan.reactions if call.name in each.calls],
+        uses_time_before=bool(plan.has_windows or errors or plan.timed_reactions(call) or is_timed),
+        uses_time_after=bool(plan.has_windows or call.deadline or late_errors or requests),
     )
 
 
-def _before(call: Call, scope: Scope) -> Lines:
-    """The snapshot of a call, and what is evaluated with it."""
-    plan = scope.plan
-    return joined([
-        modes.written(scope),
-        *(inputs.judged(call, item, scope) for item in call.inputs),
-        *(inputs.taken(call, item, scope) for item in call.inputs if not item.is_immediate),
-        *(parameters.written(each, scope) for each in plan.parameters if call.name in each.calls and not each.learned),
-        errors.evaluated(plan.errors_of(call.name, late=False), scope),
-        *(errors.status_written(error, scope) for error in plan.errors if call.name in error.calls),
-        errors.reacted(call.name, scope),
-        methods.taken(call, scope),
-    ])  # fmt: skip
-
-
-def _at_now(part: Lines) -> str:
-    """Statements at the time that does not go back."""
-    return text_of(replaced(TIME, "now", part))
+def _follows(logical: Logical) -> str:
+    numbers = [*logical.previous, *([0] if logical.is_initial else [])]
+    conditions = [f"self->checkpoint.active == {number}U" for number in numbers]
+    return "".join(conditions) if len(conditions) < 2 else " || ".join(f"({each})" for each in conditions)

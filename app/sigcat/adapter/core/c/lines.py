@@ -2,11 +2,10 @@
 
 import re
 import textwrap
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.text_filters import AnyText, block_comment
 
 
 class Line(NamedTuple):
@@ -49,32 +48,6 @@ def block(head: str, body: Iterable[Lines], end: str = "}", source: Pointer | No
     return (Line(f"{head} {{", source), *indented(joined(body)), Line(end))
 
 
-def choice(ways: Sequence[tuple[str, Lines]]) -> Lines:
-    """Branches of the first condition that holds; an empty condition is the last one.
-
-    The default case needs no separate condition.
-    """
-    found: list[Line] = []
-    while len(ways) > 1 and not ways[-1][0] and ways[-2][1] == ways[-1][1]:
-        ways = [*ways[:-2], ways[-1]]
-    for number, (condition, body) in enumerate(ways):
-        if not condition and not number:
-            return body
-        before = "} else " if number else ""
-        found += [Line(f"{before}if ({condition}) {{" if condition else "} else {"), *indented(body)]
-    return (*found, Line("}"))
-
-
-def function(head: str, body: Iterable[Lines], comment: AnyText = "") -> Lines:
-    """A function with what a reader should know before it. Arguments that it does not use are marked."""
-    before = (Line(block_comment(comment)),) if comment else ()
-    whole = joined(body)
-    first = _declarations(whole)
-    declared, statements = whole[:first], (*_unused(head, whole), *whole[first:])
-    space = (Line(""),) if declared and statements and statements[0].text else ()
-    return (*before, Line(head), Line("{"), *indented((*declared, *space, *statements)), Line("}"))
-
-
 _OTHER = r'/\*.*?\*/|//[^\n]*|"(?:[^"\\]|\\.)*"'
 """Comments and strings, which decide nothing."""
 
@@ -89,28 +62,6 @@ def replaced(pattern: str, by: str, part: Lines) -> Lines:
     wanted = re.compile(f"(?P<other>{_OTHER})|{pattern}", re.DOTALL)
     text = wanted.sub(lambda found: found["other"] or found.expand(by), "\n".join(line.text for line in part))
     return tuple(line._replace(text=row) for line, row in zip(part, text.split("\n"), strict=True)) if part else ()
-
-
-TIME = r"(?<![\w.>\x02])t\b"
-
-
-_ARGUMENT = re.compile(r"\b(\w+)(?:,|\)$)")
-
-
-def _unused(head: str, body: Lines) -> Lines:
-    rows = [row for row in code_of(body).split("\n") if "_MARK(" not in row]  # empty without measurement
-    used = set(re.findall(r"\w+", "\n".join(rows)))
-    names = _ARGUMENT.findall(head.partition("(")[2])
-    return joined(lines(f"(void){name};") for name in names if name != "void" and name not in used)
-
-
-_DECLARATION = re.compile(r"(?:const )?\w+ \*?\w+(?:\[\w+\])?(?: = .*)?;$")
-
-
-def _declarations(body: Lines) -> int:
-    """Number of lines at the beginning that declare variables."""
-    return next((n for n, line in enumerate(body) if not _DECLARATION.match(line.text) or line.text.startswith("return")),
-                len(body))  # fmt: skip
 
 
 WIDEST = 120

@@ -97,9 +97,5 @@ def _of_leaf(
 
 
 def _check(macro: str, variable: str, declared: str, pointer: Pointer, scope: Scope) -> Check:
-    return Check(macro, _outside(variable, scope), declared, pointer)
-
-
-def _outside(variable: str, scope: Scope) -> str:
-    """A variable, seen from outside of functions."""
-    return scope.variable(variable).replace("self->", f"{scope.constant('SELF')}->")
+    outside = variable.replace("self->", f"{scope.constant('SELF')}->")
+    return Check(macro, outside, declared, pointer)

@@ -1,33 +1,56 @@
 """The source: every function in the order of a reader, and those that they need before them."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from sigcat.adapter.core.c import (
-    calls,
-    errors,
-    inputs,
-    life,
-    methods,
-    modes,
-    outputs,
-    parameters,
-    receiving,
-    schedule,
-    supervision,
-)
+from sigcat.adapter.core.c.calls import CallPlan, call_plan
+from sigcat.adapter.core.c.errors import ErrorPlan, ReactionPlan, error_plan, reaction_plan
 from sigcat.adapter.core.c.header import about
+from sigcat.adapter.core.c.inputs import received_init
 from sigcat.adapter.core.c.layout import c_lines
-from sigcat.adapter.core.c.lines import Lines, code_of, joined, spaced
+from sigcat.adapter.core.c.life import InitialValues, cleared_members, initial_values
+from sigcat.adapter.core.c.lines import Lines, code_of, spaced
+from sigcat.adapter.core.c.methods import STATUS, MethodPlan, method_plan
+from sigcat.adapter.core.c.parameters import ParameterPlan, parameter_plan
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.c.sizes import Check, checks, used_macros
 from sigcat.adapter.core.c.small_functions import used_functions
-from sigcat.adapter.core.plan import Call, CodeObject, CorePlan, Extern
+from sigcat.adapter.core.plan import Call, CorePlan
 from sigcat.function.document.text import Text
 
 
-class _Plan(NamedTuple):
-    """Plan of what stands before the functions."""
+class _Functions(NamedTuple):
+    """Plan of the functions."""
+
+    p: str
+    m: str
+    plan: CorePlan
+    is_cpp: bool
+    put: str
+    """Function that puts a number into a variable that may be an enumeration; empty where `=` does."""
+    inits: list[CallPlan]
+    calls: list[CallPlan]
+    """The steps, in the order of the file."""
+    due: Sequence[CallPlan]
+    """The same in the order in which they run."""
+    terminates: list[CallPlan]
+    parameters: Sequence[ParameterPlan]
+    methods: Sequence[MethodPlan]
+    status: Mapping[str, int]
+    """Results of requests."""
+    errors: Sequence[ErrorPlan]
+    reactions: Sequence[ReactionPlan]
+    received_inits: Mapping[str, str | None]
+    """Start values that are among the received ones, by the names of ports."""
+    initial: InitialValues
+    cleared: Sequence[str]
+    class_name: str
+    can_fail: bool
+    """Whether init can."""
+
+
+class _Before(NamedTuple):
+    """Plan of what is before the functions."""
 
     p: str
     m: str
@@ -35,9 +58,6 @@ class _Plan(NamedTuple):
     about: Text
     is_cpp: bool
     uses_math: bool
-    uses_memory: bool
-    objects: Sequence[CodeObject]
-    externs: Sequence[Extern]
     prototypes: Sequence[Call]
     checks: Sequence[Check]
     macros: frozenset[str]
@@ -45,52 +65,47 @@ class _Plan(NamedTuple):
 
 def source(scope: Scope) -> Lines:
     """The whole source."""
-    body = _without_unused_tables(_functions(scope))
-    text = code_of(joined(body))
+    functions = c_lines("adapter/core/c/functions.c.j2", _functions(scope))
+    small = used_functions(code_of(functions), scope.prefix, scope.macro)
     plan, found = scope.plan, checks(scope)
-    before = _Plan(
+    before = _Before(
         p=scope.prefix,
         m=scope.macro,
         plan=plan,
         about=about(plan),
         is_cpp=scope.is_cpp,
-        uses_math="_Quiet" in text or "_ToFloat(" in text,
-        uses_memory="mem" in text,
-        objects=[each._replace(name=scope.variable(each.name)) for each in plan.code.objects],
-        externs=[each._replace(name=scope.variable(each.name)) for each in plan.code.externs],
+        uses_math=any("NAN" in code_of(each) for each in small),
         prototypes=() if plan.code.headers else plan.calls,
         checks=found,
         macros=used_macros(found, scope),
     )
-    return spaced([c_lines("source.c.j2", before), *used_functions(text, scope.prefix, scope.macro), *body])
+    return spaced([c_lines("adapter/core/c/source.c.j2", before), *small, functions])
 
 
-def _without_unused_tables(parts: list[Lines]) -> list[Lines]:
-    """Tables of constants stand before what may use them; where a constant cannot come up, nothing does."""
-    text = code_of(joined(parts))
-    return [part for part in parts if not part[0].text.startswith("static const ") or text.count(_name(part)) > 1]
-
-
-def _name(table: Lines) -> str:
-    return table[0].text.partition("[")[0].rpartition(" ")[2]
-
-
-def _functions(scope: Scope) -> list[Lines]:
-    steps = scope.plan.steps
-    return [part for part in (
-        *receiving.receive_functions(scope),
-        *(part for call in steps for part in inputs.take_functions(call, scope)),
-        *(part for call in steps for part in outputs.give_functions(call, scope)),
-        *parameters.parameter_functions(scope),
-        parameters.set_function(scope),
-        *modes.runs_functions(scope),
-        *supervision.supervision_functions(scope),
-        *errors.error_functions(scope),
-        *modes.mode_out_functions(scope),
-        *schedule.enter_functions(scope),
-        *modes.mode_functions(scope),
-        *schedule.due_functions(scope),
-        *methods.method_functions(scope),
-        *calls.call_functions(scope),
-        *life.life_functions(scope),
-    ) if part]  # fmt: skip
+def _functions(scope: Scope) -> _Functions:
+    plan = scope.plan
+    inits, calls, terminates = (
+        [call_plan(call, scope) for call in each] for each in (plan.inits, plan.steps, plan.terminates)
+    )
+    received = {port.name: received_init(port) for port in plan.ports}
+    return _Functions(
+        p=scope.prefix,
+        m=scope.macro,
+        plan=plan,
+        is_cpp=scope.is_cpp,
+        put=scope.put,
+        inits=inits,
+        calls=calls,
+        due=[each for call in plan.due for each in calls if each.call.name == call.name],
+        terminates=terminates,
+        parameters=[parameter_plan(each, scope) for each in plan.parameters],
+        methods=[method_plan(each, scope) for each in plan.methods],
+        status=STATUS,
+        errors=[error_plan(each, scope) for each in plan.errors if each.call],
+        reactions=[reaction_plan(each, scope) for each in plan.reactions],
+        received_inits=received,
+        initial=initial_values(plan, [*inits, *calls, *terminates], [*received.values()]),
+        cleared=cleared_members(plan),
+        class_name=(plan.code.class_name or "").rpartition("::")[2],
+        can_fail=any(init.success is not None for init in plan.inits),
+    )

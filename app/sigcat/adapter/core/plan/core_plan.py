@@ -162,6 +162,32 @@ class CorePlan(NamedTuple):
         return late_inputs or any(each.time_out is not None for each in self.reactions)
 
     @property
+    def has_windows(self) -> bool:
+        """Whether the ends of any call are counted (section 10)."""
+        return any(call.alive for call in self.steps)
+
+    @property
+    def uses_verdict(self) -> bool:
+        """Whether anything can be wrong."""
+        watched = any(
+            call.overrun_error or call.alive or call.deadline or any(item.has_verdict for item in call.inputs)
+            or any(output.has_state for output in call.outputs)
+            for call in self.steps
+        )  # fmt: skip
+        is_checked = any(port.tells_of_rejection for port in self.ports) or any(
+            each.range_error for each in self.parameters
+        )
+        return bool(
+            watched
+            or is_checked
+            or self.uses_clock
+            or self.errors
+            or self.reactions
+            or self.mode_in
+            or self.judged_checkpoints
+        )
+
+    @property
     def has_globals(self) -> bool:
         """Whether the code keeps its data in global variables."""
         return self.code.signature == GLOBALS
@@ -185,6 +211,10 @@ class CorePlan(NamedTuple):
     def code_setting(self) -> str:
         """The setting of CMake that names the folder of the function's code: `CORE_ACC_CODE`."""
         return f"{screaming_snake_case(self.function)}_CODE"
+
+    def is_moded(self, call: Call) -> bool:
+        """Whether a mode excludes a call."""
+        return self.mode_in is not None and any(each.name in (call.modes or ()) for each in self.mode_in.modes)
 
     def is_followed(self, call: Call) -> bool:
         """Whether a call waits for this one."""

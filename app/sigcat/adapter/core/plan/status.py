@@ -101,6 +101,16 @@ class ModeIn(NamedTuple):
     goes_to_initial: bool
     unknown_error: str | None
 
+    @property
+    def cases(self) -> tuple[ModeValue, ...]:
+        """Modes whose numbers in the code are told apart, the last one for all that remain; none if no number differs."""
+        if all(each.number == each.code for each in self.modes):
+            return ()
+        *others, last = self.modes
+        while others and others[-1].code == last.code:
+            others.pop()
+        return (*others, last)
+
 
 class ModeOut(NamedTuple):
     """The mode that the function is in."""
@@ -109,3 +119,8 @@ class ModeOut(NamedTuple):
     wire: WireType
     modes: tuple[ModeValue, ...]
     variable: str
+
+    @property
+    def cases(self) -> tuple[ModeValue, ...]:
+        """The first mode of each number of the code."""
+        return tuple({each.code: each for each in reversed(self.modes)}.values())[::-1]
