@@ -1,12 +1,13 @@
 """The tables of the driver: the functions of a set, where values go, and what is sent to whom."""
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.host.connections import Connections
 from sigcat.adapter.host.numbering import Numbers
 from sigcat.adapter.host.shapes import SECONDS, Number, Packing, packing
+from sigcat.adapter.templates import rendered
 
 Kind = Literal["VALUE", "DURATION", "STORED", "GONE"]
 
@@ -41,34 +42,32 @@ def targets_of(connections: Connections, numbers: Numbers) -> tuple[Target, ...]
 _YES = packing(Number("boolean", ()))
 
 
+class _Exit(NamedTuple):
+    """A value that is sent: its bytes, and the numbers of its targets."""
+
+    size: int
+    route: Sequence[int]
+
+
+class _Tables(NamedTuple):
+    """Plan of the file."""
+
+    functions: Sequence[str]
+    targets: Sequence[Target]
+    exits: Sequence[_Exit]
+    call_count: int
+    largest: int
+
+
 def tables_file(connections: Connections, numbers: Numbers) -> GeneratedFile:
     """The file of the tables."""
-    names = [f"{member.name}_Driver" for member in connections.members]
     targets = targets_of(connections, numbers)
-    sizes = [each.packing.struct.size for each in targets]
-    sent = [packing(each.shape).struct.size for each in connections.exits]
-    rows = [
-        '#include "sigcat_driver.h"',
-        *(f"extern const sigcat_function {name};" for name in names),
-        _table("sigcat_function *const sigcat_functions", (f"&{name}" for name in names)),
-        f"const uint32_t sigcat_function_count = {len(names)}U;",
-        _table("sigcat_entry sigcat_entries", (
-            f"{{SIGCAT_{each.kind}, {each.member}U, {each.number}U, {size}U}}" for each, size in zip(targets, sizes, strict=True)
-        )),
-        f"const uint32_t sigcat_entry_count = {len(targets)}U;",
-        *(_table(f"uint32_t route_{number}", (f"{target}U" for target in route), "static const")
-          for number, route in enumerate(connections.routes)),
-        _table("sigcat_exit sigcat_exits", (
-            f"{{{size}U, {len(route)}U, route_{number}}}"
-            for number, (size, route) in enumerate(zip(sent, connections.routes, strict=True))
-        )),
-        f"const uint32_t sigcat_call_count = {len(numbers.calls)}U;",
-        f"const uint32_t sigcat_largest = {max(sizes)}U;",
-    ]  # fmt: skip
-    return GeneratedFile("sigcat_tables.c", ("\n".join(rows) + "\n").encode())
-
-
-def _table(name: str, values: Iterable[str], kind: str = "const") -> str:
-    """A table; one without rows has an empty one, as C wants it."""
-    rows = list(values) or ["0"]
-    return "\n".join([f"{kind} {name}[] = {{", *(f"    {row}," for row in rows), "};"])
+    sizes = [packing(each.shape).struct.size for each in connections.exits]
+    tables = _Tables(
+        functions=[f"{member.name}_Driver" for member in connections.members],
+        targets=targets,
+        exits=[_Exit(size, route) for size, route in zip(sizes, connections.routes, strict=True)],
+        call_count=len(numbers.calls),
+        largest=max(each.packing.struct.size for each in targets),
+    )
+    return GeneratedFile("sigcat_tables.c", rendered("runs/driver/sigcat_tables.c.j2", tables).encode())
