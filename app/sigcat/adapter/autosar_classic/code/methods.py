@@ -6,8 +6,8 @@ from typing import NamedTuple
 from sigcat.adapter.autosar_classic.code.c_text import c_lines
 from sigcat.adapter.autosar_classic.code.names import core_object
 from sigcat.adapter.autosar_classic.code.plan import MethodEnd, RteType, SwcPlan
-from sigcat.adapter.autosar_classic.code.values import Copy
-from sigcat.adapter.core.c.lines import Lines, joined
+from sigcat.adapter.autosar_classic.code.values import Copy, CopyRow
+from sigcat.adapter.core.c.lines import Lines
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.function.document.text_filters import AnyText
 from sigcat.integration.autosar_classic.model import Runnable
@@ -43,8 +43,8 @@ class _Method(NamedTuple):
     end: MethodEnd
     head: str
     comment: AnyText
-    arguments: Sequence[str]
-    results: Sequence[str]
+    arguments: Sequence[CopyRow]
+    results: Sequence[CopyRow]
     excluded: str
     bad_argument: str
 
@@ -54,13 +54,13 @@ def offered(runnable: Runnable, swc: SwcPlan) -> Lines:
     end = end_of(runnable, swc)
     to_core, from_core = Copy(swc.core, to_core=True), Copy(swc.core, to_core=False)
     arguments = [
-        to_core.of(f"arguments.{each.place}", _read(each.type, f"given_{each.name}"), each.type, each.wire.c)
-        for each in end.arguments
-    ]
+        row for each in end.arguments
+        for row in to_core.of(f"arguments.{each.place}", _read(each.type, f"given_{each.name}"), each.type, each.wire.c)
+    ]  # fmt: skip
     results = [
-        from_core.of(_written(each.type, f"taken_{each.name}"), f"results.{each.place}", each.type, each.wire.c)
-        for each in end.results
-    ]
+        row for each in end.results
+        for row in from_core.of(_written(each.type, f"taken_{each.name}"), f"results.{each.place}", each.type, each.wire.c)
+    ]  # fmt: skip
     plan = _Method(
         swc=swc,
         core=core_object(swc),
@@ -68,8 +68,8 @@ def offered(runnable: Runnable, swc: SwcPlan) -> Lines:
         end=end,
         head=head(runnable, end),
         comment=runnable.description or end.method.named.comment,
-        arguments=[line.text for line in joined(arguments)],
-        results=[line.text for line in joined(results)],
+        arguments=arguments,
+        results=results,
         excluded=_error(end, "EXCLUDED"),
         bad_argument=_error(end, "BAD_ARGUMENT"),
     )

@@ -6,8 +6,8 @@ from typing import NamedTuple
 from sigcat.adapter.autosar_classic.code.c_text import c_lines
 from sigcat.adapter.autosar_classic.code.names import core_object
 from sigcat.adapter.autosar_classic.code.plan import DataEnd, MethodEnd, SwcPlan
-from sigcat.adapter.autosar_classic.code.values import Copy, by_value
-from sigcat.adapter.core.c.lines import Lines, joined
+from sigcat.adapter.autosar_classic.code.values import Copy, CopyRow, by_value
+from sigcat.adapter.core.c.lines import Lines
 
 
 class _Sent(NamedTuple):
@@ -18,7 +18,7 @@ class _Sent(NamedTuple):
 
     end: DataEnd
     is_kept: bool
-    copied: Sequence[str]
+    copied: Sequence[CopyRow]
     argument: str
 
 
@@ -35,7 +35,7 @@ class _Request(NamedTuple):
     """A request to a method: statements that copy its arguments, and what the RTE is given."""
 
     end: MethodEnd
-    copied: Sequence[str]
+    copied: Sequence[CopyRow]
     given: Sequence[str]
 
 
@@ -78,18 +78,18 @@ def _sent(end: DataEnd, swc: SwcPlan) -> _Sent:
     source = f"{place}.values[k]" if end.has_count else place
     if end.type.is_number:
         return _Sent(end, _is_kept(end, swc), [], copy.number(source, end.type))
-    copied = [line.text for line in copy.of("value", source, end.type, end.wire.c)]
+    copied = [*copy.of("value", source, end.type, end.wire.c)]
     return _Sent(end, _is_kept(end, swc), copied, by_value(end.type, "value"))
 
 
 def _request(end: MethodEnd, swc: SwcPlan) -> _Request:
     copy, place = Copy(swc.core, to_core=False), f"{core_object(swc)}.method.{end.method.named.name}"
-    copies = [
-        copy.of(f"given_{each.name}", f"{place}.arguments.{each.place}", each.type, each.wire.c)
-        for each in end.arguments
-    ]
+    copied = [
+        row for each in end.arguments
+        for row in copy.of(f"given_{each.name}", f"{place}.arguments.{each.place}", each.type, each.wire.c)
+    ]  # fmt: skip
     given = [by_value(each.type, f"given_{each.name}") for each in end.arguments]
-    return _Request(end, [line.text for line in joined(copies)], given)
+    return _Request(end, copied, given)
 
 
 def _is_repeated(end: DataEnd, swc: SwcPlan) -> bool:

@@ -10,8 +10,8 @@ from typing import NamedTuple
 from sigcat.adapter.autosar_classic.code.c_text import c_lines
 from sigcat.adapter.autosar_classic.code.names import core_object, static
 from sigcat.adapter.autosar_classic.code.plan import DataEnd, MethodEnd, ModeEnd, SwcPlan
-from sigcat.adapter.autosar_classic.code.values import Copy, by_address, core_declared
-from sigcat.adapter.core.c.lines import Lines, joined
+from sigcat.adapter.autosar_classic.code.values import Copy, CopyRow, by_address, core_declared
+from sigcat.adapter.core.c.lines import Lines
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.integration.autosar_classic.model import Runnable
 
@@ -25,7 +25,7 @@ class _Taken(NamedTuple):
     end: DataEnd
     address: str
     declared: str
-    copied: Sequence[str]
+    copied: Sequence[CopyRow]
     argument: str
     runnable: str = ""
 
@@ -35,7 +35,7 @@ class _Answer(NamedTuple):
 
     end: MethodEnd
     addresses: Sequence[str]
-    copied: Sequence[str]
+    copied: Sequence[CopyRow]
 
 
 class _Receiving(NamedTuple):
@@ -108,12 +108,12 @@ def _copy(end: DataEnd, runnable: Runnable, swc: SwcPlan) -> _Taken:
     return _Taken(end, type_, *_given(end, "copy" if end.type.is_array else "(*copy)", swc), runnable.name)
 
 
-def _given(end: DataEnd, source: str, swc: SwcPlan) -> tuple[str, list[str], str]:
+def _given(end: DataEnd, source: str, swc: SwcPlan) -> tuple[str, list[CopyRow], str]:
     """A variable for a value, statements that fill it, and the argument for the core."""
     copy = Copy(swc.core, to_core=True)
     if end.type.is_number:
         return "", [], copy.number(source, end.type)
-    copied = [line.text for line in copy.of("taken", source, end.type, end.wire.c)]
+    copied = [*copy.of("taken", source, end.type, end.wire.c)]
     is_struct = end.wire.is_struct and end.wire.length is None
     return core_declared(end.wire, "taken"), copied, "&taken" if is_struct else "taken"
 
@@ -125,6 +125,9 @@ def _answered(runnable: Runnable, swc: SwcPlan) -> list[MethodEnd]:
 
 def _answer(end: MethodEnd, swc: SwcPlan) -> _Answer:
     copy = Copy(swc.core, to_core=True)
-    copies = [copy.of(f"results.{each.place}", f"taken_{each.name}", each.type, each.wire.c) for each in end.results]
+    copied = [
+        row for each in end.results
+        for row in copy.of(f"results.{each.place}", f"taken_{each.name}", each.type, each.wire.c)
+    ]  # fmt: skip
     addresses = [by_address(each.type, f"taken_{each.name}") for each in end.results]
-    return _Answer(end, addresses, [line.text for line in joined(copies)])
+    return _Answer(end, addresses, copied)

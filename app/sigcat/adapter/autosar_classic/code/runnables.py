@@ -9,7 +9,7 @@ from sigcat.adapter.autosar_classic.code.names import core_object
 from sigcat.adapter.autosar_classic.code.plan import ParameterEnd, Reported, SwcPlan
 from sigcat.adapter.autosar_classic.code.publishing import outputs
 from sigcat.adapter.autosar_classic.code.receiving import takes
-from sigcat.adapter.autosar_classic.code.values import Copy
+from sigcat.adapter.autosar_classic.code.values import Copy, CopyRow
 from sigcat.adapter.core.c.lines import Lines
 from sigcat.integration.autosar_classic.model import Runnable
 
@@ -22,7 +22,7 @@ class _Calibrated(NamedTuple):
     end: ParameterEnd
     number: str
     type: str
-    copied: Sequence[str]
+    copied: Sequence[CopyRow]
 
 
 class _Triggered(NamedTuple):
@@ -80,8 +80,7 @@ def _calibrated(end: ParameterEnd, swc: SwcPlan) -> _Calibrated:
     type_ = end.type.element.name if end.type.element else end.type.name
     source = "calibrated" if end.type.is_array else "(*calibrated)"
     target = f"stored.{end.parameter.named.name}.value"
-    copied = copy.of(target, source, end.type, end.parameter.value.wire.c)
-    return _Calibrated(end, "", type_, [line.text for line in copied])
+    return _Calibrated(end, "", type_, [*copy.of(target, source, end.type, end.parameter.value.wire.c)])
 
 
 def _step(each: Runnable, swc: SwcPlan) -> _Step:

@@ -1,10 +1,23 @@
 """Values of the RTE to values of the core, and back: number by number, since their datatypes are not the same to C."""
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code.plan import RteType
-from sigcat.adapter.core.c.lines import Lines, block, joined, lines
 from sigcat.adapter.core.plan import CorePlan, WireType
+
+
+class CopyRow(NamedTuple):
+    """A line of statements that copy a value: an assignment, the head of a loop over an array, or its end."""
+
+    depth: int
+    """Loops around it."""
+    target: str = ""
+    number: str = ""
+    """Of an assignment, what the target gets."""
+    counter: str = ""
+    """Of a loop, its variable."""
+    length: int | None = None
 
 
 class Copy(NamedTuple):
@@ -13,19 +26,19 @@ class Copy(NamedTuple):
     core: CorePlan
     to_core: bool
 
-    def of(self, target: str, source: str, type_: RteType, c: str, depth: int = 0) -> Lines:
+    def of(self, target: str, source: str, type_: RteType, c: str, depth: int = 0) -> Iterator[CopyRow]:
         """Statements that copy a value; `c` is the core's name of it, of an array that of its elements."""
         if type_.element is not None:
             i = "ijklmn"[depth]
-            each = self.of(f"{target}[{i}]", f"{source}[{i}]", type_.element, c, depth + 1)
-            return block(f"for (uint32 {i} = 0U; {i} < {type_.length}U; {i}++)", [each])
-        if type_.members:
+            yield CopyRow(depth, counter=i, length=type_.length)
+            yield from self.of(f"{target}[{i}]", f"{source}[{i}]", type_.element, c, depth + 1)
+            yield CopyRow(depth)
+        elif type_.members:
             fields = next(struct.fields for struct in self.core.structs if struct.name == c)
-            return joined(
-                self.of(*self._ends(target, source, name, field.name), inner, field.c, depth)
-                for (name, inner), field in zip(type_.members, fields, strict=True)
-            )
-        return lines(f"{target} = {self.number(source, type_)};")
+            for (name, inner), field in zip(type_.members, fields, strict=True):
+                yield from self.of(*self._ends(target, source, name, field.name), inner, field.c, depth)
+        else:
+            yield CopyRow(depth, target, self.number(source, type_))
 
     def number(self, source: str, type_: RteType) -> str:
         """A number of the other side."""

@@ -24,11 +24,6 @@ def lines(text: str, source: Pointer | None = None) -> Lines:
     return tuple(Line(line.rstrip(), source) for line in textwrap.dedent(text).strip("\n").split("\n"))
 
 
-def joined(parts: Iterable[Lines]) -> Lines:
-    """Parts, one after the other."""
-    return tuple(line for part in parts for line in part)
-
-
 def spaced(parts: Iterable[Lines]) -> Lines:
     """Parts with an empty line between them."""
     found: list[Line] = []
@@ -36,16 +31,6 @@ def spaced(parts: Iterable[Lines]) -> Lines:
         if part:
             found += [*([Line("")] if found else []), *part]
     return tuple(found)
-
-
-def indented(part: Lines, levels: int = 1) -> Lines:
-    """Lines, further in."""
-    return tuple(line._replace(text=f"{'    ' * levels}{line.text}" if line.text else "") for line in part)
-
-
-def block(head: str, body: Iterable[Lines], end: str = "}", source: Pointer | None = None) -> Lines:
-    """Lines between braces."""
-    return (Line(f"{head} {{", source), *indented(joined(body)), Line(end))
 
 
 _OTHER = r'/\*.*?\*/|//[^\n]*|"(?:[^"\\]|\\.)*"'
