@@ -14,7 +14,7 @@ from sigcat.adapter.autosar_adaptive.application.structs_header import structs_h
 from sigcat.adapter.autosar_adaptive.arxml.generate import generate as generate_arxml
 from sigcat.adapter.autosar_adaptive.bench.generate import generate as generate_services
 from sigcat.adapter.autosar_adaptive.bench.runtime_files import runtime_files
-from sigcat.adapter.core.c.lines import lines, wrapped
+from sigcat.adapter.core.c.lines import c_file, lines
 from sigcat.adapter.files import GeneratedFile, shipped, within
 from sigcat.adapter.placed_findings import placed_in
 from sigcat.adapter.source_cores import files_of, source_cores
@@ -85,24 +85,19 @@ def _bench(model: IntegrationModel) -> Iterable[GeneratedFile]:
     yield from within("bench", runtime_files())
     yield from within("generated", generate_services(model))
     yield from within("player", shipped(player_source.CPP))
-    yield _file("player/ports.cpp", _text(player_source.ports_source(model)))
+    yield c_file("player/ports.cpp", lines(player_source.ports_source(model)))
 
 
 def _executable(executable: ExecutablePlan, application: ApplicationPlan) -> Iterable[GeneratedFile]:
     folder = executable.name
     yield _file(f"{folder}/CMakeLists.txt", cmake.executable_cmake(executable))
-    yield _file(f"{folder}/main.cpp", _text(main_source(executable, application)))
+    yield c_file(f"{folder}/main.cpp", lines(main_source(executable, application)))
     for component in executable.components:
         stem = f"{folder}/{component.stem}"
-        yield _file(f"{stem}_adapter.h", _text(adapter_header(component, application)))
-        yield _file(f"{stem}_adapter.cpp", _text(adapter_source(component, application)))
+        yield c_file(f"{stem}_adapter.h", lines(adapter_header(component, application)))
+        yield c_file(f"{stem}_adapter.cpp", lines(adapter_source(component, application)))
         if component.structs:
-            yield _file(f"{stem}_structs.h", _text(structs_header(component, application)))
-
-
-def _text(text: str) -> str:
-    """A source, with long lines broken."""
-    return "\n".join(line.text for line in wrapped(lines(text))) + "\n"
+            yield c_file(f"{stem}_structs.h", lines(structs_header(component, application)))
 
 
 def _file(name: str, text: str) -> GeneratedFile:

@@ -2,8 +2,7 @@
 
 import re
 
-from sigcat.adapter.core.c.lines import Lines, lines, wrapped
-from sigcat.adapter.files import GeneratedFile
+from sigcat.adapter.core.c.lines import Lines, lines
 from sigcat.adapter.templates import Plan, rendered
 
 _FOLDER = "adapter/autosar_classic"
@@ -12,8 +11,3 @@ _FOLDER = "adapter/autosar_classic"
 def c_lines(template: str, plan: Plan) -> Lines:
     """Lines of a file. Parts of a template that are empty leave no empty lines behind."""
     return lines(re.sub(r"\n{3,}", "\n\n", rendered(f"{_FOLDER}/{template}", plan)))
-
-
-def c_file(name: str, part: Lines) -> GeneratedFile:
-    """The file, with long lines broken."""
-    return GeneratedFile(name, ("\n".join(line.text for line in wrapped(part)) + "\n").encode())

@@ -4,14 +4,14 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from sigcat.adapter.autosar_classic.code.c_text import c_file, c_lines
+from sigcat.adapter.autosar_classic.code.c_text import c_lines
 from sigcat.adapter.autosar_classic.code.plan import ClassicPlan, SwcPlan
 from sigcat.adapter.autosar_classic.test_rte.cmake import cmake
 from sigcat.adapter.autosar_classic.test_rte.component import component_source
 from sigcat.adapter.autosar_classic.test_rte.plan import TestRte
 from sigcat.adapter.autosar_classic.test_rte.readme import readme
 from sigcat.adapter.autosar_classic.test_rte.tables import data_header, tables
-from sigcat.adapter.core.c.lines import Lines
+from sigcat.adapter.core.c.lines import Lines, c_file
 from sigcat.adapter.files import GeneratedFile, shipped, within
 from sigcat.integration.autosar_classic.model import ClassicIntegration
 

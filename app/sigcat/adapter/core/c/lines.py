@@ -2,9 +2,9 @@
 
 import re
 import textwrap
-from collections.abc import Iterable
 from typing import NamedTuple
 
+from sigcat.adapter.files import GeneratedFile
 from sigcat.function.document.document import Pointer
 
 
@@ -24,15 +24,6 @@ def lines(text: str, source: Pointer | None = None) -> Lines:
     return tuple(Line(line.rstrip(), source) for line in textwrap.dedent(text).strip("\n").split("\n"))
 
 
-def spaced(parts: Iterable[Lines]) -> Lines:
-    """Parts with an empty line between them."""
-    found: list[Line] = []
-    for part in parts:
-        if part:
-            found += [*([Line("")] if found else []), *part]
-    return tuple(found)
-
-
 _OTHER = r'/\*.*?\*/|//[^\n]*|"(?:[^"\\]|\\.)*"'
 """Comments and strings, which decide nothing."""
 
@@ -47,6 +38,11 @@ def replaced(pattern: str, by: str, part: Lines) -> Lines:
     wanted = re.compile(f"(?P<other>{_OTHER})|{pattern}", re.DOTALL)
     text = wanted.sub(lambda found: found["other"] or found.expand(by), "\n".join(line.text for line in part))
     return tuple(line._replace(text=row) for line, row in zip(part, text.split("\n"), strict=True)) if part else ()
+
+
+def c_file(name: str, part: Lines) -> GeneratedFile:
+    """A file, with long lines broken."""
+    return GeneratedFile(name, ("\n".join(line.text for line in wrapped(part)) + "\n").encode())
 
 
 WIDEST = 120

@@ -9,7 +9,7 @@ from sigcat.adapter.core.c.header import about
 from sigcat.adapter.core.c.inputs import received_init
 from sigcat.adapter.core.c.layout import c_lines
 from sigcat.adapter.core.c.life import InitialValues, cleared_members, initial_values
-from sigcat.adapter.core.c.lines import Lines, code_of, spaced
+from sigcat.adapter.core.c.lines import Line, Lines, code_of
 from sigcat.adapter.core.c.methods import STATUS, MethodPlan, method_plan
 from sigcat.adapter.core.c.parameters import ParameterPlan, parameter_plan
 from sigcat.adapter.core.c.scope import Scope
@@ -79,7 +79,8 @@ def source(scope: Scope) -> Lines:
         checks=found,
         macros=used_macros(found, scope),
     )
-    return spaced([c_lines("adapter/core/c/source.c.j2", before), *small, functions])
+    parts = [c_lines("adapter/core/c/source.c.j2", before), *small, functions]
+    return tuple(line for part in parts for line in (*part, Line("")))[:-1]
 
 
 def _functions(scope: Scope) -> _Functions:

@@ -6,7 +6,7 @@ from hashlib import sha256
 from typing import NamedTuple
 
 from sigcat.adapter.core.c.layout import c_lines
-from sigcat.adapter.core.c.lines import wrapped
+from sigcat.adapter.core.c.lines import c_file
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import CorePlan
 from sigcat.adapter.files import GeneratedFile
@@ -45,8 +45,7 @@ def bridge_files(core: CorePlan) -> tuple[GeneratedFile, ...]:
 
 
 def _file(name: str, template: str, bridge: _Bridge) -> GeneratedFile:
-    part = wrapped(c_lines(f"adapter/ros2/python/{template}", bridge))
-    return GeneratedFile(name, ("\n".join(line.text for line in part) + "\n").encode())
+    return c_file(name, c_lines(f"adapter/ros2/python/{template}", bridge))
 
 
 def _bridge(core: CorePlan) -> _Bridge:
