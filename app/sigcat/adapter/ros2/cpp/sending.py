@@ -11,10 +11,19 @@ from sigcat.function.document.text_filters import c_string
 
 
 class Filled(NamedTuple):
-    """A field of a message, and the statements that fill it."""
+    """A field of a message, and the value of the core that fills it."""
 
     comment: str
-    filled: Sequence[str]
+    field: str
+    value: str
+    is_plain: bool
+    """Whether it is one number."""
+    table: str
+    """Texts of an enumeration; empty if the field has no text."""
+    number_field: str | None
+    """The field for its number, beside its text."""
+    active: int | None
+    """The number of the core for an active state, where the message has 0 and 1."""
 
 
 class TakenBack(NamedTuple):
@@ -73,7 +82,7 @@ def _sent(publisher: Publisher, node: NodePlan) -> Sent:
         queue,
         publisher.stamp,
         [Fixed(each.field, _fixed(each.value)) for each in publisher.fixed],
-        [Filled(each.comment, _filled(each, values[each.place])) for each in publisher.gives],
+        [_filled(each, values[each.place]) for each in publisher.gives],
         publisher.is_status,
         [_taken_back(port, each, values[each.place], node) for each in publisher.gives for port in each.own_ports],
     )
@@ -86,20 +95,19 @@ def _fixed(value: Any) -> str:
     return repr(value) if isinstance(value, int | float) else c_string(value)
 
 
-def _filled(given: Given, value: str) -> Sequence[str]:
-    """Statements that fill a field, and the one that has its number."""
-    field, is_one = f"message.{given.field}", is_plain(given.wire)
-    if given.symbols:
-        name, number = table(given.place), f"message.{given.number_field}"
-        rows = [f"{field} = symbol_text({name}, {value});", f"{number} = {value};"] if is_one else [
-            f"assign_texts({name}, {value}, {field});", f"assign({value}, {number});",
-        ]  # fmt: skip
-        return rows if given.number_field else rows[:1]
+def _filled(given: Given, value: str) -> Filled:
     if given.numbers:
-        (first, one), (second, other) = given.numbers
+        (first, one), (_, other) = given.numbers
         assert (one, other) == (0, 1), first
-        return [f"{field} = {value} == {second}U ? 1U : 0U;"]
-    return [f"{field} = {value};" if is_one else f"assign({value}, {field});"]
+    return Filled(
+        given.comment,
+        given.field,
+        value,
+        is_plain(given.wire),
+        table(given.place) if given.symbols else "",
+        given.number_field,
+        given.numbers[1][0] if given.numbers else None,
+    )
 
 
 def _taken_back(port: Port, given: Given, value: str, node: NodePlan) -> TakenBack:
