@@ -3,8 +3,9 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from sigcat.adapter.core.plan import WireType
 from sigcat.adapter.ros2.cpp.layout import call
-from sigcat.adapter.ros2.cpp.names import CORE, core_function, declared, is_plain, short, table
+from sigcat.adapter.ros2.cpp.names import CORE, core_function, is_plain, short, table
 from sigcat.adapter.ros2.plan import NodePlan, Publisher, Subscription, Taken
 from sigcat.function.document.text_filters import c_string
 from sigcat.integration.ros2.model import QualityOfService
@@ -18,10 +19,17 @@ class Advertised(NamedTuple):
 
 
 class Received(NamedTuple):
-    """A value of a message: statements before the core receives it, and the call of the core."""
+    """A value of a message, and the call of the core that receives it."""
 
     comment: str
-    before: Sequence[str]
+    field: str
+    wire: WireType
+    variable: str
+    """Variable that it is copied to; empty for one number."""
+    table: str
+    """Texts of an enumeration; empty if the field has a number."""
+    nameless: int | None
+    """The number of a text that has no name."""
     received: str
 
 
@@ -68,25 +76,24 @@ def _subscribed(subscription: Subscription, node: NodePlan) -> Subscribed:
 
 
 def _received(taken: Taken, node: NodePlan) -> Received:
-    before, value = _value(taken, f"message.{taken.field}")
-    arguments = [CORE, value, "clock_->now()"]
-    return Received(taken.comment, before, call(core_function(node, f"Receive_{taken.place}"), arguments, levels=4))
+    field, variable = f"message.{taken.field}", "" if is_plain(taken.wire) else f"taken_{taken.place}"
+    value = f"{'' if taken.wire.length is not None else '&'}{variable}" if variable else _number(taken, field)
+    return Received(
+        taken.comment,
+        field,
+        taken.wire,
+        variable,
+        table(taken.place) if taken.symbols else "",
+        taken.nameless,
+        call(core_function(node, f"Receive_{taken.place}"), [CORE, value, "clock_->now()"], levels=4),
+    )
 
 
-def _value(taken: Taken, field: str) -> tuple[Sequence[str], str]:
-    """Statements before the value is received, and the value."""
-    wire = taken.wire
-    if is_plain(wire):
-        if taken.symbols:
-            number = f"symbol_number({table(taken.place)}, {field}, {taken.nameless})"
-            return (), f"static_cast<{wire.c}>(\n  {number})"
-        return (), _renumbered(taken, field) if taken.numbers else field
-    name = f"taken_{taken.place}"
+def _number(taken: Taken, field: str) -> str:
+    """One number, as the core takes it."""
     if taken.symbols:
-        assign = f"assign_numbers({table(taken.place)}, {field}, {name}, {taken.nameless});"
-    else:
-        assign = f"assign({field}, {name});"
-    return (declared(wire, name), assign), name if wire.length is not None else f"&{name}"
+        return f"static_cast<{taken.wire.c}>(\n  symbol_number({table(taken.place)}, {field}, {taken.nameless}))"
+    return _renumbered(taken, field) if taken.numbers else field
 
 
 def _renumbered(taken: Taken, field: str) -> str:

@@ -65,11 +65,6 @@ def table(place: str) -> str:
     return f"k{place[:1].upper()}{place[1:]}Symbols"
 
 
-def declared(wire: WireType, name: str) -> str:
-    """A variable of the core's datatype."""
-    return f"{wire.c} {name}{f'[{wire.length}]' if wire.length is not None else ''}{{}};"
-
-
 def is_plain(wire: WireType) -> bool:
     """Whether it is one number."""
     return not wire.is_struct and wire.length is None
