@@ -36,11 +36,11 @@ _ROOM = "adapter/autosar_adaptive/application"
 
 
 class _Received(NamedTuple):
-    """A value that a service gives: its type, the variable for the core's form of it if it needs one, and the argument."""
+    """A value that a service gives: its type, whether the core needs another form of it, and the argument."""
 
     receiver: Receiver
     type: str
-    declared: str
+    is_copied: bool
     argument: str
     wakes: bool
     """Whether it may make a call due."""
@@ -155,12 +155,10 @@ def _connected(service: Required, component: ComponentPlan) -> _Connected:
 
 def _received(receiver: Receiver, component: ComponentPlan) -> _Received:
     wire, type_ = receiver.wire, cpp_type(receiver.type)
-    declared, argument = "", "value"
-    if wire.length is not None:
-        declared, argument = f"{wire.c} taken[{wire.length}];", "taken"
-    elif wire.is_struct:
-        declared, argument = f"{wire.c} taken;", "&taken"
+    is_copied, argument = wire.length is not None or wire.is_struct, "value"
+    if is_copied:
+        argument = "taken" if wire.length is not None else "&taken"
     elif type_.startswith("::"):
         argument = f"static_cast<{wire.c}>(value)"
     wakes = any(receiver.function == port.name and port.triggers for port in component.core.ports)
-    return _Received(receiver, type_, declared, argument, wakes)
+    return _Received(receiver, type_, is_copied, argument, wakes)

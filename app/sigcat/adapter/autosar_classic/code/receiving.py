@@ -10,21 +10,20 @@ from typing import NamedTuple
 from sigcat.adapter.autosar_classic.code.c_text import c_lines
 from sigcat.adapter.autosar_classic.code.names import core_object, static
 from sigcat.adapter.autosar_classic.code.plan import DataEnd, MethodEnd, ModeEnd, SwcPlan
-from sigcat.adapter.autosar_classic.code.values import Copy, CopyRow, by_address, core_declared
+from sigcat.adapter.autosar_classic.code.values import Copy, CopyRow, by_address
 from sigcat.adapter.core.c.lines import Lines
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.integration.autosar_classic.model import Runnable
 
 
 class _Taken(NamedTuple):
-    """An element that is handed over to the core: the variable for it, statements that fill it, and the argument.
+    """An element that is handed over to the core: statements that fill a variable for it, if it needs one, and the argument.
 
     `address` is what the RTE fills; of a copy that a runnable has, the type behind the pointer to it.
     """
 
     end: DataEnd
     address: str
-    declared: str
     copied: Sequence[CopyRow]
     argument: str
     runnable: str = ""
@@ -97,25 +96,25 @@ def takes(runnable: Runnable, swc: SwcPlan, *, before: str = "") -> list[str]:
 
 
 def _taken(end: DataEnd, swc: SwcPlan) -> _Taken:
-    return _Taken(end, by_address(end.type, "value"), *_given(end, "value", swc))
+    return _Taken(end, by_address(end.type, "value"), *_handed_over(end, "value", swc))
 
 
 def _copy(end: DataEnd, runnable: Runnable, swc: SwcPlan) -> _Taken:
     """Implicit access: the copy that the RTE has made for the runnable."""
     if end.type.is_number:
-        return _Taken(end, "", *_given(end, f"Rte_IRead_{runnable.name}_{end.name}()", swc), runnable.name)
+        return _Taken(end, "", *_handed_over(end, f"Rte_IRead_{runnable.name}_{end.name}()", swc), runnable.name)
     type_ = end.type.element.name if end.type.element else end.type.name
-    return _Taken(end, type_, *_given(end, "copy" if end.type.is_array else "(*copy)", swc), runnable.name)
+    return _Taken(end, type_, *_handed_over(end, "copy" if end.type.is_array else "(*copy)", swc), runnable.name)
 
 
-def _given(end: DataEnd, source: str, swc: SwcPlan) -> tuple[str, list[CopyRow], str]:
-    """A variable for a value, statements that fill it, and the argument for the core."""
+def _handed_over(end: DataEnd, source: str, swc: SwcPlan) -> tuple[list[CopyRow], str]:
+    """Statements that fill a variable for a value, and the argument for the core."""
     copy = Copy(swc.core, to_core=True)
     if end.type.is_number:
-        return "", [], copy.number(source, end.type)
+        return [], copy.number(source, end.type)
     copied = [*copy.of("taken", source, end.type, end.wire.c)]
     is_struct = end.wire.is_struct and end.wire.length is None
-    return core_declared(end.wire, "taken"), copied, "&taken" if is_struct else "taken"
+    return copied, "&taken" if is_struct else "taken"
 
 
 def _answered(runnable: Runnable, swc: SwcPlan) -> list[MethodEnd]:

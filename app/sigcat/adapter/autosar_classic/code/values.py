@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code.plan import RteType
-from sigcat.adapter.core.plan import CorePlan, WireType
+from sigcat.adapter.core.plan import CorePlan
 
 
 class CopyRow(NamedTuple):
@@ -49,11 +49,6 @@ class Copy(NamedTuple):
     def _ends(self, target: str, source: str, rte: str, core: str) -> tuple[str, str]:
         own, other = (core, rte) if self.to_core else (rte, core)
         return f"{target}.{own}", f"{source}.{other}"
-
-
-def core_declared(wire: WireType, name: str) -> str:
-    """A variable that holds a value as the core takes it."""
-    return f"{wire.c} {name}{f'[{wire.length}]' if wire.length is not None else ''};"
 
 
 def by_address(type_: RteType, name: str) -> str:
