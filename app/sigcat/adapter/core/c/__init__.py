@@ -1,4 +1,5 @@
 """The plan of a core in, its header and its source in C out.
 
-There is a file for each section of docs/reference/adapter.md; none decides what the plan has not decided.
+There is a template for each section of docs/reference/adapter.md, and a file beside it that resolves the names, numbers and expressions of its
+plan; none decides what the plan of the core has not decided.
 """

@@ -28,11 +28,11 @@ class InputPlan(NamedTuple):
     place: str
     """Member with its state: `self->Step.in.VehSpd`."""
     source: str
-    """What was received; of a queue, the value that waits longest."""
+    """The received value; of a queue, the one that waits longest."""
     received: Transfer
     """From there to the variable: it is checked there."""
     taken: Transfer
-    """From what the call has of it to the variable."""
+    """From the value of the call to the variable."""
     ways: Sequence[Way]
     kept_at: str
     """Index of a kept value."""
@@ -75,7 +75,7 @@ def input_plan(call: Call, item: Input, scope: Scope) -> InputPlan:
 
 
 def _ways(item: Input, place: str, scope: Scope) -> Iterator[Way]:
-    """What the variable gets, by the origin of the value."""
+    """Numbers for the variable, by the origin of the value."""
     late = item.time_out.substitute if item.time_out else "Last"
     origin = f"{place}.origin[{'place' if item.places > 1 else '0'}]" if item.queue else "origin"
     if item.queue and late != "Last":

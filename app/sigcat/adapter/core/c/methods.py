@@ -28,7 +28,7 @@ class MethodPlan(NamedTuple):
     place: str
     """Member with its state, if it is used: `self->method.SetSpeed`."""
     struct: str
-    """Type of what is received."""
+    """Type of the received values."""
     received: list[ArgumentPlan]
     given: list[ArgumentPlan]
     takes_arrays: bool
@@ -64,7 +64,7 @@ def method_plan(method: Method, scope: Scope) -> MethodPlan:
 
 
 def _received(argument: Argument, method: Method, source: str, scope: Scope) -> ArgumentPlan:
-    """An argument of a request, or a result of an answer; a function of its own takes it if it is checked."""
+    """An argument of a request, or a result of an answer; a separate function takes it if it is checked."""
     member = f"given->{argument.name}" if argument.value.is_checked else f"{source}{argument.name}"
     ends = _ends(argument, method, scope)._replace(source=member, target=argument.variable, put=scope.put)
     return _plan(argument, method, ends)

@@ -50,7 +50,7 @@ class _Functions(NamedTuple):
 
 
 class _Before(NamedTuple):
-    """Plan of what is before the functions."""
+    """Plan of everything before the functions."""
 
     p: str
     m: str

@@ -103,7 +103,7 @@ class ModeIn(NamedTuple):
 
     @property
     def cases(self) -> tuple[ModeValue, ...]:
-        """Modes whose numbers in the code are told apart, the last one for all that remain; none if no number differs."""
+        """Modes with their numbers in the code, the last one for all that remain; none if those numbers are the received ones."""
         if all(each.number == each.code for each in self.modes):
             return ()
         *others, last = self.modes
