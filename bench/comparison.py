@@ -7,9 +7,9 @@ from time import process_time
 
 from bench.measuring import interleaved
 from bench.rows import Bench, Row, at_most
+from sigcat.adapter.host.shapes import Number
 from sigcat.comparison.behaviour import in_lock_step
 from sigcat.comparison.running.recorded import read_recorded
-from sigcat.adapter.host.shapes import Number
 
 _STEPS = 12_000
 """Cycle of 50 ms."""
