@@ -186,13 +186,13 @@ def _leaf(item: Interface, part: Part, *, to_code: bool, is_struct: bool) -> Lea
         is_checked=is_checked and not part.symbols,
         **(_on_source(low, high, source) if is_checked and not part.symbols else {}),
     )
-    init, default = _given(item, "init", part), _given(item, "default", part)
+    init, default = _declared_numbers(item, "init", part), _declared_numbers(item, "default", part)
     return Leaf(
         *((part.wire, part.code) if to_code else (part.code, part.wire)),
         length=part.length,
         element=element,
-        init=_held(init or default, part, target),
-        default=_held(default or init, part, target),
+        init=_target_numbers(init or default, part, target),
+        default=_target_numbers(default or init, part, target),
         replacement=_replacement(item, init, default, part, target),
     )
 
@@ -253,7 +253,7 @@ def _on_source(low: Fraction | None, high: Fraction | None, source: Side) -> dic
 # -- values that are given ----------------------------------------------------------------------------------------
 
 
-def _given(item: Interface, name: str, part: Part) -> tuple[Fraction, ...] | None:
+def _declared_numbers(item: Interface, name: str, part: Part) -> tuple[Fraction, ...] | None:
     """A start value or default, one number for each element; None if there is none."""
     given = json_of(getattr(item, f"{name}_elements", None))
     if given is None and _is_only_default(item, name, part):
@@ -291,7 +291,7 @@ def _element(given: Any, part: Part) -> Fraction | None:
     )
 
 
-def _held(given: tuple[Fraction, ...] | None, part: Part, target: Side) -> tuple[Number, ...]:
+def _target_numbers(given: tuple[Fraction, ...] | None, part: Part, target: Side) -> tuple[Number, ...]:
     """Physical values as the target holds them: 0 where nothing is given."""
     if given is None:
         return (0,) * (part.length or 1)
@@ -307,7 +307,7 @@ def _replacement(
     if item.range_error_action is None:
         return None
     first, second = (default, init) if item.range_error_action == "Default" else (init, default)
-    return _held(first or second, part, target)
+    return _target_numbers(first or second, part, target)
 
 
 def _wire_type(
