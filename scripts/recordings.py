@@ -21,10 +21,20 @@ Sent = Mapping[str, list[tuple[int, str]]]
 
 def simulated(out: Path, seconds: int) -> Sent:
     """Return the values that the simulation of EcoControl sends."""
-    functions = [str(EXAMPLES / name / "function.yaml") for name in FUNCTIONS]
-    sigcat = [sys.executable, "-m", "sigcat.cli", "simulate", *functions, "--trace", str(DRIVE)]
-    subprocess.run([*sigcat, "--duration", str(seconds), "-o", str(out)], check=True, capture_output=True, text=True)
+    _run("simulate", "--duration", str(seconds), "-o", str(out))
     return _by_name(_simulated_values(out))
+
+
+def normalized(out: Path) -> Path:
+    """Write the drive as players read it."""
+    _run("normalize", "-o", str(out))
+    return out
+
+
+def _run(command: str, *options: str) -> None:
+    functions = [str(EXAMPLES / name / "function.yaml") for name in FUNCTIONS]
+    sigcat = [sys.executable, "-m", "sigcat.cli", command, *functions, "--trace", str(DRIVE), *options]
+    subprocess.run(sigcat, check=True, capture_output=True, text=True)
 
 
 def _simulated_values(path: Path) -> Iterator[tuple[int, str, str]]:

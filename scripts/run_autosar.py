@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from scripts import recordings
-from scripts.recordings import DRIVE, EXAMPLES, WHOLE_DRIVE, Sent, bits, recorded
+from scripts.recordings import EXAMPLES, WHOLE_DRIVE, Sent, bits, recorded
 from sigcat.comparison.running.processes import Process, launched, own_network
 from sigcat.players import cmake
 from sigcat.players.commands import write
@@ -54,7 +54,8 @@ def run(folder: Path, seconds: int) -> Sent:
     recording, programs = folder / "recorded.csv", folder / "build"
     environment = {**os.environ, "BENCH_PLAYER": "40000"}
     processes = [Process(name, (str(programs / name / name),), environment) for name in EXECUTABLES]
-    command = (str(programs / "player/player"), str(DRIVE), str(recording), str(seconds))
+    trace = recordings.normalized(folder / "normalized.tsv")
+    command = (str(programs / "player/player"), str(trace), str(recording), str(seconds))
     outcome = launched(processes, Process("player", command, environment), folder / "run", own_network() or ())
     if outcome.last_words:
         raise RuntimeError(outcome.last_words)

@@ -4,6 +4,7 @@ Generates the packages, builds them with real rosidl and our subset of rclcpp, p
 in C++ and then to those in Python, and holds what they send against `sigcat simulate`.
 """
 
+import json
 import signal
 import subprocess
 import sys
@@ -13,10 +14,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 from scripts import recordings, ros2_environment, ros2_packages
-from scripts.recordings import DRIVE, EXAMPLES, WHOLE_DRIVE, Sent, bits
+from scripts.recordings import EXAMPLES, WHOLE_DRIVE, Sent, bits
 from scripts.run_autosar import CODE
 from sigcat.players.commands import write
 from sigcat.players.ros2_domain import own_domain, variables_in_domain
+from sigcat.players.ros2_player_source import player_files
 
 INTEGRATION = EXAMPLES / "ecocontrol/expected/ros2.json"
 NODES = ("core_acc_node", "eco_control_mpc_node")
@@ -41,10 +43,11 @@ def main() -> int:
     folder = ros2_environment.HERE / "build/ros2"
     generate_into(folder / "src")
     workspace = build(folder, ros2_packages.build_subset(folder / "subset"))
+    player = build_player(folder / "player", workspace.prefix, *workspace.others)
     expected = recordings.simulated(folder / "simulated.csv", seconds)
     is_wrong = False
     for language, package in PACKAGES.items():
-        sent = play(workspace, package, folder / package, seconds)
+        sent = play(workspace, player, package, folder / package, seconds)
         wrong = differences(sent, expected)
         is_wrong |= bool(wrong)
         print(f"{language}: {seconds} s, {sum(map(len, sent.values()))} values over DDS, none lost")
@@ -71,6 +74,12 @@ def build(folder: Path, *others: Path, flags: str = "", code: Mapping[str, Path]
         elif (package / "setup.py").exists():
             ros2_packages.build_python(package, folder, prefix, *others)
     return Workspace(prefix, others)
+
+
+def build_player(folder: Path, *others: Path) -> Path:
+    """Build the player, with what it is built on, and return its program."""
+    write(player_files(json.loads(INTEGRATION.read_bytes())), folder / "source")
+    return ros2_packages.build_cmake(folder / "source", folder, folder / "install", *others) / "lib/player/player"
 
 
 def environment(workspace: Workspace, number: int, home: Path) -> Mapping[str, str]:
@@ -106,16 +115,17 @@ def ended(command: Sequence[object], variables: Mapping[str, str]) -> tuple[int,
     return done.returncode, done.stdout + done.stderr
 
 
-def play(workspace: Workspace, package: str, folder: Path, seconds: int) -> Sent:
+def play(workspace: Workspace, player: Path, package: str, folder: Path, seconds: int) -> Sent:
     """Return the values that the nodes send while the drive is played to them in lock step."""
     folder.mkdir(parents=True, exist_ok=True)
     recording = folder / "recorded.csv"
     executables = [workspace.prefix / "lib" / package / node for node in NODES]
-    player = [ros2_environment.PYTHON, ros2_environment.HERE / "scripts/ros2_player.py"]
+    trace = recordings.normalized(folder / "normalized.tsv")
+    command = [player, "lock", trace, recording, seconds * 10**9]
     with own_domain() as number:
         variables = environment(workspace, number, folder)
         with started([(each, *LOCK_STEP) for each in executables], variables, folder / "nodes.txt"):
-            ros2_packages.run([*player, INTEGRATION, DRIVE, recording, seconds], variables)
+            ros2_packages.run(command, variables)
     return recordings.recorded(recording)
 
 

@@ -100,8 +100,8 @@ def _drive(subjects: Sequence[Subject]) -> str:
         item.vss_path for each in subjects for _, _, item in data(each.document)
         if item.role == "Consumer" and item.vss_path and item.vss_path not in provided and item.vss_datatype in _NUMBERS
     )  # fmt: skip
-    rows = [f"{0.1 * row:g},{','.join(['1' if row % 2 else '0'] * len(paths))}".rstrip(",") for row in range(8)]
-    return "\n".join([",".join(["time", *map(str, paths)]), *rows, ""])
+    rows = [[str(10**8 * row), *["1" if row % 2 else "0"] * len(paths)] for row in range(8)]
+    return "".join("\t".join(row) + "\n" for row in [["time_ns", *map(str, paths)], *rows])
 
 
 _NUMBERS = ("float", "double", "uint8", "int8", "uint16", "int16", "uint32", "int32")

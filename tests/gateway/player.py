@@ -7,7 +7,7 @@ from pathlib import Path
 
 folder = Path(sys.argv[0]).parent
 header = sys.stdin.readline()
-columns = header.strip().split(",")[1:]
+columns = header.strip().split("\t")[1:]
 words = os.environ.get("PLAYER", "")
 if "late" in words:
     (folder / "player_waits").touch()
@@ -22,12 +22,12 @@ with (folder / "given.csv").open("w") as given:
     given.write(header)
     for line in sys.stdin:
         given.write(line)
-        time_s, *cells = line.rstrip("\n").split(",")
+        time_ns, *cells = line.rstrip("\n").split("\t")
         for name, cell in zip(columns, cells, strict=True):
             if cell and name != "Vehicle.CurbWeight":
                 count += 1
                 if name == "Vehicle.Speed":
-                    print(f'{round(float(time_s) * 1e9)},Vehicle.Wish,"{float(cell) * 2}"', flush=True)
+                    print(f'{time_ns},Vehicle.Wish,"{float(cell) * 2}"', flush=True)
         if "breaks" in words:
             sys.exit("player: It breaks.")
 print(f"unheard {count - 1 if 'alone' in words else 0}", flush=True)

@@ -9,6 +9,7 @@ import can
 import pytest
 from can.interfaces.virtual import channels
 
+from sigcat.adapter.host.shapes import Number
 from sigcat.cli import main
 from sigcat.players.program import Program
 from tests.gateway.live_bus import sending
@@ -45,7 +46,7 @@ def run(tmp_path, monkeypatch, capsys):
     script.chmod(0o755)
 
     def running(*options, player="", status=0, log=None):
-        program = Program("SOME/IP", script, {**os.environ, "PLAYER": player})
+        program = Program("SOME/IP", script, {**os.environ, "PLAYER": player}, {"Vehicle.Speed": Number("float")})
         monkeypatch.setattr("sigcat.players.program.build_player", lambda *_: program)
         path = tmp_path / "drive.log"
         path.write_text(
@@ -66,10 +67,10 @@ DRIVE = [(100.0, (100, 1500)), (100.05, (200, 1500)), (100.1, (200, 1510))]
 def test_every_value_is_handed_over_at_its_time_since_the_first_one_and_counted(run):
     rows, told = run()
     assert rows == [
-        "time,Vehicle.Speed,Vehicle.CurbWeight",
-        "0.000000000,1.0,1500",
-        "0.050000000,2.0,",
-        "0.100000000,2.0,1510",
+        "time_ns\tVehicle.Speed\tVehicle.CurbWeight",
+        "0\t1.0\t",
+        "50000000\t2.0\t",
+        "100000000\t2.0\t",
     ]
     assert "drive.log: 3 values of 1 signals sent over SOME/IP, 3 received" in told
     assert "drive.log: info B007 No function receives Vehicle.CurbWeight." in told
@@ -80,7 +81,9 @@ def test_what_functions_send_is_a_trace(run, tmp_path):
     assert (tmp_path / "recorded.csv").read_text() == (
         "time,Vehicle.Wish\n0.000000000,2.0\n0.050000000,4.0\n0.100000000,4.0\n"
     )
-    assert (tmp_path / "trace.csv").read_bytes() == (tmp_path / "given.csv").read_bytes()
+    assert (tmp_path / "trace.csv").read_text() == (
+        "time,Vehicle.Speed,Vehicle.CurbWeight\n0.000000000,1.0,1500\n0.050000000,2.0,\n0.100000000,2.0,1510\n"
+    )
 
 
 def test_what_functions_send_goes_back_to_can(run, tmp_path):
@@ -121,7 +124,7 @@ def test_a_bus_is_carried_as_frames_come_once_everybody_listens(run, tmp_path):
     frames = [can.Message(0.05 * n, 256, is_extended_id=False, data=data) for n, data in enumerate(speeds)]
     with sending("carried", frames, first=player_is_ready):
         rows, _ = run("--live", "virtual:carried", player="late")
-    assert [row.split(",")[1] for row in rows] == ["Vehicle.Speed", "1.0", "2.0"]
+    assert [row.split("\t")[1] for row in rows] == ["Vehicle.Speed", "1.0", "2.0"]
     assert len(listeners) == 1, "the sender alone"
 
 

@@ -32,6 +32,7 @@ COMMANDS = (
     "integrate",
     "generate",
     "simulate",
+    "normalize",
     "compare",
     "gateway",
     "schema",

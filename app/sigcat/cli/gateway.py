@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     from sigcat.gateway.sending import Sender
     from sigcat.gateway.trace import Row
     from sigcat.gateway.translation import Moment, Translation
-    from sigcat.players.player import Player
     from sigcat.players.program import Mode, Program
 
 
@@ -263,18 +262,19 @@ def _to_functions(
     from sigcat.gateway.onward import Handed
     from sigcat.gateway.trace import joined, lines_of
     from sigcat.players.player import Player, PlayerEnded
+    from sigcat.runs.recording.normalized import TIME_NS, normalized_line
 
     with ExitStack() as stack:
         program = _program(arguments, stack)
         rows, columns = _rows(arguments, prepared, translation, moments, found)
-        handed, heard = Handed(columns, program.platform), Heard()
+        handed, heard = Handed(columns, program), Heard()
         sender, returning = _returning(arguments, prepared, stack, found)
         takers = [heard.take] if returning is None else [heard.take, returning.take]
         player = stack.enter_context(Player(program, _mode(arguments), takers))
-        counted = handed.counted(rows)
-        lines = lines_of(counted if arguments.live else joined(counted), columns)
+        rows = rows if arguments.live else joined(rows)
         try:
-            _drain(_given(player, lines), arguments.output)
+            player.begin(normalized_line(TIME_NS, columns))
+            _drain(lines_of(handed.given(player, rows), columns), arguments.output)
         except PlayerEnded as ended:
             fix = "Start them before the gateway, on this machine, as their pages say."
             found.append(codes.FUNCTIONS_UNREACHED.finding(str(ended), str(arguments.to), fix=fix))
@@ -308,18 +308,6 @@ def _program(arguments: argparse.Namespace, stack: ExitStack) -> "Program":
         return build_player(file.read_bytes(), str(file), Path(folder).absolute())
     except BuildFails as failed:
         raise UsageError(f"what sends to the functions cannot be built: {failed}") from None
-
-
-def _given(player: "Player", lines: "Iterable[str]") -> "Iterator[str]":
-    """The lines of a trace, each of which is given to a player."""
-    rows = iter(lines)
-    header = next(rows)
-    player.begin(header)
-    yield header
-    for line in rows:
-        player.give(line)
-        yield line
-    player.finish()
 
 
 def _drain(lines: "Iterable[str]", output: Path | None) -> None:

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 
 from sigcat.cli.command_parser import positive
 from sigcat.cli.ended_by_signals import ended_by_signals
-from sigcat.cli.function_options import add_functions, deployment_of, functions_of
+from sigcat.cli.function_options import add_functions, functions_of
 from sigcat.cli.output import make_folder, opened, print_findings, write_text
 from sigcat.cli.output_options import FORMATS, add_output, add_outputs
+from sigcat.cli.trace_options import add_trace, trace_of
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import InputRefused, UsageError, existing_file
 
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
     from sigcat.findings import Finding
     from sigcat.runs.expecting.expect import Expected
     from sigcat.runs.prepare import Prepared
-    from sigcat.runs.recording.ros2_bag import BagColumns
     from sigcat.runs.recording.trace_file import Trace
     from sigcat.runs.running.rows import Block
     from sigcat.runs.simulate import Settings, Simulated, Take
@@ -42,13 +42,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         ),
     )
     add_functions(parser)
-    parser.add_argument(
-        "--trace", type=Path, metavar="TRACE", help="what the functions receive: CSV, MCAP, or a bag of ROS 2"
-    )
-    parser.add_argument(
-        "--deployment", type=Path, metavar="FILE",
-        help="deployment file that maps existing messages of a bag (default: that of the project)",
-    )  # fmt: skip
+    add_trace(parser)
     add_outputs(
         parser, "-o", "--output", metavar="OUT",
         help="write here instead of CSV to standard output: .csv, .mcap, or .svg by its ending; may be repeated",
@@ -261,7 +255,6 @@ def _prepared(
     """The functions and the trace; what is found in them goes to standard error."""
     from sigcat.integration.reading import read_functions
     from sigcat.runs.prepare import prepare
-    from sigcat.runs.recording.traces import open_trace
 
     sources = [(path.read_bytes(), str(path)) for path in functions_of(arguments)]
     catalogue = read_tree(arguments)
@@ -273,21 +266,9 @@ def _prepared(
     if arguments.trace is None:
         return prepared, None, paths
     known = prepared.known_columns(paths)
-    trace = open_trace(arguments.trace, known, _mapped(arguments, prepared))
+    trace = trace_of(arguments, known, prepared)
     _told(trace.findings, found)
     return prepared, trace, paths
-
-
-def _mapped(arguments: argparse.Namespace, prepared: "Prepared") -> "BagColumns":
-    """Return the columns of existing messages of a bag of ROS 2, as the deployment file maps them."""
-    from sigcat.platforms.deployment_file import read_deployment
-    from sigcat.runs.bag_columns import bag_columns
-    from sigcat.runs.recording.ros2_bag import is_bag
-
-    path = deployment_of(arguments) if is_bag(arguments.trace) else None
-    if path is None:
-        return {}
-    return bag_columns(read_deployment(path.read_bytes(), str(path)), prepared.connections)
 
 
 def _told(findings: "Iterable[Finding]", found: "list[Finding]") -> None:

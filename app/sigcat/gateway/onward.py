@@ -7,22 +7,40 @@ from sigcat import codes
 from sigcat.findings import Finding
 from sigcat.gateway.trace import Row
 from sigcat.players.player import Player
+from sigcat.players.program import Program
+from sigcat.runs.recording.cells import Unfit, plain_text, value_of
+from sigcat.runs.recording.normalized import normalized_line
 
 
 class Handed:
-    """Input of a player."""
+    """Input of a player: rows of a normalized trace, in which columns that no function receives are empty."""
 
-    def __init__(self, columns: Sequence[str], platform: str) -> None:
+    def __init__(self, columns: Sequence[str], program: Program) -> None:
         self.columns = columns
-        self.platform = platform
+        self.platform = program.platform
         self.counts: Counter[int] = Counter()
         """Values, by their columns."""
+        self.unfit: Counter[tuple[str, str]] = Counter()
+        """Values that are not of the functions' datatype, by column and reason."""
+        self._shapes = [program.received.get(name) for name in columns]
 
-    def counted(self, rows: Iterable[Row]) -> Iterator[Row]:
-        """The rows, as they are."""
+    def given(self, player: Player, rows: Iterable[Row]) -> Iterator[Row]:
+        """Give rows to a player, and yield each. Raises PlayerEnded."""
         for row in rows:
-            self.counts.update(row.cells.keys())
+            player.give(normalized_line(row.time, self._cells(row)))
             yield row
+        player.finish()
+
+    def _cells(self, row: Row) -> Sequence[str]:
+        cells = [""] * len(self.columns)
+        for index, text in row.cells.items():
+            shape = self._shapes[index]
+            try:
+                cells[index] = plain_text(value_of(text, shape), shape) if shape else ""
+                self.counts[index] += 1
+            except Unfit as reason:
+                self.unfit[self.columns[index], str(reason)] += 1
+        return cells
 
     def line(self, player: Player) -> str:
         """Return the outcome as one line."""
@@ -30,6 +48,8 @@ class Handed:
 
     def findings(self, player: Player, name: str) -> Iterator[Finding]:
         """Return the number of values that were not sent."""
+        for (column, why), count in self.unfit.items():
+            yield codes.FUNCTIONS_UNREACHED.finding(f"{column}: {count:,} values not sent, it {why}.", name)
         unknown = sorted(set(player.unknown))
         if unknown:
             message = f"No function receives {', '.join(unknown[:_MOST])}{' and more' if len(unknown) > _MOST else ''}."

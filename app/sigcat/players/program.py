@@ -7,10 +7,15 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
+from sigcat import codes
 from sigcat.adapter.autosar_adaptive.application.generate import generate_player
 from sigcat.adapter.files import GeneratedFile
+from sigcat.adapter.host.shapes import Shape
+from sigcat.adapter.source_functions import source_functions
 from sigcat.errors import UsageError
 from sigcat.file_kind import document_kind
+from sigcat.integration.autosar_adaptive.document import read_integration
+from sigcat.integration.ros2.document import read_integration as read_ros2
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.platform import Options
 from sigcat.platforms.ros2 import PACKAGES
@@ -19,6 +24,7 @@ from sigcat.players.commands import write
 from sigcat.players.ros2_environment import Ros2, installed
 from sigcat.players.ros2_packages import UNITED, build_cmake
 from sigcat.players.ros2_player_source import player_files
+from sigcat.runs.prepare import received_by
 
 Mode = Literal["timed", "live", "lock"]
 """Rows are sent at their times, or when they come, or in lock step with functions that wait for them."""
@@ -36,6 +42,8 @@ class Program(NamedTuple):
     """SOME/IP, or DDS."""
     player: Path
     environment: Mapping[str, str]
+    received: Mapping[str, Shape]
+    """What the functions receive from outside, by name."""
 
     def command(self, mode: Mode) -> tuple[str, ...]:
         """Return the command that starts it."""
@@ -69,14 +77,19 @@ def build_player(data: bytes, name: str, folder: Path) -> Program:
 
 
 def _of_autosar(data: bytes, name: str, folder: Path) -> Program:
+    functions = read_integration(data, name, DEFAULT_LIMITS).functions
+    rule = codes.NOT_WRITABLE_AS_ARXML
+    received = received_by(source_functions(functions, data, name, DEFAULT_LIMITS, rule, "autosar-adaptive"))
     write(generate_player(data, name, DEFAULT_LIMITS), folder)
     settings = {"CMAKE_UNITY_BUILD": "ON", "CMAKE_UNITY_BUILD_BATCH_SIZE": 100}
     cmake.build(folder, folder / "build", settings, target="player")
-    return Program("SOME/IP", folder / "build/player/player", dict(os.environ))
+    return Program("SOME/IP", folder / "build/player/player", dict(os.environ), received)
 
 
 def _of_ros2(data: bytes, name: str, document: Mapping[str, Any], folder: Path) -> Program:
     files = PACKAGES.generate(data, name, DEFAULT_LIMITS, Options())
+    functions = read_ros2(data, name, DEFAULT_LIMITS).functions
+    received = received_by(source_functions(functions, data, name, DEFAULT_LIMITS, codes.NOT_WRITABLE_AS_ROS2, "ros2"))
     ros2, prefix = installed(), folder / "install"
     subset = [build_cmake(ros2.rclcpp, folder / "subset", folder / "subset/install", ros2)] if ros2.rclcpp else []
     messages = document["InterfacePackageList"][0]["Name"]
@@ -84,7 +97,7 @@ def _of_ros2(data: bytes, name: str, document: Mapping[str, Any], folder: Path) 
     build_cmake(folder / "src" / messages, folder, prefix, ros2, *subset, settings={"CMAKE_PROJECT_INCLUDE": UNITED})
     write(player_files(document), folder / "player")
     build_cmake(folder / "player", folder, prefix, ros2, *subset)
-    return Program("DDS", prefix / "lib/player/player", _variables(ros2, prefix, *subset))
+    return Program("DDS", prefix / "lib/player/player", _variables(ros2, prefix, *subset), received)
 
 
 def _of_package(name: str, files: tuple[GeneratedFile, ...]) -> tuple[GeneratedFile, ...]:

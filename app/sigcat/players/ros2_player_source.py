@@ -15,8 +15,11 @@ from sigcat.adapter.ros2.plan import InterfaceType
 from sigcat.adapter.templates import rendered
 
 _OWN = Path(__file__).with_name("ros2_player")
-_SHARED = ("cell.cpp", "cell.h", "times.h", "trace.cpp", "trace.h")
+_SHARED = ("cell.h", "times.h", "trace.cpp", "trace.h")
 """Files that the player of AUTOSAR has, too: they know of no platform."""
+
+_Symbols = Sequence[tuple[str, int]]
+"""Names of an enumeration, and the numbers that the message has for them."""
 
 
 class _Field(NamedTuple):
@@ -26,21 +29,15 @@ class _Field(NamedTuple):
     field: str
     datatype: str
     number_field: str | None = None
-    symbols: tuple[tuple[str, int], ...] = ()
-    """Texts of a recording, and the numbers that the message has for them."""
+    symbols: _Symbols = ()
     factor: str = ""
     """In a recording is value of the field × factor + offset; empty if both are the same."""
     offset: str = ""
 
     @property
-    def is_text(self) -> bool:
-        """Whether it is a text, or an array of them."""
-        return self.datatype.startswith("string")
-
-    @property
-    def is_array(self) -> bool:
-        """Whether it has elements."""
-        return self.datatype.endswith("]")
+    def is_enumeration(self) -> bool:
+        """Whether its values have names."""
+        return bool(self.symbols) or self.datatype.startswith("string")
 
 
 class _Topic(NamedTuple):
@@ -69,6 +66,7 @@ class _Member(NamedTuple):
     field: str
     name: str
     key: str
+    symbols: _Symbols
 
 
 class _Struct(NamedTuple):
@@ -228,30 +226,41 @@ def _structs(document: Mapping[str, Any]) -> Iterator[_Struct]:
     members = _members(document, messages)
     for message in _nested(document, messages):
         fields = [each["Name"] for each in messages[message]["Fields"]]
-        pairs = enumerate(zip(fields, members.get(message, fields), strict=True))
-        keyed = [_Member(field, name, f"{', ' if n else ''}{json.dumps(name)}: ") for n, (field, name) in pairs]
+        named = members.get(message) or [(field, ()) for field in fields]
+        keyed = [
+            _Member(field, name, f"{', ' if number else ''}{json.dumps(name)}: ", symbols)
+            for number, (field, (name, symbols)) in enumerate(zip(fields, named, strict=True))
+        ]
         yield _Struct(_type(message), keyed)
 
 
-def _members(document: Mapping[str, Any], messages: Mapping[str, Mapping[str, Any]]) -> Mapping[str, Sequence[str]]:
-    """Return the names of members in a recording: those of the catalogue, not those of ROS 2."""
-    types = {each["typeRef"]: each["cDef"] for each in document["Datatypes"]}
+def _members(
+    document: Mapping[str, Any], messages: Mapping[str, Mapping[str, Any]]
+) -> Mapping[str, Sequence[tuple[str, _Symbols]]]:
+    """Return the names of members in a recording, with those of their values: of the catalogue, not of ROS 2."""
+    types = {each["typeRef"]: each for each in document["Datatypes"]}
     structs = {each["cDef"]: each["Fields"] for each in document["Datatypes"] if each.get("Fields")}
-    found: dict[str, Sequence[str]] = {}
+    found: dict[str, Sequence[tuple[str, _Symbols]]] = {}
 
     def visit(message: str, c_type: str) -> None:
         members = structs.get(_element(c_type))
         if message not in messages or members is None or message in found:
             return
-        found[message] = [each["Name"] for each in members]
+        found[message] = [(each["Name"], _symbols(types[each["Datatype"]], types)) for each in members]
         for field, member in zip(messages[message]["Fields"], members, strict=True):
-            visit(_message_of(field["DataType"], document), types[member["Datatype"]])
+            visit(_message_of(field["DataType"], document), types[member["Datatype"]]["cDef"])
 
     for communication in document["CommunicationList"]:
         for topic in communication["ROSTopicList"]:
             for field in (each for data in topic["DataMappingList"] for each in data["FieldList"]):
                 visit(_message_of(field["FieldDataType"], document), field["VariableDataType"])
     return found
+
+
+def _symbols(datatype: Mapping[str, Any], types: Mapping[str, Mapping[str, Any]]) -> _Symbols:
+    """Names and numbers of an enumeration, or of the elements of an array."""
+    element = types.get(datatype.get("ElementType", ""), datatype)
+    return [(each["Symbol"], each["Value"]) for each in element.get("Symbols") or ()]
 
 
 def _element(datatype: str) -> str:

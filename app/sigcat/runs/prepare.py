@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sigcat.adapter.core.cores import plans
+from sigcat.adapter.core.derive import Planned
 from sigcat.adapter.host.connections import Connections, Member, connect
 from sigcat.adapter.host.numbering import Numbers, numbers_of
 from sigcat.adapter.host.shapes import SECONDS, Shape
@@ -56,10 +57,17 @@ def prepare(functions: Sequence[ResolvedFunction]) -> Prepared:
             "The functions cannot be run: files of their code are missing or cannot be read.", in_order(missing)
         )
     planned = plans(functions)
-    members = [
-        Member(function, each.plan, Path(function.document.name).parent)
-        for function, each in zip(functions, planned, strict=True)
-    ]
-    connections = connect(members)
+    connections = _connected(functions, planned)
     findings = tuple(finding for each in planned for finding in each.findings)
     return Prepared(connections, numbers_of(connections), findings)
+
+
+def received_by(functions: Sequence[ResolvedFunction]) -> Mapping[str, Shape]:
+    """Return what functions receive from outside, by name. Raises InputRefused if they cannot be connected."""
+    return _connected(functions, plans(functions)).received
+
+
+def _connected(functions: Sequence[ResolvedFunction], planned: Sequence[Planned]) -> Connections:
+    folders = (Path(function.document.name).parent for function in functions)
+    members = [Member(*each) for each in zip(functions, (each.plan for each in planned), folders, strict=True)]
+    return connect(members)

@@ -13,6 +13,7 @@ from sigcat.adapter.autosar_classic.generate import generate
 from sigcat.catalogue.hosting.source import load
 from sigcat.catalogue.hosting.sources import shipped_sources
 from sigcat.comparison.running.autosar_classic import AUTOSAR_CLASSIC
+from sigcat.comparison.running.recorded import write_normalized
 from sigcat.comparison.running.runner import Subject
 from sigcat.comparison.running.simulation import SIMULATION
 from sigcat.function.function_json.resolved_function import ResolvedFunction
@@ -77,7 +78,13 @@ def built(folder: Path, paths: tuple[Path, ...], *flags: str) -> Path:
     ):
         done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stdout + done.stderr
-    return folder / "build/test_rte"
+    program = folder / "build/test_rte"
+    _BUILT_FROM[program] = paths
+    return program
+
+
+_BUILT_FROM: dict[Path, tuple[Path, ...]] = {}
+"""Functions of each program."""
 
 
 class Played(NamedTuple):
@@ -99,7 +106,16 @@ def play(program: Path, trace: Path | str, length: int, *options: str) -> Played
         if isinstance(trace, str):
             (folder / "trace.csv").write_text(trace)
             trace = folder / "trace.csv"
-        command = [program, "lock", trace, folder / "recorded.csv", folder / "services.csv", length, *options]
+        write_normalized(trace, subject(_BUILT_FROM[program]).prepared, folder / "normalized.tsv")
+        command = [
+            program,
+            "lock",
+            folder / "normalized.tsv",
+            folder / "recorded.csv",
+            folder / "services.csv",
+            length,
+            *options,
+        ]
         done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stderr
         return Played(_sent(folder / "recorded.csv"), _told(folder / "services.csv"))

@@ -2,6 +2,7 @@
 
 import fcntl
 import hashlib
+import json
 import os
 import shutil
 import subprocess
@@ -15,6 +16,7 @@ from pathlib import Path
 from scripts import ros2_environment, ros2_packages, run_ros2
 from scripts.run_autosar import CODE
 from sigcat.players.ros2_domain import own_domain
+from sigcat.players.ros2_player_source import player_files
 from tests.adapter.ros2.generated import ecocontrol, write
 from tests.adapter.ros2.loopback import LOOPBACK
 from tests.adapter.ros2.other_end import Peer, peer
@@ -65,6 +67,17 @@ def workspace(made: Made = ecocontrol) -> run_ros2.Workspace:
             write(files, folder / "src")
             run_ros2.build(folder, *others, flags=FLAGS)
     return run_ros2.Workspace(folder / "install", others)
+
+
+@cache
+def player() -> Path:
+    """The program that plays the drive."""
+    files = player_files(json.loads(run_ros2.INTEGRATION.read_bytes()))
+    folder = _kept("player", repr((files, interfaces(), subset())) + _of_files(*_MAKERS))
+    with _alone(folder) as is_new:
+        if is_new:
+            run_ros2.build_player(folder, interfaces(), subset())
+    return folder / "install/lib/player/player"
 
 
 def _of_files(*roots: Path) -> str:

@@ -3,7 +3,7 @@
 import pytest
 
 from scripts import recordings, run_ros2
-from tests.adapter.ros2.built import LANGUAGES, workspace
+from tests.adapter.ros2.built import LANGUAGES, player, workspace
 from tests.needs import IS_SLOW_RUN, ros2
 
 pytestmark = ros2
@@ -21,7 +21,7 @@ def expected(tmp_path_factory):
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_all_that_is_sent_is_bit_for_bit_what_the_simulation_sends(language, expected, tmp_path):
-    sent = run_ros2.play(workspace(), LANGUAGES[language], tmp_path, SECONDS)
+    sent = run_ros2.play(workspace(), player(), LANGUAGES[language], tmp_path, SECONDS)
     assert run_ros2.differences(sent, expected) == []
     assert len(sent[REQUEST]) >= (SECONDS - 12) * 20
 

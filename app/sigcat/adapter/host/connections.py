@@ -99,6 +99,11 @@ class Connections(NamedTuple):
         return {name: entry.shape for entry in self._outside for name in entry.names}
 
     @property
+    def first_names(self) -> Mapping[str, str]:
+        """The first name of each value from outside, by each of its names."""
+        return {name: entry.names[0] for entry in self._outside for name in entry.names}
+
+    @property
     def inputs(self) -> tuple[tuple[str, ...], ...]:
         """The names of each signal and mode that is received from outside."""
         found = (each for each in self._outside if each.receiver in _signals_and_modes(self.members[each.member].plan))

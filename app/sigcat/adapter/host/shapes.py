@@ -41,6 +41,8 @@ class Record(NamedTuple):
 Shape = Number | Array | Record
 SECONDS = Number("seconds")
 """A time: in seconds in a cell, in nanoseconds everywhere else."""
+ERROR_CODE = Number("error code")
+"""A code of end-to-end protection: 51, or 0x33."""
 Value = Any
 """A number (of an enumeration too), a boolean, a list, or a dict by names of fields."""
 

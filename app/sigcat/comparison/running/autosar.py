@@ -11,7 +11,7 @@ from sigcat.comparison.recording import Built, Recording
 from sigcat.comparison.running import bench, marks
 from sigcat.comparison.running.end_to_end import drive_start, read_end_to_end
 from sigcat.comparison.running.processes import Outcome, Process, launched, own_network
-from sigcat.comparison.running.recorded import begin_of, fresh_run, read_recorded
+from sigcat.comparison.running.recorded import begin_of, fresh_run, read_recorded, write_normalized
 from sigcat.comparison.running.runner import Drive, Kill, Runner, Subject
 from sigcat.comparison.running.slow_calls import durations
 from sigcat.integration.autosar_adaptive.document import read_integration
@@ -57,7 +57,8 @@ def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
     recorded = run / "recorded.csv"
     player = programs / "player/player"
     kills = [_kill(model, each) for each in drive.kills]
-    command = (str(player), str(drive.trace.absolute()), str(recorded), str(drive.end_ns / 1e9), *kills)
+    normalized = write_normalized(drive.trace, subject.prepared, run / "normalized.tsv")
+    command = (str(player), str(normalized), str(recorded), str(drive.end_ns / 1e9), *kills)
     outcome = launched(processes, Process("player", command, environment, (player,)), run, own_network() or ())
     return _recording(built, subject, drive, outcome, run)
 

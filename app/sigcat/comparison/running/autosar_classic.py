@@ -9,7 +9,7 @@ from sigcat.adapter.toolchain import Toolchain
 from sigcat.comparison.recording import Built, Recording
 from sigcat.comparison.running import bench, marks
 from sigcat.comparison.running.processes import Process, launched
-from sigcat.comparison.running.recorded import fresh_run, read_recorded
+from sigcat.comparison.running.recorded import fresh_run, read_recorded, write_normalized
 from sigcat.comparison.running.runner import Drive, Runner, Subject
 from sigcat.comparison.running.slow_calls import durations
 
@@ -39,7 +39,8 @@ def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
     run = fresh_run(built, drive)
     program, sent = built.folder / "build/test_rte", run / "recorded.csv"
     kills = [f"{each.function}@{each.time_ns}" for each in drive.kills]
-    files = (str(drive.trace.absolute()), str(sent), str(run / "services.csv"))
+    normalized = write_normalized(drive.trace, subject.prepared, run / "normalized.tsv")
+    files = (str(normalized), str(sent), str(run / "services.csv"))
     command = (str(program), _WORDS[drive.mode], *files, str(drive.end_ns), *kills)
     environment = {**os.environ, **durations(drive, subject.prepared), marks.FOLDER: str(run / marks.NAME)}
     patience = drive.step_limit_s if drive.mode == "lock step" else drive.end_ns / 1e9 + drive.step_limit_s

@@ -11,6 +11,7 @@ from sigcat.comparison.recording import Built, Sent
 from sigcat.comparison.running import marks
 from sigcat.comparison.running.runner import Drive
 from sigcat.errors import UsageError
+from sigcat.runs.normalize import normalize, with_codes
 from sigcat.runs.prepare import Prepared
 from sigcat.runs.recording.cells import Unfit, cell_of, value_of
 from sigcat.runs.recording.trace_file import moments, open_trace
@@ -30,6 +31,14 @@ def begin_of(trace: Path, prepared: Prepared) -> int:
     """When a drive begins, in ns: with the first row of its trace; 0 without one."""
     rows = moments(open_trace(trace, prepared.known_in_drive))
     return next((row.time for row in rows), 0)
+
+
+def write_normalized(trace: Path, prepared: Prepared, path: Path) -> Path:
+    """Write a trace as players and the test RTE read it. Raises InputRefused with all errors in it."""
+    known = with_codes(prepared.known_in_drive, prepared)
+    with path.open("w", newline="", encoding="utf-8") as file:
+        file.writelines(normalize(open_trace(trace, known), prepared))
+    return path
 
 
 def write_recorded(sent: Mapping[str, Iterable[Sent]], path: Path) -> None:

@@ -15,7 +15,7 @@ from sigcat.comparison.running import marks
 from sigcat.comparison.running.end_to_end import read_end_to_end
 from sigcat.comparison.running.generated import generated
 from sigcat.comparison.running.processes import Process, launched
-from sigcat.comparison.running.recorded import begin_of, fresh_run, read_recorded
+from sigcat.comparison.running.recorded import begin_of, fresh_run, read_recorded, write_normalized
 from sigcat.comparison.running.runner import Drive, Runner, Subject
 from sigcat.comparison.running.slow_calls import durations, with_slow_calls
 from sigcat.players.commands import write
@@ -104,7 +104,8 @@ def play_nodes(built: Built, subject: Subject, drive: Drive, files: Files) -> Re
     recorded = run / "recorded.csv"
     kills = [f"{_node(document, each.function)['Executable']}@{each.function}@{each.time_ns}" for each in drive.kills]
     player = folder / _PLAYER
-    command = (str(player), _WORDS[drive.mode], str(drive.trace.absolute()), str(recorded), str(drive.end_ns), *kills)
+    normalized = write_normalized(drive.trace, subject.prepared, run / "normalized.tsv")
+    command = (str(player), _WORDS[drive.mode], str(normalized), str(recorded), str(drive.end_ns), *kills)
     with own_domain() as number:
         environment = {
             **_variables(ros2, folder),

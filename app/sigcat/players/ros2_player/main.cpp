@@ -3,7 +3,7 @@
 //     player MODE TRACE RECORDED END_NS [PROCESS@FUNCTION@TIME_NS...]
 //     player MODE - RECORDED
 //
-// MODE is `lock` (step by step, as fast as possible) or `free` (in real time): nodes are brought through their life. A gateway
+// TRACE is a normalized trace, as `sigcat normalize` writes it. MODE is `lock` (step by step, as fast as possible) or `free` (in real time): nodes are brought through their life. A gateway
 // writes the rows of `-` to standard input while they are sent; it has two more modes, for nodes that run already: `timed`, rows
 // are sent at their times, and `live`, as they come. RECORDED then also says which columns no node receives (`unknown NAME`),
 // when everybody listens (`ready`), and at the end how many values were sent (`sent COUNT`), in real time also how many of them while a
@@ -140,10 +140,8 @@ private:
     void SendUntil(std::uint64_t time, bool is_lock_step, std::int64_t stamp) {
         ports_.Forget();
         for (; rows_.Time() <= time; rows_.Advance()) {
-            const auto& cells = rows_.Row().cells;
-            for (std::size_t i = 0; i < rows_.Columns().size() && i < cells.size(); ++i) {
-                count_ += !cells[i].empty() && ports_.Set(rows_.Columns()[i], cells[i]) ? 1U : 0U;
-            }
+            const auto set = [this](const auto& name, const auto& cell) { return ports_.Set(name, cell); };
+            count_ += player::SendCells(rows_.Columns(), rows_.Row(), set);
             if (is_lock_step && ports_.Repeats()) {
                 steps_.Wait();
                 ports_.Forget();

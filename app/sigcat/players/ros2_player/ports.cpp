@@ -8,7 +8,7 @@ namespace player {
 
 namespace {
 
-std::string Quoted(const std::string& text) {
+std::string CsvCell(const std::string& text) {
     std::string quoted = "\"";
     for (const char each : text) {
         quoted += each == '"' ? "\"\"" : std::string(1, each);
@@ -37,7 +37,7 @@ void Record::Hear(
         }
         const std::uint64_t time = begin_ + static_cast<std::uint64_t>(std::max<std::int64_t>(0, stamp - epoch_));
         for (const auto& each : values) {
-            out_ << time << ',' << each.first << ',' << Quoted(each.second) << '\n';
+            out_ << time << ',' << each.first << ',' << CsvCell(each.second) << '\n';
             times_.TellHeard(each.first);
         }
         out_.flush();  // it is there, too, when the player is ended before the drive

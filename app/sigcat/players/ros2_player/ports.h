@@ -3,6 +3,8 @@
 #ifndef PLAYER_PORTS_H
 #define PLAYER_PORTS_H
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -14,6 +16,7 @@
 #include <mutex>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -34,30 +37,76 @@ constexpr std::int64_t kSecond = 1000000000;  // in ns
 using Symbol = std::pair<const char*, std::int64_t>;
 using Takers = std::set<std::size_t>;  // nodes, by their numbers
 
-template <>
-struct Cell<std::string, void> final {
-    static std::string Read(const Item& item) { return item.text; }
-    static std::string Text(const std::string& value) { return value; }
-};
-
-/// A sequence of any length.
+template <typename T, typename = void>
+struct IsSequence : std::false_type {};
 template <typename T>
-struct Cell<T, std::void_t<typename T::allocator_type, std::enable_if_t<!std::is_same<T, std::string>::value>>> final {
-    static T Read(const Item& item) {
+struct IsSequence<T, std::void_t<typename T::allocator_type>> : std::bool_constant<!std::is_same_v<T, std::string>> {};
+
+template <typename T>
+struct IsList : IsSequence<T> {};
+template <typename T, std::size_t size>
+struct IsList<std::array<T, size>> : std::true_type {};
+
+/// A sequence of any length: it takes all words.
+template <typename T>
+struct Cell<T, std::enable_if_t<IsSequence<T>::value>> final {
+    static T Read(Words& from) {
         T value;
-        for (const auto& each : item.items) {
-            value.push_back(player::Read<typename T::value_type>(each));
+        while (!from.IsOver()) {
+            value.push_back(player::Read<typename T::value_type>(from));
         }
         return value;
     }
-    static std::string Text(const T& value) {
+    static std::string Text(const T& value, bool /* is_inner */) { return ListText(value); }
+};
+
+/// Fills a field with an enumeration: its name, or the number that the message has for it.
+template <typename T>
+void Fill(T& field, Words& from, const std::vector<Symbol>& symbols) {
+    if constexpr (IsSequence<T>::value) {
+        while (!from.IsOver()) {
+            Fill(field.emplace_back(), from, symbols);
+        }
+    } else if constexpr (IsList<T>::value) {
+        for (auto& each : field) {
+            Fill(each, from, symbols);
+        }
+    } else if constexpr (std::is_same_v<T, std::string>) {
+        field = from.Next();
+    } else {
+        const std::string word = from.Next();
+        const auto found = std::find_if(symbols.begin(), symbols.end(), [&word](const auto& each) { return word == each.first; });
+        field = found != symbols.end() ? static_cast<T>(found->second) : NumberOf<T>(word);
+    }
+}
+
+/// Fills a field with the enumeration of a whole cell.
+template <typename T>
+void FillAll(T& field, const std::string& cell, const std::vector<Symbol>& symbols) {
+    Words from{cell};
+    Fill(field, from, symbols);
+    if (!from.IsOver()) {
+        throw std::runtime_error{Quoted(cell) + " has too many values."};
+    }
+}
+
+/// The text of an enumeration.
+template <typename T>
+std::string NameOf(const T& field, const std::vector<Symbol>& symbols, bool is_inner = false) {
+    if constexpr (IsList<T>::value) {
         std::string text = "[";
-        for (std::size_t i = 0; i < value.size(); ++i) {
-            text += (i > 0 ? "," : "") + player::Text(static_cast<typename T::value_type>(value[i]));
+        for (const auto& each : field) {
+            text += (text.size() > 1 ? "," : "") + NameOf(each, symbols, true);
         }
         return text + "]";
+    } else if constexpr (std::is_same_v<T, std::string>) {
+        return is_inner ? Quoted(field) : field;
+    } else {
+        const auto is_it = [&field](const auto& each) { return each.second == static_cast<std::int64_t>(field); };
+        const auto found = std::find_if(symbols.begin(), symbols.end(), is_it);
+        return found == symbols.end() ? std::to_string(field) : is_inner ? Quoted(found->first) : found->first;
     }
-};
+}
 
 /// The time that a message has: its own, that of its header, or none.
 template <typename MessageT, typename = void>
@@ -72,25 +121,6 @@ template <typename MessageT>
 struct Stamp<MessageT, std::void_t<decltype(MessageT::header.stamp)>> final {
     static auto* Of(MessageT& message) { return &message.header.stamp; }
 };
-
-/// The number of a symbol, or of a text that is a number.
-inline std::int64_t NumberOf(const std::string& text, const std::vector<Symbol>& symbols) {
-    for (const auto& each : symbols) {
-        if (text == each.first) {
-            return each.second;
-        }
-    }
-    return std::strtoll(text.c_str(), nullptr, 0);
-}
-
-inline std::string SymbolOf(std::int64_t number, const std::vector<Symbol>& symbols) {
-    for (const auto& each : symbols) {
-        if (number == each.second) {
-            return each.first;
-        }
-    }
-    return std::to_string(number);
-}
 
 /// What was sent by whom, and how many messages each node has to take.
 class Record final {
@@ -189,7 +219,7 @@ public:
     template <typename MessageT, typename FillT>
     void Column(const char* name, OutOf<MessageT>& out, FillT fill) {
         columns_[name] = [&out, fill](const std::string& cell) {
-            fill(out.message, Parsed(cell));
+            fill(out.message, cell);
             out.is_filled = true;
         };
     }

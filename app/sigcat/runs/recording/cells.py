@@ -6,12 +6,13 @@ of enumerations, lists and mappings of JSON for arrays and structs.
 
 import json
 import math
+import re
 import struct
 from decimal import Decimal
 from functools import lru_cache
 from typing import Any
 
-from sigcat.adapter.host.shapes import SECONDS, Array, Number, Shape, Value
+from sigcat.adapter.host.shapes import ERROR_CODE, SECONDS, Array, Number, Record, Shape, Value
 from sigcat.catalogue.model.datatypes import FLOATING, INTEGER_RANGES
 from sigcat.findings import shown
 from sigcat.names import did_you_mean
@@ -22,6 +23,8 @@ _SMALLEST_NORMAL = 2.0**-126
 _WHOLE = 2**53
 """Up to here a double holds every whole number."""
 _BOOLEANS = {"true": True, "false": False}
+_ERROR_CODE = re.compile("0[xX][0-9a-fA-F]{1,2}|[0-9]{1,3}")
+_LARGEST_CODE = 0xFF
 
 
 class Unfit(Exception):
@@ -106,6 +109,8 @@ def _number(text: str, shape: Number) -> Value:
         return _floating(text, shape.datatype)
     if shape == SECONDS:
         return _time(text)
+    if shape == ERROR_CODE:
+        return _error_code(text)
     if shape.symbols:
         found = next((number for symbol, number in shape.symbols if symbol == text), None)
         return _symbol_by_number(text, shape) if found is None else found
@@ -117,6 +122,12 @@ def _time(text: str) -> int:
     if time is None:
         raise Unfit(f"must be a time in seconds, from 0 on, not {shown(text)}")
     return time
+
+
+def _error_code(text: str) -> int:
+    if _ERROR_CODE.fullmatch(text) and (code := int(text, 16 if text[1:2] in "xX" else 10)) <= _LARGEST_CODE:
+        return code
+    raise Unfit(f"must be a code from 0 to {_LARGEST_CODE}, such as 0x33, not {shown(text)}")
 
 
 def _symbol_by_number(text: str, shape: Number) -> int:
@@ -226,6 +237,15 @@ def json_text(value: Value, shape: Shape, null: str = "") -> str:
     return (
         f"{{{','.join(f'{json.dumps(name)}:{json_text(value[name], field, null)}' for name, field in shape.fields)}}}"
     )
+
+
+def plain_text(value: Value, shape: Shape) -> str:
+    """The text of a value without JSON: its numbers and names, separated by semicolons, which no name has."""
+    if isinstance(shape, Array):
+        return ";".join(plain_text(element, shape.element) for element in value)
+    if isinstance(shape, Record):
+        return ";".join(plain_text(value[name], field) for name, field in shape.fields)
+    return _number_text(_as_float(value) if shape.datatype == "float" else value, shape)
 
 
 _JSON_WORDS = {"nan": "NaN", "inf": "Infinity", "-inf": "-Infinity"}

@@ -1,12 +1,15 @@
-// Values as text: cells of a trace, and of a recording.
+// Values as text: of a normalized trace, and of a recording.
 
 #ifndef PLAYER_CELL_H
 #define PLAYER_CELL_H
 
+#include <cerrno>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -17,18 +20,56 @@
 
 namespace player {
 
-/// A text, or a list, or a mapping: what a cell holds.
-struct Item final {
-    std::string text;
-    std::vector<Item> items;
-    std::vector<std::string> keys;
+/// A name as JSON has it: no name has a quote.
+inline std::string Quoted(const std::string& name) { return '"' + name + '"'; }
 
-    /// The item under a key of a mapping. Throws std::runtime_error if there is none.
-    const Item& At(const std::string& key) const;
+/// The words of a cell, one after the other: numbers, and names of booleans and enumerations.
+class Words final {
+public:
+    explicit Words(const std::string& cell) : words_{cell} {}
+
+    bool IsOver() const { return is_over_; }
+
+    /// Throws std::runtime_error if there is none.
+    std::string Next() {
+        std::string word;
+        if (is_over_ || !std::getline(words_, word, ';')) {
+            throw std::runtime_error{"a value is missing."};
+        }
+        is_over_ = words_.eof();
+        return word;
+    }
+
+private:
+    std::istringstream words_;
+    bool is_over_{false};
 };
 
-/// Throws std::runtime_error if a list or mapping is not closed.
-Item Parsed(const std::string& cell);
+/// Throws std::runtime_error if a word is not a number that fits.
+template <typename T>
+T NumberOf(const std::string& word) {
+    const char* const text = word.c_str();
+    char* end = nullptr;
+    T value{};
+    bool is_right = true;
+    errno = 0;
+    if constexpr (std::is_floating_point<T>::value) {
+        value = static_cast<T>(std::is_same<T, float>::value ? std::strtof(text, &end) : std::strtod(text, &end));
+        is_right = errno == 0 || !std::isinf(value);  // small numbers are reported, too
+    } else if constexpr (std::is_signed<T>::value) {
+        const long long wide = std::strtoll(text, &end, 10);
+        value = static_cast<T>(wide);
+        is_right = errno == 0 && value == wide;
+    } else {
+        const unsigned long long wide = std::strtoull(text, &end, 10);
+        value = static_cast<T>(wide);
+        is_right = errno == 0 && value == wide && *text != '-';
+    }
+    if (word.empty() || *text == ' ' || *end != '\0' || !is_right) {
+        throw std::runtime_error{Quoted(word) + " is not a value of its datatype."};
+    }
+    return value;
+}
 
 /// Names and numbers of an enumeration.
 template <typename Enumeration>
@@ -37,43 +78,70 @@ struct Symbols final {
     static const Names& All();
 };
 
-/// A value and its text. Structs have their own specializations.
+/// A value and its text; within a list or a mapping, the text is JSON. Structs have their own specializations.
 template <typename T, typename = void>
 struct Cell;
 
 template <typename T>
-T Read(const Item& item) {
-    return Cell<T>::Read(item);
+T Read(Words& from) {
+    return Cell<T>::Read(from);
+}
+
+/// The value of a whole cell.
+template <typename T>
+T ReadAll(const std::string& cell) {
+    Words from{cell};
+    T value = Read<T>(from);
+    if (!from.IsOver()) {
+        throw std::runtime_error{Quoted(cell) + " has too many values."};
+    }
+    return value;
 }
 
 template <typename T>
-std::string Text(const T& value) {
-    return Cell<T>::Text(value);
+std::string Text(const T& value, bool is_inner = false) {
+    return Cell<T>::Text(value, is_inner);
+}
+
+/// A list of JSON.
+template <typename ListT>
+std::string ListText(const ListT& list) {
+    std::string text = "[";
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        text += (i > 0 ? "," : "") + player::Text(static_cast<typename ListT::value_type>(list[i]), true);
+    }
+    return text + "]";
 }
 
 template <>
 struct Cell<bool, void> final {
-    static bool Read(const Item& item) { return item.text == "true" || item.text == "1"; }
-    static std::string Text(bool value) { return value ? "true" : "false"; }
+    static bool Read(Words& from) {
+        const std::string word = from.Next();
+        if (word != "true" && word != "false") {
+            throw std::runtime_error{Quoted(word) + " is not true or false."};
+        }
+        return word == "true";
+    }
+    static std::string Text(bool value, bool /* is_inner */) { return value ? "true" : "false"; }
 };
 
 template <typename T>
 struct Cell<T, std::enable_if_t<std::is_integral<T>::value>> final {
-    static T Read(const Item& item) {
-        return std::is_signed<T>::value ? static_cast<T>(std::strtoll(item.text.c_str(), nullptr, 0))
-                                        : static_cast<T>(std::strtoull(item.text.c_str(), nullptr, 0));
-    }
-    static std::string Text(T value) { return std::to_string(value); }
+    static T Read(Words& from) { return NumberOf<T>(from.Next()); }
+    static std::string Text(T value, bool /* is_inner */) { return std::to_string(value); }
 };
 
 /// As many digits as tell every number from the next.
 template <typename T>
 struct Cell<T, std::enable_if_t<std::is_floating_point<T>::value>> final {
-    static T Read(const Item& item) {
-        return std::is_same<T, float>::value ? static_cast<T>(std::strtof(item.text.c_str(), nullptr))
-                                             : static_cast<T>(std::strtod(item.text.c_str(), nullptr));
-    }
-    static std::string Text(T value) {
+    static T Read(Words& from) { return NumberOf<T>(from.Next()); }
+    static std::string Text(T value, bool is_inner) {
+        if (std::isnan(value)) {
+            return is_inner ? "NaN" : "nan";
+        }
+        if (std::isinf(value)) {
+            return std::string{value < 0 ? "-" : ""} + (is_inner ? "Infinity" : "inf");
+        }
         char text[40];
         std::snprintf(text, sizeof text, "%.*g", std::is_same<T, float>::value ? 9 : 17, static_cast<double>(value));
         return text;
@@ -82,18 +150,19 @@ struct Cell<T, std::enable_if_t<std::is_floating_point<T>::value>> final {
 
 template <typename T>
 struct Cell<T, std::enable_if_t<std::is_enum<T>::value>> final {
-    static T Read(const Item& item) {
+    static T Read(Words& from) {
+        const std::string word = from.Next();
         for (const auto& symbol : Symbols<T>::All()) {
-            if (item.text == symbol.first) {
+            if (word == symbol.first) {
                 return static_cast<T>(symbol.second);
             }
         }
-        return static_cast<T>(std::strtoll(item.text.c_str(), nullptr, 0));
+        return static_cast<T>(NumberOf<std::underlying_type_t<T>>(word));
     }
-    static std::string Text(T value) {
+    static std::string Text(T value, bool is_inner) {
         for (const auto& symbol : Symbols<T>::All()) {
             if (symbol.second == static_cast<std::int64_t>(value)) {
-                return symbol.first;
+                return is_inner ? Quoted(symbol.first) : symbol.first;
             }
         }
         return std::to_string(static_cast<std::int64_t>(value));
@@ -102,23 +171,14 @@ struct Cell<T, std::enable_if_t<std::is_enum<T>::value>> final {
 
 template <typename T, std::size_t size>
 struct Cell<ara::core::Array<T, size>, void> final {
-    static ara::core::Array<T, size> Read(const Item& item) {
-        if (item.items.size() != size) {
-            throw std::runtime_error{"A list must have " + std::to_string(size) + " elements."};
-        }
+    static ara::core::Array<T, size> Read(Words& from) {
         ara::core::Array<T, size> value{};
         for (std::size_t i = 0; i < size; ++i) {
-            value[i] = player::Read<T>(item.items[i]);
+            value[i] = player::Read<T>(from);
         }
         return value;
     }
-    static std::string Text(const ara::core::Array<T, size>& value) {
-        std::string text = "[";
-        for (std::size_t i = 0; i < size; ++i) {
-            text += (i > 0 ? "," : "") + player::Text(value[i]);
-        }
-        return text + "]";
-    }
+    static std::string Text(const ara::core::Array<T, size>& value, bool /* is_inner */) { return ListText(value); }
 };
 
 }  // namespace player

@@ -3,6 +3,7 @@
 //     player [--speed FACTOR] TRACE RECORDED [SECONDS [PROCESS@COMPONENT@TIME_NS...]]
 //     player - RECORDED [live]
 //
+// TRACE is a normalized trace, as `sigcat normalize` writes it.
 // A gateway writes the rows of `-` to standard input while they are sent: at their times, or as they come, if they are `live`.
 // Then RECORDED also says which columns no component receives (`unknown NAME`), when everybody listens (`ready`), and at the end how
 // many values were sent (`sent COUNT`), and how many of them while a process was gone (`unheard COUNT`).
@@ -41,11 +42,7 @@ constexpr std::uint64_t kPause = 100000000;  // ns between the end of a drive an
 
 /// How many values of it were sent.
 std::uint64_t SendRow(player::Ports& ports, const std::vector<std::string>& columns, const player::Row& row) {
-    std::uint64_t count = 0;
-    for (std::size_t i = 0; i < columns.size() && i < row.cells.size(); ++i) {
-        count += !row.cells[i].empty() && ports.Send(columns[i], row.cells[i]) ? 1U : 0U;
-    }
-    return count;
+    return player::SendCells(columns, row, [&ports](const auto& name, const auto& cell) { return ports.Send(name, cell); });
 }
 
 void TellUnknown(const player::Ports& ports, const std::vector<std::string>& columns, player::Recorder& recorder) {

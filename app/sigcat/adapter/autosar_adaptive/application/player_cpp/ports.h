@@ -74,7 +74,7 @@ private:
     struct Services;
 
     std::unique_ptr<Services> services_;
-    std::map<std::string, std::function<void(const Item&)>> senders_;
+    std::map<std::string, std::function<void(const std::string&)>> senders_;
 };
 
 }  // namespace player

@@ -1,58 +1,55 @@
 #include "player/trace.h"
 
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
+
+#include "player/cell.h"
 
 namespace player {
 
-namespace {
-
-constexpr std::size_t kDigits = 9;  // of a second, down to ns
-
-std::vector<std::string> Split(const std::string& line) {
-    std::vector<std::string> cells(1);
-    bool is_quoted = false;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        if (line[i] == '"' && is_quoted && i + 1 < line.size() && line[i + 1] == '"') {
-            cells.back() += line[i++];
-        } else if (line[i] == '"') {
-            is_quoted = !is_quoted;
-        } else if (line[i] == ',' && !is_quoted) {
-            cells.emplace_back();
-        } else if (line[i] != '\r') {
-            cells.back() += line[i];
-        }
-    }
-    return cells;
-}
-
-// Exact: a double would not be.
-std::uint64_t Nanoseconds(const std::string& seconds) {
-    const std::size_t point = seconds.find('.');
-    std::string fraction = point == std::string::npos ? "" : seconds.substr(point + 1, kDigits);
-    fraction.resize(kDigits, '0');
-    return std::stoull(seconds.substr(0, point)) * 1000000000U + std::stoull(fraction);
-}
-
-}  // namespace
-
 RowStream::RowStream(std::istream& in) : in_{in} {
-    std::string line;
-    if (!std::getline(in_, line)) {
-        throw std::runtime_error{"There are no columns."};
+    if (!ReadLine(columns_) || columns_.front() != "time_ns") {
+        throw std::runtime_error{"line 1: the trace must be normalized, with time_ns first: sigcat normalize writes it."};
     }
-    columns_ = Split(line);
     columns_.erase(columns_.begin());
 }
 
-std::uint64_t RowStream::Time() {
+bool RowStream::ReadLine(std::vector<std::string>& cells) {
     std::string line;
+    if (!std::getline(in_, line)) {
+        return false;
+    }
+    ++row_.line;
+    if (in_.eof()) {
+        throw std::runtime_error{"line " + std::to_string(row_.line) + ": it must end with a line break."};
+    }
+    cells.clear();
+    std::istringstream rest{line + '\t'};
+    for (std::string cell; std::getline(rest, cell, '\t');) {
+        cells.push_back(cell);
+    }
+    return true;
+}
+
+void RowStream::ReadRow() {
+    const std::uint64_t last = row_.time;
+    try {
+        row_.time = ReadAll<std::uint64_t>(row_.cells.front());
+        row_.cells.erase(row_.cells.begin());
+        if (row_.cells.size() != columns_.size() || row_.time < last) {
+            throw std::runtime_error{"it must have all cells, and a time that does not go back."};
+        }
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error{"line " + std::to_string(row_.line) + ": " + error.what()};
+    }
+}
+
+std::uint64_t RowStream::Time() {
     if (!has_row_ && end_ == kNever) {
-        if (std::getline(in_, line)) {
-            row_.cells = Split(line);
-            row_.time = Nanoseconds(row_.cells.front());
-            row_.cells.erase(row_.cells.begin());
-            has_row_ = true;
+        has_row_ = ReadLine(row_.cells);
+        if (has_row_) {
+            ReadRow();
         } else {
             end_ = row_.time;
         }
@@ -62,7 +59,7 @@ std::uint64_t RowStream::Time() {
 
 Trace ReadTrace(const std::string& file) {
     std::ifstream in{file};
-    if (!in.good() || in.peek() == std::ifstream::traits_type::eof()) {
+    if (!in.good()) {
         throw std::runtime_error{file + " cannot be read."};
     }
     RowStream rows{in};

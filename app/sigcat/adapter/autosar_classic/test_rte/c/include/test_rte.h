@@ -48,7 +48,7 @@ typedef struct {
     const char *after;
 } TestRte_Shape;
 
-/* What comes from outside: a column of a trace. */
+/* What comes from outside: a column of a normalized trace. */
 typedef struct {
     const char *name;
     const TestRte_Shape *shape;
@@ -134,7 +134,7 @@ Std_ReturnType TestRte_Checked(uint8 code, Std_TransformerError *error); /* stat
 
 /* -- texts of values ----------------------------------------------------------------------------------------------- */
 
-const char *TestRte_Read(const char *text, const TestRte_Shape *shape, void *value); /* NULL, or what it must be */
+boolean TestRte_Read(const char *text, const TestRte_Shape *shape, void *value); /* its numbers, separated by ; */
 void TestRte_Write(FILE *file, const TestRte_Shape *shape, const void *value);
 
 /* -- the trace ----------------------------------------------------------------------------------------------------- */
