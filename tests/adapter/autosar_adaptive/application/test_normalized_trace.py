@@ -118,7 +118,7 @@ DAMAGED = {
     "a time that goes back": ("time_ns\tuint8\n1\t1\n0\t1\n", "line 3: it must have all cells, and a time"),
     "a cell too few": ("time_ns\tuint8\n0\n", "line 2: it must have all cells"),
     "a cell too many": ("time_ns\tuint8\n0\t1\t1\n", "line 2: it must have all cells"),
-    "an empty line": ("time_ns\tuint8\n\n", 'line 2: "" is not a value'),
+    "an empty line": ("time_ns\tuint8\n\n", "line 2: a value is missing."),
     "a row that was cut": ("time_ns\tuint8\n0\t12", "line 2: it must end with a line break."),
     "a word": ("time_ns\tuint8\n0\t1\n0\tone\n", 'line 3: uint8: "one" is not a value'),
     "a number too large": ("time_ns\tuint8\n0\t256\n", 'line 2: uint8: "256" is not a value'),
