@@ -45,8 +45,8 @@ def run(tmp_path, monkeypatch, capsys):
     script.write_text(f"#!{sys.executable}\n{PLAYER.read_text()}")
     script.chmod(0o755)
 
-    def running(*options, player="", status=0, log=None):
-        program = Program("SOME/IP", script, {**os.environ, "PLAYER": player}, {"Vehicle.Speed": Number("float")})
+    def running(*options, player="", status=0, log=None, datatype="float"):
+        program = Program("SOME/IP", script, {**os.environ, "PLAYER": player}, {"Vehicle.Speed": Number(datatype)})
         monkeypatch.setattr("sigcat.players.program.build_player", lambda *_: program)
         path = tmp_path / "drive.log"
         path.write_text(
@@ -74,6 +74,14 @@ def test_every_value_is_handed_over_at_its_time_since_the_first_one_and_counted(
     ]
     assert "drive.log: 3 values of 1 signals sent over SOME/IP, 3 received" in told
     assert "drive.log: info B007 No function receives Vehicle.CurbWeight." in told
+
+
+def test_values_that_are_not_of_the_functions_datatype_are_not_sent(run):
+    log = [(100.0, (100, 1500)), (100.05, (150, 1500)), (100.1, (250, 1500))]
+    rows, told = run(status=1, datatype="uint8", log=log)
+    assert rows[1:] == ["0\t1\t", "50000000\t\t", "100000000\t\t"]
+    assert "Vehicle.Speed must be a whole number from 0 to 255, not '1.5': 2 values were not sent." in told
+    assert "drive.log: 1 values of 1 signals sent over SOME/IP" in told
 
 
 def test_what_functions_send_is_a_trace(run, tmp_path):

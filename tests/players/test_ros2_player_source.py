@@ -20,7 +20,7 @@ def topics(function=FULL / "function.yaml", **ros2):
 def test_members_of_structs_are_called_as_in_the_catalogue():
     text = topics()
     assert "value.latitude = player::Read<std::decay_t<decltype(value.latitude)>>(from);" in text
-    assert 'std::string("{") + "\\042Latitude\\042: " + player::Text(value.latitude, true)' in text
+    assert 'std::string("{") + "\\042Latitude\\042:" + player::Text(value.latitude, true)' in text
 
 
 def test_members_that_are_enumerations_have_names():

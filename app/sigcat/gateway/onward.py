@@ -20,8 +20,10 @@ class Handed:
         self.platform = program.platform
         self.counts: Counter[int] = Counter()
         """Values, by their columns."""
-        self.unfit: Counter[tuple[str, str]] = Counter()
-        """Values that are not of the functions' datatype, by column and reason."""
+        self.unfit: Counter[str] = Counter()
+        """Values that are not of the functions' datatype, by their columns."""
+        self._reasons: dict[str, str] = {}
+        """For the first one of each column."""
         self._shapes = [program.received.get(name) for name in columns]
 
     def given(self, player: Player, rows: Iterable[Row]) -> Iterator[Row]:
@@ -39,7 +41,8 @@ class Handed:
                 cells[index] = plain_text(value_of(text, shape), shape) if shape else ""
                 self.counts[index] += 1
             except Unfit as reason:
-                self.unfit[self.columns[index], str(reason)] += 1
+                self._reasons.setdefault(self.columns[index], str(reason))
+                self.unfit[self.columns[index]] += 1
         return cells
 
     def line(self, player: Player) -> str:
@@ -48,8 +51,9 @@ class Handed:
 
     def findings(self, player: Player, name: str) -> Iterator[Finding]:
         """Return the number of values that were not sent."""
-        for (column, why), count in self.unfit.items():
-            yield codes.FUNCTIONS_UNREACHED.finding(f"{column}: {count:,} values not sent, it {why}.", name)
+        for column, count in self.unfit.items():
+            message = f"{column} {self._reasons[column]}: {count:,} values were not sent."
+            yield codes.FUNCTIONS_UNREACHED.finding(message, name)
         unknown = sorted(set(player.unknown))
         if unknown:
             message = f"No function receives {', '.join(unknown[:_MOST])}{' and more' if len(unknown) > _MOST else ''}."

@@ -228,7 +228,7 @@ def _structs(document: Mapping[str, Any]) -> Iterator[_Struct]:
         fields = [each["Name"] for each in messages[message]["Fields"]]
         named = members.get(message) or [(field, ()) for field in fields]
         keyed = [
-            _Member(field, name, f"{', ' if number else ''}{json.dumps(name)}: ", symbols)
+            _Member(field, name, f"{',' if number else ''}{json.dumps(name)}:", symbols)
             for number, (field, (name, symbols)) in enumerate(zip(fields, named, strict=True))
         ]
         yield _Struct(_type(message), keyed)

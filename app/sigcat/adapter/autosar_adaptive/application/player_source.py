@@ -169,5 +169,5 @@ def _headers(
 
 def _struct(entry: TypeEntry, types: TypeNames) -> _Struct:
     names = [field.name for field in entry.fields or ()]
-    keys = [f"{', ' if number else ''}{json.dumps(name)}: " for number, name in enumerate(names)]
+    keys = [f"{',' if number else ''}{json.dumps(name)}:" for number, name in enumerate(names)]
     return _Struct(cpp_type(types.type(entry.name)), names, keys)
