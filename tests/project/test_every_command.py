@@ -32,6 +32,7 @@ COMMANDS = (
     ["integrate", "ros2"],
     ["generate", "core", "-o", "out"],
     ["simulate", "--trace", "trace.csv"],
+    ["normalize", "--trace", "trace.csv"],
     ["compare", "--trace", "trace.csv"],
     ["gateway", "log.asc"],
     ["units"],
@@ -52,7 +53,7 @@ OTHERS = {
     "releases": "no project",
 }
 """Tests of each other command, and the reason for the difference."""
-READING = [command for command in COMMANDS if command[0] not in ("simulate", "compare", "gateway", "serve")]
+READING = [command for command in COMMANDS if command[0] not in ("simulate", "normalize", "compare", "gateway", "serve")]
 READING = [command for command in READING if "--from-c" not in command]
 
 
