@@ -7,6 +7,7 @@ import pytest
 from sigcat.adapter.host.shapes import ERROR_CODE, Array, Number, Record
 from sigcat.cli import main
 from sigcat.runs.recording.cells import plain_text, value_of
+from tests.adapter.autosar_adaptive.application.generated import FULL
 
 GEAR = Number("uint8", (("P", 0), ("LOW, D", 2)))
 OBJECTS = Path(__file__).with_name("cases") / "structs_and_queues/function.yaml"
@@ -45,11 +46,11 @@ def test_a_value_has_one_spelling(text, shape, plain):
 def normalized(tmp_path, capsys):
     """The lines of a trace, and what is reported."""
 
-    def running(text, status=0):
+    def running(text, status=0, function=OBJECTS):
         (tmp_path / "trace.csv").write_text(text)
         out = tmp_path / "normalized.tsv"
         options = ("--trace", tmp_path / "trace.csv", "-o", out)
-        assert main(["normalize", str(OBJECTS), *map(str, options)]) == status
+        assert main(["normalize", str(function), *map(str, options)]) == status
         lines = out.read_text().splitlines() if out.exists() else []
         return lines, capsys.readouterr().err.replace(f"{tmp_path}/", "")
 
@@ -70,6 +71,11 @@ def test_times_are_in_ns_and_structs_in_the_order_of_their_declaration(normalize
         "2000000000\t\t",
     ]
     assert "no column for Vehicle.Objects.Around" in told
+
+
+def test_the_path_of_a_mode_becomes_its_name_and_durations_are_left_out(normalized):
+    lines, _ = normalized("time,Full_Step,Vehicle.Function.Full.Mode.In\n0,0.001,ON\n", function=FULL / "function.yaml")
+    assert lines == ["time_ns\tFull_Mode_In", "0\tON"]
 
 
 def test_the_column_of_a_code_is_before_that_of_its_values(normalized):
