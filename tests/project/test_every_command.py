@@ -53,7 +53,9 @@ OTHERS = {
     "releases": "no project",
 }
 """Tests of each other command, and the reason for the difference."""
-READING = [command for command in COMMANDS if command[0] not in ("simulate", "normalize", "compare", "gateway", "serve")]
+READING = [
+    command for command in COMMANDS if command[0] not in ("simulate", "normalize", "compare", "gateway", "serve")
+]
 READING = [command for command in READING if "--from-c" not in command]
 
 
