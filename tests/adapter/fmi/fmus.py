@@ -159,7 +159,9 @@ def simulated(built: Built, trace: Path, out: Path, end: int) -> list[tuple[int,
     return found
 
 
-def differences(built: Built, sent: Sequence[tuple[int, str, bytes]], played: Path, step: int) -> tuple[int, list[str]]:
+def differences(
+    built: Built, sent: Sequence[tuple[int, str, bytes]], played: Path, step: int, end: int
+) -> tuple[int, list[str]]:
     """The number of compared values, and what differs: at each point all that the simulation has sent before it."""
     outputs = {
         index: [v for v in built.variables if v.causality == "output" and v.owner == index]
@@ -169,7 +171,7 @@ def differences(built: Built, sent: Sequence[tuple[int, str, bytes]], played: Pa
     last: dict[str, bytes] = {}
     compared, wrong, at = 0, [], 0
     rows = {nanoseconds(row["time"]): row for row in csv.DictReader(played.open(newline="", encoding="utf-8"))}
-    for point in range(step, max((time for time in rows if time), default=0) + step, step):
+    for point in range(step, end + step, step):
         known |= {name: cell for name, cell in rows.get(point, {}).items() if cell}
         while at < len(sent) and sent[at][0] < point:
             last[sent[at][1]] = sent[at][2]

@@ -48,7 +48,7 @@ def compare(made, trace, step, end, folder):
         str(end / 1e9),
     ]
     assert main(["simulate", *given, "-o", str(folder / "played.csv")]) == 0
-    compared, wrong = differences(made, sent, folder / "played.csv", step)
+    compared, wrong = differences(made, sent, folder / "played.csv", step, end)
     assert not wrong, wrong[:5]
     return compared
 
