@@ -233,6 +233,17 @@ RULE_TOO_SLOW = RuleCode("L011", "error")
 CONFIGURATION_UNUSABLE = RuleCode("L012", "error")
 RULE_EXAMPLE_UNFIT = RuleCode("L013", "warning")
 
+# migration
+MOVE_GUESSED = RuleCode("D001", "warning")
+MOVE_UNDECIDED = RuleCode("D002", "error")
+REPLACEMENT_MISSING = RuleCode("D003", "error")
+VALUE_NOT_CONVERTIBLE = RuleCode("D004", "error")
+REMOVED_NODE_DEFINED_BY_OVERLAY = RuleCode("D005", "warning")
+VALUE_ROUNDED = RuleCode("D006", "warning")
+RELEASE_MENTIONED = RuleCode("D007", "info")
+MIGRATION_TABLE_UNFIT = RuleCode("D008", "error")
+GENERATED_FILE_OUTDATED = RuleCode("D009", "info")
+
 # overlay
 GLOB_MATCHES_NOTHING = RuleCode("O001", "warning")
 TOO_MANY_WILDCARDS = RuleCode("O002", "error")

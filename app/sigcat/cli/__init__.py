@@ -22,6 +22,7 @@ COMMANDS = (
     "init",
     "lint",
     "diff",
+    "migrate",
     "version-bump",
     "try",
     "show",

@@ -43,6 +43,11 @@ def add_sides(parser: argparse.ArgumentParser) -> None:
         "--merge-base", metavar="REVISION",
         help="take for OLD the commit where the current branch left this one, as a pull request does; name NEW alone",
     )  # fmt: skip
+    add_options_of_sides(parser)
+
+
+def add_options_of_sides(parser: argparse.ArgumentParser) -> None:
+    """Add the options that concern both sides."""
     group = parser.add_argument_group("for both sides")
     add_many(group, "-l", "--overlays", "overlay, applied in the order given, after those of the side")
     add_vocabulary_options(group)

@@ -1,0 +1,217 @@
+"""Migrate the files of a project: paths of files and a migration in, changed texts and findings out. Nothing is written."""
+
+import json
+import os
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from sigcat import codes
+from sigcat.catalogue.comparing.sides import Side
+from sigcat.catalogue.reading.yaml_document import Document, read_document
+from sigcat.errors import NotFound
+from sigcat.file_kind import ROOT_NAME, ending_of, file_kind
+from sigcat.findings import Finding, in_order
+from sigcat.limits import DEFAULT_LIMITS
+from sigcat.migration.changed_text import Migrated, Outcome, Replacement, migrated
+from sigcat.migration.function_changes import FunctionFile, function_changes
+from sigcat.migration.include_changes import Included, include_changes, included_below
+from sigcat.migration.migration import Migration
+from sigcat.migration.overlay_changes import OverlayFile, overlay_changes
+from sigcat.migration.release_changes import pipeline_changes, project_changes
+from sigcat.migration.table import read_table, release_of, tables_between
+from sigcat.migration.trace_changes import migrated_trace
+from sigcat.migration.yaml_changes import yaml_changes
+from sigcat.open_files import read_bytes
+from sigcat.real_path import real_path
+
+RECORD = ".sigcat-migrated"
+"""File that says of which release the values are in files that state no units."""
+_SKIPPED = frozenset(("node_modules", "__pycache__", "build", "dist", "site-packages"))
+_PROJECTS = ("sigcat.toml", "pyproject.toml")
+_PIPELINES = ("makefile", "jenkinsfile", "azure-pipelines.yml", ".pre-commit-config.yaml", "bitbucket-pipelines.yml")
+_PIPELINE_FOLDERS = frozenset((".github", ".circleci", ".gitlab"))
+_NAME_OF_PIPELINE = re.compile(r"\.gitlab-ci.*\.ya?ml")
+_YAML = (".yaml", ".yml")
+_PATH_IN_JSON = re.compile(r'"([A-Za-z]\w*(?:\.\w+)+)"')
+
+
+class Options(NamedTuple):
+    """How to migrate."""
+
+    tables: tuple[Path, ...] = ()
+    """Tables of moves; without any, the shipped ones."""
+    choices: Mapping[str, str] = {}
+    """New paths that a person chose."""
+    accepts_guesses: bool = False
+
+
+class Releases(NamedTuple):
+    """Names of both sides: as the user wrote them, and as `.sigcat-migrated` has them."""
+
+    old: str
+    new: str
+    new_id: str
+
+
+class Project(NamedTuple):
+    """The files to migrate, and what is known about them."""
+
+    files: tuple[Path, ...]
+    releases: Releases
+    current: Mapping[str, Mapping[str, str]]
+    """For each file the releases of values, by the path of their signal."""
+    layers: frozenset[Path] = frozenset()
+    """Files of the two catalogues themselves, which are not changed."""
+
+
+def migrated_files(
+    paths: Sequence[Path], folder: Path, sides: tuple[Side, Side], options: Options
+) -> tuple[tuple[Migrated, ...], bytes]:
+    """Migrate the files below paths between two sides. Returns them, and the record of `folder` afterwards.
+
+    Raises NotFound, and InputRefused for a table that cannot be used.
+    """
+    old, new = (side.catalogue for side in sides)
+    tables = tuple(map(read_table, options.tables)) or tables_between(release_of(old), release_of(new))
+    migration = Migration(old, new, tables, options.choices, accepts_guesses=options.accepts_guesses)
+    record = read_record(folder)
+    new_id = release_of(new) or new.digest
+    layers = frozenset(real_path(Path(file.name)) for each in (old, new) for file in each.files)
+    project = Project(files_in(paths), Releases(sides[0].title, sides[1].title, new_id), record, layers)
+    files = tuple(migrate(project, migration))
+    return files, record_of(folder, record, files, new_id)
+
+
+def files_in(paths: Sequence[Path]) -> tuple[Path, ...]:
+    """Return the files below paths, hidden files of pipelines included. Raises NotFound."""
+    found: dict[Path, None] = {}
+    for path in paths:
+        if not path.exists():
+            raise NotFound(f"{path}: there is no such file or folder")
+        found.update(dict.fromkeys(_walk(path) if path.is_dir() else (path,)))
+    return tuple(found)
+
+
+def _walk(folder: Path) -> Iterator[Path]:
+    for here, folders, files in os.walk(folder):
+        folders[:] = sorted(f for f in folders if f in _PIPELINE_FOLDERS or not (f.startswith(".") or f in _SKIPPED))
+        yield from (Path(here, name) for name in sorted(files))
+
+
+def migrate(project: Project, migration: Migration) -> Iterator[Migrated]:
+    """Yield the files that change, or about which there is something to say."""
+    included = included_below(project.files)
+    for path in project.files:
+        if real_path(path) not in project.layers:
+            found = _migrated(path, project, migration, included.get(real_path(path), Included()))
+            if found is not None and (found.is_changed or found.findings):
+                yield found._replace(findings=in_order(found.findings))
+
+
+def _migrated(path: Path, project: Project, migration: Migration, included: Included) -> Migrated | None:
+    if not _may_change(path) or path.stat().st_size > DEFAULT_LIMITS.file_bytes:
+        return None
+    data, name, releases = read_bytes(path), str(path), project.releases
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return None
+    current = [p for p, release in project.current.get(name, {}).items() if release == releases.new_id]
+    if path.name in _PROJECTS:
+        found = migrated(name, data, project_changes(text, releases.old, releases.new))
+    elif _is_pipeline(path):
+        accepts = migration.accepts_guesses
+        outcomes = pipeline_changes(name, text, releases.old, releases.new, accepts_guesses=accepts)
+        found = migrated(name, data, outcomes)
+    elif ending_of(path.name) == ".csv":
+        found = migrated_trace(name, data, migration, current)
+    elif ending_of(path.name) == ".json":
+        found = migrated(name, data, _of_json(name, text, migration))
+    else:
+        found = _of_yaml(path, data, migration, included, current)
+    return found
+
+
+def _may_change(path: Path) -> bool:
+    return path.is_file() and (
+        ending_of(path.name) in (".vspec", ".csv", ".json", *_YAML) or path.name in _PROJECTS or _is_pipeline(path)
+    )
+
+
+def _is_pipeline(path: Path) -> bool:
+    name = path.name.lower()
+    is_named = name in _PIPELINES or _NAME_OF_PIPELINE.fullmatch(name) is not None or ending_of(name) == ".sh"
+    return is_named or (ending_of(name) in _YAML and not _PIPELINE_FOLDERS.isdisjoint(path.parts))
+
+
+def _of_json(file: str, text: str, migration: Migration) -> Iterator[Finding]:
+    """Yield the finding about a generated document that names nodes which moved."""
+    if file_kind(text.encode(), file) not in ("function json", "integration json"):
+        return
+    paths = dict.fromkeys(match[1] for match in _PATH_IN_JSON.finditer(text) if migration.knows(match[1]))
+    moved = [path for path in paths if migration.fate(path, is_signal=True).status != "same"]
+    if moved:
+        message = f"The document names {moved[0]}, which changed."
+        yield codes.GENERATED_FILE_OUTDATED.finding(message, file, 1, 1, fix="Generate it again.")
+
+
+def _of_yaml(path: Path, data: bytes, migration: Migration, included: Included, current: Sequence[str]) -> Migrated:
+    document = read_document(data, str(path))
+    if document.root is None:
+        return Migrated(str(path), data, data, findings=document.findings)
+    kind = file_kind(data, path.name)
+    values: list[str] = []
+    if kind == "function":
+        outcomes: Iterable[Outcome] = function_changes(FunctionFile(str(path), document.text, document.root, migration))
+    elif kind == "vspec":
+        outcomes = (
+            () if included.is_of_tree or path.name == ROOT_NAME else _of_overlay(path, document, migration, included)
+        )
+    elif kind == "unknown":
+        outcomes = yaml_changes(str(path), document.text, document.root, migration, current, values)
+    else:
+        outcomes = ()
+    found = migrated(str(path), data, outcomes)
+    return found._replace(values=tuple(dict.fromkeys(values)))
+
+
+def _of_overlay(path: Path, document: Document, migration: Migration, included: Included) -> Iterator[Outcome]:
+    """Yield the changes of an overlay, which must be the same below each branch that it is included in."""
+    assert document.root is not None
+    results = [
+        list(overlay_changes(OverlayFile(str(path), document.text, document.root, prefix, migration)))
+        for prefix in included.prefixes or ("",)
+    ]
+    edits = [[each.edit for each in result if isinstance(each, Replacement)] for result in results]
+    if any(each != edits[0] for each in edits):
+        message = f"The file is included below {' and '.join(included.prefixes)}, where it changes differently."
+        yield codes.MOVE_UNDECIDED.finding(message, str(path), 1, 1, fix="Split the file.")
+        return
+    yield from results[0]
+    yield from include_changes(str(path), document.text, included.prefixes[0] if included.prefixes else "", migration)
+
+
+# -- the record ---------------------------------------------------------------------------------------------------
+
+
+def read_record(folder: Path) -> dict[str, dict[str, str]]:
+    """Return the releases of values from the record in a folder, by file and path."""
+    file = folder / RECORD
+    try:
+        data = json.loads(file.read_bytes()) if file.is_file() else {}
+    except ValueError:
+        data = {}
+    known = data.items() if isinstance(data, dict) else ()
+    return {str(folder / name): dict(values) for name, values in known if isinstance(values, dict)}
+
+
+def record_of(folder: Path, before: Mapping[str, Mapping[str, str]], files: Iterable[Migrated], release: str) -> bytes:
+    """Return the record after a migration."""
+    after = {name: dict(values) for name, values in before.items()}
+    for file in files:
+        if file.values:
+            after.setdefault(file.file, {}).update(dict.fromkeys(file.values, release))
+    named = {os.path.relpath(name, folder): values for name, values in sorted(after.items()) if values}
+    return (json.dumps(named, indent=2, sort_keys=True) + "\n").encode() if named else b""
