@@ -81,7 +81,7 @@ def overlay_changes(overlay: OverlayFile) -> Iterator[Outcome]:
     for statement in statements:
         targets.setdefault(statement.fate.path if statement.fate.is_certain else statement.path, []).append(statement)
     for statement in statements:
-        others = [each for each in targets.get(statement.fate.path, ()) if each is not statement]
+        others = [each for each in targets.get(statement.fate.path, ()) if each.path != statement.path]
         if statement.fate.status == "moved" and others:
             yield _met(statement, others[0].path)
         else:
