@@ -8,7 +8,7 @@ from yaml.nodes import Node, ScalarNode
 
 from sigcat import codes
 from sigcat.findings import Finding
-from sigcat.function.importing.yaml_edits import Edit, edited
+from sigcat.function.importing.yaml_edits import Edit, Text, edited
 from sigcat.function.importing.yaml_text import scalar
 from sigcat.migration.migration import Fate, Migration
 
@@ -74,11 +74,14 @@ def line_of(node: Node) -> int:
 
 
 def end_of(text: str, node: Node) -> int:
-    """Return the end of a node; libyaml lets some plain scalars end after the space behind them."""
+    """Return the end of a node, without the space and the comments behind it."""
+    return Text(text).end_of(node) if not isinstance(node, ScalarNode) else _end_of_scalar(text, node)
+
+
+def _end_of_scalar(text: str, node: ScalarNode) -> int:
+    """Return the end of a scalar; libyaml lets some plain ones end after the space behind them."""
     start, end = int(node.start_mark.index), int(node.end_mark.index)
-    if isinstance(node, ScalarNode) and node.style in ("'", '"'):
-        return end
-    return start + len(text[start:end].rstrip())
+    return end if node.style in ("'", '"') else start + len(text[start:end].rstrip())
 
 
 def replaced(text: str, node: Node, value: str, note: str) -> Replacement:

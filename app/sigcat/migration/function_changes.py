@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from yaml.nodes import MappingNode, Node, ScalarNode
 
-from sigcat.catalogue.model.datatypes import element_of, is_array, is_numeric
+from sigcat.catalogue.model.datatypes import INTEGER_RANGES, element_of, is_array, is_numeric
 from sigcat.function.function_json.conversion import IDENTITY
 from sigcat.function.importing.yaml_edits import Edit, entries_of, inline, items_of, value_at
 from sigcat.migration.changed_text import Outcome, Place, Replacement, end_of, line_of, not_convertible, replaced
@@ -108,6 +108,17 @@ def _kept(
     before, after = old.get("datatype"), new.get("datatype")
     if before != after and "datatype" not in entries:
         yield "datatype", before if _are_numbers(before, after) else None
+        yield from _range(old, entries)
+
+
+def _range(old: Mapping[str, Any], entries: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+    """Yield the limits of a variable that is a whole number: the new datatype may hold larger values."""
+    limits = INTEGER_RANGES.get(element_of(str(old.get("datatype"))))
+    if limits is None or not entries.keys().isdisjoint(("unit", "factor", "offset")):
+        return
+    for name, limit in zip(("min", "max"), limits, strict=True):
+        if name not in entries:
+            yield name, old.get(name, limit)
 
 
 def _are_numbers(before: Any, after: Any) -> bool:

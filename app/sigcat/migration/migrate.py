@@ -7,9 +7,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from yaml.nodes import MappingNode
+
 from sigcat import codes
 from sigcat.catalogue.comparing.sides import Side
-from sigcat.catalogue.reading.yaml_document import Document, read_document
+from sigcat.catalogue.reading.yaml_document import read_document
 from sigcat.errors import NotFound
 from sigcat.file_kind import ROOT_NAME, ending_of, file_kind
 from sigcat.findings import Finding, in_order
@@ -159,38 +161,38 @@ def _of_json(file: str, text: str, migration: Migration) -> Iterator[Finding]:
 
 def _of_yaml(path: Path, data: bytes, migration: Migration, included: Included, current: Sequence[str]) -> Migrated:
     document = read_document(data, str(path))
-    if document.root is None:
-        return Migrated(str(path), data, data, findings=document.findings)
     kind = file_kind(data, path.name)
+    if document.root is None and document.findings:  # other files are for other programs
+        return Migrated(str(path), data, data, findings=document.findings if kind in ("vspec", "function") else ())
+    root = document.root or MappingNode("", [])
     values: list[str] = []
     if kind == "function":
-        outcomes: Iterable[Outcome] = function_changes(FunctionFile(str(path), document.text, document.root, migration))
+        outcomes: Iterable[Outcome] = function_changes(FunctionFile(str(path), document.text, root, migration))
     elif kind == "vspec":
         outcomes = (
-            () if included.is_of_tree or path.name == ROOT_NAME else _of_overlay(path, document, migration, included)
+            ()
+            if included.is_of_tree or path.name == ROOT_NAME
+            else _of_overlay(OverlayFile(str(path), document.text, root, "", migration), included)
         )
     elif kind == "unknown":
-        outcomes = yaml_changes(str(path), document.text, document.root, migration, current, values)
+        outcomes = yaml_changes(str(path), document.text, root, migration, current, values)
     else:
         outcomes = ()
     found = migrated(str(path), data, outcomes)
     return found._replace(values=tuple(dict.fromkeys(values)))
 
 
-def _of_overlay(path: Path, document: Document, migration: Migration, included: Included) -> Iterator[Outcome]:
+def _of_overlay(overlay: OverlayFile, included: Included) -> Iterator[Outcome]:
     """Yield the changes of an overlay, which must be the same below each branch that it is included in."""
-    assert document.root is not None
-    results = [
-        list(overlay_changes(OverlayFile(str(path), document.text, document.root, prefix, migration)))
-        for prefix in included.prefixes or ("",)
-    ]
+    prefixes = included.prefixes or ("",)
+    results = [list(overlay_changes(overlay._replace(prefix=prefix))) for prefix in prefixes]
     edits = [[each.edit for each in result if isinstance(each, Replacement)] for result in results]
     if any(each != edits[0] for each in edits):
-        message = f"The file is included below {' and '.join(included.prefixes)}, where it changes differently."
-        yield codes.MOVE_UNDECIDED.finding(message, str(path), 1, 1, fix="Split the file.")
+        message = f"The file is included below {' and '.join(prefixes)}, where it changes differently."
+        yield codes.MOVE_UNDECIDED.finding(message, overlay.file, 1, 1, fix="Split the file.")
         return
     yield from results[0]
-    yield from include_changes(str(path), document.text, included.prefixes[0] if included.prefixes else "", migration)
+    yield from include_changes(overlay.file, overlay.text, prefixes[0], overlay.migration)
 
 
 # -- the record ---------------------------------------------------------------------------------------------------

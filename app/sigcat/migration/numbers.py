@@ -1,12 +1,14 @@
 """Numbers in another unit: exact if the decimal number ends, else with the digits that keep the meaning."""
 
-from decimal import Decimal
+from decimal import Context, Decimal
 from fractions import Fraction
 
-from sigcat.function.function_json.conversion import IDENTITY, Linear, as_decimal, of_text
+from sigcat.function.function_json.conversion import IDENTITY, Linear, of_text
 
 _MOST_DIGITS = 17
 """Digits that tell any two doubles apart."""
+_LONG = 21
+"""Digits of a number without an end."""
 _ORIGIN_DIGITS = 4
 """Digits after the point of a number that a person wrote, at most."""
 _SHARE = 20
@@ -42,12 +44,28 @@ def _origin(exact: Fraction, number: Fraction, last_digit: Fraction, inverse: Li
 
 
 def converted_value(text: str, conversion: Linear) -> str | None:
-    """Return a number of a recording in another unit, with all of its digits; None if it is not a number."""
+    """Return a number of a recording in another unit; None if it is not a number.
+
+    A number without an end has more digits than a double, so that going back restores the recorded one.
+    """
     number = of_text(text)
     if number is None:
         return None
     exact = conversion(number)
-    return _ended(exact) or as_decimal(Fraction(repr(float(exact))))
+    long, short = (_significant(exact, digits) for digits in (_LONG, _MOST_DIGITS))
+    return short if Fraction(short) == Fraction(long) or _is_tiny(Fraction(short) - exact, exact) else long
+
+
+def _is_tiny(difference: Fraction, number: Fraction) -> bool:
+    return abs(difference) * 10 ** (_LONG - 2) <= abs(number)
+
+
+def _significant(number: Fraction, digits: int) -> str:
+    """Return a number with so many significant digits, without zeros at its end."""
+    context = Context(prec=digits)
+    quotient = context.divide(Decimal(number.numerator), Decimal(number.denominator))
+    text = format(quotient, "f")
+    return text.rstrip("0").rstrip(".") if "." in text else text
 
 
 def rounded(text: str) -> str:
