@@ -27,6 +27,7 @@ _CATEGORIES: Mapping[str, str] = {
     "adapter": "Adapters",
     "simulation": "Simulation",
     "gateway": "Gateway",
+    "migration": "Migrations",
     "export": "Exports",
     "request": "Requests to the service",
     "configuration": "Configuration of the service",
