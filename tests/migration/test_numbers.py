@@ -6,8 +6,19 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sigcat.function.function_json.conversion import between
+from sigcat.function.function_json.conversion import Linear, between
 from sigcat.migration.numbers import converted, converted_value
+
+
+def _linear(source: str, target: str) -> Linear:
+    linear = between(source, target)
+    assert linear is not None
+    return linear
+
+
+def _fraction(text: str | None) -> Fraction:
+    assert text is not None
+    return Fraction(text)
 
 
 @pytest.mark.parametrize(
@@ -23,7 +34,7 @@ from sigcat.migration.numbers import converted, converted_value
     ],
 )
 def test_a_limit(text, source, target, expected):
-    assert converted(text, between(source, target)) == expected
+    assert converted(text, _linear(source, target)) == expected
 
 
 UNITS = st.sampled_from(
@@ -34,13 +45,14 @@ NUMBERS = st.decimals(min_value=-1000, max_value=1000, places=2).map(str)
 
 @given(NUMBERS, UNITS)
 def test_a_limit_differs_by_less_than_half_of_its_last_digit(text, units):
-    conversion = between(*units)
-    back = conversion.inverse(Fraction(converted(text, conversion)))
+    conversion = _linear(*units)
+    back = conversion.inverse(_fraction(converted(text, conversion)))
     assert abs(back - Fraction(text)) <= Fraction(1, 200)
 
 
 @given(NUMBERS, UNITS)
 def test_a_recorded_value_is_restored(text, units):
-    conversion = between(*units)
+    conversion = _linear(*units)
     there = converted_value(text, conversion)
-    assert Fraction(converted_value(there, conversion.inverse)) == Fraction(text)
+    assert there is not None
+    assert _fraction(converted_value(there, conversion.inverse)) == Fraction(text)

@@ -72,6 +72,13 @@ def test_certain_changes_are_made(sides, case):
     assert sides.text("ours.vspec") == after
 
 
+def test_a_value_that_changes_for_two_reasons_is_written_once(sides):
+    text = "Vehicle.Own: &own {type: sensor, datatype: float, errors: [Vehicle.Coolant], description: Own.}\n"
+    sides.write("ours.vspec", f"{text}Vehicle.Other: *own\n")
+    assert sides.run().status == 0
+    assert sides.text("ours.vspec") == f"{text}Vehicle.Other: *own\n".replace("Coolant", "Engine.Coolant")
+
+
 UNDECIDED = {
     "a guess of the table": ("Vehicle.Door.Row1.Left.IsOpen: {comment: x}\n", "D001", "(90%)"),
     "a guess by equal definition": ("Vehicle.Same: {comment: x}\n", "D001", "Vehicle.Renamed"),

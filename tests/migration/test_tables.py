@@ -39,10 +39,12 @@ def test_a_table_names_nodes_of_both_trees_and_explains_every_removed_one(table)
     old, new = _tree(table.old), _tree(table.new)
     for source, entry in table.moves.items():
         path = parsed(source)
+        assert path is not None
         assert template(path) in old.definitions, source
         assert template(path) not in new.definitions or source == "Vehicle.Cabin.Seat.Massage", source
         for target in entry.targets:
             known = parsed(target)
+            assert known is not None
             assert template(known) in new.definitions or plain(known) in new.nodes, target
     migration = Migration(old, new, (table,))
     removed = [path for path in old.definitions if path not in new.definitions]

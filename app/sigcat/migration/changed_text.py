@@ -57,12 +57,21 @@ _BOM = "\ufeff"
 def migrated(file: str, data: bytes, outcomes: Iterable[Outcome]) -> Migrated:
     """Apply replacements to a file in UTF-8; its byte order mark stays."""
     known = tuple(dict.fromkeys(outcomes))
-    replacements = [each for each in known if isinstance(each, Replacement)]
+    replacements = list(_disjoint(each for each in known if isinstance(each, Replacement)))
     text = data.decode("utf-8")
     mark = _BOM if text.startswith(_BOM) else ""
     after = mark + edited(text.removeprefix(_BOM), (each.edit for each in replacements))
     changes = tuple(sorted({(each.line, each.note) for each in replacements}))
     return Migrated(file, data, after.encode(), changes, tuple(each for each in known if isinstance(each, Finding)))
+
+
+def _disjoint(replacements: Iterable[Replacement]) -> Iterator[Replacement]:
+    """Yield replacements in the order of the text; of two for one value, the first one counts."""
+    end = 0
+    for each in sorted(replacements, key=lambda one: (one.edit.start, one.edit.end)):
+        if each.edit.start >= end:
+            yield each
+            end = max(end, each.edit.end)
 
 
 # -- YAML ---------------------------------------------------------------------------------------------------------

@@ -9,6 +9,8 @@ _MOST_DIGITS = 17
 """Digits that tell any two doubles apart."""
 _LONG = 21
 """Digits of a number without an end."""
+_TINY = Fraction(10) ** (_LONG - 2)
+"""A difference of this part of a number comes from its last digits."""
 _ORIGIN_DIGITS = 4
 """Digits after the point of a number that a person wrote, at most."""
 _SHARE = 20
@@ -57,7 +59,7 @@ def converted_value(text: str, conversion: Linear) -> str | None:
 
 
 def _is_tiny(difference: Fraction, number: Fraction) -> bool:
-    return abs(difference) * 10 ** (_LONG - 2) <= abs(number)
+    return abs(difference) * _TINY <= abs(number)
 
 
 def _significant(number: Fraction, digits: int) -> str:

@@ -4,29 +4,52 @@ A recording has no units. Whether its values were converted before is known from
 """
 
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat import codes
-from sigcat.catalogue.model.datatypes import INTEGER_RANGES
+from sigcat.catalogue.model.datatypes import INTEGER_RANGES, element_of
 from sigcat.findings import Finding
 from sigcat.function.function_json.conversion import IDENTITY, Linear
 from sigcat.migration.changed_text import Migrated, Place, not_convertible, undecided
-from sigcat.migration.migration import Migration
+from sigcat.migration.migration import Fate, Migration
 from sigcat.migration.numbers import converted_value, is_whole, rounded
 
 _CELL = re.compile(r'[ \t]*"[^"]*(?:""[^"]*)*"[ \t]*(?=,|$)|[^,]*(?=,|$)')
 _NUMBER = re.compile(r"(?<![\w.])[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?(?![\w.])")
 
 
-class Column(NamedTuple):
-    """A column whose values change."""
+class Conversion(NamedTuple):
+    """How the values of a column change."""
 
     path: str
-    target: str
-    conversion: Linear
+    linear: Linear
     is_whole: bool
     """Whether the new datatype holds whole numbers only."""
+
+
+class Column(NamedTuple):
+    """A column after the migration: its cell in the header, its path, and how its values change."""
+
+    name: str
+    path: str
+    conversion: Conversion | None = None
+    notes: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()
+
+
+class _Header(NamedTuple):
+    """The header of a recording."""
+
+    file: str
+    cells: tuple[str, ...]
+    migration: Migration
+    current: Collection[str]
+
+    @property
+    def paths(self) -> list[str]:
+        """Paths of the columns."""
+        return [_path(cell) for cell in self.cells]
 
 
 def is_recording(data: bytes) -> bool:
@@ -38,36 +61,32 @@ def migrated_trace(file: str, data: bytes, migration: Migration, current: Collec
     """Change a recording. The values of `current` paths are those of the new catalogue already."""
     if not is_recording(data):
         return Migrated(file, data, data)
-    text = data.decode("utf-8")
-    header, *rows = text.splitlines(keepends=True) or [""]
-    cells = _cells(header)
-    names, findings, changes = list(cells), list[Finding](), list[tuple[int, str]]()
-    columns: dict[int, Column] = {}
-    paths = [_path(cell) for cell in cells]
-    for index, path in enumerate(paths):
-        target, found = _target(file, header, index, path, paths, migration)
-        findings += found
-        if target and target != path:
-            names[index] = cells[index].replace(path, target)
-            changes.append((1, f"`{path}` → `{target}`"))
-        column = _column(path, target, migration) if target and path not in current else None
-        if isinstance(column, Column):
-            columns[index] = column
-            changes.append((1, f"values of `{target}` in a new unit"))
-        elif column is not None:
-            findings.append(not_convertible(path, _place(file, 1, cells, index), column))
-    lines = [_joined(names, header)]
-    rounding: set[str] = set()
+    first, *rows = re.split(r"(?<=\n)", data.decode("utf-8"))
+    header = _Header(file, tuple(_cells(first)), migration, current)
+    columns = [_column(header, index) for index in range(len(header.cells))]
+    conversions = {index: each.conversion for index, each in enumerate(columns) if each.conversion is not None}
+    findings = [finding for column in columns for finding in column.findings]
+    lines = [_joined([column.name for column in columns], first), *_converted(rows, conversions, file, findings)]
+    changes = tuple((1, note) for column in columns for note in column.notes)
+    values = tuple(columns[index].path for index in conversions)
+    return Migrated(file, data, "".join(lines).encode(), changes, tuple(findings), values)
+
+
+def _converted(
+    rows: Sequence[str], conversions: Mapping[int, Conversion], file: str, findings: list[Finding]
+) -> Iterator[str]:
+    """Yield the rows in new units, and add findings about rounded columns."""
+    rounded_paths: set[str] = set()
     for number, row in enumerate(rows, 2):
-        lines.append(_row(row, columns, rounding, findings, file, number) if columns else row)
-    return Migrated(
-        file,
-        data,
-        "".join(lines).encode(),
-        tuple(changes),
-        tuple(findings),
-        tuple(column.target for column in columns.values()),
-    )
+        cells = _cells(row) if conversions else []
+        for index, conversion in conversions.items():
+            if index < len(cells) and cells[index]:
+                cell, is_rounded = _value(cells[index], conversion)
+                if is_rounded and conversion.path not in rounded_paths:
+                    rounded_paths.add(conversion.path)
+                    findings.append(_rounded(conversion, _place(file, number, cells, index)))
+                cells[index] = cell
+        yield _joined(cells, row) if conversions else row
 
 
 def _cells(line: str) -> list[str]:
@@ -97,69 +116,64 @@ def _place(file: str, line: int, cells: Sequence[str], index: int) -> Place:
     return Place(file, line, sum(len(cell) + 1 for cell in cells[:index]) + 1)
 
 
-def _target(
-    file: str, header: str, index: int, path: str, paths: Sequence[str], migration: Migration
-) -> tuple[str, list[Finding]]:
-    """Return the new path of a column, and what prevents it. Empty: the column stays."""
+def _column(header: _Header, index: int) -> Column:
+    """Return a column after the migration; it stays where its path has no certain successor."""
+    cell, path, migration = header.cells[index], header.paths[index], header.migration
     if not migration.knows(path):
-        return "", []
-    place = _place(file, 1, _cells(header), index)
+        return Column(cell, path)
+    place = _place(header.file, 1, header.cells, index)
     fate = migration.fate(path, is_signal=True)
-    if not fate.is_certain:
-        return "", list(undecided(path, fate, place, migration))
-    others = [other for other in paths if other != path and migration.knows(other)]
+    findings = tuple(
+        undecided(path, fate, place, migration) if not fate.is_certain else _met(header, path, fate, place)
+    )
+    if findings:
+        return Column(cell, path, findings=findings)
+    moved = Column(cell.replace(path, fate.path), fate.path)
+    notes = (f"`{path}` → `{fate.path}`",) if fate.path != path else ()
+    conversion = _conversion(path, fate.path, migration) if path not in header.current else None
+    if isinstance(conversion, str):
+        return moved._replace(notes=notes, findings=(not_convertible(path, place, conversion),))
+    in_new_unit = (f"values of `{fate.path}` in a new unit",) if conversion is not None else ()
+    return moved._replace(conversion=conversion, notes=(*notes, *in_new_unit))
+
+
+def _met(header: _Header, path: str, fate: Fate, place: Place) -> Iterator[Finding]:
+    """Yield the finding that another column has the same new path."""
+    migration = header.migration
+    others = [other for other in header.paths if other != path and migration.knows(other)]
     met = [other for other in others if migration.fate(other, is_signal=True).path == fate.path]
-    if fate.path != path and (met or fate.path in paths):
+    if fate.path != path and (met or fate.path in header.paths):
         message = f"{path} and {(met or [fate.path])[0]} both become {fate.path}."
-        return "", [codes.MOVE_UNDECIDED.finding(message, *place, path, fix="Remove one of the columns.")]
-    return fate.path, []
+        yield codes.MOVE_UNDECIDED.finding(message, *place, path, fix="Remove one of the columns.")
 
 
-def _column(path: str, target: str, migration: Migration) -> Column | str | None:
+def _conversion(path: str, target: str, migration: Migration) -> Conversion | str | None:
     """Return how the values of a column change, why they cannot, or None if they stay."""
     both = migration.definitions(path, target)
     if both is None:
         return None
     old, new = both
     change = migration.unit_change(old.get("unit"), new.get("unit"))
-    if change.conversion is None:
-        return (
-            f"the unit changed from {change.old} to {change.new}, without a conversion."
-            if change.old and change.new
-            else None
-        )
-    if change.conversion == IDENTITY:
+    if change.conversion is None and change.old and change.new:
+        return f"the unit changed from {change.old} to {change.new}, without a conversion."
+    if change.conversion in (None, IDENTITY):
         return None
-    return Column(path, target, change.conversion, str(new.get("datatype")).removesuffix("[]") in INTEGER_RANGES)
+    return Conversion(path, change.conversion, element_of(str(new.get("datatype"))) in INTEGER_RANGES)
 
 
-def _row(
-    row: str, columns: dict[int, Column], rounding: set[str], findings: list[Finding], file: str, number: int
-) -> str:
-    cells = _cells(row)
-    for index, column in columns.items():
-        if index < len(cells) and cells[index]:
-            cell, is_rounded = _value(cells[index], column)
-            if is_rounded and column.path not in rounding:
-                rounding.add(column.path)
-                findings.append(_rounded(column, _place(file, number, cells, index)))
-            cells[index] = cell
-    return _joined(cells, row)
+def _rounded(conversion: Conversion, place: Place) -> Finding:
+    message = f"Values of {conversion.path} are rounded to whole numbers from here on, which the new datatype needs."
+    return codes.VALUE_ROUNDED.finding(message, *place, conversion.path)
 
 
-def _rounded(column: Column, place: Place) -> Finding:
-    message = f"Values of {column.path} are rounded to whole numbers from here on, which the new datatype needs."
-    return codes.VALUE_ROUNDED.finding(message, *place, column.path)
-
-
-def _value(cell: str, column: Column) -> tuple[str, bool]:
+def _value(cell: str, conversion: Conversion) -> tuple[str, bool]:
     """Return a cell in the new unit, number by number, and whether it was rounded."""
     is_rounded = False
 
     def converted(match: re.Match[str]) -> str:
         nonlocal is_rounded
-        number = converted_value(match[0], column.conversion) or match[0]
-        if column.is_whole and not is_whole(number):
+        number = converted_value(match[0], conversion.linear) or match[0]
+        if conversion.is_whole and not is_whole(number):
             is_rounded, number = True, rounded(number)
         return number
 
