@@ -17,7 +17,7 @@ _DEEPEST = 32
 
 
 class Included(NamedTuple):
-    """How other files include a file."""
+    """Includes of a file by others."""
 
     prefixes: tuple[str, ...] = ()
     is_of_tree: bool = False

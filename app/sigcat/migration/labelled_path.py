@@ -1,4 +1,4 @@
-"""Paths in which labels of instances are told apart from names: `Vehicle.Cabin.Seat[Row1][DriverSide].Height`."""
+"""Paths with labels of instances in brackets: `Vehicle.Cabin.Seat[Row1][DriverSide].Height`."""
 
 import re
 from collections.abc import Iterator, Mapping

@@ -40,7 +40,7 @@ _PATH_IN_JSON = re.compile(r'"([A-Za-z]\w*(?:\.\w+)+)"')
 
 
 class Options(NamedTuple):
-    """How to migrate."""
+    """Options of a migration."""
 
     tables: tuple[Path, ...] = ()
     """Tables of moves; without any, the shipped ones."""

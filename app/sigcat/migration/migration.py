@@ -21,7 +21,7 @@ _MOST_CHOICES = 6
 
 
 class Fate(NamedTuple):
-    """What becomes of a path. `path` is the new one, also where it is only a guess."""
+    """The new state of a path. `path` is the new one, also where it is only a guess."""
 
     status: Status
     path: str
@@ -49,7 +49,7 @@ class UnitChange(NamedTuple):
 
 
 class Migration:
-    """What becomes of the paths and values of an old catalogue in a new one. Frozen."""
+    """Paths and values of an old catalogue in a new one. Frozen."""
 
     def __init__(
         self,

@@ -46,7 +46,7 @@ _WILDCARD = "*"
 
 
 class Statement(NamedTuple):
-    """What an overlay says about a node: its key, its attributes, and its place."""
+    """A statement of an overlay about a node: its key, its attributes, and its place."""
 
     key: ScalarNode
     value: Node
@@ -149,7 +149,7 @@ def _of_undecided(statement: Statement, overlay: OverlayFile) -> Iterator[Outcom
     if statement.stated("type") not in _BRANCHES:
         message = f"{statement.path} was removed. The overlay adds it again. {statement.fate.why}".strip()
         yield codes.REMOVED_NODE_DEFINED_BY_OVERLAY.finding(
-            message, *statement.place, statement.path, fix="Remove it, or keep it as a signal of your own."
+            message, *statement.place, statement.path, fix="Remove it, or keep it as your own signal."
         )
     yield from _own_unit(statement, overlay)
 

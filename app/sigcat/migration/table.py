@@ -194,7 +194,7 @@ def _entry(value: Any) -> Entry:
 
 
 def _faults(data: Any) -> Iterator[tuple[str, str]]:
-    """Yield the key of everything that a table may not have, and what is wrong with it."""
+    """Yield the key of each problem of a table, and its message."""
     if not isinstance(data, dict):
         yield "", "A table must be a mapping with `from`, `to` and `moves`."
         return

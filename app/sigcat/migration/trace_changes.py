@@ -20,7 +20,7 @@ _NUMBER = re.compile(r"(?<![\w.])[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?(?![\w
 
 
 class Conversion(NamedTuple):
-    """How the values of a column change."""
+    """The conversion of the values of a column."""
 
     path: str
     linear: Linear
