@@ -7,6 +7,7 @@ import pytest
 from sigcat.catalogue.model.vocabulary import read_vocabulary
 from sigcat.data import OVERLAYS, VSPEC
 from sigcat.function.function_json.conversion import _TO_BASE, Linear, as_decimal, as_text, between, of_text
+from sigcat.function.resolving.numbers import shown
 
 UNITS = read_vocabulary([VSPEC / "units.yaml", OVERLAYS / "units.yaml"], [VSPEC / "quantities.yaml"])
 
@@ -30,6 +31,11 @@ def test_values_are_converted_without_rounding(value, source, target, expected):
     assert conversion is not None
     assert conversion(value) == expected
     assert conversion.inverse(expected) == value
+
+
+def test_a_message_shows_a_number_that_is_larger_than_any_double():
+    assert shown(Fraction("1.7976931348623157e308") * Fraction(18, 5)) == "6.472e+308"
+    assert shown(-(Fraction(10) ** 309) / 3) == "-3.333e+308"
 
 
 def test_radians_are_converted_to_the_nearest_double():

@@ -1,5 +1,6 @@
 """Numbers between YAML, exact fractions and the texts of Function JSON."""
 
+import sys
 from decimal import Decimal
 from fractions import Fraction
 from functools import lru_cache
@@ -25,7 +26,9 @@ def plain_text(number: float | None) -> str | None:
 
 
 def shown(value: Fraction) -> str:
-    """A fraction in a message."""
+    """A fraction in a message; it may be larger than any double, as the largest one in another unit is."""
+    if abs(value) > Fraction(sys.float_info.max):
+        return f"{Decimal(value.numerator) / value.denominator:.4g}"
     return f"{as_number(value):.12g}" if value.denominator != 1 else _whole(value)
 
 
