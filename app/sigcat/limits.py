@@ -176,6 +176,9 @@ RUN_STATUSES = 100
 RUN_CHANGES = 20
 """Changes of one of them that a page lists."""
 
+RUN_GAPS = 1_000
+"""Passed time-outs of a signal that a picture shows."""
+
 # -- requests and pages ---------------------------------------------------------------------------------------------
 
 NAME_CHARACTERS = 300

@@ -153,7 +153,7 @@ def test_more_signals_than_a_picture_has_are_cut_with_a_note(
     functions = FunctionLibrary([folder], has_shipped=False)
     function = function_over(functions.files, library.default.catalogue, "core_acc")
     assert function.resolved is not None
-    view = run_view.run_view(function.resolved, functions.runs[0], (STATUS, PROPOSAL))
+    view = run_view.run_view(function.resolved, run_view.Asked(functions.runs[0], signals=(STATUS, PROPOSAL)))
     assert [each.name for each in view.choices if each.is_shown] == [STATUS]
     assert view.notes[-1] == "A picture has at most 1 signals: the first ones are shown."
 
@@ -213,6 +213,98 @@ def test_a_run_that_comes_while_the_service_runs_is_shown(folder: Path, library:
     gone = site("/functions/core_acc?view=run")
     assert (gone.status_code, "cannot be read" in gone.text) == (200, True)
     assert site("/functions/core_acc/runs/drive").status_code == 404
+
+
+# -- parts of a run, and others beside it ---------------------------------------------------------------------------
+
+
+def picture_of(page: str) -> str:
+    return page.partition('<svg class="diagram run"')[2].partition("</svg>")[0]
+
+
+def test_a_window_of_the_picture_is_in_the_address(shown: Shown) -> None:
+    page = shown(query="&from=1&to=2")
+    assert 'data-first="1" data-last="2"' in page
+    assert ("ACTIVE from 1.05 s to 2 s", "tone-2") in re.findall(r'<title>([^<]*)</title><rect class="([^"]*)"', page)
+    assert f"{REQUEST} m/s² 3 0.5 −0.5 0.5 −0.5" in words(page)  # the table has the whole run
+    links = dict(re.findall(r'<a href="([^"]+)" data-zoom="([^"]+)"', page))
+    zooms = {title: unescape(link).partition("?")[2] for link, title in links.items()}
+    assert zooms["Zoom in"] == "view=run&run=drive&from=1.25&to=1.75"
+    assert zooms["Earlier"] == "view=run&run=drive&from=0.5&to=1.5"
+    assert zooms["Whole run"] == "view=run&run=drive"
+
+
+def test_a_value_that_holds_when_the_window_begins_is_drawn(shown: Shown) -> None:
+    picture = picture_of(shown(query=f"&from=3.5&to=4&signal={REQUEST}"))
+    assert '<path class="line" d="M110 ' in picture
+
+
+@pytest.mark.parametrize(
+    ("query", "said"),
+    [
+        ("&from=soon", "must be times in seconds"),
+        ("&from=3&to=2", "must be times in seconds"),
+        ("&from=-1", "must be times in seconds"),
+        ("&from=70&to=80", "has no row from 70 s to 80 s"),
+    ],
+)
+def test_a_window_that_cannot_be_shown_is_a_note(shown: Shown, query: str, said: str) -> None:
+    assert said in words(shown(query=query))
+
+
+def test_inputs_come_from_the_trace_in_the_folder_of_the_run(folder: Path, shown: Shown) -> None:
+    (folder / "trace.csv").write_text(f"time,Vehicle.Speed,{LATE}_x\n0,10,\n2,20,\n9,30,")
+    page = shown(query="&signal=Vehicle.Speed")
+    assert "Vehicle.Speed km/h 3 10 10 30 30" in words(page)
+    assert picture_of(page).count('<path class="line"') == 1
+    assert 'data-last="4"' in page
+
+
+def test_a_time_out_that_has_passed_is_drawn_and_counted(folder: Path, shown: Shown) -> None:
+    (folder / "trace.csv").write_text("time,Vehicle.Chassis.Brake.CylP\n0,1\n0.01,1\n3,2\n")
+    page = shown(query="&signal=Vehicle.Chassis.Brake.CylP")
+    passed = re.findall(r"<title>time-out passed from ([^<]*)</title>", page)
+    assert len(passed) == 2
+    assert re.search(r"time-out [0-9.]+ s, passed 1.time", words(page))
+
+
+def test_limits_are_drawn_where_values_come_near_them(shown: Shown) -> None:
+    page = shown(query=f"&signal={REQUEST}")
+    assert 'class="limit"' not in picture_of(page)
+    wide = shown(RUN.replace(",0.5,", ",15,"), f"&signal={REQUEST}")
+    assert 'class="limit"' in picture_of(wide)
+    assert re.search(r"−\d+ to \d+", words(page))
+
+
+def test_bad_states_are_bands_behind_the_signals(shown: Shown) -> None:
+    (band,) = re.findall(r'<rect class="band" [^>]*><title>([^<]*)<', shown())
+    assert band == "FAILED from 1.05 s to 3 s"
+
+
+def test_expected_outputs_are_drawn_over_the_run(folder: Path, shown: Shown) -> None:
+    (folder / "expected.csv").write_text(f"time,{REQUEST}\n1,0.25\n3,-0.75\n")
+    assert '<option value="expected">' in shown()
+    page = shown(query=f"&beside=expected&signal={REQUEST}")
+    assert '<path class="beside" d="M' in picture_of(page)
+    assert "Dashed: " in words(page)
+    assert 'name="expected"' not in page
+
+
+def test_what_is_drawn_is_there_as_data(folder: Path, ask: Callable[[], Ask]) -> None:
+    (folder / "drive.csv").write_text(RUN)
+    (folder / "expected.csv").write_text(f"time,{REQUEST}\n1,0.25\n3,-0.75\n")
+    (line,) = ask()(f"/functions/core_acc/runs/drive/values.json?signal={REQUEST}&beside=expected&from=2&to=4").json()[
+        "signals"
+    ]
+    assert (line["name"], line["unit"]) == (REQUEST, "m/s^2")
+    assert line["points"] == [[2.0, "no number"], [3.0, "−0.5"]]
+    assert line["beside"] == [[2.0, "0.25"], [3.0, "−0.75"]]
+    assert ask()("/functions/core_acc/runs/nope/values.json").status_code == 404
+
+
+def test_a_recording_that_is_not_there_is_not_found(shown: Shown, ask: Callable[[], Ask]) -> None:
+    shown()
+    assert ask()("/functions/core_acc?view=run&beside=expcted").status_code == 404
 
 
 # -- files of any kind --------------------------------------------------------------------------------------------

@@ -1,4 +1,7 @@
-"""Runs beside the functions of a service: CSV files as `sigcat simulate` writes them, known by their header."""
+"""Recordings in the folders of a service's functions: CSV files, known by their header.
+
+A run is what `sigcat simulate` writes. A trace of inputs, or expected outputs, are other recordings.
+"""
 
 import csv
 import logging
@@ -22,7 +25,7 @@ _log = logging.getLogger("sigcat.hosting")
 
 
 class HostedRun(NamedTuple):
-    """A stored run. Its rows are read when a page shows them."""
+    """A stored run, or another recording. Its rows are read when a page shows them."""
 
     id: str
     """Name in addresses: of `NAME/run.csv` its folder, of any other file its own."""
@@ -33,6 +36,11 @@ class HostedRun(NamedTuple):
     """Group of the functions that the run may belong to."""
     columns: tuple[str, ...]
 
+    @property
+    def is_run(self) -> bool:
+        """Whether it has the calls of functions, as `sigcat simulate` writes them."""
+        return self.columns[: len(RUN_COLUMNS)] == RUN_COLUMNS
+
 
 HostedRuns = tuple[HostedRun, ...]
 
@@ -42,11 +50,12 @@ def is_run_name(name: str) -> bool:
     return ending_of(name) == ENDING and name.isprintable()
 
 
-def runs_among(paths: Iterable[Path], folder: Path, group: str) -> Iterator[HostedRun]:
-    """The runs among files below a folder, with unique ids."""
-    found = [(path, columns) for path in paths if is_run_name(path.name) and (columns := run_columns(path))]
+def recordings_among(paths: Iterable[Path], folder: Path, group: str) -> Iterator[HostedRun]:
+    """The runs among files below a folder, then other recordings, with unique ids."""
+    found = [(path, columns) for path in paths if is_run_name(path.name) and (columns := recorded_columns(path))]
+    found.sort(key=lambda each: each[1][: len(RUN_COLUMNS)] != RUN_COLUMNS)
     if len(found) > RUNS:
-        _log.warning("%s: of %d runs the first %d are shown", folder, len(found), RUNS)
+        _log.warning("%s: of %d recordings the first %d are shown", folder, len(found), RUNS)
     taken: set[str] = set()
     for path, columns in islice(found, RUNS):
         below = path.relative_to(folder)
@@ -63,8 +72,8 @@ def _free(wanted: str, taken: set[str]) -> str:
     return free
 
 
-def run_columns(path: Path) -> tuple[str, ...]:
-    """The columns of a run; none if the file is something else, or cannot be read."""
+def recorded_columns(path: Path) -> tuple[str, ...]:
+    """The columns of a recording; none if the file is something else, or cannot be read."""
     try:
         with path.open("rb") as file:
             line = file.readline(RUN_HEADER_BYTES)
@@ -75,13 +84,19 @@ def run_columns(path: Path) -> tuple[str, ...]:
         return ()
     except (UnicodeDecodeError, csv.Error):
         return ()
-    return columns if columns[: len(RUN_COLUMNS)] == RUN_COLUMNS else ()
+    return columns if columns[:1] == RUN_COLUMNS[:1] else ()
 
 
 def runs_of(function: FunctionJson, group: str, runs: Iterable[HostedRun]) -> HostedRuns:
     """The runs of a function: those of its folder that have something which it alone sends, if there is such."""
     sent = frozenset(_sent(function)) or frozenset(each.name for _, _, each in safety_reactions(function))
-    return tuple(run for run in runs if run.group == group and not sent.isdisjoint(run.columns))
+    return tuple(run for run in runs if run.is_run and run.group == group and not sent.isdisjoint(run.columns))
+
+
+def beside_runs(group: str, columns: Iterable[str], recordings: Iterable[HostedRun]) -> HostedRuns:
+    """The recordings of a group that have one of some columns."""
+    wanted = frozenset(columns)
+    return tuple(each for each in recordings if each.group == group and not wanted.isdisjoint(each.columns))
 
 
 def _sent(function: FunctionJson) -> Iterator[str]:

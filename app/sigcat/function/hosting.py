@@ -23,8 +23,8 @@ from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.hosted_comparisons import FILE as COMPARISON_FILE
 from sigcat.function.hosted_comparisons import HostedComparisons, comparisons_among, told_apart
 from sigcat.function.hosted_files import SHIPPED, HostedFile, HostedFiles, candidates, files_in, shipped_files, with_ids
-from sigcat.function.hosted_runs import FILE as RUN_FILE
-from sigcat.function.hosted_runs import HostedRuns, runs_among, runs_of
+from sigcat.function.hosted_runs import ENDING as RUN_ENDING
+from sigcat.function.hosted_runs import HostedRuns, recordings_among, runs_of
 from sigcat.function.last_good import Faults, with_last_good
 from sigcat.names import nearest
 
@@ -68,7 +68,7 @@ class FunctionLibrary:
         self.files: HostedFiles = ()
         self.skipped: tuple[str, ...] = ()
         """Names of files that are too large."""
-        self.runs: HostedRuns = ()
+        self.recordings: HostedRuns = ()
         self.comparisons: HostedComparisons = ()
         self._marks: Marks = frozenset()
         self.reload()
@@ -89,11 +89,18 @@ class FunctionLibrary:
             own = with_last_good(own, before, self._faults)
             self.files = with_ids(own, shipped_files() if self._has_shipped else ())
             _log_rejected(own)
-            runs = [run for folder in self.folders for run in runs_among(candidates(folder), folder, str(folder))]
-            self.runs = (*runs, *(_shipped_runs() if self._has_shipped else ()))
+            found = [
+                each for folder in self.folders for each in recordings_among(candidates(folder), folder, str(folder))
+            ]
+            self.recordings = (*found, *(_shipped_recordings() if self._has_shipped else ()))
             compared = [each for folder in self.folders for each in comparisons_among(candidates(folder), folder)]
             self.comparisons = told_apart((*compared, *(_shipped_comparisons() if self._has_shipped else ())))
         return self.files
+
+    @property
+    def runs(self) -> HostedRuns:
+        """The stored runs."""
+        return tuple(each for each in self.recordings if each.is_run)
 
     def runs_of(self, hosted: HostedFunction) -> HostedRuns:
         """The stored runs of a function."""
@@ -181,8 +188,8 @@ def _is_made(checked: CheckedFunction, declared: set[str]) -> bool:
 
 
 @lru_cache(maxsize=1)
-def _shipped_runs() -> HostedRuns:
-    return tuple(runs_among(sorted(EXAMPLES.glob(f"*/{RUN_FILE}")), EXAMPLES, SHIPPED))
+def _shipped_recordings() -> HostedRuns:
+    return tuple(recordings_among(sorted(EXAMPLES.glob(f"*/*{RUN_ENDING}")), EXAMPLES, SHIPPED))
 
 
 @lru_cache(maxsize=1)

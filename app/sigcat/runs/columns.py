@@ -8,7 +8,11 @@ from sigcat.adapter.core.cores import plans
 from sigcat.adapter.core.plan import CorePlan
 from sigcat.adapter.host.connections import Connections, Entry, Exit, Member, connect
 from sigcat.adapter.host.shapes import Shape
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.function.function_json.walk import data
+from sigcat.integration.sent_values import sent
 
 Kind = Literal["signal", "error", "safety reaction", "mode"]
 
@@ -26,6 +30,10 @@ class Column(NamedTuple):
     """Whether only one function sends it. A safety reaction is decided by each function for itself."""
     good: int | None
     """The number that says that all is well, of an error and of a safety reaction."""
+    limits: tuple[float, ...] = ()
+    """Smallest and largest valid value that the function declares, in the unit of the column."""
+    timeout: int = 0
+    """Longest valid time between two values, in ns; 0 without one."""
 
 
 class FunctionColumns(NamedTuple):
@@ -46,7 +54,8 @@ def columns_of(function: ResolvedFunction) -> FunctionColumns:
         *(_sent(each, kinds, good) for each in connections.exits),
         *(_received(each, kinds, good) for each in _entries(connections)),
     ]
-    columns = {each.name: each for each in reversed(found)}
+    declared = {item.vss_path or item.name: item for _, _, item in data(function.function)}
+    columns = {each.name: _limited(each, declared.get(each.name)) for each in reversed(found)}
     ordered = {each.name: columns[each.name] for each in found}
     return FunctionColumns(ordered, tuple(dict.fromkeys(call.interface for call in plan.calls)))
 
@@ -63,6 +72,15 @@ def _sent(each: Exit, kinds: Mapping[str, Kind], good: Mapping[str, int]) -> Col
 def _received(each: Entry, kinds: Mapping[str, Kind], good: Mapping[str, int]) -> Column:
     kind = kinds.get(each.receiver, "signal")
     return Column(each.names[0], kind, each.shape, each.unit, False, True, good.get(each.receiver))
+
+
+def _limited(column: Column, declared: Signal | DataQueue | None) -> Column:
+    """Add the declared range and time-out to a column."""
+    if declared is None:
+        return column
+    limits = (sent(declared.min, declared), sent(declared.max, declared))
+    timeout = 0 if column.is_sent else round((milliseconds(declared.timeout) or 0) * 1_000_000)
+    return column._replace(limits=tuple(sorted(each for each in limits if each is not None)), timeout=timeout)
 
 
 def _kinds(plan: CorePlan) -> dict[str, Kind]:

@@ -9,7 +9,7 @@ from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from sigcat.limits import RUN_BYTES
 from sigcat.runs.columns import Column, FunctionColumns
-from sigcat.runs.recording.series import Series, SeriesCollector
+from sigcat.runs.recording.series import ALWAYS, Series, SeriesCollector, Span
 from sigcat.runs.recording.trace_file import Known, Moment, Trace, moments, open_trace
 
 
@@ -40,8 +40,18 @@ class StoredRun(NamedTuple):
     """Findings about unreadable parts; the rest was read."""
 
 
-def read_run(file: Path, name: str, wanted: Sequence[str], function: FunctionColumns) -> StoredRun:
+def read_run(
+    file: Path,
+    name: str,
+    wanted: Sequence[str],
+    function: FunctionColumns,
+    window: Span = ALWAYS,
+    *,
+    is_run: bool = True,
+) -> StoredRun:
     """Some columns of a run and the calls of a function; `name` is what findings call the file.
+
+    Any other recording (`is_run` false) may end without a line break. Of a window, the series have their points.
 
     Raises InputRefused if nothing of it can be read, and OSError.
     """
@@ -49,11 +59,11 @@ def read_run(file: Path, name: str, wanted: Sequence[str], function: FunctionCol
         raise InputRefused(f"The run must have at most {RUN_BYTES // 2**20} MiB to be drawn.")
     columns = {each: function.columns[each] for each in wanted}
     try:
-        known = Known({each: column.shape for each, column in columns.items()}, None, ends_rows=True)
+        known = Known({each: column.shape for each, column in columns.items()}, None, ends_rows=is_run)
         trace = open_trace(file, known)
     except InputRefused as refused:
         raise InputRefused("The run cannot be read.", _called(refused.findings, name)) from None
-    return _Reading(trace, columns, function.calls).read(name)
+    return _Reading(trace, columns, function.calls, window).read(name)
 
 
 def _called(findings: Sequence[Finding], name: str) -> tuple[Finding, ...]:
@@ -62,10 +72,10 @@ def _called(findings: Sequence[Finding], name: str) -> tuple[Finding, ...]:
 
 
 class _Reading:
-    def __init__(self, trace: Trace, columns: Mapping[str, Column], calls: Sequence[str]) -> None:
+    def __init__(self, trace: Trace, columns: Mapping[str, Column], calls: Sequence[str], window: Span) -> None:
         self._trace = trace
         self._columns = columns
-        self._series = {name: SeriesCollector() for name in columns}
+        self._series = {name: SeriesCollector(window, each.timeout) for name, each in columns.items()}
         self._calls = {call: _CallCollector() for call in calls}
         self._first, self._last, self._rows = -1, 0, 0
 

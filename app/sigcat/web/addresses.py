@@ -1,6 +1,6 @@
 """Addresses of pages."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from urllib.parse import quote, urlencode
 
 _OF_ONE_CATALOGUE = ("cursor", "part", "change", "below")
@@ -33,10 +33,10 @@ class Addresses:
         """A chapter of the documentation by the path of its file."""
         return f"{self.base}/docs/{quote(name)}"
 
-    def query(self, given: Mapping[str, str]) -> str:
+    def query(self, given: Mapping[str, str | Sequence[str]]) -> str:
         """A query of the values that are not empty, with its question mark; empty if nothing is left."""
         kept = {name: value for name, value in given.items() if value}
-        return f"?{urlencode(kept)}" if kept else ""
+        return f"?{urlencode(kept, doseq=True)}" if kept else ""
 
     def other_catalogue(
         self, route: str, names: Mapping[str, str], query: Iterable[tuple[str, str]], catalogue: str

@@ -1,5 +1,6 @@
 """Tasks of people on the pages, each by keyboard; `make slow` does them by mouse as well."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -143,6 +144,35 @@ def test_a_function_is_read_in_every_form(open_page: Opener, use: Use) -> None:
         use(page.get_by_role("link", name="Download all"))
     assert kept.value.suggested_filename == "CoreAcc.autosar-adaptive.zip"
     expect(page.get_by_role("progressbar")).to_be_hidden()
+
+
+def test_a_run_is_zoomed_by_dragging_and_by_links(open_page: Opener, use: Use) -> None:
+    page = open_page("/functions/wheel_speed_calculation?view=run&catalogue=interfaces")
+    picture = page.locator("svg.run")
+    box = picture.bounding_box()
+    assert box
+    page.mouse.move(box["x"] + 300, box["y"] + 80)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 500, box["y"] + 80, steps=4)
+    page.mouse.up()
+    expect(page).to_have_url(re.compile(r"from=\d+\.\d+&to=\d+\.\d+"))
+    expect(page.get_by_role("textbox", name="From")).not_to_have_value("")
+    use(page.get_by_role("link", name="Whole run"))
+    expect(page).not_to_have_url(re.compile("from="))
+    expect(picture).to_have_attribute("data-last", "40")
+    expect(page.locator("[data-run]")).to_be_focused()
+
+
+def test_values_of_a_run_are_read_under_the_pointer_and_by_keys(open_page: Opener) -> None:
+    speed = "Vehicle.Chassis.Axle.Row1.Wheel.Left.Speed"
+    page = open_page(f"/functions/wheel_speed_calculation?view=run&catalogue=interfaces&signal={speed}")
+    page.locator("svg.run").hover(position={"x": 420, "y": 60})
+    expect(page.locator("[data-readout]")).to_have_text(re.compile(r"^\d+(\.\d+)?$"))
+    page.mouse.move(0, 0)
+    expect(page.locator("[data-readout]")).to_have_text("")
+    page.locator("[data-run]").focus()
+    page.keyboard.press("ArrowRight")
+    expect(page.locator("#said")).to_have_text(re.compile(r"^\d+\.\d+ s, Vehicle\.\S+Left\.Speed \[km/h\]: "))
 
 
 def test_a_signal_in_a_diagram_leads_to_its_node(open_page: Opener) -> None:

@@ -40,6 +40,8 @@ class Panel(NamedTuple):
     """Commands of an SVG path."""
     beside: str = ""
     """Commands of a second line, such as an expected one."""
+    limits: tuple[Tick, ...] = ()
+    """Limits of the valid range that are near the values."""
 
 
 class Picture(NamedTuple):
@@ -66,11 +68,13 @@ class _Axis(NamedTuple):
 
 Beside = Mapping[str, Sequence[tuple[int, float]]]
 """Points of second lines, by name."""
+Limits = Mapping[str, Sequence[float]]
+"""Limits of valid ranges, by name."""
 
 
 def picture(
     names: Sequence[str], shapes: Mapping[str, Shape], units: Mapping[str, str], found: Iterable[Sample],
-    beside: Beside = MappingProxyType({}),
+    beside: Beside = MappingProxyType({}), limits: Limits = MappingProxyType({}),
 ) -> Picture:  # fmt: skip
     """The picture of the signals of these names, which are numbers."""
     points: dict[str, list[tuple[int, float]]] = {name: [] for name in names}
@@ -81,7 +85,7 @@ def picture(
             points[name].append((time, float(value)))
     times = _Axis(first, last) if first < last else _Axis(*(_alone(first) if first <= last else (0, NANOSECONDS)))
     panels = tuple(
-        _panel(index, name, points[name], beside.get(name, ()), times, shapes[name], units)
+        _panel(index, name, points[name], beside.get(name, ()), times, shapes[name], units, limits.get(name, ()))
         for index, name in enumerate(names)
     )
     height = TOP + len(names) * (HEIGHT + GAP) - GAP + _FOOT
@@ -94,13 +98,14 @@ def _alone(time: float) -> tuple[float, float]:
 
 def _panel(
     index: int, name: str, points: Sequence[tuple[int, float]], beside: Sequence[tuple[int, float]], times: _Axis,
-    shape: Shape, units: Mapping[str, str],
+    shape: Shape, units: Mapping[str, str], limits: Sequence[float],
 ) -> Panel:  # fmt: skip
     assert isinstance(shape, Number)
     top = TOP + index * (HEIGHT + GAP)
     both = [*points, *beside]
     named = _named(shape, both)
-    axis = _range(both, named)
+    near = () if named is not None else _near(limits, both)
+    axis = _range([*both, *((0, each) for each in near)], named)
     ticks = named if named is not None else [(value, _short(value)) for value in _round_steps(axis)]
     placed = tuple(Tick(_y(value, axis, top), label) for value, label in ticks)
     unit = units.get(name, "").replace("^2", "²").replace("^3", "³")
@@ -110,6 +115,7 @@ def _panel(
         placed,
         _path(points, times, axis, top),
         _path(beside, times, axis, top),
+        tuple(Tick(_y(each, axis, top), _short(float(f"{each:.6g}"))) for each in near),
     )
 
 
@@ -127,6 +133,15 @@ def _range(points: Sequence[tuple[int, float]], named: list[tuple[float, str]] |
     low, high = min(values), max(values)
     room = 0.3 if named is not None else max(0.05 * (high - low) or 0.05 * abs(high) or 1.0, _NEAREST)
     return _Axis(low - room, high + room)
+
+
+def _near(limits: Sequence[float], points: Sequence[tuple[int, float]]) -> list[float]:
+    """The limits that values pass, or come nearer to than their own range: others would flatten the line."""
+    values = [value for _, value in points if math.isfinite(value)]
+    if not values:
+        return []
+    low, high = min(values), max(values)
+    return [each for each in limits if 2 * low - high <= each <= 2 * high - low]
 
 
 def _y(value: float, axis: _Axis, top: int) -> float:

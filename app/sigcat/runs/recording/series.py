@@ -1,14 +1,16 @@
 """Values of one column in order of time, thinned while they come: it stays small whatever is recorded.
 
 A value holds until another one comes, so that only changes are kept; of many in a short time the first, the smallest, the
-largest and the last, and one that is not a number: what a picture can show of them. All values are counted.
+largest and the last, and one that is not a number: what a picture can show of them. All values are counted. Of a window, the
+points are those within it, and the value that holds when it begins.
 """
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from sigcat.limits import RUN_CHANGES
+from sigcat.limits import RUN_CHANGES, RUN_GAPS
+from sigcat.runs.recording.times import LATEST
 
 _SPANS = 2_000
 """Parts of the whole time that are separate; a picture has fewer columns of pixels."""
@@ -16,13 +18,16 @@ _MOST = 6 * _SPANS
 
 Point = tuple[int, float]
 """A time in ns, and a value."""
+Span = tuple[int, int]
+"""Two times in ns."""
+ALWAYS: Span = (0, LATEST)
 
 
 class Series(NamedTuple):
     """Summary of a column's values."""
 
     points: tuple[Point, ...]
-    """Changes, the first value among them."""
+    """Changes within the window, the first value among them."""
     total: int
     """Values in all."""
     least: float
@@ -31,22 +36,27 @@ class Series(NamedTuple):
     changes: tuple[Point, ...]
     """The first ones, none left out."""
     change_total: int
+    last: float
+    latest: int
+    """Time of the last value."""
+    gaps: tuple[Span, ...]
+    """The first pauses between two values that are longer than the time-out, each from the end of that time."""
+    gap_total: int
 
     @property
     def first(self) -> float:
         """The first value."""
-        return self.points[0][1]
-
-    @property
-    def last(self) -> float:
-        """The last value."""
-        return self.points[-1][1]
+        return self.changes[0][1]
 
 
 class SeriesCollector:
     """Takes values as they come, in order of time."""
 
-    def __init__(self) -> None:
+    def __init__(self, window: Span = ALWAYS, timeout: int = 0) -> None:
+        self._window, self._timeout = window, timeout
+        self._latest = 0
+        self._gaps: list[Span] = []
+        self._gap_total = 0
         self._points: list[Point] = []
         self._total = 0
         self._least, self._greatest = math.inf, -math.inf
@@ -56,12 +66,14 @@ class SeriesCollector:
 
     def add(self, time: int, value: float) -> None:
         """One value."""
+        self._note_gap(time)
         self._total += 1
+        self._latest = time
         if value == self._last or (value != value and self._last != self._last):  # noqa: PLR0124 - NaN
             return
         self._last = value
         self._change_total += 1
-        self._points.append((time, value))
+        self._draw(time, value)
         if len(self._changes) < RUN_CHANGES:
             self._changes.append((time, value))
         if math.isfinite(value):
@@ -69,12 +81,32 @@ class SeriesCollector:
         if len(self._points) > _MOST:
             self._points = list(thinned(self._points))
 
+    def _note_gap(self, time: int) -> None:
+        """Keep the pause before a value if it is too long."""
+        if self._timeout and self._total and time - self._latest > self._timeout:
+            self._gap_total += 1
+            if self._gap_total <= RUN_GAPS:
+                self._gaps.append((self._latest + self._timeout, time))
+
+    def _draw(self, time: int, value: float) -> None:
+        """Keep the value if it is within the window, or holds when that begins."""
+        first, last = self._window
+        if time <= first:
+            self._points = [(first, value)]
+        elif time <= last:
+            self._points.append((time, value))
+
     @property
     def series(self) -> Series:
         """Return the summary of the values so far."""
         has_numbers = self._least <= self._greatest
         least, greatest = (self._least, self._greatest) if has_numbers else (math.nan, math.nan)
-        return Series(tuple(self._points), self._total, least, greatest, tuple(self._changes), self._change_total)
+        last = math.nan if self._last is None else self._last
+        points, changes = tuple(self._points), tuple(self._changes)
+        return Series(
+            points, self._total, least, greatest, changes, self._change_total, last, self._latest, tuple(self._gaps),
+            self._gap_total,
+        )  # fmt: skip
 
 
 def thinned(points: Sequence[Point]) -> Iterator[Point]:

@@ -24,10 +24,11 @@ from sigcat.web.views.document_tabs import SET_TABS, Tab, chosen_tab, download, 
 from sigcat.web.views.function_sets import known_sets
 from sigcat.web.views.generated_documents import FUNCTION_JSON, VIEWS, GeneratedDocument, attached, documents_of
 from sigcat.web.views.needed_overlays import Need, need_of
-from sigcat.web.views.run_view import RunView, run_view
+from sigcat.web.views.run_view import Asked, RunView, run_view
 from sigcat.web.views.source_view import shown_text, source_view
 
 router = APIRouter(route_class=InThread)
+_TIME_CHARACTERS = 40
 _SOURCE = "source"
 """View of the file as it is."""
 
@@ -70,8 +71,34 @@ def list_functions(hosted: NamedCatalogue, functions: TheFunctions, library: The
 class ShownRun(NamedTuple):
     """A run that a page shows."""
 
-    run: HostedRun
+    asked: Asked
     view: RunView
+
+
+class Part(NamedTuple):
+    """The part of a run that a request asks for."""
+
+    signals: tuple[str, ...]
+    beside: str
+    start: str
+    end: str
+
+    def of(self, run: HostedRun, functions: FunctionLibrary, *, with_lines: bool = False) -> Asked:
+        """The same of a run."""
+        others = tuple(each for each in functions.recordings if each.group == run.group and each.path != run.path)
+        return Asked(run, others, *self, with_lines)
+
+
+def _part(
+    signal: Annotated[list[str] | None, Query(description="Signals to draw; without any, the first ones.")] = None,
+    beside: Annotated[str, Query(max_length=NAME_CHARACTERS, description="Id of a recording to draw over it.")] = "",
+    start: Annotated[str, Query(alias="from", max_length=_TIME_CHARACTERS, description="First time, in s.")] = "",
+    end: Annotated[str, Query(alias="to", max_length=_TIME_CHARACTERS, description="Last time, in s.")] = "",
+) -> Part:
+    return Part(tuple(signal or ()), beside, start, end)
+
+
+ThePart = Annotated[Part, Depends(_part)]
 
 
 async def _shown_run(
@@ -79,10 +106,10 @@ async def _shown_run(
     hosted: NamedCatalogue,
     functions: TheFunctions,
     queue: TheWorkQueue,
+    part: ThePart,
     function_id: str,
     view: str = "",
     run: Annotated[str, Query(max_length=NAME_CHARACTERS, description="Id of a run; without it, the first.")] = "",
-    signal: Annotated[list[str] | None, Query(description="Signals to draw; without any, the first ones.")] = None,
 ) -> ShownRun | None:
     """The run that is asked for, read in a worker; None where another view is."""
     if view != "run":
@@ -91,8 +118,8 @@ async def _shown_run(
     runs = functions.runs_of(chosen)
     if not runs or chosen.resolved is None:
         return None
-    wanted = run_named(run, runs)
-    return ShownRun(wanted, await queue.run(run_view, chosen.resolved, wanted, tuple(signal or ())))
+    asked = part.of(run_named(run, runs), functions)
+    return ShownRun(asked, await queue.run(run_view, chosen.resolved, asked))
 
 
 TheRun = Annotated[ShownRun | None, Depends(_shown_run)]
@@ -166,6 +193,24 @@ def list_runs(hosted: NamedCatalogue, functions: TheFunctions, function_id: str)
     chosen = _function(functions, hosted, function_id)
     listed = [{"id": run.id, "file": run.name, "columns": run.columns} for run in functions.runs_of(chosen)]
     return JSONResponse({"runs": listed})
+
+
+@router.get("/functions/{function_id}/runs/{run_id}/values.json")
+async def list_values(
+    request: Request,
+    hosted: NamedCatalogue,
+    functions: TheFunctions,
+    queue: TheWorkQueue,
+    part: ThePart,
+    function_id: str,
+    run_id: str,
+) -> Response:
+    """The values that the picture of a run draws, as data: at most some thousand changes of each signal."""
+    chosen = await in_thread(request, _function, functions, hosted, function_id)
+    run = run_named(run_id, functions.runs_of(chosen))
+    assert chosen.resolved is not None  # which has runs
+    view = await queue.run(run_view, chosen.resolved, part.of(run, functions, with_lines=True))
+    return JSONResponse({"signals": [each._asdict() for each in view.lines], "notes": view.notes})
 
 
 @router.get("/functions/{function_id}/runs/{run_id}")

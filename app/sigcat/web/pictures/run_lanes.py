@@ -53,6 +53,8 @@ class Lanes(NamedTuple):
     lanes: tuple[Lane, ...]
     bottom: int
     """Position of the time axis."""
+    bad: tuple[Bar, ...]
+    """Times in which a state is bad, as bands behind the signals."""
     height: int
     start: int
     """Left edge of the picture."""
@@ -60,6 +62,19 @@ class Lanes(NamedTuple):
     width: int = WIDTH
     panel_height: int = HEIGHT
     bar_height: int = BAR
+
+
+def gap_bars(series: Series, timeout: int, drawn: Picture) -> tuple[Bar, ...]:
+    """Bars for the pauses of a signal after its time-out, up to the next value or the end of the picture."""
+    last = series.latest + timeout
+    spans = [*series.gaps, (last, round(drawn.last))] if last < drawn.last else series.gaps
+    shown = [(max(start, drawn.first), min(end, drawn.last)) for start, end in spans]
+    return tuple(_gap(start, end, drawn) for start, end in shown if start < end)
+
+
+def _gap(start: float, end: float, drawn: Picture) -> Bar:
+    says = f"time-out passed from {seconds_text(round(start))} s to {seconds_text(round(end))} s"
+    return Bar(_x(start, drawn), round(max(_x(end, drawn) - _x(start, drawn), 1.5), 2), "", "late", says)
 
 
 class _Span(NamedTuple):
@@ -77,7 +92,8 @@ def run_lanes(drawn: Picture, statuses: Sequence[tuple[Column, Series]]) -> Lane
     )
     bottom = lanes[-1].y + BAR if lanes else drawn.height - _FOOT
     longest = max((len(tick.label) for panel in drawn.panels for tick in panel.ticks), default=0)
-    return Lanes(lanes, bottom, bottom + _FOOT, max(0, LEFT - 16 - round(longest * _LETTER)))
+    bad = tuple(bar for lane in lanes for bar in lane.bars if bar.tone == "bad")
+    return Lanes(lanes, bottom, bad, bottom + _FOOT, max(0, LEFT - 16 - round(longest * _LETTER)))
 
 
 def _lane(y: int, column: Column, spans: Sequence[_Span], drawn: Picture) -> Lane:
