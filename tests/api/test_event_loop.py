@@ -121,6 +121,9 @@ COSTLY: dict[str, list[Costly]] = {
     "GET /functions/{function_id}/files/{document_id}": get("/functions/core_acc/files/source", "/functions/core_acc/files/x"),
     "GET /functions/{function_id}/runs.json": get("/functions/core_acc/runs.json"),
     "GET /functions/{function_id}/runs/{run_id}": get("/functions/core_acc/runs/drive", "/functions/core_acc/runs/x"),
+    "GET /functions/{function_id}/runs/{run_id}/values.json": get(
+        "/functions/core_acc/runs/drive/values.json", "/functions/core_acc/runs/x/values.json"
+    ),
     "GET /health": get("/health"),
     "GET /health/live": get("/health/live"),
     "GET /health/ready": get("/health/ready"),

@@ -199,12 +199,67 @@ def test_the_adapter_in_python_is_reported_and_not_checked():
     assert [each.t_adapter.p50 for each in report.timing if each.platform == "ros2-py"] == [10**6]
 
 
+def repeated(name, *cpu, memory=40_000_000, **options):
+    """A platform that was played to several times."""
+    runs = [played(name, cpu=each, memory=memory, **options) for each in cpu]
+    return runs[0]._replace(repeats=tuple(each.lock_step for each in runs[1:]))
+
+
+BY_HAND = repeated("baseline", 1.0, 1.0, 1.0, is_by_hand=True)
+
+
 @pytest.mark.parametrize(
-    ("cpu", "memory", "holds"), [(1.09, 40_000_000, True), (1.2, 40_000_000, False), (1.0, 50_000_000, False)]
+    ("cpu", "memory", "holds"), [(1.08, 40_000_000, True), (1.2, 40_000_000, False), (1.0, 50_000_000, False)]
 )
 def test_processor_time_and_memory_are_checked_against_handwritten_nodes(cpu, memory, holds):
-    report = told(played("ros2-cpp", cpu=cpu, memory=memory), played("baseline", is_by_hand=True))
+    report = told(repeated("ros2-cpp", cpu, cpu + 0.01, cpu - 0.005, memory=memory), BY_HAND)
     assert target(report, "ROS2-CPP, over").holds is holds
+
+
+def test_the_load_is_a_median_with_its_spread():
+    found = target(told(repeated("ros2-cpp", 0.5, 0.6, 0.9), BY_HAND), "ROS2-CPP, over")
+    assert (found.holds, found.measured) == (True, "\u221240 % processor time, +0 % memory")
+    assert found.note == "3 runs, of which the processor time spreads over 40 points"
+
+
+def test_no_verdict_comes_of_one_run_or_of_a_spread_that_is_larger_than_the_difference():
+    for own, note in (
+        (repeated("ros2-cpp", 1.0), "one run: its spread is unknown"),
+        (repeated("ros2-cpp", 0.9, 1.05, 1.2), "3 runs"),
+    ):
+        found = target(told(own, BY_HAND), "ROS2-CPP, over")
+        assert found.holds is None
+        assert found.note.startswith(note)
+        assert "Inconclusive: ROS2-CPP, over" in " ".join(told(own, BY_HAND).notes)
+
+
+def with_slow_call(own, adapter):
+    """The same with a second call."""
+    more = tuple(each._replace(call="Acc_Slow") for each in calls(adapter))
+    return own._replace(lock_step=own.lock_step._replace(calls=(*own.lock_step.calls, *more)))
+
+
+def test_a_call_that_misses_the_target_is_not_hidden_by_another():
+    platforms = (with_slow_call(played("simulate"), 1_000), with_slow_call(played("ros2-cpp"), 50_000))
+    report = report_of(material()._replace(platforms=platforms))
+    assert target(report, "adapter of ROS2-CPP, Acc_Step").holds is True
+    assert target(report, "adapter of ROS2-CPP, Acc_Slow").holds is False
+    summary = html_page(report).partition('class="wide stacked summary"')[2].partition("</table>")[0]
+    assert "1 of 2 fail" in summary
+
+
+def test_a_negative_time_explains_the_subtraction():
+    found = target(told(played("ros2-cpp", adapter=500)), "adapter of ROS2-CPP")
+    assert found.measured.startswith("\u2212")
+    assert "subtracted" in found.note
+
+
+def test_a_page_shows_a_summary_then_pictures_then_folded_tables():
+    page = html_page(whole())
+    assert (
+        page.index('class="wide stacked summary"') < page.index("<svg") < page.index("Outputs in lock step</summary>")
+    )
+    assert page.count("<table") == page.count("<details>") + 1
 
 
 def test_without_nodes_by_hand_the_overhead_is_not_measured():

@@ -80,6 +80,10 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "--free-run", type=float, default=FREE_RUN, metavar="SECONDS",
         help="how long each platform keeps its own time as well; 0: not at all (default: %(default)g)",
     )  # fmt: skip
+    parser.add_argument(
+        "--runs", type=positive(int), default=1, metavar="NUMBER",
+        help="runs of the nodes whose load is compared with that of nodes written by hand, for its spread (default: %(default)s)",
+    )  # fmt: skip
     add_outputs(
         parser, "-o", "--output", metavar="REPORT",
         help="a folder for the report in every form, or a file: .md, .json or .html; may be repeated",
@@ -164,7 +168,8 @@ def _asked(arguments: argparse.Namespace, folder: Path) -> "Asked":
     named = _scenarios(faults, trace, subject) if faults else ()
     scenarios, notes = tuple(each for each in named if each.end <= end), tuple(_beyond(named, end))
     translation = carried.translation_ns if carried else ()
-    return Asked(compared, subject, trace.absolute(), end, platforms, free, folder, scenarios, translation, notes)
+    runs = arguments.runs
+    return Asked(compared, subject, trace.absolute(), end, platforms, free, folder, scenarios, translation, notes, runs)
 
 
 def _converted_bag(bag: Path, folder: Path, subject: "Subject") -> Path:

@@ -52,6 +52,8 @@ class Asked(NamedTuple):
     """Times for each CAN frame, if the trace comes from CAN."""
     notes: tuple[str, ...] = ()
     """Notes for readers about the settings."""
+    runs: int = 1
+    """Runs of the platforms whose load is compared."""
 
 
 def compare(asked: Asked, tools: Toolchain, tell: Tell) -> Material:
@@ -173,7 +175,7 @@ def _in_lock_step(each: Played, play: Play, asked: Asked, tell: Tell) -> Played:
     recording = play(each.built, asked.subject, Drive(asked.trace, asked.end_ns, name="lock-step"))
     if recording.last_words:
         tell(f"{each.title}: it did not come to the end. {recording.last_words}")
-    return each._replace(lock_step=recording)
+    return each._replace(lock_step=recording, repeats=_again(each, play, asked, Drive(asked.trace, asked.end_ns)))
 
 
 def _in_free_run(each: Played, play: Play, asked: Asked, tell: Tell) -> Played:
@@ -183,7 +185,16 @@ def _in_free_run(each: Played, play: Play, asked: Asked, tell: Tell) -> Played:
         return each
     tell(f"{each.title}: {asked.free_ns / 1e9:g} s in free run")
     drive = Drive(asked.trace, asked.free_ns, "free run", "free-run")
-    return each._replace(free_run=play(each.built, asked.subject, drive))
+    first = play(each.built, asked.subject, drive)
+    return each._replace(free_run=first, repeats=(*each.repeats, *_again(each, play, asked, drive)))
+
+
+def _again(each: Played, play: Play, asked: Asked, drive: Drive) -> tuple[Recording, ...]:
+    """Repeat a run of the platforms whose load is compared: one run has no spread."""
+    if each.built is None or each.name not in (BESIDE_BASELINE, baseline.NAME):
+        return ()
+    drives = [drive._replace(name=f"{drive.mode.replace(' ', '-')}-{number}") for number in range(2, asked.runs + 1)]
+    return tuple(play(each.built, asked.subject, one) for one in drives)
 
 
 def _faults(played: Sequence[Played], players: Mapping[str, Play], asked: Asked, tell: Tell) -> Iterator[PlayedFault]:

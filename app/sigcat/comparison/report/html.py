@@ -36,8 +36,13 @@ def _lines(report: Report) -> Iterator[str]:
         yield f'<h2 id="{_anchor(section)}">{escape(section.title)}</h2>'
         for sentence in section.sentences:
             yield f'<p class="remark">{escape(sentence)}</p>'
-        for part in section.parts:
+        for part in sorted(section.parts, key=_place):
             yield _part(part)
+
+
+def _place(part: Table | Picture | Verbatim) -> int:
+    """Place within a section: what shows at once, pictures, then folded tables."""
+    return 2 if isinstance(part, Table) and not part.is_shown else 1 if isinstance(part, Picture) else 0
 
 
 def _anchor(section: Section) -> str:
@@ -67,12 +72,10 @@ def _table(table: Table) -> str:
     head = "".join(f'<th scope="col">{escape(each) or _UNSEEN}</th>' for each in table.head)
     rows = "".join(_row(row, table) for row in table.rows)
     text = (
-        f'<div class="scroll" tabindex="0" role="region" aria-label="{escape(table.title)}"><table class="wide stacked">'
+        f'<div class="scroll" tabindex="0" role="region" aria-label="{escape(table.title)}"><table class="wide stacked{" summary" if table.is_shown else ""}">'
         f"<thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table></div>"
     )
-    if table.is_folded:
-        return f"<details><summary>{escape(table.title)}</summary>{text}</details>"
-    return text
+    return text if table.is_shown else f"<details><summary>{escape(table.title)}</summary>{text}</details>"
 
 
 _UNSEEN = '<span class="unseen">state</span>'

@@ -231,6 +231,8 @@ class Process(Part):
     peak: Count
     size: Count
     is_player: bool = False
+    run: Count = 0
+    """Number of the repetition."""
 
     @property
     def share(self) -> float:
@@ -253,6 +255,9 @@ class Lines(Part):
 class Target(Part):
     """An acceptance criterion."""
 
+    criterion: str = ""
+    """Title of the row of the summary; empty for a criterion of no single platform."""
+    platform: str = ""
     what: str
     wanted: str
     measured: str

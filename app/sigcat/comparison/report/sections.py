@@ -33,8 +33,8 @@ class Table(NamedTuple):
     title: str
     head: tuple[str, ...]
     rows: tuple[tuple[Cell, ...], ...]
-    is_folded: bool = False
-    """Whether a page shows it when one asks for it."""
+    is_shown: bool = False
+    """Whether a page shows it at once; other tables are folded."""
 
 
 class Picture(NamedTuple):
@@ -80,8 +80,8 @@ def _cells(*texts: str | Cell) -> tuple[Cell, ...]:
     return tuple(each if isinstance(each, Cell) else Cell(each) for each in texts)
 
 
-def _table(title: str, head: str, rows: Sequence[tuple[Cell, ...]], *, is_folded: bool = False) -> tuple[Table, ...]:
-    return (Table(title, tuple(head.split("|")), tuple(rows), is_folded),) if rows else ()
+def _table(title: str, head: str, rows: Sequence[tuple[Cell, ...]], *, is_shown: bool = False) -> tuple[Table, ...]:
+    return (Table(title, tuple(head.split("|")), tuple(rows), is_shown),) if rows else ()
 
 
 _HOLDS = {True: Cell("pass", "good"), False: Cell("fail", "bad")}
@@ -96,9 +96,51 @@ def _held(target: Target) -> Cell:
 
 def _targets(report: Report) -> Section:
     rows = [_cells(each.what, each.wanted, each.measured, _held(each), each.note) for each in report.targets]
-    return Section(
-        "Acceptance criteria", report.notes, _table("Acceptance criteria", "Criterion|Target|Measured|Pass|Notes", rows)
-    )
+    table = _table("Each criterion", "Criterion|Target|Measured|Pass|Notes", rows)
+    return Section("Acceptance criteria", report.notes, (*_summary(report), *table))
+
+
+def _summary(report: Report) -> tuple[Table, ...]:
+    """Criteria and platforms: whether a platform passes each criterion, and by which figure."""
+    own = [each for each in report.platforms if each.name != report.reference]
+    criteria = dict.fromkeys(each.criterion for each in report.targets if each.criterion)
+    rows = [
+        _cells("Outputs equal in lock step", *(_equal(report, each.name) for each in own)),
+        *([_cells("Faults, the same", *(_same_faults(report, each.name) for each in own))] if report.faults else []),
+        *(_cells(name, *(_passed(report, name, each.name) for each in own)) for name in criteria),
+    ]
+    head = "|".join(["Criterion", *(each.title for each in own)])
+    return _table("Criteria by platform", head, rows, is_shown=True) if own else ()
+
+
+def _equal(report: Report, platform: str) -> Cell:
+    found = next((each for each in report.behaviour if each.platform == platform), None)
+    if found is None or not found.values:
+        return Cell("not measured", "muted")
+    return Cell(f"{found.wrong:,} differ", "bad") if found.wrong else Cell("pass", "good")
+
+
+def _same_faults(report: Report, platform: str) -> Cell:
+    played = [each for fault in report.faults for each in fault.outcomes if each.platform == platform]
+    same = sum(each.is_same for each in played)
+    if not played:
+        return Cell("not measured", "muted")
+    return Cell(f"{same} of {len(played)}", "good" if same == len(played) else "bad")
+
+
+def _passed(report: Report, criterion: str, platform: str) -> Cell:
+    """Return the worst verdict of the criterion's rows: a call that fails is a failure."""
+    own = [each for each in report.targets if (each.criterion, each.platform) == (criterion, platform)]
+    failed, unknown = [each for each in own if each.holds is False], [each for each in own if each.holds is None]
+    if not own:
+        return Cell("not measured", "muted")
+    if failed:
+        return Cell(f"{len(failed)} of {len(own)} fail" if len(own) > 1 else "fail", "bad")
+    if unknown:
+        words = "inconclusive" if any(each.measured for each in unknown) else "not measured"
+        passed = f"{len(own) - len(unknown)} pass, {len(unknown)} " if len(own) > len(unknown) else ""
+        return Cell(f"{passed}{words}", "muted")
+    return Cell("pass", "good")
 
 
 def _not_built(report: Report) -> Section:
@@ -174,10 +216,9 @@ def _free_run(report: Report) -> Section:
     parts = (
         *_table("Outputs in free run, by time", head, rows),
         *_table(
-            "Each output in free run", "platform|output|values|equal|a call apart|other|steps|later, median", details,
-            is_folded=True,
+            "Each output in free run", "platform|output|values|equal|a call apart|other|steps|later, median", details
         ),
-    )  # fmt: skip
+    )
     return Section("Behaviour in free run", (lead,) if rows else (), parts)
 
 
@@ -243,7 +284,7 @@ def _timing(report: Report) -> Section:
         parts += _drawn_call(report, call, of_call)
         rows = [row for each in of_call for row in _timing_rows(report, each)]
         head = "platform|run||calls|median|p99|worst"
-        parts += _table(f"{call} in numbers", head, rows, is_folded=True)
+        parts += _table(f"{call} in numbers", head, rows)
     measured = [
         _cells(each.name, report.title_of(each.platform), each.description, *_numbers(each.durations))
         for each in report.measured
@@ -256,7 +297,7 @@ def _timing(report: Report) -> Section:
         for each in report.supervision
     ]  # fmt: skip
     head = "platform|run|function|while this call is late|allowed|times between calls|longer|longest"
-    parts += _table("Calls of Supervise", head, supervised, is_folded=True)
+    parts += _table("Calls of Supervise", head, supervised)
     parts += _table("Other durations", "what|platform|from, to|number|median|p99|worst", measured)
     lead = (
         "A call has four points of measurement: t_exec is from the begin of SetInput to the end of GetOutput, t_logic the function "
@@ -307,7 +348,7 @@ def _numbers(found: Durations) -> tuple[str, ...]:
 def _load(report: Report) -> Section:
     rows = [
         _cells(
-            report.title_of(each.platform), each.mode, f"{each.name} (player)" if each.is_player else each.name, f"{each.cpu_s:.2f} s",
+            report.title_of(each.platform), f"{each.mode} {each.run + 1}" if each.run else each.mode, f"{each.name} (player)" if each.is_player else each.name, f"{each.cpu_s:.2f} s",
             percent(each.share), memory(each.peak), memory(each.size) if each.size else "",
         )
         for each in report.processes

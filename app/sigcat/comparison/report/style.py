@@ -5,7 +5,7 @@ STYLE = """\
   color-scheme: light dark; --ground: light-dark(#fbfbfa, #15181b); --raised: light-dark(#ffffff, #1b1f23);
   --sunken: light-dark(#f2f3f1, #101315); --line: light-dark(#dfe2df, #2b3136); --line-strong: light-dark(#8b938f, #6b757c);
   --text: light-dark(#1c2321, #e3e7e6); --muted: light-dark(#5a6562, #9aa5a6); --accent: light-dark(#0b6b62, #5cc8ba);
-  --error: light-dark(#b3261e, #ff8d83); --series-0: light-dark(#9fb8d6, #49607c); --series-1: light-dark(#0b6b62, #5cc8ba);
+  --error: light-dark(#b3261e, #ff8d83); --accent-ground: light-dark(#dff0ed, #163634); --error-ground: light-dark(#fdeceb, #3a1d1b); --series-0: light-dark(#9fb8d6, #49607c); --series-1: light-dark(#0b6b62, #5cc8ba);
   --series-2: light-dark(#96500a, #eeb067); --series-3: light-dark(#6f3fa6, #c3a0ee);
   --series-4: light-dark(#b3261e, #ff8d83); --series-5: light-dark(#2f6f9f, #7fb8e6);
 }
@@ -23,6 +23,7 @@ th, td { text-align: left; vertical-align: top; padding: 5px 12px 5px 0; border-
 thead th { color: var(--muted); font-size: 12px; font-weight: 650; } tbody th { min-width: 9em; }
 h3 { font-size: 14px; margin: 16px 0 0; }
 pre { margin: 8px 0 0; padding: 10px 14px; background: var(--sunken); border: 1px solid var(--line); border-radius: 6px; overflow-x: auto; font-size: 12.5px; }
+.summary td { padding-left: 10px; border-left: 1px solid var(--line); } .summary .good { background: var(--accent-ground); } .summary .bad { background: var(--error-ground); }
 details { margin-top: 8px; } summary { cursor: pointer; color: var(--muted); }
 .unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
 @media (max-width: 640px) {

@@ -11,7 +11,12 @@ def duration(nanoseconds: float) -> str:
 
 def _three(value: float) -> str:
     digits = f"{value:.3g}"
-    return f"{value:.0f}" if "e" in digits else digits
+    return signed(f"{value:.0f}" if "e" in digits else digits)
+
+
+def signed(text: str) -> str:
+    """Return numbers in a text with real minus signs."""
+    return text.replace("-", "\u2212")
 
 
 def memory(size: float) -> str:

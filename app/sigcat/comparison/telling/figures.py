@@ -1,5 +1,6 @@
 """Timing, load and effort of platforms, as a report tells them."""
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 
 from sigcat.comparison.effort import count_lines
@@ -91,7 +92,10 @@ def ends_to_ends(material: Material) -> Iterator[model.Measured]:
 def processes(material: Material) -> Iterator[model.Process]:
     """Each process of each platform, in each run."""
     for each in material.platforms:
-        for recording in each.recordings:
+        seen: Counter[str] = Counter()
+        for recording in (*each.recordings, *each.repeats):
+            run = seen[recording.mode]
+            seen[recording.mode] += 1
             for process in recording.processes:
                 yield model.Process(
                     platform=each.name,
@@ -102,6 +106,7 @@ def processes(material: Material) -> Iterator[model.Process]:
                     peak=process.peak_rss_bytes,
                     size=process.executable_bytes,
                     is_player=process.is_player,
+                    run=run,
                 )
 
 

@@ -20,6 +20,8 @@ class Played(NamedTuple):
     built: Built | None = None
     lock_step: Recording | None = None
     free_run: Recording | None = None
+    repeats: tuple[Recording, ...] = ()
+    """Further runs, for the spread of their load."""
     is_by_hand: bool = False
     """Whether people wrote it, for comparison: nothing of it is sigcat's."""
 

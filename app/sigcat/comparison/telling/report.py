@@ -63,12 +63,15 @@ def _platform(played: Played) -> model.Platform:
 def _notes(measured: model.Report, held: Sequence[model.Target]) -> Iterator[str]:
     """Yield notes to read before the table."""
     failing = [each.what for each in held if each.holds is False]
-    unknown = [each.what for each in held if each.holds is None]
+    unknown = [each.what for each in held if each.holds is None and not each.measured]
+    open_ones = [each.what for each in held if each.holds is None and each.measured]
     if failing:
         yield f"Failed: {'; '.join(failing)}."
     if unknown:
         yield f"Not measured: {'; '.join(unknown)}."
-    if not failing and not unknown:
+    if open_ones:
+        yield f"Inconclusive: {'; '.join(open_ones)}."
+    if not (failing or unknown or open_ones):
         yield f"All {len(held)} acceptance criteria were measured and passed."
     doubt = other_work(measured)
     if doubt:
