@@ -110,6 +110,7 @@ COSTLY: dict[str, list[Costly]] = {
     "GET /catalogues/{catalogue}": get("/catalogues/wide"),
     "GET /changes": get("/changes?old=interfaces&new=wide"),
     "GET /docs": get("/docs"),
+    "GET /docs/api/{chapter}": get("/docs/api/exports", "/docs/api/schemas"),
     "GET /docs/{chapter:path}": get("/docs/reference/command-line.md", f"/docs/{'x' * 300}"),
     "GET /functions": get("/functions", "/functions?catalogue=wide"),
     "GET /functions.json": get("/functions.json", "/functions.json?catalogue=wide"),

@@ -43,6 +43,26 @@ def test_the_index_has_two_addresses_and_the_reference_of_the_api_stays(site: As
     assert site("/docs/reference/python-api.pyi").status_code == 200
 
 
+def test_every_operation_of_the_api_is_in_one_chapter(site: Ask) -> None:
+    document = site("/openapi.json").json()
+    ids = {entry["operationId"] for methods in document["paths"].values() for entry in methods.values()}
+    chapters = re.findall(r'href="(/docs/api/[a-z]+)"', site("/docs").text)
+    pages = [site(chapter).text for chapter in dict.fromkeys(chapters)]
+    shown = [each for page in pages for each in re.findall(r'class="operation" id="([^"]+)"', page)]
+    assert sorted(shown) == sorted(ids)
+    assert {f"schema-{name}" for name in document["components"]["schemas"]} == set(
+        re.findall(r'id="(schema-[^"]+)"', "".join(pages))
+    )
+    overview = site("/docs").text
+    assert overview.count("Too many requests of one client") == 1
+    assert set(re.findall(r'href="/docs/api/[a-z]+#([^"]+)"', overview)) == ids
+
+
+def test_an_unknown_chapter_of_the_api_names_near_ones(site: Ask) -> None:
+    page = site("/docs/api/catalogs")
+    assert (page.status_code, "catalogues" in page.text) == (404, True)
+
+
 @pytest.mark.parametrize(
     "chapter", ["how-to/comparee.md", "../pyproject.toml", "%2e%2e/pyproject.toml", "how-to", "<b>"]
 )

@@ -281,3 +281,10 @@ def test_a_catalogue_is_pictured(site: Ask) -> None:
     page = site("/catalogues/interfaces").text
     assert 'class="overlaid"' in page
     assert "by overlays, on the rim" in page
+
+
+def test_the_files_of_a_platform_are_folders_below_the_title_of_their_view() -> None:
+    site = asker(create_site(Library([source for source in shipped_sources() if source.id == "interfaces"])))
+    page = site("/functions/core_acc?view=ros2").text.replace("<wbr>", "")
+    assert re.findall("<h3>([^<]*)</h3>", page) == ["ROS 2", "ROS 2 packages"]
+    assert "core_acc/include/core_acc/" in re.findall("<h4>([^<]*)</h4>", page)

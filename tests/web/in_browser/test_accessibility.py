@@ -19,7 +19,7 @@ PAGES = (
     "/functions/wheel_speed_calculation?view=run&catalogue=interfaces",
     "/functions/sets/ecocontrol/compare", "/wiring?catalogue=interfaces", "/changes",
     "/changes?old=vss&new=interfaces", "/try", "/try?kind=function&catalogue=interfaces", "/try?change=Vehicle.Chassis.Brake.CylP&catalogue=interfaces", "/rules", "/rules/I201",
-    "/units/interfaces", "/catalogues/interfaces", "/docs", "/problems/busy", "/tree/small/Vehicle.Sped",
+    "/units/interfaces", "/catalogues/interfaces", "/docs", "/docs/api/integration", "/docs/api/schemas", "/problems/busy", "/tree/small/Vehicle.Sped",
 )  # fmt: skip
 """One page of each kind."""
 VARIANTS = (

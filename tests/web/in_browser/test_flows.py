@@ -175,6 +175,27 @@ def test_values_of_a_run_are_read_under_the_pointer_and_by_keys(open_page: Opene
     expect(page.locator("#said")).to_have_text(re.compile(r"^\d+\.\d+ s, Vehicle\.\S+Left\.Speed \[km/h\]: "))
 
 
+def test_an_operation_is_called_from_its_reference(open_page: Opener, use: Use) -> None:
+    page = open_page("/docs/api/catalogues")
+    operation = page.locator(".operation", has_text="nodes/{path}")
+    use(operation.get_by_text("Call this service"))
+    expect(operation.get_by_label("catalogue")).to_have_value("interfaces")
+    operation.get_by_label("path").fill("Vehicle.Speed")
+    use(operation.get_by_role("button", name="Send"))
+    expect(operation.locator("[data-answer]")).to_contain_text("200")
+    expect(operation.locator("[data-answer]")).to_contain_text('"Vehicle.Speed"')
+    operation.get_by_label("path").fill("Vehicle.Sped")
+    use(operation.get_by_role("button", name="Send"))
+    expect(operation.locator("[data-answer]")).to_contain_text("404")
+
+
+def test_a_link_to_a_schema_opens_it(open_page: Opener, use: Use) -> None:
+    page = open_page("/docs/api/catalogues")
+    use(page.get_by_role("link", name="CatalogueList"))
+    expect(page.locator("#schema-CatalogueList")).to_be_visible()
+    expect(page.locator("#schema-Catalogue")).to_be_hidden()
+
+
 def test_a_signal_in_a_diagram_leads_to_its_node(open_page: Opener) -> None:
     page = open_page("/functions/core_acc?catalogue=interfaces")
     page.locator(".picture").get_by_role("link", name="Chassis.Brake.CylP").click()

@@ -15,7 +15,7 @@ PAGES = (
     "/functions/core_acc?view=source&catalogue=interfaces", "/functions/core_acc?view=ros2&catalogue=interfaces",
     "/functions/wheel_speed_calculation?view=run&catalogue=interfaces",
     "/functions/sets/ecocontrol/compare", "/wiring?catalogue=interfaces", "/changes?old=vss&new=interfaces", "/try?kind=function&catalogue=interfaces",
-    "/rules", "/rules/I201", "/units/interfaces", "/catalogues/interfaces", "/docs", "/problems/busy", "/tree/small/Vehicle.Sped",
+    "/rules", "/rules/I201", "/units/interfaces", "/catalogues/interfaces", "/docs", "/docs/api/exports", "/docs/api/schemas", "/problems/busy", "/tree/small/Vehicle.Sped",
 )  # fmt: skip
 
 
@@ -47,6 +47,12 @@ def test_nothing_sticks_out_sideways(shown: Page) -> None:
     for width in (320, 360, 768, 1280, 2560):
         shown.set_viewport_size({"width": width, "height": 800})
         assert shown.evaluate("document.documentElement.scrollWidth") <= width
+
+
+def test_no_page_is_taller_than_one_reads(shown: Page) -> None:
+    is_chapter = "/docs/reference/" in shown.url  # one text, with its contents beside it
+    shown.set_viewport_size({"width": 1440, "height": 900})
+    assert is_chapter or shown.evaluate("document.documentElement.scrollHeight") < 8_000
 
 
 SCROLLED = "pre, textarea, .side, .source, .document, .bar nav, .scroll:not(.interfaces):not(:has(.attributes))"

@@ -14,7 +14,7 @@ PAGES = {
     "/functions/core_acc?view=source&catalogue=interfaces": "function: CoreAcc", "/functions/core_acc?view=arxml&catalogue=interfaces": "&lt;AUTOSAR",
     "/functions/core_acc?view=run&catalogue=interfaces": "STANDBY", "/wiring?catalogue=interfaces": "fit together", "/changes?old=vss&new=interfaces": "compatible",
     "/functions/sets/ecocontrol/compare": "Acceptance criteria", "/try?catalogue=interfaces": "errors", "/rules": "Kinds", "/rules/I201": "Wrong", "/units/small": "km/h",
-    "/catalogues/small": "Layers", "/docs": "curl", "/problems/busy": "Retry-After", "/tree/small/Vehicle.Sped": "Did you mean",
+    "/catalogues/small": "Layers", "/docs": "Other answers", "/docs/api/lint": "curl", "/problems/busy": "Retry-After", "/tree/small/Vehicle.Sped": "Did you mean",
 }  # fmt: skip
 
 

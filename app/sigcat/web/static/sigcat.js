@@ -1,5 +1,6 @@
 // What every page has: search as you type, copying, menus that close. A page works without any of it.
 import { askPart, attempt, begin, say } from "./asking.js";
+import { mountCalls } from "./call.js";
 import { mountRun } from "./run.js";
 import { mountTree } from "./tree.js";
 import { mountTry } from "./try.js";
@@ -58,6 +59,7 @@ const main = document.getElementById("main");
 let leave = mountTree();
 mountTry();
 mountRun();
+mountCalls();
 let timer = 0;
 
 const isSearch = () => location.pathname.startsWith(`${base}/search/`);

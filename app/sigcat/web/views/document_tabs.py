@@ -46,7 +46,9 @@ _OLDEST = (1980, 1, 1, 0, 0, 0)
 class Folder(NamedTuple):
     """Documents in one folder of a view."""
 
-    title: str
+    view: str
+    """Title of the view, of its first folder; empty for the folders after it."""
+    path: str
     documents: Sequence[GeneratedDocument]
 
 
@@ -94,9 +96,9 @@ def _folders(made: Iterable[tuple[str, GeneratedDocument]]) -> list[Folder]:
     for title, document in made:
         by_folder.setdefault(title, {}).setdefault(document.folder, []).append(document)
     return [
-        Folder(f"{title}: {folder}" if folder else title, documents)
+        Folder(title if index == 0 else "", path, documents)
         for title, folders in by_folder.items()
-        for folder, documents in sorted(folders.items())
+        for index, (path, documents) in enumerate(sorted(folders.items()))
     ]
 
 
