@@ -17,7 +17,7 @@ from sigcat.catalogue.model.definition import STRUCT, Definition, Scope
 from sigcat.catalogue.model.vocabulary import EMPTY, Vocabulary
 from sigcat.catalogue.reading.layers import Layer, read_layer
 from sigcat.catalogue.reading.yaml_document import collector_paused
-from sigcat.findings import Finding, in_order
+from sigcat.findings import Finding, has_errors, in_order
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.names import bounded_proposals, last_name, parent_path
 from sigcat.patterns import Matching
@@ -118,12 +118,19 @@ def _compose(
     merged = merge_layers(layers, scope, known, limits)
     findings.extend(merged.findings)
     findings.extend(missing_units(merged.definitions, vocabulary))
-    root = draft_tree(merged.definitions, limits, findings)
+    of_root: list[Finding] = []
+    root = draft_tree(merged.definitions, limits, of_root)
+    findings.extend(() if _is_unread(layers) else of_root)
     if root is not None and expanded:
         root = _expand(root, scope, limits, findings)
     roots = tuple(frozen_tree(draft, findings) for draft in (root, type_root) if draft is not None)
     every_layer = (*layers, *types)
     return Catalogue(name, roots, vocabulary, every_layer, in_order(findings), merged.definitions, expanded)
+
+
+def _is_unread(layers: Sequence[Layer]) -> bool:
+    """Whether the tree itself could not be read: that its overlays have no root follows from it."""
+    return bool(layers) and not layers[0].statements and has_errors(layers[0].findings)
 
 
 def missing_units(definitions: Mapping[str, Definition], vocabulary: Vocabulary) -> Iterator[Finding]:
