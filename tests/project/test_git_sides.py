@@ -130,7 +130,7 @@ def test_the_release_is_that_of_each_revision(company, capsys, monkeypatch, tmp_
     monkeypatch.setenv("SIGCAT_DATA", str(tmp_path / "data"))
     assert main(["pull", "v5.0", "--from", str(saved(tmp_path, tar_bytes()))]) == 0
     Path("overlays/noise.vspec").unlink()
-    Path("sigcat.toml").write_text(PROJECT.replace('"shipped"', '"v5.0"'))
+    Path("sigcat.toml").write_text(PROJECT.replace('"shipped"', '"v5.0"') + '[lint.severity]\nV020 = "warning"\n')
     told = changes(capsys, "git:main")
     assert "removed Vehicle.ADAS" in told
     assert not any("AcmeGas" in change for change in told)
@@ -295,3 +295,13 @@ def test_without_a_tag_the_old_side_must_be_named(company, capsys):
     git("tag", "--delete", "v1.2.0")
     assert main(["version-bump"]) == 2
     assert "no tag found before the current commit; name the old side" in capsys.readouterr().err
+
+
+@pytest.mark.usefixtures("company")
+def test_a_revision_has_the_severities_of_its_project():
+    project = '[[catalogue]]\nid = "a"\nspec = "undefined.vspec"\n[lint]\nseverity.V020 = "info"\n'
+    Path("sigcat.toml").write_text(f'{project}baseline = "a file that the revision lacks"\n')
+    Path("undefined.vspec").write_text("A: {type: branch, description: A.}\nA.B.C: {type: branch, description: C.}\n")
+    commit("undefined")
+    Path("sigcat.toml").write_text(project)
+    assert main(["diff", "git:undefined", "a"]) == 0

@@ -57,9 +57,9 @@ def read_tree(
 ) -> "Catalogue":
     """The catalogue that the options name. Its warnings go to standard error; errors raise InputRefused.
 
-    `for_export`: an error with which vss-tools exports a tree is a warning. `without`: an overlay that is left out.
+    `for_export`: an error with which vss-tools exports a tree does not refuse it. `without`: an overlay that is left out.
     """
-    from sigcat.catalogue.exporting.stopping import with_exported_errors_as_warnings
+    from sigcat.catalogue.exporting.stopping import stops_export
     from sigcat.catalogue.hosting.source import load
     from sigcat.project.chosen_tree import chosen_tree
 
@@ -72,8 +72,8 @@ def read_tree(
     is_of_project = source.id in (each.id for each in project.catalogues)
     catalogue = load(source if is_of_project else source._replace(id=source.spec.stem), expanded=expanded)
     refuse_overwriting(arguments, (*project.files, *(file.name for file in catalogue.files)))
-    catalogue = with_exported_errors_as_warnings(catalogue) if for_export else catalogue
-    if has_errors(catalogue.findings):
+    refused = any(map(stops_export, catalogue.findings)) if for_export else has_errors(catalogue.findings)
+    if refused:
         raise InputRefused("the tree has errors; nothing was done", catalogue.findings)
     if is_of_project and not catalogue.has_signals and without is None:
         raise UsageError(without_signals(source.spec))

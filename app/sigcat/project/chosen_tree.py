@@ -14,6 +14,7 @@ from sigcat.project.project import Project
 from sigcat.real_path import each_once, real_path
 from sigcat.rules.linting.context import tree_near
 from sigcat.rules.linting.includes import first_bytes
+from sigcat.rules.linting.severity import ConfiguredSeverities
 
 
 class TreeOptions(NamedTuple):
@@ -82,4 +83,5 @@ def with_additions(source: Source, project: Project) -> Source:
         quantities=each_once((*project.quantities, *source.quantities)),
         types=each_once((*project.types, *source.types)),
         include_dirs=each_once((*source.include_dirs, *project.include_dirs)),
+        severities=ConfiguredSeverities.of(project.lint),
     )

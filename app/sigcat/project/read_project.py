@@ -19,7 +19,7 @@ import os
 import re
 import sys
 import tomllib
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -61,6 +61,8 @@ _ADVICE = {
 """Places for the settings of a tree in a project with catalogues."""
 _OF_TREES = frozenset(("catalogue", *_OF_CATALOGUES))
 """Keys that a catalogue is made of."""
+_OF_SEVERITIES = frozenset(("select", "ignore", "extend-select", "severity", "per-file"))
+"""Keys of [lint] that set severities of findings in trees."""
 _OF_FOLDERS = frozenset(("include-dirs", "functions"))
 """Lists that name folders; all others name files."""
 
@@ -79,11 +81,21 @@ def read_project(file: Path, readers: Mapping[str, TableReader] | None = None) -
 
 
 def read_catalogues(file: Path) -> Project:
-    """Read the catalogues alone, with what is added to them: a revision of git lacks functions and databases.
+    """Read the catalogues alone, with what is added to them and severities: a revision of git lacks functions and databases.
 
     Raises InputRefused with all findings.
     """
-    return _read(file, {}, lambda data: {key: data[key] for key in data if key.replace("_", "-") in _OF_TREES})
+    return _read(file, {}, _of_trees)
+
+
+def _of_trees(data: Mapping[str, Any]) -> Mapping[str, Any]:
+    lint = data.get("lint")
+    severities = _only(lint, _OF_SEVERITIES) if isinstance(lint, dict) else {}
+    return {**_only(data, _OF_TREES), "lint": severities}
+
+
+def _only(values: Mapping[str, Any], names: Container[str]) -> dict[str, Any]:
+    return {key: value for key, value in values.items() if key.replace("_", "-") in names}
 
 
 def _read(

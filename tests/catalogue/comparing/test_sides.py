@@ -209,6 +209,8 @@ def given_in(file):
 @pytest.mark.parametrize("case", sorted(case.name for case in CASES.iterdir()))
 def test_a_tree_does_not_differ_from_what_sigcat_exports_of_it(case, form, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(CASES / case)
+    (tmp_path / "sigcat.toml").write_text('[lint.severity]\nV020 = "warning"\n')
+    monkeypatch.setenv("SIGCAT_CONFIG", str(tmp_path / "sigcat.toml"))
     overlays, options = given_in(CASES / case / "options")
     over = [word for overlay in overlays for word in ("-l", overlay)]
     tree, export = "+".join(["tree.vspec", *overlays]), str(tmp_path / "export.json")

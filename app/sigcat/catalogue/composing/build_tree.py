@@ -119,8 +119,7 @@ def _added_branch(path: str, below: str, definition: Definition, above: Draft | 
     message = f"Branch {path!r} is not defined, but {below!r} is below it."
     beside = [child.name for child in above.children.values() if child.definition.type == BRANCH] if above else []
     fix = fix_of_undefined(path, did_you_mean(last_name(path), beside))
-    rule = codes.BRANCH_UNDEFINED.graded("warning")  # composing continues with the branch that is added here
-    problem = Problem(rule, "", message, fix)
+    problem = Problem(codes.BRANCH_UNDEFINED, "", message, fix)
     is_named = bool(last_name(path))  # else the path below it is malformed, and the finding about that is enough
     return Definition(path, definition.statements[:1], {"type": BRANCH}, (problem,) if is_named else ())
 

@@ -54,7 +54,7 @@ _UNITS_OF_TOOLS = (
 """Units that the tools of 3.0 knew and that are no longer in the shipped vocabulary."""
 _SPELLINGS_OF_TOOLS = {"Celsius": "celsius"}
 """Keys of shipped units in the spelling of 3.0, which a tree of 3.0 keeps."""
-_ESSENTIAL = frozenset(
+ESSENTIAL = frozenset(
     rule.id
     for rule in (
         codes.NOT_YAML, codes.NOT_UTF_8, codes.NOT_A_MAPPING, codes.NOT_A_VALUE, codes.ALIAS_TO_ITSELF,
@@ -281,5 +281,5 @@ def tolerant(catalogue: Catalogue) -> Catalogue:
 
 
 def _tolerated(finding: Finding) -> Finding:
-    is_tolerable = finding.severity == "error" and finding.rule not in _ESSENTIAL
+    is_tolerable = finding.severity == "error" and finding.rule not in ESSENTIAL
     return finding._replace(severity="warning") if is_tolerable else finding

@@ -4,13 +4,12 @@ from collections.abc import Mapping
 from typing import Literal
 
 from sigcat import codes
-from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.findings import Finding, RuleCode
 
 Decision = Literal["exported", "stops", "limit"]
 """Result for a tree with an error.
 
-exported: vss-tools exports it, and so does sigcat, with the same bytes and a warning. stops: vss-tools refuses it, too.
+exported: vss-tools exports it, and so does sigcat, with the same bytes; the error is reported. stops: vss-tools refuses it, too.
 limit: vss-tools may export it; sigcat reads nothing outside of the folders that are named, and bounds time and memory.
 """
 
@@ -48,14 +47,3 @@ DECISIONS: Mapping[str, Decision] = {
 def stops_export(finding: Finding) -> bool:
     """Whether a finding is an error with which a tree is not exported."""
     return finding.severity == "error" and DECISIONS.get(finding.rule) != "exported"
-
-
-def with_exported_errors_as_warnings(catalogue: Catalogue) -> Catalogue:
-    """The catalogue with a warning in place of each error that stops no export."""
-    return catalogue.with_findings(
-        tuple(each if stops_export(each) else _as_warning(each) for each in catalogue.findings)
-    )
-
-
-def _as_warning(finding: Finding) -> Finding:
-    return finding._replace(severity="warning") if finding.severity == "error" else finding

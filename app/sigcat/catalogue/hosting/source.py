@@ -1,11 +1,20 @@
 """Source of one catalogue: a tree, its overlays in order, and its vocabulary."""
 
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 from sigcat.catalogue.composing.compose import read_catalogue
+from sigcat.catalogue.composing.older_releases import ESSENTIAL
 from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.findings import Finding
 from sigcat.limits import DEFAULT_LIMITS, Limits
+
+
+class Severities(Protocol):
+    """Severities that a project sets."""
+
+    def graded(self, finding: Finding) -> Finding | None:
+        """Return the finding with its severity; None if its rule is off."""
 
 
 class Source(NamedTuple):
@@ -22,13 +31,15 @@ class Source(NamedTuple):
     include_dirs: tuple[Path, ...] = ()
     release: str = ""
     """Name of the official release that the tree is; its own errors are warnings. Empty: the user's own tree."""
+    severities: Severities | None = None
+    """Those that the project sets, in place of those of the rules."""
     has_standard_units: bool = True
     """Whether a tree without a file of units has those of VSS, and units may measure the quantities of VSS."""
 
 
 def load(source: Source, limits: Limits = DEFAULT_LIMITS, *, expanded: bool = True) -> Catalogue:
     """Read and compose the catalogue of a source, of whatever release it is."""
-    return read_catalogue(
+    catalogue = read_catalogue(
         source.spec,
         source.overlays,
         include_dirs=source.include_dirs,
@@ -41,3 +52,11 @@ def load(source: Source, limits: Limits = DEFAULT_LIMITS, *, expanded: bool = Tr
         is_release=bool(source.release),
         has_standard_units=source.has_standard_units,
     )
+    return catalogue if source.severities is None else _graded(catalogue, source.severities)
+
+
+def _graded(catalogue: Catalogue, severities: Severities) -> Catalogue:
+    """Return the catalogue with configured severities; an error that leaves no tree stays one."""
+    each = ((finding if finding.rule in ESSENTIAL else severities.graded(finding)) for finding in catalogue.findings)
+    findings = tuple(finding for finding in each if finding is not None)
+    return catalogue if findings == catalogue.findings else catalogue.with_findings(findings)

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping
 from fnmatch import fnmatchcase
 from pathlib import Path, PurePath
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 from sigcat.errors import UsageError
 from sigcat.findings import SEVERITIES, Finding, Severity
@@ -12,6 +12,32 @@ from sigcat.real_path import real_path
 from sigcat.rules.linting.options import LintOptions, PerFile
 
 OFF = "off"
+
+
+class ConfiguredSeverities(NamedTuple):
+    """Severities that a project sets, for findings of rules that composing reports in every command."""
+
+    ignore: tuple[str, ...]
+    selected: tuple[str, ...]
+    """Codes of rules that are reported although `ignore` has the start of them."""
+    severities: tuple[tuple[str, str], ...]
+    per_file: tuple[tuple[str, tuple[tuple[str, str], ...]], ...]
+    root: Path
+
+    @classmethod
+    def of(cls, options: LintOptions) -> Self:
+        """Return those of a configuration, as values that another process can be sent."""
+        per_file = tuple((entry.glob, tuple(entry.severities.items())) for entry in options.per_file)
+        selected = (*options.select, *options.extend_select)
+        return cls(options.ignore, selected, tuple(options.severities.items()), per_file, options.root)
+
+    def graded(self, finding: Finding) -> Finding | None:
+        """Return the finding with its configured severity; None if its rule is off."""
+        if finding.rule.startswith(self.ignore) and finding.rule not in self.selected:
+            return None
+        graded = _graded_by(finding, dict(self.severities))
+        per_file = (PerFile(glob, dict(severities)) for glob, severities in self.per_file)
+        return graded and _graded_in_file(graded, per_file, self.root)
 
 
 class Grading(NamedTuple):
@@ -39,12 +65,19 @@ def _graded_in_file(finding: Finding, per_file: Iterable[PerFile], root: Path) -
     """The finding with the severity that its file gives its rule; None where the rule is off."""
     for entry in per_file:
         if matches(finding.file, entry.glob, root):
-            severity = most_specific(finding.rule, entry.severities)
-            if severity == OFF:
+            graded = _graded_by(finding, entry.severities)
+            if graded is None:
                 return None
-            if severity is not None:
-                finding = finding._replace(severity=as_severity(severity))
+            finding = graded
     return finding
+
+
+def _graded_by(finding: Finding, severities: Mapping[str, Any]) -> Finding | None:
+    """The finding with the severity that a table gives its rule; None if the rule is off."""
+    severity = most_specific(finding.rule, severities)
+    if severity == OFF:
+        return None
+    return finding if severity is None else finding._replace(severity=as_severity(severity))
 
 
 def matches(file: str, glob: str, root: Path) -> bool:
