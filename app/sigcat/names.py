@@ -148,14 +148,15 @@ def _completed(beginning: str, choices: Mapping[str, str], limit: int) -> tuple[
 
 def did_you_mean(name: str, candidates: Iterable[str]) -> str:
     """A sentence that proposes the nearest names, or nothing."""
-    return _question(nearest(name, candidates))
+    return question(nearest(name, candidates))
 
 
 def did_you_mean_last(name: str, last_names: Mapping[str, str]) -> str:
     """A sentence that proposes the names whose last names, given by name, are near; or nothing."""
     near = nearest(name, last_names.values())
-    return _question(tuple(full for last in near for full, own in last_names.items() if own == last)[:3])
+    return question(tuple(full for last in near for full, own in last_names.items() if own == last)[:3])
 
 
-def _question(near: Sequence[str]) -> str:
+def question(near: Sequence[str]) -> str:
+    """A sentence that proposes names; or nothing, if there are none."""
     return f"Did you mean {' or '.join(repr(candidate) for candidate in near)}?" if near else ""

@@ -27,3 +27,22 @@ def test_a_value_that_cannot_be_used_is_refused(command, message, capsys):
         main(command)
     assert ended.value.code == 2
     assert message in capsys.readouterr().err
+
+
+ABBREVIATED = {
+    "of an export": (("export", "csv", "--out", "x"), "unknown option --out. Did you mean '--output'?"),
+    "with a value": (("export", "json", "--out=x"), "unknown option --out. Did you mean '--output'?"),
+    "before a positional argument": (("show", "--vs", "tree", "A"), "unknown option --vs. Did you mean '--vspec'?"),
+    "without one": (("simulate", "--tra", "trace.csv"), "unknown option --tra. Did you mean '--trace'?"),
+    "of a command of a command": (("function", "validate", "--over", "x", "f"), "Did you mean '--overlays'?"),
+    "several": (("lint", "--ex"), "Did you mean '--extend-select'"),
+    "near to nothing": (("lint", "--zzzzzz"), "unknown option --zzzzzz\n"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("command", "message"), ABBREVIATED.values(), ids=ABBREVIATED)
+def test_an_abbreviated_option_is_refused_with_the_whole_one(command, message, capsys):
+    with pytest.raises(SystemExit) as ended:
+        main(command)
+    assert ended.value.code == 2
+    assert message in capsys.readouterr().err

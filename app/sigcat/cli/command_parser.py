@@ -2,7 +2,8 @@
 
 import argparse
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from itertools import takewhile
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -28,7 +29,13 @@ def positive(kind: type[Number]) -> Callable[[str], Number]:
 
 
 class CommandParser(argparse.ArgumentParser):
-    """A parser that says which option or choice is wrong, and which one is near to it."""
+    """A parser that says which option or choice is wrong, and which one is near to it.
+
+    Abbreviated options are refused: a script with one would stop working, or do something else, after a new option.
+    """
+
+    def __init__(self, **named: Any) -> None:
+        super().__init__(**{**named, "allow_abbrev": False})
 
     @property
     def actions(self) -> tuple[argparse.Action, ...]:
@@ -40,20 +47,30 @@ class CommandParser(argparse.ArgumentParser):
         self.set_defaults(run=self._run_without_command)
         return super().add_subparsers(**named)
 
-    def parse_known_args(self, *arguments: Any, **named: Any) -> Any:
+    def parse_known_args(self, args: Sequence[str] | None = None, namespace: Any = None) -> Any:
         """Parse what belongs to this parser, and refuse the rest, which no other parser reads."""
-        parsed, unknown = super().parse_known_args(*arguments, **named)
+        given = sys.argv[1:] if args is None else args
+        if self._subparsers is None:  # first: without its option, a value is taken for another argument
+            self._refuse_unknown(given)
+        parsed, unknown = super().parse_known_args(given, namespace)
         if unknown:
             self._refuse(unknown[0].partition("=")[0])
         return parsed, unknown
 
+    def _refuse_unknown(self, given: Sequence[str]) -> None:
+        for argument in takewhile(lambda each: each != "--", given):
+            name = argument.partition("=")[0]
+            if name.startswith("--") and name not in self._option_string_actions:
+                self._refuse(name)
+
     def _refuse(self, argument: str) -> None:
-        from sigcat.names import did_you_mean
+        from sigcat.names import did_you_mean, question
 
         if not argument.startswith("-"):
             self.error(f"unexpected argument {argument!r}")
         options = [option for action in self._actions for option in action.option_strings]
-        self.error(f"unknown option {argument}. {did_you_mean(argument, options)}".rstrip(". "))
+        begun = [option for option in options if len(argument) > len("--") and option.startswith(argument)]
+        self.error(f"unknown option {argument}. {question(begun[:3]) or did_you_mean(argument, options)}".rstrip(". "))
 
     def _get_values(self, action: argparse.Action, strings: list[str]) -> Any:
         if action.type is Path and "" in strings:  # Path takes it for the current folder
