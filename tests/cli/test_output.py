@@ -135,7 +135,7 @@ def test_what_fails_leaves_the_old_file(folder, monkeypatch):
 @pytest.fixture
 def closed_folder(folder, monkeypatch):
     """A folder that may not be written, with a file of 1,000 bytes that may, on a disk that is full at 1,500."""
-    monkeypatch.setattr(os, "access", lambda path, mode: mode != os.W_OK)
+    monkeypatch.setattr(os, "access", lambda path, mode: mode != os.W_OK or Path(path).is_file())
     Path("result").write_bytes(b"old " * 250)
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (1_500, before[1]))
@@ -239,3 +239,58 @@ def test_help_whose_reader_has_gone_is_no_error():
     command = f"set -o pipefail; {sys.executable} -m sigcat.cli --help | true"
     done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (0, "")
+
+
+def run_in_shell(command):
+    environment = {**os.environ, "PYTHONPATH": str(PROJECT / "app")}
+    return subprocess.run(
+        command.replace("sigcat", f"{sys.executable} -m sigcat"),
+        shell=True,
+        env=environment,
+        capture_output=True,
+        check=False,
+    )
+
+
+@pytest.mark.parametrize(
+    "command", ["export json -s tree.vspec", "show Vehicle -s tree.vspec", "lint tree.vspec", "--help"]
+)
+def test_a_result_for_a_closed_standard_output_is_an_error(command):
+    done = run_in_shell(f"sigcat {command} >&-")
+    assert done.returncode == 2
+    assert done.stderr.startswith(b"sigcat: standard output is closed: the result was not written.")
+
+
+def test_a_file_is_written_where_standard_output_is_closed(folder):
+    assert run_in_shell("sigcat export json -s tree.vspec -o tree.json >&- <&-").returncode == 0
+    assert json.loads(Path("tree.json").read_text())["Vehicle"]["type"] == "branch"
+
+
+def test_messages_do_not_get_into_a_result_where_standard_error_is_closed():
+    Path("tree.vspec").write_text(TREE + "Vehicle.A.B: {type: branch, description: B.}\n")
+    assert "Vehicle" in json.loads(run_in_shell("sigcat export json -s tree.vspec 2>&-").stdout)
+
+
+def test_a_read_only_file_is_refused(capsys):
+    Path("result").write_text("old")
+    Path("result").chmod(0o444)
+    assert main(["schema", "function", "-o", "result"]) == 2
+    assert "result is read-only: run `chmod u+w` on it, or name another file" in capsys.readouterr().err
+    assert Path("result").read_text() == "old"
+
+
+def test_a_read_only_file_is_not_repaired(capsys):
+    Path("tree.vspec").write_text(TREE + "Vehicle.A: {type: branch, description: a}\n")
+    Path("tree.vspec").chmod(0o444)
+    before = Path("tree.vspec").read_text()
+    assert main(["lint", "--fix", "tree.vspec"]) == 2
+    assert "read-only" in capsys.readouterr().err
+    assert Path("tree.vspec").read_text() == before
+
+
+def test_all_names_of_a_file_have_the_new_content():
+    Path("result").write_text("old and longer")
+    Path("other").hardlink_to("result")
+    write_bytes(b"new", Path("result"))
+    assert Path("other").read_bytes() == b"new"
+    assert Path("result").samefile("other")

@@ -12,6 +12,7 @@ from importlib import import_module
 from io import TextIOWrapper
 
 from sigcat import __version__
+from sigcat.cli.closed_output import is_closed_output, reopen_closed_streams
 from sigcat.cli.command_parser import CommandParser
 from sigcat.cli.ended_by_signals import remembering_interrupts, was_interrupted
 from sigcat.cli.output_options import refuse_overwriting
@@ -54,8 +55,7 @@ _MODULES = {"try": "try_overlay", "version-bump": "version_bump"}
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command and return its exit status. Nothing that a user does ends in a traceback."""
     set_up_process()
-    if sys.stdout is None:  # closed by the caller, as `>&-` does
-        sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123, SIM115 — stands until the end
+    reopen_closed_streams()
     with remembering_interrupts():
         return _run(argv)
 
@@ -78,7 +78,7 @@ def _run(argv: Sequence[str] | None) -> int:
     except SigcatError as error:
         return _failed(str(error), 2)
     except OSError as error:
-        return _output_closed() if isinstance(error, BrokenPipeError) else _failed(_reason(error), 2)
+        return _not_written(error)
     except KeyboardInterrupt:
         return 130
     except Exception as error:
@@ -137,8 +137,12 @@ def _reason(error: OSError) -> str:
     return f"{error.filename}: {error.strerror}" if error.filename else str(error.strerror or error)
 
 
-def _output_closed() -> int:
-    from sigcat.cli.output import discard_output
+def _not_written(error: OSError) -> int:
+    """The status after a file or the output could not be read or written: a reader that has gone, as `head` does, is no error."""
+    has_reader_gone, is_closed = isinstance(error, BrokenPipeError), is_closed_output(error)
+    if has_reader_gone or is_closed:
+        from sigcat.cli.output import discard_output
 
-    discard_output()
-    return 0
+        discard_output()
+    message = "standard output is closed: the result was not written. Open it, or name a file with -o."
+    return 0 if has_reader_gone else _failed(message if is_closed else _reason(error), 2)

@@ -9,6 +9,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from sigcat.cli.closed_output import is_closed_output
 from sigcat.cli.output import could_not_run, discard_output, write_text
 from sigcat.cli.output_options import FORMATS, add_output, refuse_overwriting
 from sigcat.cli.project_options import add_project_options, project_of
@@ -130,8 +131,10 @@ def _lint(arguments: argparse.Namespace) -> int:
     try:
         _report(result, options, arguments)
         sys.stdout.flush()
-    except BrokenPipeError:  # the exit status is right even if the output is not read
-        discard_output()
+    except OSError as error:
+        if not isinstance(error, BrokenPipeError) and not (is_closed_output(error) and result.fails):
+            raise
+        discard_output()  # the exit status is right even if the output is not read
     return int(result.fails)
 
 

@@ -3,7 +3,7 @@
 import errno
 import os
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from io import BytesIO, FileIO
 from pathlib import Path
@@ -12,6 +12,10 @@ from typing import BinaryIO
 from sigcat.cli.ended_by_signals import ended_by_signals
 from sigcat.errors import InputRefused, UsageError, must_be_a_file
 from sigcat.findings import Finding
+
+_WRITABLE = 0o222
+_MOST_BYTES = 10_000_000
+"""Size of a file whose lines are printed with its errors."""
 
 
 def write_text(text: str, output: Path | None) -> None:
@@ -33,8 +37,9 @@ def discard_output() -> None:
 def write_bytes(data: bytes, output: Path | None) -> None:
     """Write `data` to `output`, or to standard output.
 
-    A regular file is replaced when the new one is complete, through links too; a device or a pipe is written to. Missing
-    folders are created.
+    A regular file is replaced when the new one is complete, through links too. One with several names (hard links), or in a
+    folder that may not be written, gets the new content in place. A device or a pipe is written to. Missing folders are
+    created.
     """
     with opened(output) as file:
         file.write(data)
@@ -87,7 +92,7 @@ def _replacing(target: Path) -> Iterator[BinaryIO]:
     """A file that takes the place of another one when the block ends without an error."""
     temporary = target.with_name(f".{target.name}.{os.urandom(6).hex()}")
     with _named_as(target), ended_by_signals():
-        if target.exists() and not os.access(target.parent, os.W_OK):
+        if _is_written_in_place(target):
             with _in_place(target) as file:
                 yield file
             return
@@ -101,9 +106,19 @@ def _replacing(target: Path) -> Iterator[BinaryIO]:
             temporary.unlink(missing_ok=True)
 
 
+def _is_written_in_place(target: Path) -> bool:
+    """Whether a file keeps its place: it has other names, or its folder may not be written. Raises UsageError if it is read-only."""
+    if not target.exists():
+        return False
+    status = target.stat()
+    if not os.access(target, os.W_OK) or not status.st_mode & _WRITABLE:  # root may write all, and should not
+        raise UsageError(f"{target} is read-only: run `chmod u+w` on it, or name another file")
+    return status.st_nlink > 1 or not os.access(target.parent, os.W_OK)
+
+
 @contextmanager
 def _in_place(target: Path) -> Iterator[BinaryIO]:
-    """A file in a folder that may not be written: its content is replaced at the end, and put back if that fails."""
+    """A file that keeps its place: its content is replaced at the end, and put back if that fails."""
     made = BytesIO()
     yield made
     before = target.read_bytes()
@@ -152,6 +167,30 @@ def could_not_run(error: InputRefused) -> UsageError:
 
 
 def print_findings(findings: Iterable[Finding]) -> None:
-    """Print each finding to standard error."""
-    for finding in findings:
+    """Print each finding to standard error; below an error its line, as `sigcat lint` does."""
+    listed = tuple(findings)
+    sources = _sources_of_errors(listed)
+    for finding in listed:
         print(finding.line_of_text, file=sys.stderr)
+        if finding.severity == "error" and finding.file in sources:
+            from sigcat.rules.reports.text import excerpt
+
+            print(excerpt(finding, sources[finding.file]), end="", file=sys.stderr)
+
+
+def _sources_of_errors(findings: Iterable[Finding]) -> Mapping[str, Sequence[str]]:
+    """Lines of the files with errors. Most commands have none, and load nothing for them."""
+    errors = [each for each in findings if each.severity == "error" and _is_small_file(each.file)]
+    if not errors:
+        return {}
+    from sigcat.rules.report import sources_of
+
+    return {name: text.splitlines() for name, text in sources_of(errors).items()}
+
+
+def _is_small_file(name: str) -> bool:
+    """Whether a file can be read for its lines: a pipe would block, and a trace may be larger than memory."""
+    try:
+        return Path(name).is_file() and Path(name).stat().st_size <= _MOST_BYTES
+    except (OSError, ValueError):
+        return False

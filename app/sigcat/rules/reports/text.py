@@ -51,10 +51,11 @@ def _finding(finding: Finding, lines: list[str], colour: bool) -> str:
     rule = _painted(finding.rule, "bold", colour)
     advice = f" {finding.fix}" if finding.fix else ""
     head = f"{position}: {severity} {rule} {printable(finding.message + advice)}\n".removeprefix(": ")
-    return head + _excerpt(finding, lines, colour)
+    return head + excerpt(finding, lines, colour=colour)
 
 
-def _excerpt(finding: Finding, lines: list[str], colour: bool) -> str:
+def excerpt(finding: Finding, lines: Sequence[str], *, colour: bool = False) -> str:
+    """Return the line of a finding with a caret below the word; nothing if its file has no such line."""
     if not 0 < finding.line <= len(lines):
         return ""
     line = lines[finding.line - 1]
