@@ -54,6 +54,9 @@ def export(arguments: argparse.Namespace) -> int:
     output: Path | None = arguments.output if str(arguments.output) != "-" else None
     if output is None and exporter.is_folder:
         raise UsageError(f"{exporter.name} is a folder: name it with -o, or a file that ends in .zip")
+    if output is not None and exporter.refuses_ending and output.suffix not in ("", ".zip"):
+        stem = output.with_suffix("")
+        raise UsageError(f"{exporter.name} writes a folder, not {output}: pass `-o {stem}`, or `-o {stem}.zip`")
     options = _given(arguments, exporter)
     expanded = options.get(EXPAND.name, True)
     catalogue = read_tree(arguments, expanded=expanded, for_export=not options.get(STRICT.name))

@@ -33,6 +33,11 @@ def test_a_folder_needs_a_name(tree, capsys):
     assert "name it with -o" in capsys.readouterr().err
 
 
+def test_a_folder_with_the_name_of_a_file_is_refused_with_a_name_for_it(tree, capsys):
+    assert main(["export", "s2dm", "-s", "tree.vspec", "-o", "f.json"]) == 2
+    assert "s2dm writes a folder, not f.json: pass `-o f`, or `-o f.zip`" in capsys.readouterr().err
+
+
 def test_a_folder_is_written_into_a_folder(tree, as_a_command):
     assert main(["export", "ros2interface", "-s", "tree.vspec", "-o", "ros", "--package-name", "cars"]) == 0
     assert (tree / "ros/cars/msg/Vehicle.msg").is_file()

@@ -65,6 +65,9 @@ class Exporter(NamedTuple):
     output_also: tuple[str, ...] = ()
     """Other spellings of `--output` on the command line, with their dashes: those of vss-tools."""
 
+    refuses_ending: bool = False
+    """Whether the name of its folder may not end like that of a file."""
+
     @property
     def is_folder(self) -> bool:
         """Whether the export is a folder."""

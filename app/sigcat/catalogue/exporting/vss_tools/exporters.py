@@ -141,7 +141,7 @@ VSS_TOOLS = (
     _file("plantuml", "PlantUML class diagram", ".puml", "text/plain", EXPAND, _ATTRIBUTES),
     _file("go", "Go structs", ".go", "text/plain", *_GO),
     _file("binary", "compact binary form for small targets", ".bin", "application/octet-stream", TYPES_OUTPUT),
-    _folder("s2dm", "GraphQL schema (S2DM)", *_S2DM, *STRICTNESS),
+    _folder("s2dm", "GraphQL schema (S2DM)", *_S2DM, *STRICTNESS, refuses_ending=True),
     _folder("ros2interface", "ROS 2 messages and services", *_ROS2, is_unescaped=True),
     _folder("samm", "SAMM aspect models", *_SAMM, *STRICTNESS, output_also=("--target-folder", "-tf")),
     _folder("apigear", "ApiGear module and solution", *_APIGEAR, *STRICTNESS, output_also=("--output-dir",)),
