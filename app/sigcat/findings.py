@@ -78,6 +78,11 @@ def in_order(findings: Iterable[Finding], causes: Collection[str] = ()) -> tuple
     return tuple(sorted(dict.fromkeys(findings), key=lambda finding: (finding.file not in causes, finding.sort_key)))
 
 
+def first_at(file: str, line: int) -> str:
+    """The first place of something that is given twice, as messages name it."""
+    return f"first at {file}:{line}"
+
+
 _LONGEST = 60
 """Characters of a value in a message; of a list, as many items are more than enough."""
 

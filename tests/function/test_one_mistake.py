@@ -129,3 +129,16 @@ def test_a_mistyped_interface_is_found_at_its_name():
     (finding,) = [each for each in check_function(text.encode(), "function.yaml", interfaces()) if each.rule == "F013"]
     assert text.splitlines()[finding.line - 1][finding.column - 1 :] == "WheelSpeedCalculation_RngeError_ErrorSts"
     assert finding.pointer.endswith("/interface")
+
+
+@pytest.mark.parametrize("role", ["consumed, asil: B", "provided"])
+def test_an_interface_that_is_given_twice_names_the_first_place(role):
+    first = next(number for number, line in enumerate(SOUND.splitlines(), 1) if "- {path: Vehicle.Demo.In," in line)
+    text = changed((OUT, OUT + f"\n          - {{path: Vehicle.Demo.In, role: {role}}}"))
+    (finding,) = check_function(text.encode(), "function.yaml", interfaces())
+    assert finding.message.endswith(f", first at function.yaml:{first}.")
+
+
+def test_a_key_that_is_given_twice_names_the_first_place():
+    (finding,) = check_function(f"{SOUND}\nfunction: Demo\n".encode(), "function.yaml", interfaces())
+    assert "first at function.yaml:" in finding.message

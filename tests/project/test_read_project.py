@@ -123,7 +123,10 @@ def test_the_line_is_that_of_the_catalogue_meant(folder):
             '[[catalogue]]\nid = "a"\nspec = "tree.vspec"\ninclude_dirs = ["tree.vspec"]\n',
             ("C005", 4, "'tree.vspec' must be a folder, not a file."),
         ),
-        ("watch = true\nwatch = false\n", ("C001", 2, "Not valid TOML: Cannot overwrite a value.")),
+        (
+            "watch = true\nwatch = false\n",
+            ("C001", 2, "Not valid TOML: `watch` is given twice, first at sigcat.toml:1."),
+        ),
         ("watch = \n", ("C001", 1, "Not valid TOML: Invalid value.")),
         ("[[catalogue", ("C001", 1, "Not valid TOML: Expected ']]' at the end of an array declaration.")),
     ],
@@ -134,7 +137,7 @@ def test_each_fault_has_its_line(folder, text, expected):
 
 def test_two_catalogues_cannot_have_one_id(folder):
     one = '[[catalogue]]\nid = "a"\nspec = "tree.vspec"\n'
-    assert findings(folder, one + one) == [("C006", 5, "Two catalogues have the id 'a'.", "")]
+    assert findings(folder, one + one) == [("C006", 5, "Two catalogues have the id 'a', first at sigcat.toml:2.", "")]
 
 
 def test_a_release_that_was_not_pulled_is_told_with_how_to_pull_it(folder, data):

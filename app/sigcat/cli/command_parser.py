@@ -47,12 +47,12 @@ class CommandParser(argparse.ArgumentParser):
         self.set_defaults(run=self._run_without_command)
         return super().add_subparsers(**named)
 
-    def parse_known_args(self, args: Sequence[str] | None = None, namespace: Any = None) -> Any:
+    def parse_known_args(self, *arguments: Any, **named: Any) -> Any:
         """Parse what belongs to this parser, and refuse the rest, which no other parser reads."""
-        given = sys.argv[1:] if args is None else args
+        given, *_ = *arguments, named.get("args")
         if self._subparsers is None:  # first: without its option, a value is taken for another argument
-            self._refuse_unknown(given)
-        parsed, unknown = super().parse_known_args(given, namespace)
+            self._refuse_unknown(given or sys.argv[1:])
+        parsed, unknown = super().parse_known_args(*arguments, **named)
         if unknown:
             self._refuse(unknown[0].partition("=")[0])
         return parsed, unknown

@@ -1,7 +1,7 @@
 """`sigcat export FORMAT`."""
 
 import argparse
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -25,12 +25,12 @@ class _LateParser(CommandParser):
 
     fill: partial[None] | None = None
 
-    def parse_known_args(self, args: Sequence[str] | None = None, namespace: Any = None) -> Any:
+    def parse_known_args(self, *arguments: Any, **named: Any) -> Any:
         """Fill, then parse."""
         if self.fill is not None:
             self.fill()
             self.fill = None
-        return super().parse_known_args(args, namespace)
+        return super().parse_known_args(*arguments, **named)
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:

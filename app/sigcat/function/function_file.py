@@ -123,7 +123,8 @@ def check_declaration(declared: Declared, definitions: Definitions, catalogue: C
         *declared.findings,
         *(finding for finding in defined.findings if finding.rule != _MISSPELLED or finding.pointer not in explained),
         *about_references,
-        *(_finding(each, resolved.source(each.pointer), definitions, document, context) for each in problems),
+        *(_finding(each._replace(first=resolved.source_of_first(each)), resolved.source(each.pointer), definitions, document, context)
+          for each in problems),
     ])  # fmt: skip
     return CheckedFunction(document, resolved, findings, is_declaration=True)
 
@@ -138,7 +139,7 @@ def _finding(
     at = node.pointer(written[0]) if node and written and not _is_written(pointer) else pointer
     if problem.rule.id in _ABOUT_REFERENCES and document.has((*at, "interface")):
         at = (*at, "interface")
-    return document.finding(problem.rule, at, problem.message, problem.fix, problem.path)
+    return document.finding(problem.rule, at, problem.message, problem.fix, problem.path, first=problem.first)
 
 
 def _is_written(pointer: Pointer) -> bool:

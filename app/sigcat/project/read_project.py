@@ -28,7 +28,7 @@ from sigcat.catalogue.hosting.source import Source
 from sigcat.catalogue.hosting.sources import release_source
 from sigcat.catalogue.reading.toml_lines import Lines
 from sigcat.errors import InputRefused, NotFound, UsageError
-from sigcat.findings import Finding, RuleCode, in_order
+from sigcat.findings import Finding, RuleCode, first_at, in_order
 from sigcat.limits import CONFIGURATION_BYTES
 from sigcat.names import did_you_mean
 from sigcat.open_files import read_bytes, size_of
@@ -69,6 +69,7 @@ _OF_FOLDERS = frozenset(("include-dirs", "functions"))
 _ID = r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}"
 _POSITION = r"\s*\(at line (\d+), column (\d+)\)|\s*\(at end of document\)"
 """Ends of the messages of tomllib. Its errors have attributes from Python 3.14 on; before, its words no longer change."""
+_GIVEN_TWICE = "Cannot overwrite a value"
 _KINDS = {str: "text", bool: "true or false", list: "a list"}
 
 TableReader = Callable[[Mapping[str, Any], Path], Any]
@@ -239,7 +240,28 @@ def _syntax_error(error: Exception, file: Path, text: str) -> Finding:
         return codes.NOT_TOML.finding("Values are nested too deeply.", str(file), 1)
     assert isinstance(error, tomllib.TOMLDecodeError)
     message, line, column = _message_and_position(error, text)
+    again = _given_before(text.splitlines()[:line])
+    if message == _GIVEN_TWICE and again is not None:
+        key, first = again
+        message = f"`{key}` is given twice, {first_at(str(file), first)}"
+        return codes.NOT_TOML.finding(f"Not valid TOML: {message}.", str(file), line, 1, fix="Remove one of the two.")
     return codes.NOT_TOML.finding(f"Not valid TOML: {message}.", str(file), line, column)
+
+
+def _given_before(lines: Sequence[str]) -> tuple[str, int] | None:
+    """The key of the last line, and the line of its table that had it before; None if there is no such line."""
+    *before, last = map(_key_of_line, lines)
+    for number in range(len(before), 0, -1):
+        if last and before[number - 1] == last:
+            return last, number
+        if lines[number - 1].lstrip().startswith("["):
+            break
+    return None
+
+
+def _key_of_line(line: str) -> str:
+    match = re.match(r"\s*([\w.\"'-]+)\s*=", line)
+    return match[1] if match else ""
 
 
 def _message_and_position(error: tomllib.TOMLDecodeError, text: str) -> tuple[str, int, int]:
@@ -252,7 +274,7 @@ def _message_and_position(error: tomllib.TOMLDecodeError, text: str) -> tuple[st
 
 
 def _catalogues(listed: Any, reading: _Reading) -> Iterator[Source]:
-    known: set[str] = set()
+    known: dict[str, int] = {}
     for number, values in enumerate(listed if isinstance(listed, list) else []):
         if not isinstance(values, dict):
             reading.report(codes.SETTING_UNFIT, "`catalogue` must be tables: [[catalogue]].", "", 0, "catalogue")
@@ -276,7 +298,7 @@ def _catalogues(listed: Any, reading: _Reading) -> Iterator[Source]:
             )
 
 
-def _check_id(values: Mapping[str, Any], number: int, known: set[str], reading: _Reading) -> None:
+def _check_id(values: Mapping[str, Any], number: int, known: dict[str, int], reading: _Reading) -> None:
     catalogue_id = values.get("id")
     if catalogue_id is None:
         reading.report(codes.CATALOGUE_INCOMPLETE, "The catalogue has no `id`.", "catalogue", number)
@@ -284,9 +306,15 @@ def _check_id(values: Mapping[str, Any], number: int, known: set[str], reading: 
         message = f"`id` must be letters, digits, '.', '_' and '-', not {catalogue_id[:80]!r}."
         reading.report(codes.SETTING_UNFIT, message, "catalogue", number, "id")
     elif catalogue_id in known:
-        reading.report(codes.ID_GIVEN_TWICE, f"Two catalogues have the id {catalogue_id!r}.", "catalogue", number, "id")
+        reading.report(
+            codes.ID_GIVEN_TWICE,
+            f"Two catalogues have the id {catalogue_id!r}, {first_at(str(reading.file), known[catalogue_id])}.",
+            "catalogue",
+            number,
+            "id",
+        )
     elif isinstance(catalogue_id, str):
-        known.add(catalogue_id)
+        known[catalogue_id] = reading.lines.position(reading.place("catalogue"), number, "id")[0]
 
 
 def _base(values: Mapping[str, Any], number: int, reading: _Reading) -> Source | None:

@@ -17,7 +17,7 @@ from sigcat.catalogue.reading.yaml_document import (
     read_document,
 )
 from sigcat.errors import InputRefused
-from sigcat.findings import Finding, Severity, in_order
+from sigcat.findings import Finding, Severity, first_at, in_order
 from sigcat.open_files import read_bytes
 from sigcat.rules.record_faults import REQUIRED, Scope, faults_of
 
@@ -106,8 +106,10 @@ def parse_rules(data: bytes, name: str, *, trusted: bool) -> RuleFile:
         fix = "Write `ACME001:` at the beginning of a line, and the fields of the rule below it."
         return RuleFile((), (codes.RULE_UNUSABLE.finding(message, name, *position(document.root), fix=fix),))
     findings.extend(
-        codes.RULE_UNUSABLE.finding(f"Rule {key.value} is defined twice.", name, *position(key), key.value)
-        for key in duplicate_keys(document.root)
+        codes.RULE_UNUSABLE.finding(
+            f"Rule {key.value} is defined twice, {first_at(name, position(first)[0])}.", name, *position(key), key.value
+        )
+        for key, first in duplicate_keys(document.root)
     )
     with collector_paused():
         file = _records(document.root, name, trusted=trusted)

@@ -106,10 +106,10 @@ def test_messages_name_units_and_quantities(lint, tmp_path, capsys):
     (tmp_path / "quantities.yaml").write_text("smell: {definition: A., definition: B.}\nsmell: {definition: A.}\n")
     main(["lint", "units.yaml", "quantities.yaml"])
     said = capsys.readouterr().out
-    assert "Unit 'ppm' is given twice" in said
+    assert "Unit 'ppm' is given twice, first at units.yaml:1;" in said
     assert "The key of a unit must be text, not 1." in said
-    assert "Quantity 'smell' is given twice" in said
-    assert "Field 'definition' is given twice" in said
+    assert "Quantity 'smell' is given twice, first at quantities.yaml:1;" in said
+    assert "Field 'definition' is given twice, first at quantities.yaml:1;" in said
 
 
 def test_an_error_of_a_can_database_comes_before_other_findings(lint, tmp_path):

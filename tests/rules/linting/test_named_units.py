@@ -67,7 +67,7 @@ def test_another_definition_of_a_unit_is_reported(files, capsys):
     (files / "overlays/a.vspec").write_text(OVERLAY.format("km/h"))
     (files / "units.yaml").write_text(UNITS.replace("hp:", "kW:").replace("horse power", "power of a horse"))
     main(["lint", "overlays", "units.yaml", "quantities.yaml"])
-    assert "U004 Unit 'kW' replaces the one in" in capsys.readouterr().out
+    assert "U004 Unit 'kW' replaces the one at" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("checked", ["units.yaml", "."])

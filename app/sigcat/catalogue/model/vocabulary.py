@@ -259,7 +259,7 @@ def _name_of(values: Mapping[str, Any]) -> str:
 
 def _replaced(entry: Statement, earlier: Statement, what: str) -> Finding:
     if entry.path == earlier.path:
-        message = f"{what} {entry.path!r} replaces the one in {earlier.origin().file}."
+        message = f"{what} {entry.path!r} replaces the one at {earlier.origin().file}:{earlier.origin().line}."
         return _about(entry, codes.UNIT_REPLACED, message, fix="Give it another key, or remove one of the two.")
     message = f"{what} {entry.path!r} replaces {earlier.path!r}: case does not count in keys, for vss-tools either."
     fix = f"Give one of them another key; until then, {earlier.path!r} means {entry.path!r}."

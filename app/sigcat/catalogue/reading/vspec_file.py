@@ -30,7 +30,7 @@ from sigcat.catalogue.reading.yaml_document import (
     position,
     read_document,
 )
-from sigcat.findings import Finding, shown
+from sigcat.findings import Finding, first_at, shown
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.line_numbers import numbered
 from sigcat.names import nearest, with_article
@@ -248,10 +248,11 @@ def _attributes(node: MappingNode, reading: _Reading) -> tuple[dict[str, Any], l
 
 
 def _report_duplicates(node: MappingNode, what: str, path: str, reading: _Reading) -> None:
-    for key in duplicate_keys(node):
+    for key, first in duplicate_keys(node):
         if key.value == "<<":
             continue
-        message = f"{what.capitalize()} {key.value!r} is given twice; only the last one counts."
+        at = first_at(reading.source.name, position(first)[0])
+        message = f"{what.capitalize()} {key.value!r} is given twice, {at}; only the last one counts."
         place = (reading.source.name, *position(key), path or key.value)
         reading.findings.append(codes.DUPLICATE_KEY.finding(message, *place, fix="Remove one of the two."))
 

@@ -165,14 +165,12 @@ def position(node: Node) -> tuple[int, int]:
     return line + 1, column + 1
 
 
-def duplicate_keys(node: MappingNode) -> Iterator[ScalarNode]:
-    """The keys that a mapping has already had before."""
-    seen = set()
+def duplicate_keys(node: MappingNode) -> Iterator[tuple[ScalarNode, ScalarNode]]:
+    """The keys that a mapping has already had before, each with the first one."""
+    seen: dict[str, ScalarNode] = {}
     for key, _ in node.value:
-        if isinstance(key, ScalarNode):
-            if key.value in seen:
-                yield key
-            seen.add(key.value)
+        if isinstance(key, ScalarNode) and seen.setdefault(key.value, key) is not key:
+            yield key, seen[key.value]
 
 
 class Builder:

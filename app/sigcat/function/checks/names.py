@@ -34,25 +34,19 @@ def check_names(function: FunctionJson) -> Problems:
 def _names_twice(function: FunctionJson) -> Problems:
     """Names that two interfaces of a call have; one interface that is listed twice is another problem."""
     statuses = _names_of_statuses(function)
-    holders: dict[tuple[Pointer, str], str | None] = {}
+    holders: dict[tuple[Pointer, str], tuple[str | None, Pointer]] = {}
     for pointer, located, item in (*data(function), *parameters(function)):
         key = (located.pointer, item.name)
-        if key in holders and (item.vss_path is None or item.vss_path != holders[key]):
+        at = (*pointer, "Name")
+        path, first = holders.setdefault(key, (item.vss_path, at))
+        if first != at and (item.vss_path is None or item.vss_path != path):
             message = f"The name {item.name!r} is used twice in one call."
-            subject = Subject("data", item.name)
-            yield Problem(
-                codes.NAME_USED_TWICE, (*pointer, "Name"), message, "Set another `name` for one of them.", subject
-            )
+            fix, subject = "Set another `name` for one of them.", Subject("data", item.name)
+            yield Problem(codes.NAME_USED_TWICE, at, message, fix, subject, first=first)
         elif item.name in statuses:
             message = f"The name {item.name!r} is that of {statuses[item.name]} of the function."
-            yield Problem(
-                codes.NAME_USED_TWICE,
-                (*pointer, "Name"),
-                message,
-                "Set another `name` for it.",
-                Subject("data", item.name),
-            )
-        holders.setdefault(key, item.vss_path)
+            fix, subject = "Set another `name` for it.", Subject("data", item.name)
+            yield Problem(codes.NAME_USED_TWICE, at, message, fix, subject)
 
 
 def _names_of_statuses(function: FunctionJson) -> dict[str, str]:
@@ -67,18 +61,18 @@ _ROLES = {CONSUMER: "consumed", PROVIDER: "provided"}
 
 def _paths_twice(function: FunctionJson) -> Problems:
     """Interfaces that a call has twice, or that it both reads and writes."""
-    roles: dict[tuple[Pointer, str], str] = {}
+    roles: dict[tuple[Pointer, str], tuple[str, Pointer]] = {}
     for pointer, located, item in (*data(function), *parameters(function)):
         if not item.vss_path:
             continue
         role = _ROLES.get(getattr(item, "role", ""), "a parameter")
-        known = roles.setdefault((located.pointer, item.vss_path), "")
-        if known:
+        at = (*pointer, "VssPath")
+        known, first = roles.setdefault((located.pointer, item.vss_path), (role, at))
+        if first != at:
             again = "twice" if role == known else f"as {known} and as {role}"
             message = f"{located.runnable.name} must list {item.vss_path!r} once, not {again}."
             subject = Subject("data", item.vss_path)
-            yield Problem(codes.PATH_USED_TWICE, (*pointer, "VssPath"), message, "Remove one.", subject)
-        roles[located.pointer, item.vss_path] = known or role
+            yield Problem(codes.PATH_USED_TWICE, at, message, "Remove one.", subject, first=first)
 
 
 def _variables_twice(function: FunctionJson) -> Problems:
@@ -92,24 +86,26 @@ def _variables_twice(function: FunctionJson) -> Problems:
                 where = "one call" if known.place.call == each.place.call else f"component {component!r}"
                 message = f"The variable {each.expression!r} holds two interfaces of {where}."
                 fix = "Give each its own variable."
-                yield Problem(codes.VARIABLE_USED_TWICE, each.pointer, message, fix)
+                yield Problem(codes.VARIABLE_USED_TWICE, each.pointer, message, fix, first=known.pointer)
                 break
 
 
 def _calls_twice(function: FunctionJson) -> Problems:
     named = [((*pointer, "Name"), runnable.name) for pointer, _, runnable in runnables(function)]
-    for pointer, name in _repeated(named):
+    for pointer, name, first in _repeated(named):
         fix = "Remove one, or name it otherwise."
         subject = Subject("scheduling", name)
-        yield Problem(codes.CALL_LISTED_TWICE, pointer, f"The call {name!r} is listed twice.", fix, subject)
+        message = f"The call {name!r} is listed twice."
+        yield Problem(codes.CALL_LISTED_TWICE, pointer, message, fix, subject, first=first)
 
 
-def _repeated(named: Iterable[tuple[Pointer, str]]) -> Iterator[tuple[Pointer, str]]:
-    seen: set[str] = set()
+def _repeated(named: Iterable[tuple[Pointer, str]]) -> Iterator[tuple[Pointer, str, Pointer]]:
+    """Names that were there before, with their first places."""
+    seen: dict[str, Pointer] = {}
     for pointer, name in named:
-        if name in seen:
-            yield pointer, name
-        seen.add(name)
+        first = seen.setdefault(name, pointer)
+        if first != pointer:
+            yield pointer, name, first
 
 
 # -- conventions --------------------------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple, Protocol
 
-from sigcat.findings import Finding, RuleCode
+from sigcat.findings import Finding, RuleCode, first_at
 
 Pointer = tuple[str | int, ...]
 """Keys and indexes from the root of a document to a value in it."""
@@ -42,10 +42,13 @@ class Document(NamedTuple):
         return True
 
     def finding(
-        self, rule: RuleCode, pointer: Pointer, message: str, fix: str = "", path: str = "", *, of_key: bool = False
-    ) -> Finding:
-        """A finding at the value of a pointer, or at its key."""
+        self, rule: RuleCode, pointer: Pointer, message: str, fix: str = "", path: str = "", *, of_key: bool = False,
+        first: Pointer | None = None,
+    ) -> Finding:  # fmt: skip
+        """A finding at the value of a pointer, or at its key. Its message names the first place of something given again."""
         line, column = self.position(pointer, of_key=of_key)
+        if first is not None:
+            message = f"{message.removesuffix('.')}, {first_at(self.name, self.position(first).line)}."
         return rule.finding(message, self.name, line, column, path, pointer_text(pointer), fix)
 
 

@@ -33,6 +33,9 @@ class Problem(NamedTuple):
     circle: tuple[Subject, ...] = ()
     """Every member of a circle of interfaces that lead to each other."""
 
+    first: Pointer | None = None
+    """The first place of something that is given again at `pointer`."""
+
     @property
     def path(self) -> str:
         """Name or path of the subject, as findings have it."""

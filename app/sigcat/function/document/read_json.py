@@ -135,20 +135,21 @@ _Offsets = dict[str | int, tuple[int, "_Offsets", int]]
 _NOTHING: _Offsets = {}
 
 
-def _offsets(text: str) -> tuple[_Offsets, list[tuple[Pointer, int]]]:
-    """Offset of every value of valid JSON, the whole under the empty name; and repeated keys."""
+def _offsets(text: str) -> tuple[_Offsets, list[tuple[Pointer, int, int]]]:
+    """Offset of every value of valid JSON, the whole under the empty name; and repeated keys, each with the offset
+    of the key before it."""
     here: _Offsets = {}
     key: str | int = ""
     key_start = 0
     above: list[tuple[_Offsets, str | int]] = []
-    repeated: list[tuple[Pointer, int]] = []
+    repeated: list[tuple[Pointer, int, int]] = []
     for token in _TOKEN.finditer(text):
         word = token[0]
         if token[2]:
             quoted: str = token[1]
             key, key_start = quoted[1:-1] if "\\" not in quoted else json.loads(quoted), token.start()
             if key in here:
-                repeated.append(((*(name for _, name in above[1:]), key), token.start()))
+                repeated.append(((*(name for _, name in above[1:]), key), token.start(), here[key][2]))
         elif word in ("}", "]"):
             here, key = above.pop()
         else:
@@ -162,8 +163,9 @@ def _offsets(text: str) -> tuple[_Offsets, list[tuple[Pointer, int]]]:
 
 
 def _duplicates(text: str, name: str) -> Iterator[Finding]:
-    for pointer, offset in _offsets(text)[1]:
-        yield duplicate_key(str(pointer[-1]), name, _line_and_column(text, offset), pointer_text(pointer))
+    for pointer, offset, first in _offsets(text)[1]:
+        place, before = _line_and_column(text, offset), _line_and_column(text, first)
+        yield duplicate_key(str(pointer[-1]), name, place, before, pointer_text(pointer))
 
 
 class _JsonPositions:

@@ -81,7 +81,8 @@ def _duplicates(root: Node, name: str) -> Iterator[Finding]:
             continue
         seen.add(id(node))
         if isinstance(node, MappingNode):
-            yield from (duplicate_key(key.value, name, Position(*position(key))) for key in duplicate_keys(node))
+            for key, first in duplicate_keys(node):
+                yield duplicate_key(key.value, name, Position(*position(key)), Position(*position(first)))
             waiting.extend(value for _, value in node.value)
         else:
             waiting.extend(node.value)

@@ -64,4 +64,18 @@ class ResolvedFunction:
 
     def findings(self, problems: Iterable[Problem]) -> tuple[Finding, ...]:
         """Problems of the Function JSON as findings."""
-        return tuple(self.finding(each.rule, each.pointer, each.message, each.fix, each.path) for each in problems)
+        return tuple(
+            self.document.finding(
+                each.rule,
+                self.source(each.pointer),
+                each.message,
+                each.fix,
+                each.path,
+                first=self.source_of_first(each),
+            )
+            for each in problems
+        )
+
+    def source_of_first(self, problem: Problem) -> Pointer | None:
+        """The part of the document that the first of two equal parts was made from."""
+        return None if problem.first is None else self.source(problem.first)
