@@ -3,7 +3,6 @@
 import argparse
 import os
 import sys
-import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,6 +15,7 @@ from sigcat.cli.project_options import project_of
 from sigcat.cli.tree_options import add_dbc, add_tree_options, read_tree
 from sigcat.errors import InputRefused, UsageError, existing_file
 from sigcat.names import did_you_mean
+from sigcat.temporary_files import temporary_folder
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -135,7 +135,7 @@ def _compared(arguments: argparse.Namespace) -> "Report":
     if arguments.keep is not None:
         make_folder(arguments.keep)
         return report_of(run(_asked(arguments, arguments.keep.absolute()), tools, _tell))
-    with tempfile.TemporaryDirectory(prefix="sigcat-compare-") as folder:
+    with temporary_folder("sigcat-compare-") as folder:
         return report_of(run(_asked(arguments, Path(folder)), tools, _tell))
 
 

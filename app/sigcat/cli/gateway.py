@@ -2,7 +2,6 @@
 
 import argparse
 import sys
-import tempfile
 from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -13,6 +12,7 @@ from sigcat.cli.output_options import FORMATS, add_output
 from sigcat.cli.project_options import project_of
 from sigcat.cli.tree_options import add_dbc, add_tree_options, read_tree
 from sigcat.errors import InputRefused, UsageError, existing_file
+from sigcat.temporary_files import temporary_folder
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping
@@ -301,7 +301,7 @@ def _program(arguments: argparse.Namespace, stack: ExitStack) -> "Program":
     file = existing_file(arguments.to)
     folder = arguments.keep
     if folder is None:
-        folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="sigcat-gateway-"))
+        folder = stack.enter_context(temporary_folder("sigcat-gateway-"))
     else:
         make_folder(folder)
     try:

@@ -90,14 +90,18 @@ def make_folder(folder: Path) -> None:
 @contextmanager
 def _replacing(target: Path) -> Iterator[BinaryIO]:
     """A file that takes the place of another one when the block ends without an error."""
-    temporary = target.with_name(f".{target.name}.{os.urandom(6).hex()}")
+    from sigcat.temporary_files import fragment_of, is_locked_here, remove_fragments
+
+    temporary = fragment_of(target)
     with _named_as(target), ended_by_signals():
         if _is_written_in_place(target):
             with _in_place(target) as file:
                 yield file
             return
         try:
+            remove_fragments(target)
             with temporary.open("xb") as file:
+                is_locked_here(file.fileno())  # as long as it is open: others leave it alone
                 yield file
             if target.exists():
                 temporary.chmod(target.stat().st_mode & 0o777)

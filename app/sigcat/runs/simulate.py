@@ -1,7 +1,6 @@
 """Build functions in a temporary folder, and run them with a trace in simulated time."""
 
 import ctypes
-import tempfile
 from collections.abc import Callable, Generator, Mapping
 from contextlib import closing
 from pathlib import Path
@@ -31,6 +30,7 @@ from sigcat.runs.running.run import Command, Stopped, run
 from sigcat.runs.running.sandbox import sandbox
 from sigcat.runs.running.written_input import Span, targets_by_column, write_kept, write_rows
 from sigcat.runs.stops import refusal
+from sigcat.temporary_files import temporary_folder
 
 NO_INPUTS = "no inputs: pass --trace FILE with a row, or --duration SECONDS to run without inputs"
 INPUT, RESULTS = "input", "results"
@@ -130,7 +130,7 @@ def simulate(prepared: Prepared, trace: Trace | None, settings: Settings, tools:
 
 def simulated_blocks(prepared: Prepared, trace: Trace | None, settings: Settings, tools: Toolchain) -> Blocks:
     """Run the functions, and yield blocks of rows as they come. Closing it ends the run. Raises as `simulate` does."""
-    with tempfile.TemporaryDirectory(prefix="sigcat-") as name:
+    with temporary_folder("sigcat-simulate-") as name:
         folder = Path(name)
         members = prepared.connections.members
         library = convert_library(folder, tools) if _is_long(prepared, trace, settings.duration) else None

@@ -6,7 +6,6 @@ A folder or a revision with a project file is the first catalogue of that projec
 """
 
 import os
-import tempfile
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from types import MappingProxyType
@@ -25,6 +24,7 @@ from sigcat.file_kind import ending_of
 from sigcat.findings import Finding, has_errors
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.real_path import each_once, real_path
+from sigcat.temporary_files import temporary_folder
 
 Release = Callable[[str], Source]
 """The source of a release by its name. Raises NotFound."""
@@ -210,7 +210,7 @@ def _git_side(name: str, options: Options) -> Side:
     Without a path: the project around the current folder, as it was then, or else the tree in the repository.
     """
     revision, _, path = name.removeprefix(GIT).partition(":")
-    with tempfile.TemporaryDirectory() as temporary:
+    with temporary_folder("sigcat-diff-") as temporary:
         folder = real_path(Path(temporary))
         prefix = unpack_revision(revision, folder, options.limits)
         shown = f"{GIT}{revision}:"

@@ -1,6 +1,5 @@
 """The examples in the records of rules, run: each good one has no finding of its rule, each bad one has one."""
 
-import tempfile
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -17,6 +16,7 @@ from sigcat.rules.linting.suppression import apply_suppressions, read_suppressio
 from sigcat.rules.record import Rule
 from sigcat.rules.record_faults import MAKERS
 from sigcat.rules.rule_set import RuleSet
+from sigcat.temporary_files import temporary_folder
 
 
 def unfit_examples(rules: Iterable[Rule], units: Vocabulary) -> Iterator[Finding]:
@@ -37,7 +37,7 @@ def unfit_examples(rules: Iterable[Rule], units: Vocabulary) -> Iterator[Finding
 
 def _found(alone: RuleSet, example: str | Mapping[str, Any], units: Vocabulary) -> tuple[Finding, ...]:
     """Findings of a rule in an example, and those about what it is written with."""
-    with tempfile.TemporaryDirectory(prefix="sigcat-") as folder:
+    with temporary_folder("sigcat-lint-") as folder:
         return findings_of_example(example, alone, units, Path(folder))
 
 
