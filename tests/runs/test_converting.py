@@ -22,6 +22,7 @@ from sigcat.runs.converting.library import Writer
 from sigcat.runs.driver.tables import Target
 from sigcat.runs.recording.cells import cell_of
 from sigcat.runs.recording.mcap_file import message_text
+from sigcat.runs.recording.outside import OutsideValues
 from sigcat.runs.recording.trace_file import Known, moments, open_trace
 from sigcat.runs.running.converted_input import convert_csv
 from sigcat.runs.running.written_input import moment_bytes
@@ -69,7 +70,7 @@ def _both(text, folder, library):
 
     def by_library(written):
         try:
-            span = convert_csv(written, trace, by_column, targets, library)
+            span = convert_csv(written, trace, by_column, targets, library, OutsideValues({}))
         except InputRefused as refused:
             return list(refused.findings), None
         return [], [(span.last, span.line)] if span.last is not None else []

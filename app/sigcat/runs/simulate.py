@@ -19,6 +19,7 @@ from sigcat.runs.building.memory import Memory, memory_of
 from sigcat.runs.driver.tables import targets_of
 from sigcat.runs.length import check_length, cyclic_calls
 from sigcat.runs.prepare import Prepared
+from sigcat.runs.recording.outside import OutsideValues
 from sigcat.runs.recording.recorded import Recorded
 from sigcat.runs.recording.trace_file import Trace
 from sigcat.runs.recording.traces import moments
@@ -164,14 +165,17 @@ def _write_input(
 ) -> tuple[Span, tuple[Finding, ...]]:
     connections, numbers = prepared.connections, prepared.numbers
     targets, by_column = targets_of(connections, numbers), targets_by_column(connections, numbers)
+    outside, notes = OutsideValues(connections.ranges), tuple[Finding, ...]()
     with path.open("wb") as file:
         write_kept(file, settings.kept, targets, numbers)
         if trace is not None and trace.known is not None:
-            return convert_mcap(file, trace, by_column, targets, library)
-        if trace is not None and library is not None and not settings.gone:
-            return convert_csv(file, trace, by_column, targets, library), ()
-        rows = moments(trace) if trace else iter(())
-        return write_rows(file, rows, targets, connections, numbers, settings.gone), ()
+            span, notes = convert_mcap(file, trace, by_column, targets, library, outside)
+        elif trace is not None and library is not None and not settings.gone:
+            span = convert_csv(file, trace, by_column, targets, library, outside)
+        else:
+            rows = outside.looked_at(moments(trace)) if trace else iter(())
+            span = write_rows(file, rows, targets, connections, numbers, settings.gone)
+    return span, (*notes, *(outside.findings(trace) if trace else ()))
 
 
 def _is_long(prepared: Prepared, trace: Trace | None, duration: int | None) -> bool:

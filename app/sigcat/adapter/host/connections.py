@@ -10,6 +10,7 @@ from sigcat.adapter.core.numbers import type_of_c
 from sigcat.adapter.core.plan import Argument, CorePlan, Method, ModeIn, ModeOut, WireField, WireStruct, WireType
 from sigcat.adapter.core.planning import Context, context_of
 from sigcat.adapter.core.values import struct_name
+from sigcat.adapter.host.ranges import Range, range_of
 from sigcat.adapter.host.shapes import Array, Number, Record, Shape
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
@@ -49,6 +50,7 @@ class Entry(NamedTuple):
     shape: Shape
     pointer: Pointer | None
     unit: str = ""
+    range: Range | None = None
     is_answer: bool = False
     """Whether it is what is answered from then on to a method that the function uses: its results, or whether it is good."""
 
@@ -102,6 +104,11 @@ class Connections(NamedTuple):
     def first_names(self) -> Mapping[str, str]:
         """The first name of each value from outside, by each of its names."""
         return {name: entry.names[0] for entry in self._outside for name in entry.names}
+
+    @property
+    def ranges(self) -> Mapping[str, Range]:
+        """Ranges of the catalogue, by every name of a value from outside that has one."""
+        return {name: entry.range for entry in self._outside for name in entry.names if entry.range is not None}
 
     @property
     def inputs(self) -> tuple[tuple[str, ...], ...]:
@@ -211,7 +218,9 @@ def _entries(index: int, member: Member) -> Iterator[Entry]:
     for port in plan.ports:
         (_, item), *_ = port.consumers
         at, shape = item.named.pointer, shape_of(port.wire, structs)
-        yield Entry(index, port.name, names[at].path_or_name, port.wire, shape, at, names[at].unit)
+        own = names[at]
+        held = range_of(own.least, own.greatest, shape)
+        yield Entry(index, port.name, own.path_or_name, port.wire, shape, at, own.unit, held)
     for error in plan.foreign_errors:
         yield Entry(index, error.name, (error.name,), error.wire, shape_of(error.wire), None)
     for reaction in plan.reactions:
@@ -274,6 +283,9 @@ class Names(NamedTuple):
     name: str
     path: str
     unit: str
+    least: float | None = None
+    greatest: float | None = None
+    """The range of the catalogue, in that unit."""
 
     @property
     def path_or_name(self) -> tuple[str]:
@@ -289,7 +301,13 @@ class Names(NamedTuple):
 def names_of(member: Member) -> Mapping[Pointer, Names]:
     """Return the names of each interface of a function, by pointer."""
     return {
-        pointer: Names(item.name, *(getattr(item, field, None) or "" for field in ("vss_path", "vss_unit")))
+        pointer: Names(
+            item.name,
+            getattr(item, "vss_path", None) or "",
+            getattr(item, "vss_unit", None) or "",
+            getattr(item, "vss_min", None),
+            getattr(item, "vss_max", None),
+        )
         for pointer, item in parts(member.function.function)
         if hasattr(item, "name")
     }

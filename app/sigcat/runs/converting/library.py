@@ -6,7 +6,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from sigcat.adapter.host.ranges import Range
 from sigcat.runs.converting.layout import ColumnTables, ShapeTables
+from sigcat.runs.recording.outside import Outside
 
 SOURCE = Path(__file__).with_name("sigcat_convert.c")
 _U64 = ctypes.c_uint64
@@ -15,11 +17,18 @@ _READ_ROOM = _WRITE_ROOM = 1 << 20
 
 class _Reading(ctypes.Structure):
     _fields_ = (
-        *((name, ctypes.c_void_p) for name in ("columns", "targets", "symbols", "texts")),
+        *((name, ctypes.c_void_p) for name in ("columns", "ranges", "targets", "symbols", "texts")),
         *((name, _U64) for name in (
             "column_count", "row_room", "time", "has_row", "has_time", "lines", "row_line", "first", "written", "is_left",
         )),
     )  # fmt: skip
+
+
+class _Range(ctypes.Structure):
+    _fields_ = (
+        *((name, ctypes.c_double) for name in ("least", "greatest")),
+        *((name, _U64) for name in ("is_outside", "count", "line", "time")),
+    )
 
 
 class _Writing(ctypes.Structure):
@@ -62,13 +71,19 @@ def loaded(path: Path) -> ctypes.CDLL | None:
 class Reader:
     """Converts parts of a trace."""
 
-    def __init__(self, library: ctypes.CDLL, tables: ColumnTables) -> None:
+    def __init__(self, library: ctypes.CDLL, tables: ColumnTables, ranges: Sequence[Range]) -> None:
         self._library, self._tables = library, tables
+        self._ranges = (_Range * len(ranges))(*(_Range(each.least, each.greatest) for each in ranges))
         self._out = ctypes.create_string_buffer(max(_READ_ROOM, 2 * tables.row_room))
         self.state = _Reading(
-            _address(tables.columns), _address(tables.targets), _address(tables.symbols), _address(tables.texts),
+            _address(tables.columns), ctypes.addressof(self._ranges), _address(tables.targets), _address(tables.symbols), _address(tables.texts),
             tables.total, tables.row_room,
         )  # fmt: skip
+
+    @property
+    def outside(self) -> list[Outside]:
+        """Values of each column that were outside of its range."""
+        return [Outside(each.count, each.line, each.time) for each in self._ranges]
 
     def read_csv(self, data: bytes, at: int) -> Read:
         """Convert whole lines."""

@@ -228,8 +228,16 @@ static bool read_value(const char *at, const char *end, const column *of, const 
 
 /* -- traces ------------------------------------------------------------------------------------------------------- */
 
+/* The range of a column, and its values that are outside; the range of the time has no end. */
+typedef struct {
+    double least, greatest;
+    uint64_t is_outside; /* the value that was read last */
+    uint64_t count, line, time;
+} range;
+
 typedef struct {
     const column *columns;
+    range *ranges;
     const uint32_t *targets;
     const symbol *symbols;
     const char *texts;
@@ -244,6 +252,55 @@ typedef struct {
     uint64_t written;
     uint64_t is_left; /* whether the next line, or message, is for Python */
 } reading;
+
+static double number_in(const unsigned char *value, uint32_t kind)
+{
+    union {
+        uint8_t u8;
+        int8_t i8;
+        uint16_t u16;
+        int16_t i16;
+        uint32_t u32;
+        int32_t i32;
+        uint64_t u64;
+        int64_t i64;
+        float single;
+        double real;
+    } held = {.u64 = 0U};
+    (void)memcpy(&held, value, SIZES[kind]);
+    switch (kind) {
+    case UINT8: return held.u8;
+    case INT8: return held.i8;
+    case UINT16: return held.u16;
+    case INT16: return held.i16;
+    case UINT32: return held.u32;
+    case INT32: return held.i32;
+    case UINT64: return (double)held.u64;
+    case INT64: return (double)held.i64;
+    case FLOAT: return held.single;
+    case DOUBLE: return held.real;
+    default: return 0.0;
+    }
+}
+
+/* Whether a value is outside of the range of its column. NaN is. */
+static bool is_outside(const range *of, uint32_t kind, const unsigned char *value)
+{
+    double number;
+    if (of->least == -INFINITY && of->greatest == INFINITY) {
+        return false;
+    }
+    number = number_in(value, kind);
+    return !(number >= of->least && number <= of->greatest);
+}
+
+static void count_outside(range *of, uint64_t line, uint64_t time)
+{
+    if (of->count++ == 0U) {
+        of->line = line;
+        of->time = time;
+    }
+}
 
 static char *put(char *to, const void *from, size_t size)
 {
@@ -281,10 +338,12 @@ static const char *end_of_line(const char *at, const char *end, bool *is_plain)
 static char *read_row(const char *at, const char *end, char *to, reading *state)
 {
     uint64_t time = 0;
+    bool any_outside = false;
     for (uint64_t i = 0; i < state->column_count; i++) {
         const column *of = &state->columns[i];
         const char *cell = at;
         unsigned char value[8];
+        state->ranges[i].is_outside = 0U;
         while (at < end && *at != ',') {
             at++;
         }
@@ -301,8 +360,17 @@ static char *read_row(const char *at, const char *end, char *to, reading *state)
                 return NULL;
             }
             to = put_value(to, state, of, value);
+            if (is_outside(&state->ranges[i], of->kind, value)) {
+                state->ranges[i].is_outside = 1U;
+                any_outside = true;
+            }
         }
         at++;
+    }
+    for (uint64_t i = 0; any_outside && i < state->column_count; i++) {
+        if (state->ranges[i].is_outside) {
+            count_outside(&state->ranges[i], state->lines + 1U, time);
+        }
     }
     state->first = state->has_row ? state->first : time;
     state->time = time;
@@ -517,6 +585,9 @@ API uint64_t sigcat_read_mcap(reading *state, const int32_t *channels, const cha
             if (of == NULL || (of->kind != SKIPPED && !read_message(each.data, data_end, of, state, value))) {
                 state->is_left = 1U;
                 break;
+            }
+            if (of->kind != SKIPPED && is_outside(&state->ranges[of - state->columns], of->kind, value)) {
+                count_outside(&state->ranges[of - state->columns], 0U, each.time);
             }
             to = put_message(to, state, of, each.time, value);
         }

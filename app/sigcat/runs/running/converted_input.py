@@ -1,9 +1,10 @@
 """A trace, converted to the input of the driver: by the library in C where it takes it, else by Python."""
 
 import ctypes
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import BinaryIO
 
+from sigcat.adapter.host.ranges import NO_RANGE
 from sigcat.adapter.host.shapes import Shape
 from sigcat.findings import Finding
 from sigcat.limits import TRACE_ROW_BYTES
@@ -11,6 +12,7 @@ from sigcat.runs.converting.layout import SKIPPED, column_tables
 from sigcat.runs.converting.library import IGNORED, UNKNOWN, Reader, channel_table
 from sigcat.runs.driver.tables import Target
 from sigcat.runs.recording.mcap_trace import CHANNEL, McapFile, Message, Piece, Topics
+from sigcat.runs.recording.outside import OutsideValues
 from sigcat.runs.recording.trace_file import Lines, Moment, Trace
 from sigcat.runs.running.written_input import Span, moment_bytes
 
@@ -20,12 +22,15 @@ _PIECE = 1 << 20
 class _Input:
     """The file, and the span of the written rows."""
 
-    def __init__(self, file: BinaryIO, by_column: Mapping[str, Sequence[int]], targets: Sequence[Target]) -> None:
-        self.file, self._by_column, self._targets = file, by_column, targets
+    def __init__(
+        self, file: BinaryIO, by_column: Mapping[str, Sequence[int]], targets: Sequence[Target], outside: OutsideValues
+    ) -> None:
+        self.file, self.outside, self._by_column, self._targets = file, outside, by_column, targets
         self.span = Span()
 
     def add(self, moment: Moment) -> None:
         """Write what Python has read."""
+        self.outside.look_at(moment)
         self.file.write(moment_bytes(moment, self._by_column, self._targets))
         self.note(moment.time, moment.time, moment.line)
 
@@ -40,11 +45,13 @@ def convert_csv(
     by_column: Mapping[str, Sequence[int]],
     targets: Sequence[Target],
     library: ctypes.CDLL,
+    outside: OutsideValues,
 ) -> Span:
     """Write a trace in CSV. Raises InputRefused with everything that is wrong with it."""
     columns = zip(trace.columns, trace.shapes, strict=True)
-    reader = Reader(library, column_tables([(shape, by_column.get(name, ())) for name, shape in columns]))
-    lines, written = Lines(trace), _Input(file, by_column, targets)
+    tables = column_tables([(shape, by_column.get(name, ())) for name, shape in columns])
+    reader = Reader(library, tables, [outside.ranges.get(name, NO_RANGE) for name in trace.columns])
+    lines, written = Lines(trace), _Input(file, by_column, targets, outside)
     with trace.file.open("rb") as data:
         lines.skip_header(data)
         rest = b""
@@ -56,7 +63,14 @@ def convert_csv(
         if rest and not lines.is_over:
             _add_line(rest[: TRACE_ROW_BYTES + 1], reader, lines, written)
     lines.check()
+    _add_outside(reader, trace.columns, outside)
     return written.span
+
+
+def _add_outside(reader: Reader, columns: Iterable[str], outside: OutsideValues) -> None:
+    for column, found in zip(columns, reader.outside, strict=True):
+        if found.number:
+            outside.add(column, found)
 
 
 def _convert_lines(block: bytes, reader: Reader, lines: Lines, written: _Input) -> int:
@@ -93,14 +107,15 @@ def _add_line(line: bytes, reader: Reader, lines: Lines, written: _Input) -> Non
 
 def convert_mcap(
     file: BinaryIO, trace: Trace, by_column: Mapping[str, Sequence[int]], targets: Sequence[Target],
-    library: ctypes.CDLL | None,
+    library: ctypes.CDLL | None, outside: OutsideValues,
 ) -> tuple[Span, tuple[Finding, ...]]:  # fmt: skip
     """Write a trace in MCAP, with notes about it. Raises InputRefused with everything that is wrong with it."""
-    written = _Input(file, by_column, targets)
+    written = _Input(file, by_column, targets, outside)
     converting = _Converting(trace, by_column, written, library)
     for piece in converting.file.pieces():
         converting.take(piece)
     converting.flush(None)
+    converting.add_outside()
     return written.span, converting.topics.check()
 
 
@@ -112,7 +127,9 @@ class _Converting:
         self._written = written
         self._waiting: list[Message] = []
         columns = [(None, ()), *((shape, by_column.get(name, ())) for name, shape in _columns(trace))]
-        self._reader = Reader(library, column_tables(columns)) if library else None
+        self._names = ("", *(name for name, _ in _columns(trace)))
+        ranges = [written.outside.ranges.get(name, NO_RANGE) for name in self._names]
+        self._reader = Reader(library, column_tables(columns), ranges) if library else None
         self._places = {name: place for place, (name, shape) in enumerate(_columns(trace), 1) if shape}
         self._channels = channel_table()
 
@@ -124,6 +141,11 @@ class _Converting:
         else:
             self._waiting = sorted([*self._waiting, *self.file.messages(piece)], key=lambda each: each.time)
             self.flush(piece.later)
+
+    def add_outside(self) -> None:
+        """Count the values that the library found outside of their ranges."""
+        if self._reader is not None:
+            _add_outside(self._reader, self._names, self._written.outside)
 
     def flush(self, later: int | None) -> None:
         """Write what waits until a time."""
