@@ -247,3 +247,18 @@ def test_one_file_configures_the_service_and_the_linter(folder, monkeypatch):
 )
 def test_folders_of_functions_must_be_there(folder, text, message):
     assert [(line, found) for _, line, found, _ in findings(folder, f"\n{text}\n")] == [(2, message)]
+
+
+@pytest.mark.parametrize(
+    ("line", "fix"),
+    [
+        ("overlay = []", "Write `overlays` in [[catalogue]]."),
+        ('spec = "tree.vspec"', "Write `spec` in [[catalogue]]."),
+        ("ignore = []", "Write `ignore` in [lint]."),
+        ('extended_attributes = ["owner"]', "Write `extended-attributes` in [lint]."),
+        ("zzz = 1", "Known are watch, shipped, "),
+    ],
+)
+def test_a_setting_in_the_wrong_table_is_told_with_the_right_one(folder, line, fix):
+    ((_, _, _, advice),) = findings(folder, f"{line}\n")
+    assert advice.startswith(fix)

@@ -58,7 +58,7 @@ def _find(wanted: str, rules: "Sequence[Rule]") -> "Rule":
         if wanted.upper() == rule.id or wanted == rule.name:
             return rule
     near = nearest(wanted, [*(rule.id for rule in rules), *(rule.name for rule in rules)])
-    hint = f" Did you mean {' or '.join(near)}?" if near else ""
+    hint = f" Did you mean {' or '.join(near)}?" if near else " `sigcat rule` lists all of them."
     raise NotFound(f"unknown rule {wanted!r}.{hint}", near)
 
 

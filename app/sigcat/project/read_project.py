@@ -30,12 +30,13 @@ from sigcat.catalogue.reading.toml_lines import Lines
 from sigcat.errors import InputRefused, NotFound, UsageError
 from sigcat.findings import Finding, RuleCode, first_at, in_order
 from sigcat.limits import CONFIGURATION_BYTES
-from sigcat.names import did_you_mean
+from sigcat.names import did_you_mean, nearest
 from sigcat.open_files import read_bytes, size_of
 from sigcat.path_faults import path_fault
 from sigcat.project.chosen_tree import with_additions
 from sigcat.project.project import Project
 from sigcat.real_path import near_path
+from sigcat.rules.linting.configuration import FIELDS as LINT_KEYS
 from sigcat.rules.linting.configuration import options_of
 from sigcat.rules.linting.options import LintOptions
 
@@ -183,7 +184,7 @@ class _Reading:
         for key, value in values.items():
             kind = known.get(key.replace("_", "-"))
             if kind is None:
-                fix = did_you_mean(key, known) or f"Known are {', '.join(known)}."
+                fix = did_you_mean(key, known) or (not table and _elsewhere(key)) or f"Known are {', '.join(known)}."
                 self.report(codes.SETTING_UNKNOWN, f"Unknown setting {key!r}.", table, number, key, fix)
             elif not isinstance(value, kind):
                 message = f"`{key}` must be {_KINDS.get(kind, 'a table')}, not {repr(value)[:60]}."
@@ -214,6 +215,13 @@ class _Reading:
         """A path as the user names it; a link to nothing keeps its name."""
         is_broken = os.path.islink(path) and not os.path.exists(path)  # noqa: PTH110, PTH114 — no OSError
         return near_path(path.parent) / path.name if is_broken else near_path(path)
+
+
+def _elsewhere(key: str) -> str:
+    """The table that a setting before all tables belongs to; empty if it is none of them."""
+    tables = {"[[catalogue]]": CATALOGUE_KEYS, "[lint]": LINT_KEYS}
+    near = ((name, nearest(key.replace("_", "-"), known, 1)) for name, known in tables.items())
+    return next((f"Write `{found[0]}` in {name}." for name, found in near if found), "")
 
 
 def _text(file: Path) -> str:

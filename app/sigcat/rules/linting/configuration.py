@@ -30,7 +30,8 @@ def options_of(table: Mapping[str, Any], path: Path) -> LintOptions:
     for key, value in table.items():
         known = FIELDS.get(key.replace("_", "-"))
         if known is None:
-            faults.add(key, f"Unknown setting `{key}`. {did_you_mean(key, FIELDS)}")
+            hint = did_you_mean(key, FIELDS) or f"Known are {', '.join(FIELDS)}."
+            faults.add(key, f"Unknown setting `{key}`. {hint}")
         else:
             field, convert = known
             read[field] = convert(key, value, faults)
