@@ -205,8 +205,9 @@ def test_parameters_change_all_or_none(ask, where, tmp_path):
         assert ask("get", "eco_control_mpc", names) == [30.0, 0.5]
 
 
-def test_a_parameter_that_another_callback_refuses_does_not_reach_the_core(where, tmp_path):
-    command = (ros2_environment.PYTHON, REFUSED_PARAMETER)
+@pytest.mark.parametrize("release", ["jazzy", "humble"])
+def test_a_parameter_that_another_callback_refuses_does_not_reach_the_core(release, where, tmp_path):
+    command = (ros2_environment.PYTHON, REFUSED_PARAMETER, release)
     ended = subprocess.run(
         command, env=variables(where, tmp_path), capture_output=True, text=True, timeout=60, check=False
     )

@@ -26,13 +26,17 @@ class Parameters:
     def __init__(
         self, node: LifecycleNode, core: Core, core_lock: Lock, core_parameters: CoreParameters,
     ) -> None:
-        """Begin with none."""
+        """Begin with none; made before any other callback of parameters is added."""
         self._node = node
         self._core = core
         self._core_lock = core_lock
         self._core_parameters = core_parameters
         self._defaults: Dict[str, Any] = {}
         self._limits: Dict[str, Limits] = {}
+        self._are_declared = False
+        self._has_post_set = hasattr(node, 'add_post_set_parameters_callback')
+        if not self._has_post_set:  # Humble calls the first callback last, if no other refuses
+            node.add_on_set_parameters_callback(self._take)
 
     def declare_settings(self, policy: str, priority: Optional[int], *, is_stored: bool) -> None:
         """
@@ -86,11 +90,10 @@ class Parameters:
             values = {name: self.value(name) for name in self._defaults}
             names = ', '.join(self._defaults)
             raise InvalidParameterValueException(names, values, result.reason)
-        if hasattr(self._node, 'add_post_set_parameters_callback'):
+        self._are_declared = True
+        if self._has_post_set:
             self._node.add_on_set_parameters_callback(self._check)
             self._node.add_post_set_parameters_callback(self._set)
-        else:  # Humble does not tell what other callbacks have refused
-            self._node.add_on_set_parameters_callback(self._set)
 
     def given(self, stored: Mapping[str, Any]) -> Dict[str, Any]:
         """Answer what differs from the defaults, which the core has itself."""
@@ -101,6 +104,12 @@ class Parameters:
             for name, value in given.items()
             if value != defaults[name] and (name not in self._core.learned or name not in stored)
         }
+
+    def _take(self, parameters: Sequence[Parameter]) -> SetParametersResult:
+        """Take changes, but no value that a parameter is declared with."""
+        if not self._are_declared:
+            return SetParametersResult(successful=True)
+        return self._set(parameters)
 
     def _check(self, parameters: Sequence[Parameter]) -> SetParametersResult:
         """Refuse what the core would; it keeps what it has, since others may refuse, too."""
