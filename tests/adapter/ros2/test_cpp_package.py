@@ -266,3 +266,18 @@ def test_a_node_names_messages_where_it_includes_one():
         name.rpartition("/")[2]: '#include "small_interfaces/msg/' in text for name, text in headers.items()
     }
     assert "namespace msg =" in source(made, "sink") + source(made, "echo")
+
+
+def test_a_function_without_sources_has_no_loop_over_them():
+    """ament_lint_cmake refuses `foreach(source )`."""
+    cmake = next(text for name, text in generated.small().items() if name == "small/CMakeLists.txt")
+    assert "foreach(source )" not in cmake
+    assert "foreach(source CoreAcc.c" in generated.ecocontrol()["eco_control/CMakeLists.txt"]
+
+
+def test_colcon_checks_every_package_with_the_linters_of_ros():
+    made = generated.ecocontrol()
+    for package in ("eco_control", "eco_control_interfaces"):
+        assert "ament_lint_auto_find_test_dependencies()" in made[f"{package}/CMakeLists.txt"]
+        linters = {"ament_lint_auto", "ament_cmake_lint_cmake", "ament_cmake_xmllint"}
+        assert all(f"<test_depend>{each}</test_depend>" in made[f"{package}/package.xml"] for each in linters)
