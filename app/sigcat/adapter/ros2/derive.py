@@ -31,6 +31,7 @@ def derive(model: Ros2Integration, cores: SourceCores, release: str) -> Workspac
         interfaces=messages.name,
         namespace=package.nodes[0].namespace,
         release=release,
+        has_bond=bool(package.bond),
         nodes=nodes,
     )
 

@@ -275,6 +275,8 @@ class WorkspacePlan:
     namespace: str
     release: str
     """`jazzy` or `humble`."""
+    has_bond: bool
+    """Whether nodes send heartbeats to their lifecycle manager."""
     nodes: tuple[NodePlan, ...]
 
     @property

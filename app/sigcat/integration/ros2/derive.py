@@ -250,6 +250,7 @@ def _node_package(
 ) -> NodePackage:
     (first, *others) = app.functions
     version = app.version or ("" if others else first.function.info.version) or ""
+    bond = ("bondcpp",) if settings.bond else ()
     return NodePackage(
         name=packages.nodes,
         version=version if _VERSION.fullmatch(version) else DEFAULT_VERSION,
@@ -257,8 +258,9 @@ def _node_package(
         maintainer=_maintainer(app, settings),
         email=settings.email,
         license=Text(settings.license),
-        dependencies=tuple(sorted({*_NODE_DEPENDENCIES, *existing, packages.interfaces})),
+        dependencies=tuple(sorted({*_NODE_DEPENDENCIES, *existing, *bond, packages.interfaces})),
         nodes=nodes,
+        bond=settings.bond or None,
     )
 
 

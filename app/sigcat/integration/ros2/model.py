@@ -437,6 +437,9 @@ class NodePackage(Package):
     """A package of nodes."""
 
     nodes: tuple[RosNode, ...] = described("Nodes", "Its nodes.", source=OWN, strict=False)
+    bond: bool | None = described(
+        "Bond", "Whether its nodes send heartbeats to their lifecycle manager; no if absent.", default=None, source=OWN
+    )
 
 
 class Ros2Integration(FunctionJson):

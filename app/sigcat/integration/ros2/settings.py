@@ -111,6 +111,11 @@ class Ros2Settings(DeclarationModel):
         description="Policy of the threads that run the calls: fifo or rr with the highest priority of a node's calls, or "
         "other, without. The parameter `scheduling_policy` of a node goes before.",
     )
+    bond: bool = Field(
+        False,
+        description="Whether nodes send heartbeats to the lifecycle manager of Nav2, by bondcpp and bondpy, so that it "
+        "notices a node that has ended or hangs.",
+    )
     maintainer: Text | None = Field(None, description="Maintainer of the packages; the responsible of the function.")
     email: Annotated[str, Field(pattern=f"^{EMAIL.pattern}$", max_length=200), E_MAIL] = Field(
         "maintainer@example.com", description="Mail address of the maintainer; package.xml requires one."

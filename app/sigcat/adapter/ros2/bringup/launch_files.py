@@ -29,6 +29,7 @@ class _Launch(NamedTuple):
     """Name of the package."""
     container: str
     namespace: str
+    has_bond: bool
     nodes: Sequence[_Node]
     """In the order of activation."""
 
@@ -37,7 +38,9 @@ def launch_files(workspace: WorkspacePlan) -> Iterator[GeneratedFile]:
     """The files, by their names in the package."""
     name = workspace.name
     nodes = [_Node(node.name, f"{name}::{node.type}") for node in in_order_of_activation(workspace)]
-    plan = _Launch(rights(workspace.package), name, f"{name}_container", workspace.namespace.strip("/"), nodes)
+    plan = _Launch(
+        rights(workspace.package), name, f"{name}_container", workspace.namespace.strip("/"), workspace.has_bond, nodes
+    )
     for ending, template in _TEMPLATES.items():
         text = rendered(f"adapter/ros2/bringup/{template}", plan)
         yield GeneratedFile(f"launch/{name}{ending}", text.encode())

@@ -39,6 +39,7 @@ class _CMake(NamedTuple):
     message_packages: Sequence[str]
     """Those that are not always needed."""
     support: Sequence[str]
+    has_bond: bool
     nodes: Sequence[_Node]
     exported: Sequence[str]
     """Packages whose headers those of the nodes include."""
@@ -52,6 +53,7 @@ def cmake(workspace: WorkspacePlan, support: Sequence[str]) -> str:
         interfaces=workspace.interfaces,
         message_packages=[each for each in workspace.message_packages if each not in _OWN],
         support=support,
+        has_bond=workspace.has_bond,
         nodes=[*map(_node, workspace.nodes)],
         exported=sorted({*own, workspace.interfaces, *workspace.message_packages}),
     )

@@ -24,8 +24,9 @@ _DEPENDS = (
     "rclcpp_lifecycle",
 )
 _TEST_DEPENDS = (
-    "ament_cmake_cpplint", "ament_cmake_flake8", "ament_cmake_gtest", "ament_cmake_pep257", "ament_cmake_ros",
-    "ament_cmake_uncrustify", "ament_cmake_xmllint", "ament_lint_auto", "launch_testing_ament_cmake", "launch_testing_ros", "lifecycle_msgs",
+    "ament_cmake_cpplint", "ament_cmake_flake8", "ament_cmake_gtest", "ament_cmake_lint_cmake", "ament_cmake_pep257",
+    "ament_cmake_ros", "ament_cmake_uncrustify", "ament_cmake_xmllint", "ament_lint_auto", "launch_testing_ament_cmake",
+    "launch_testing_ros", "lifecycle_msgs",
 )  # fmt: skip
 SUPPORT = Path(__file__).parent / "support"
 """Common files of all nodes, with PACKAGE_NAME and PACKAGE_GUARD for the name of the package."""
@@ -57,6 +58,7 @@ def _support(workspace: WorkspacePlan) -> Iterator[GeneratedFile]:
         *(() if any(node.priority is not None for node in workspace.nodes) else ("scheduling",)),
         *(() if any(has_deadline(node) for node in workspace.nodes) else ("watch",)),
         *(() if any(node.is_stored for node in workspace.nodes) else ("storage", "stored_text")),
+        *(() if workspace.has_bond else ("bond",)),
     }
     for path in sorted(SUPPORT.rglob("*.?pp")):
         if path.stem.removeprefix("test_") in unused:
@@ -69,6 +71,8 @@ def _support(workspace: WorkspacePlan) -> Iterator[GeneratedFile]:
 
 def _dependencies(workspace: WorkspacePlan) -> Iterator[tuple[str, str]]:
     yield "buildtool_depend", "ament_cmake"
-    yield from (("depend", name) for name in sorted({*_DEPENDS, workspace.interfaces, *workspace.message_packages}))
-    yield from (("exec_depend", name) for name in ("launch", "launch_ros", "lifecycle_msgs"))
+    bond, index = (("bondcpp",), ("ament_index_python",)) if workspace.has_bond else ((), ())
+    needed = {*_DEPENDS, *bond, workspace.interfaces, *workspace.message_packages}
+    yield from (("depend", name) for name in sorted(needed))
+    yield from (("exec_depend", name) for name in (*index, "launch", "launch_ros", "lifecycle_msgs"))
     yield from (("test_depend", name) for name in _TEST_DEPENDS)

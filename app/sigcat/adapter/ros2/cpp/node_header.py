@@ -48,6 +48,7 @@ class _Header(NamedTuple):
     has_taken_callback: bool
     has_deadline: bool
     is_stored: bool
+    has_bond: bool
 
 
 def node_header(node: NodePlan, workspace: WorkspacePlan) -> str:
@@ -71,6 +72,7 @@ def node_header(node: NodePlan, workspace: WorkspacePlan) -> str:
         has_taken_callback=workspace.release != "humble",
         has_deadline=has_deadline(node),
         is_stored=node.is_stored,
+        has_bond=workspace.has_bond,
     )
     return rendered("adapter/ros2/cpp/node.hpp.j2", plan)
 

@@ -39,6 +39,7 @@ class _Source(NamedTuple):
     is_once: bool
     """Whether a process can have one node of it: the code has its data in global variables."""
     is_stored: bool
+    has_bond: bool
     has_deadline: bool
     priority: int | None
     calls: Sequence[NodeCall]
@@ -67,6 +68,7 @@ def node_source(node: NodePlan, workspace: WorkspacePlan) -> str:
         scope_of(node).macro,
         node.core.code.signature == GLOBALS,
         node.is_stored,
+        workspace.has_bond,
         has_deadline(node),
         node.priority,
         node_calls(node),
@@ -83,6 +85,7 @@ def node_source(node: NodePlan, workspace: WorkspacePlan) -> str:
 
 def _headers(node: NodePlan, workspace: WorkspacePlan) -> list[str]:
     own = ["diagnostics", "guard", "parameters", "values", *(["scheduling"] if node.priority is not None else [])]
+    own += ["bond"] if workspace.has_bond else []
     own += [f"{node.name}_structs"] if node.structs else []
     headers = [f"{workspace.name}/{each}.hpp" for each in own]
     headers += [header_of(each.message) for each in node.subscriptions]

@@ -36,17 +36,17 @@ def _package(workspace: WorkspacePlan) -> Iterable[GeneratedFile]:
     yield _text(f"resource/{name}", "")
     yield _module(f"{name}/__init__.py", package.init_module(workspace))
     yield _text(f"{name}/py.typed", "")
-    yield from within(f"{name}/support", _support(workspace.release))
+    yield from within(f"{name}/support", _support(workspace))
     for node in workspace.nodes:
         yield from _node(node, workspace)
     yield from (_text(f"test/{name}", package_tests.common(name)) for name in package_tests.COMMON)
 
 
-def _support(release: str) -> Iterable[GeneratedFile]:
-    files = {file.name: file for file in shipped(SUPPORT)}
-    if release == "humble":
+def _support(workspace: WorkspacePlan) -> Iterable[GeneratedFile]:
+    files = {file.name: file for file in shipped(SUPPORT) if workspace.has_bond or file.name != "bond.py"}
+    if workspace.release == "humble":
         files |= {file.name: file for file in shipped(SUPPORT_OF_HUMBLE) if file.name != "__init__.py"}
-    events = _EVENTS[release]
+    events = _EVENTS[workspace.release]
     return (file._replace(data=file.data.replace(_EVENTS["jazzy"], events)) for file in files.values())
 
 
@@ -54,7 +54,7 @@ def _node(node: NodePlan, workspace: WorkspacePlan) -> Iterable[GeneratedFile]:
     name = package.package_name(workspace)
     core, stem = package.core_stem(node), node.stem
     yield _module(f"{name}/{core}.py", core_module(node))
-    yield _module(f"{name}/{stem}.py", node_module(node))
+    yield _module(f"{name}/{stem}.py", node_module(node, has_bond=workspace.has_bond))
     yield _module(f"test/test_{core}.py", package_tests.core_test(node, workspace))
     yield _module(f"test/test_{stem}.py", package_tests.node_test(node, workspace))
 

@@ -130,6 +130,17 @@ class _Struct(NamedTuple):
     fields: Sequence[_Field]
 
 
+class _Base(NamedTuple):
+    """The class that the node derives from."""
+
+    module: str
+    name: str
+
+
+_FUNCTION = _Base(".support.function_node", "FunctionNode")
+_BONDED = _Base(".support.bond", "BondedNode")
+
+
 class _Node(NamedTuple):
     """Plan of the module."""
 
@@ -146,6 +157,7 @@ class _Node(NamedTuple):
     typing_imports: str
     other_imports: str
     own_imports: str
+    base: str
     structs: Sequence[_Struct]
     parameters: Sequence[_Parameter]
     subscriptions: Sequence[_Subscription]
@@ -154,9 +166,10 @@ class _Node(NamedTuple):
     used: Sequence[_Service]
 
 
-def node_module(node: NodePlan) -> str:
+def node_module(node: NodePlan, *, has_bond: bool) -> str:
     """The whole module."""
     core, stem = node.core, class_name(node.core.function)
+    base = _BONDED if has_bond else _FUNCTION
     plan = _Node(
         function=core.function,
         about=[sentence(core.description)] if core.description else [],
@@ -170,7 +183,8 @@ def node_module(node: NodePlan) -> str:
         policy=node.policy,
         typing_imports=_typing_imports(node),
         other_imports=_other_imports(node),
-        own_imports=_own_imports(node),
+        own_imports=_own_imports(node, base),
+        base=base.name,
         structs=[_struct(pair, node) for pair in node.structs],
         parameters=[_parameter(each) for each in node.parameters],
         subscriptions=[_subscription(each, node) for each in node.subscriptions],
@@ -215,15 +229,17 @@ def _range_types(node: NodePlan) -> Iterator[str]:
     return ("FloatingPointRange" if each.type == "double" else "IntegerRange" for each in ranges)
 
 
-def _own_imports(node: NodePlan) -> str:
+def _own_imports(node: NodePlan, base: _Base) -> str:
     stem = class_name(node.core.function)
+    support = {base.module: [base.name]}
+    support.setdefault(_FUNCTION.module, []).append("spin")
     own = [core_type(node.core)]
     own += [f"{stem}Publish"] if node.publishers or node.used else []
     own += [f"{stem}Out"] if node.publishers else []
     return sorted_imports([
         (f".{snake_case(node.core.function)}_core", own),
         *([(".support.core", ["OK"])] if node.offered else []),
-        (".support.function_node", ["FunctionNode", "spin"]),
+        *support.items(),
         *([(".support.parameters", ["symbol"])] if any(each.symbols for each in node.parameters) else []),
         *([(".support.quality", ["quality"])] if node.subscriptions or node.publishers else []),
     ])  # fmt: skip

@@ -36,10 +36,9 @@ def core_stem(node: NodePlan) -> str:
 
 def description(workspace: WorkspacePlan) -> str:
     """package.xml."""
-    needed = [
-        ("exec_depend", name)
-        for name in sorted({*_DEPENDENCIES, workspace.name, workspace.interfaces, *workspace.message_packages})
-    ]
+    bond = {"bondpy"} if workspace.has_bond and workspace.release != "humble" else set()
+    others = {workspace.name, workspace.interfaces, *workspace.message_packages}
+    needed = [("exec_depend", name) for name in sorted({*_DEPENDENCIES, *bond, *others})]
     tested = [("test_depend", name) for name in _TEST_DEPENDENCIES]
     return package_xml(workspace.package, package_name(workspace), [*needed, *tested], "ament_python")
 
