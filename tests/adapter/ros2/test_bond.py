@@ -1,6 +1,6 @@
 """Bonds: with `bond` in the deployment, nodes send heartbeats to the lifecycle manager of Nav2 while they are active."""
 
-import importlib.util
+import importlib
 import json
 import sys
 from types import ModuleType
@@ -91,19 +91,19 @@ def bonded_node(monkeypatch, bondpy):
     """The class of the shipped module, over a node and a bondpy that need no ROS 2."""
     monkeypatch.setitem(sys.modules, "bondpy", ModuleType("bondpy"))
     monkeypatch.setitem(sys.modules, "bondpy.bondpy", bondpy)
-    base = ModuleType("support.function_node")
-    base.FunctionNode = Node
-    monkeypatch.setitem(sys.modules, "support", ModuleType("support"))
+    support, base = ModuleType("support"), ModuleType("support.function_node")
+    support.__path__ = [str(SUPPORT)]
+    monkeypatch.setattr(base, "FunctionNode", Node, raising=False)
+    monkeypatch.setitem(sys.modules, "support", support)
     monkeypatch.setitem(sys.modules, "support.function_node", base)
-    spec = importlib.util.spec_from_file_location("support.bond", SUPPORT / "bond.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
+    module = importlib.import_module("support.bond")
+    del sys.modules["support.bond"]
     return module.BondedNode()
 
 
 def test_a_node_in_python_has_a_bond_while_its_calls_run(monkeypatch):
     bondpy = ModuleType("bondpy.bondpy")
-    bondpy.Bond = Bond
+    monkeypatch.setattr(bondpy, "Bond", Bond, raising=False)
     node = bonded_node(monkeypatch, bondpy)
     node._start_calls()
     node._stop()
