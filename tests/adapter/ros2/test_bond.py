@@ -73,9 +73,17 @@ class Node:
     def _stop(self):
         self.done.append("no calls")
 
+    def destroy_subscription(self, subscription):
+        self.done.append(f"no {subscription}")
+
+    def destroy_publisher(self, publisher):
+        self.done.append(f"no {publisher}")
+
 
 class Bond:
     """A bond that notes its beginning and its end in the node."""
+
+    sub, pub = "subscription", "publisher"
 
     def __init__(self, node, topic, name):
         self.node, self.names = node, (topic, name)
@@ -108,7 +116,8 @@ def test_a_node_in_python_has_a_bond_while_its_calls_run(monkeypatch):
     node._start_calls()
     node._stop()
     node._stop()
-    assert node.done == ["calls", ("bond", "full", 0.1), "no bond", "no calls", "no calls"]
+    end = ["no bond", "no subscription", "no publisher", "no calls", "no calls"]
+    assert node.done == ["calls", ("bond", "full", 0.1), *end]
 
 
 def test_a_node_in_python_runs_without_bondpy(monkeypatch):

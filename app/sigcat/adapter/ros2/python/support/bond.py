@@ -31,5 +31,8 @@ class BondedNode(FunctionNode):
     def _stop(self) -> None:
         if self._bond is not None:
             self._bond.shutdown()
+            # It leaves the executor a subscription whose messages it would take for those of others.
+            self.destroy_subscription(self._bond.sub)
+            self.destroy_publisher(self._bond.pub)
             self._bond = None
         super()._stop()
