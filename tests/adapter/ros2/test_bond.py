@@ -84,6 +84,7 @@ class Bond:
     """A bond that notes its beginning and its end in the node."""
 
     sub, pub = "subscription", "publisher"
+    heartbeat_period = 0.0
 
     def __init__(self, node, topic, name):
         self.node, self.names = node, (topic, name)
