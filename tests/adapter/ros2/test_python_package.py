@@ -141,7 +141,7 @@ def settings(priority, is_stored):
     found = {}
     node = SimpleNamespace(
         declare_parameter=lambda name, default, descriptor: found.update({name: SimpleNamespace(value=default)}),
-        get_parameter=lambda name: found[name])
+        get_parameter=lambda name: found[name], add_post_set_parameters_callback=None)
     made = Parameters(node, SimpleNamespace(package='full'), None, None)
     made.declare_settings('other', priority, is_stored=is_stored)
     return list(found)
