@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from sigcat.adapter.autosar_adaptive.application import player_source
-from sigcat.adapter.host.shapes import Array, Number
+from sigcat.adapter.host.shapes import Array, Number, Shape
 from sigcat.adapter.toolchain import toolchain
 from sigcat.runs.recording.cells import plain_text
 from tests.needs import c_compiler
@@ -86,7 +86,7 @@ def read(tmp_path_factory):
     return reading
 
 
-VALUES = [
+VALUES: list[tuple[str, Shape, object, str]] = [
     ("bool", Number("boolean"), True, "true"),
     ("uint8", Number("uint8"), 255, "255"),
     ("int16", Number("int16"), -32768, "-32768"),
