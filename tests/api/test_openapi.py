@@ -131,6 +131,7 @@ IN_THE_ROUND_TRIP = (
     "generate_autosar_adaptive",
     "generate_autosar_classic",
     "generate_classic_arxml",
+    "generate_fmi",
     "generate_ros2",
 )
 """They need a token, or what another operation answers: tests/clients has them."""

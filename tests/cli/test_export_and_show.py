@@ -218,7 +218,7 @@ def test_every_command_explains_itself(command):
     assert "usage: sigcat" in result.stdout
 
 
-def test_what_vss_tools_exports_is_exported_with_a_warning_unless_the_export_is_strict(tmp_path, monkeypatch, capsys):
+def test_what_vss_tools_exports_is_exported_and_its_errors_reported_unless_the_export_is_strict(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     Path("twice.vspec").write_text("Vehicle.Speed:\n  comment: One.\n  comment: Two.\n")
     arguments = ["export", "json", "-l", "twice.vspec", "-o", "tree.json"]
@@ -226,7 +226,7 @@ def test_what_vss_tools_exports_is_exported_with_a_warning_unless_the_export_is_
     assert main(["export", "ros2interface", "-l", "twice.vspec", "-o", "tree.json", "--strict"]) == 1
     assert not Path("tree.json").exists()
     assert main(arguments) == 0
-    assert "twice.vspec:3:3: warning R006" in capsys.readouterr().err
+    assert "twice.vspec:3:3: error R006" in capsys.readouterr().err
     assert json.loads(Path("tree.json").read_text())["Vehicle"]["children"]["Speed"]["comment"] == "Two."
 
 

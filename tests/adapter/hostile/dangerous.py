@@ -23,6 +23,8 @@ from sigcat.integration.autosar_adaptive import document as adaptive
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
 from sigcat.integration.autosar_classic import document as classic
 from sigcat.integration.autosar_classic.model import ClassicIntegration
+from sigcat.integration.fmi import document as fmi
+from sigcat.integration.fmi.model import FmiIntegration
 from sigcat.integration.reading import read_functions
 from sigcat.integration.ros2 import document as ros2
 from sigcat.integration.ros2.model import Ros2Integration
@@ -55,6 +57,7 @@ VALUES: Mapping[Grammar, Sequence[str]] = {
     types.SHORT_NAME: ("{}_EVIL",),
     types.ELEMENT_KEY: ("{}:EVIL/x", "{}/EVIL"),
     types.SERVICE_EVENT: ("{}/EVIL", "{}EVIL"),
+    types.FMI_VARIABLE: ("{}.'EVIL x: /x'[1]", "{}.xEVIL"),
     types.ROS_NAME: ("{}_evil",),
     types.ROS_TOPIC: ("{}/evil_x",),
     types.ROS_NAMESPACE: ("/evil/x",),
@@ -67,7 +70,7 @@ VALUES: Mapping[Grammar, Sequence[str]] = {
     types.DATE: ("2025.09/12",),
 }  # fmt: skip
 """Values of each type around what the document has, the most dangerous first."""
-DECISIVE = ("Direction", "Kind")
+DECISIVE = ("Attribute", "Direction", "Kind")
 """Fields on which others depend."""
 
 Changes = Mapping[str, str]
@@ -97,12 +100,14 @@ MODELS: Mapping[str, type[BaseModel]] = {
     "autosar-adaptive": IntegrationModel,
     "autosar-classic": ClassicIntegration,
     "ros2": Ros2Integration,
+    "fmi": FmiIntegration,
 }
 READERS: Mapping[str, Callable[..., Any]] = {
     FUNCTION_JSON: lambda data, name, limits: read_functions([(data, name)], catalogue(), limits),
     "autosar-adaptive": adaptive.read_integration,
     "autosar-classic": classic.read_integration,
     "ros2": ros2.read_integration,
+    "fmi": fmi.read_integration,
 }
 
 

@@ -18,6 +18,7 @@ from sigcat.function.document.unfit_texts import string_fields, typed_strings
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
 from sigcat.integration.autosar_classic.model import ClassicIntegration
+from sigcat.integration.fmi.model import FmiIntegration
 from sigcat.integration.ros2.model import Ros2Integration
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.platform import Options
@@ -33,6 +34,7 @@ MODELS: dict[str, type[BaseModel]] = {
     "autosar-adaptive": IntegrationModel,
     "autosar-classic": ClassicIntegration,
     "ros2": Ros2Integration,
+    "fmi": FmiIntegration,
 }
 
 

@@ -16,7 +16,7 @@ from sigcat.function.document.text import Text
 from sigcat.function.function_json.model import FunctionInfo, MetaInfo
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.walk import methods, parts
-from sigcat.integration.application import Application, application
+from sigcat.integration.application import Application, application, joined
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.fmi.model import EnumerationItem, FmiIntegration, Fmu, FmuConnection, FmuVariable
@@ -83,11 +83,10 @@ def units_of(functions: Sequence[ResolvedFunction], set_name: str | None) -> tup
 def _fmu(unit: Unit, settings: FmiSettings) -> Fmu:
     members = unit.connections.members
     cycles = [call.cycle for member in members for call in member.plan.steps if call.cycle]
-    descriptions = [each.plan.description.raw for each in members]
     variables = tuple(_variable(index, each) for index, each in enumerate(unit.layout.variables))
     return Fmu(
         name=unit.name,
-        description=Text(" ".join(descriptions)),
+        description=joined((each.plan.description for each in members), " "),
         functions=tuple(each.function.name for each in members),
         token=token_of(unit.name, variables),
         step_size=settings.step_size or (_milliseconds(min(cycles)) if cycles else _DEFAULT_STEP_MS),

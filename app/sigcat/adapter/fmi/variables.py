@@ -3,6 +3,7 @@
 A value of the core is one variable if it is a number or an array of numbers. A struct has a variable for each member.
 """
 
+import math
 import re
 import struct
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -11,6 +12,7 @@ from typing import NamedTuple
 from sigcat.adapter.core.plan import Value
 from sigcat.adapter.host.connections import Connections, Entry, Exit, names_of, shape_of, structs_of
 from sigcat.adapter.host.shapes import Array, Number, Shape, packing
+from sigcat.catalogue.model.datatypes import INTEGER_RANGES
 from sigcat.function.document.field_types import FMI_VARIABLE
 from sigcat.integration.fmi.model import Causality, FmiType
 
@@ -235,8 +237,11 @@ def _start(leaf: _Leaf, place: _Place, least: object, greatest: object) -> Start
 def _typed(number: float, datatype: Number) -> int | float | bool:
     if datatype.datatype == "boolean":
         return bool(number)
+    if not math.isfinite(number):
+        return _typed(0, datatype)  # a model description has no such start value
     if datatype.is_whole:
-        return int(number)
+        low, high = INTEGER_RANGES[datatype.datatype]
+        return int(min(max(number, low), high))
     return struct.unpack("=f", struct.pack("=f", number))[0] if datatype.datatype == "float" else float(number)
 
 
@@ -247,7 +252,9 @@ def _whole(limit: float | None, datatype: Number) -> int | float | None:
 
 def _structured(name: str) -> str:
     """A name of the structured form of FMI; in quotation marks if it is not of that form."""
-    return name if FMI_VARIABLE.accepts(name) else f"'{re.sub(r'[^A-Za-z0-9_ .:,/-]', '_', name)}'"
+    if FMI_VARIABLE.accepts(name):
+        return name
+    return "".join(("'", re.sub(r"[^A-Za-z0-9_ .:,/-]", "_", name), "'"))
 
 
 def _free(name: str, causality: Causality, taken: Iterable[str]) -> str:
