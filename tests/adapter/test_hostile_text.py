@@ -130,7 +130,7 @@ def words_of_markdown(file: GeneratedFile) -> list[str]:
 
 LANGUAGES: Mapping[str, Any] = {
     ".c": words_of_c, ".h": words_of_c, ".cpp": words_of_c, ".hpp": words_of_c, ".py": words_of_python, ".arxml": words_of_xml,
-    ".xml": words_of_xml, ".yaml": words_of_yaml, ".txt": words_of_cmake, ".msg": words_of_message, ".srv": words_of_message,
+    ".xml": words_of_xml, ".ssd": words_of_xml, ".html": words_of_xml, ".yaml": words_of_yaml, ".txt": words_of_cmake, ".msg": words_of_message, ".srv": words_of_message,
     ".md": words_of_markdown, ".json": words_of_yaml, ".rst": words_of_cmake,
 }  # fmt: skip
 

@@ -218,7 +218,9 @@ def test_every_command_explains_itself(command):
     assert "usage: sigcat" in result.stdout
 
 
-def test_what_vss_tools_exports_is_exported_and_its_errors_reported_unless_the_export_is_strict(tmp_path, monkeypatch, capsys):
+def test_what_vss_tools_exports_is_exported_and_its_errors_reported_unless_the_export_is_strict(
+    tmp_path, monkeypatch, capsys
+):
     monkeypatch.chdir(tmp_path)
     Path("twice.vspec").write_text("Vehicle.Speed:\n  comment: One.\n  comment: Two.\n")
     arguments = ["export", "json", "-l", "twice.vspec", "-o", "tree.json"]
