@@ -312,7 +312,12 @@ KINDS = (
     ),
     Kind(
         "FMUs in an importer of others",
-        ("tests/adapter/fmi/test_fmus.py", "tests/adapter/fmi/test_hostile.py", "tests/adapter/fmi/test_state.py"),
+        (
+            "tests/adapter/fmi/test_fmus.py",
+            "tests/adapter/fmi/test_hostile.py",
+            "tests/adapter/fmi/test_player.py",
+            "tests/adapter/fmi/test_state.py",
+        ),
         ("tests/adapter/fmi/test_fmus.py::test_each_function_has_an_fmu_and_the_system_connects_them",),
     ),
     Kind(

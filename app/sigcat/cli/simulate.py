@@ -139,6 +139,8 @@ def _simulate(arguments: argparse.Namespace, found: "list[Finding]") -> int:
 
     if arguments.fmu is not None:
         return _play_fmu(arguments)
+    if arguments.step is not None:
+        raise UsageError("--step is the step of an FMU: it needs --fmu FILE.")
     listed = _forms(arguments)
     tools = toolchain()
     _check(arguments, tools)
@@ -300,11 +302,10 @@ def _settings(arguments: argparse.Namespace, stored: "Stored") -> "Settings":
 
 def _play_fmu(arguments: argparse.Namespace) -> int:
     """Play the trace to an FMU, and write its outputs as CSV."""
-    from sigcat.players.fmu import columns_of, played, read_fmu
+    from sigcat.players.fmu import Limits, columns_of, played, read_fmu
     from sigcat.runs.recording.csv_file import csv_header, csv_lines
 
-    if arguments.trace is None:
-        raise UsageError("--fmu needs a trace: --trace TRACE.")
+    _refuse_beside_fmu(arguments)
     fmu = read_fmu(existing_file(arguments.fmu))
     step = fmu.step if arguments.step is None else round(arguments.step * 1e6)
     duration = None if arguments.duration is None else round(arguments.duration * 1e9)
@@ -312,8 +313,24 @@ def _play_fmu(arguments: argparse.Namespace) -> int:
     (output, *more) = arguments.output or [None]
     if more or (output is not None and output.suffix.lower() != ".csv"):
         raise UsageError("--fmu writes one CSV file: -o OUT.csv.")
+    limits = Limits(arguments.step_limit, arguments.memory_limit)
+    rows = played(fmu, existing_file(arguments.trace), step, duration, limits)
     with opened(output) as file:
         file.write(csv_header(columns).encode())
-        for line in csv_lines(played(fmu, existing_file(arguments.trace), step, duration), columns):
+        for line in csv_lines(rows, columns):
             file.write(line.encode())
     return 0
+
+
+def _refuse_beside_fmu(arguments: argparse.Namespace) -> None:
+    """Raise UsageError for what a run of functions has, and that of an FMU does not."""
+    if arguments.trace is None:
+        raise UsageError("--fmu needs a trace: --trace TRACE.")
+    given = {
+        "functions": arguments.functions, "--deployment": arguments.deployment, "--plot": arguments.plot,
+        "--stored": arguments.stored, "--expect": arguments.expect, "--coverage": arguments.coverage,
+        "--sandbox": arguments.sandbox, "--memory": arguments.memory, "--report": arguments.report,
+    }  # fmt: skip
+    beside = [name for name, value in given.items() if value]
+    if beside:
+        raise UsageError(f"--fmu runs an FMU alone, without {beside[0]}.")

@@ -4,7 +4,9 @@ import json
 import subprocess
 import sys
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from pathlib import Path
+from threading import Timer
 from typing import Any, NamedTuple
 
 from sigcat.adapter.host.shapes import Array, Number, Shape, Value, numbers
@@ -18,6 +20,7 @@ _DATATYPES: Mapping[str, str] = {
     "Boolean": "boolean", "Enumeration": "int64",
 }  # fmt: skip
 """Datatypes of VSS for those of FMI 2.0 and 3.0. Strings, binaries and clocks have none, and are not played."""
+_STARTS_WITHIN_S = 60.0
 _MOST_SAID = 2000
 """Characters of what an FMU says that a message has."""
 
@@ -78,7 +81,15 @@ def columns_of(fmu: Fmu) -> Mapping[str, Shape]:
     return {each.name: each.shape for each in fmu.outputs if each.type in _DATATYPES}
 
 
-def played(fmu: Fmu, trace: Path, step: int, duration: int | None = None) -> Iterator[Recorded]:
+class Limits(NamedTuple):
+    """Limits of the process of an FMU."""
+
+    step_s: float = 10.0
+    """Longest time that a step may take."""
+    memory_mib: int = 2048
+
+
+def played(fmu: Fmu, trace: Path, step: int, duration: int | None, limits: Limits) -> Iterator[Recorded]:
     """Outputs after each step, as far as they have changed. `step` is in ns, and `duration` too; None: to the end of the trace.
 
     A row of the trace is set at the first communication point that is not before it. Raises InputRefused for a trace that
@@ -86,11 +97,11 @@ def played(fmu: Fmu, trace: Path, step: int, duration: int | None = None) -> Ite
     """
     opened = open_trace(trace, Known({name: each.shape for name, each in fmu.inputs.items()}, ()))
     process = subprocess.Popen(  # noqa: S603 — our own interpreter
-        [sys.executable, "-m", "sigcat.players.fmu_process", str(fmu.file.absolute()), "0"],
+        [sys.executable, "-m", "sigcat.players.fmu_process", str(fmu.file.absolute()), str(limits.memory_mib)],
         stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
     )  # fmt: skip
     try:
-        yield from _rows(fmu, _steps(opened, step, duration), process)
+        yield from _rows(fmu, _steps(opened, step, duration), process, limits.step_s)
     finally:
         process.kill()
         process.wait()
@@ -118,20 +129,20 @@ def _steps(trace: Trace, step: int, duration: int | None) -> Iterator[_Step]:
         now, values = now + step, {}
 
 
-def _rows(fmu: Fmu, steps: Iterator[_Step], process: "subprocess.Popen[str]") -> Iterator[Recorded]:
+def _rows(fmu: Fmu, steps: Iterator[_Step], process: "subprocess.Popen[str]", limit_s: float) -> Iterator[Recorded]:
     assert process.stdin is not None
-    assert process.stdout is not None
     before: dict[str, Value] = {}
+    if _answer(process, _STARTS_WITHIN_S, f"{fmu.file} did not start") is None:
+        raise _ended(fmu, "at its start", process)
     for each in steps:
+        when = f"at {each.begin / 1e9:g} s"
         given = [_set(fmu.inputs[name], value) for name, value in each.values.items()]
-        try:
+        with suppress(OSError):  # it has ended, and the answer says so
             process.stdin.write(json.dumps([each.length, given]) + "\n")
             process.stdin.flush()
-        except OSError:
-            raise _ended(fmu, each, process) from None
-        line = process.stdout.readline()
-        if not line:
-            raise _ended(fmu, each, process)
+        line = _answer(process, limit_s, f"{fmu.file} did not return from the step {when}")
+        if line is None:
+            raise _ended(fmu, when, process)
         after = {port.name: _value(found, port.shape) for port, found in zip(fmu.outputs, json.loads(line), strict=True)
                  if port.type in _DATATYPES}  # fmt: skip
         changed = tuple(
@@ -140,6 +151,18 @@ def _rows(fmu: Fmu, steps: Iterator[_Step], process: "subprocess.Popen[str]") ->
         before = after
         if changed:
             yield Recorded(each.begin + each.length, "", changed)
+
+
+def _answer(process: "subprocess.Popen[str]", limit_s: float, what: str) -> str | None:
+    """The next line; None if the process has ended. Raises UsageError if none comes in time."""
+    assert process.stdout is not None
+    watchdog = Timer(limit_s, process.kill)
+    watchdog.start()
+    line = process.stdout.readline()
+    if not line and watchdog.finished.is_set():
+        raise UsageError(f"{what} within {limit_s:g} s.")
+    watchdog.cancel()
+    return line or None
 
 
 def _same(one: Value, other: Value) -> bool:
@@ -155,11 +178,11 @@ def _value(found: list[Any], shape: Shape) -> Value:
     return found if isinstance(shape, Array) else found[0]
 
 
-def _ended(fmu: Fmu, step: _Step, process: "subprocess.Popen[str]") -> UsageError:
+def _ended(fmu: Fmu, when: str, process: "subprocess.Popen[str]") -> UsageError:
     """An error with what the FMU said last."""
     assert process.stderr is not None
     status = process.wait()
     said = process.stderr.read()[-_MOST_SAID:].strip().splitlines()
-    how = f"ended with signal {-status}" if status < 0 else "refused the step"
+    how = f"ended with signal {-status}" if status < 0 else "refused what was asked of it"
     last = f" It said: {said[-1]}" if said else ""
-    return UsageError(f"{fmu.file} {how} at {step.begin / 1e9:g} s.{last}")
+    return UsageError(f"{fmu.file} {how} {when}.{last}")

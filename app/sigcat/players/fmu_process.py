@@ -1,12 +1,13 @@
-"""An FMU in a process of its own: `python -m sigcat.players.fmu_process FILE START_NS`.
+"""An FMU in a process of its own: `python -m sigcat.players.fmu_process FILE MEMORY_MIB`, which limits what it may allocate.
 
-Each line of standard input is a step: its length in ns, and what is set before it, as JSON. Each line that is written to standard output
-is what the outputs are after the step. What the FMU reports goes to standard error.
+Each line of standard input is a step: its length in ns, and what is set before it, as JSON. Standard output has `ready`, and then a line
+for each step: its outputs. What the FMU reports goes to standard error.
 """
 
 import json
 import os
 import sys
+from pathlib import Path
 from shutil import rmtree
 from typing import Any
 
@@ -17,19 +18,20 @@ def main() -> int:
     """Play steps until the input ends."""
     from fmpy import extract, read_model_description
 
-    file, start = sys.argv[1], int(sys.argv[2])
+    file, memory = sys.argv[1], int(sys.argv[2])
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)  # what the code of the FMU prints is no answer
     description = read_model_description(file)
     folder = extract(file)
+    _limit(memory)
     try:
-        play(description, folder, start, answers)
+        play(description, folder, answers)
     finally:
         rmtree(folder, ignore_errors=True)
     return 0
 
 
-def play(description: Any, folder: str, start: int, answers: Any) -> None:
+def play(description: Any, folder: str, answers: Any) -> None:
     """Instantiate, step, and end."""
     from fmpy.fmi2 import FMU2Slave
     from fmpy.fmi3 import FMU3Slave
@@ -40,12 +42,15 @@ def play(description: Any, folder: str, start: int, answers: Any) -> None:
     )  # fmt: skip
     outputs = [each for each in description.modelVariables if each.causality == "output"]
     fmu.instantiate()
-    begin = start / 1e9
     if kind is FMU2Slave:
-        fmu.setupExperiment(startTime=begin)
-    fmu.enterInitializationMode(**({} if kind is FMU2Slave else {"startTime": begin}))
+        fmu.setupExperiment(startTime=0.0)
+        fmu.enterInitializationMode()
+    else:
+        fmu.enterInitializationMode(startTime=0.0)
     fmu.exitInitializationMode()
-    now = start
+    answers.write("ready\n")
+    answers.flush()
+    now = 0
     for line in sys.stdin:
         length, values = json.loads(line)
         for reference, type_, numbers in values:
@@ -57,6 +62,19 @@ def play(description: Any, folder: str, start: int, answers: Any) -> None:
         answers.flush()
     fmu.terminate()
     fmu.freeInstance()
+
+
+def _limit(mebibytes: int) -> None:
+    """Limit the memory that the code may allocate beside what the process has."""
+    if sys.platform == "win32":
+        return
+    import resource
+
+    statm = Path("/proc/self/statm")
+    present = int(statm.read_text().split()[0]) * resource.getpagesize() if statm.exists() else 0
+    most = present + mebibytes * 2**20
+    resource.setrlimit(resource.RLIMIT_AS, (most, most))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
 def _values(fmu: Any, variable: Any) -> list[Any]:

@@ -19,6 +19,7 @@ from sigcat.adapter.fmi.variables import Variable
 from sigcat.adapter.host.glue import HOST_HEADER, glue_file
 from sigcat.adapter.host.numbering import numbers_of
 from sigcat.adapter.host.shapes import packing
+from sigcat.adapter.placed_findings import placed_in
 from sigcat.adapter.source_functions import source_functions
 from sigcat.adapter.templates import Plan, rendered
 from sigcat.catalogue.reading.yaml_document import collector_paused
@@ -87,10 +88,10 @@ def generate(data: bytes, name: str, limits: Limits) -> tuple[GeneratedFile, ...
     """
     model = read_integration(data, name, limits)
     functions = source_functions(model.functions, data, name, limits, codes.NOT_WRITABLE_AS_FMU, "fmi")
-    units = units_of(functions, model.fmus[0].name if len(model.fmus) == 1 else None)
-    if [each.name for each in units] != [each.name for each in model.fmus]:
-        raise _unlike(name, "/FmuList", "The FMUs must be those of the functions of the document.")
-    fmus = tuple(_plan(fmu, unit, model, name) for fmu, unit in zip(model.fmus, units, strict=True))
+    with placed_in(data, name, limits):
+        units = units_of(functions, model.fmus[0].name if len(model.fmus) == 1 else None)
+        _check(model, units)
+    fmus = tuple(_plan(fmu, unit, model) for fmu, unit in zip(model.fmus, units, strict=True))
     languages = "C CXX" if any(each.is_cpp for each in fmus) else "C"
     project = _ProjectPlan(__version__, model, fmus, languages)
     return (
@@ -120,21 +121,31 @@ def _aliases(model: BaseModel) -> list[str]:
     return [str(field.alias or key) for key, field in type(model).model_fields.items()]
 
 
-def _unlike(name: str, pointer: str, message: str) -> InputRefused:
-    finding = codes.NOT_WRITABLE_AS_FMU.finding(message, name, 1, 1, pointer=pointer, fix=_AGAIN)
-    return InputRefused(f"{name} cannot be used.", (finding,))
+def _check(model: FmiIntegration, units: Sequence[Unit]) -> None:
+    """Raise InputRefused unless the document has the FMUs and variables of its functions; names and descriptions are free."""
+    if [each.name for each in units] != [each.name for each in model.fmus]:
+        raise _unlike("/FmuList", "The FMUs must be those of the functions of the document.")
+    for index, (fmu, unit) in enumerate(zip(model.fmus, units, strict=True)):
+        at = f"/FmuList/{index}/VariableList"
+        if len(fmu.variables) != len(unit.layout.variables):
+            message = f"{fmu.name} must have {len(unit.layout.variables)} variables, as its functions, not {len(fmu.variables)}."
+            raise _unlike(at, message)
+        for number, (each, known) in enumerate(zip(fmu.variables, unit.layout.variables, strict=True)):
+            wanted = (known.type, known.length, known.causality, known.start)
+            if (each.type, each.length, each.causality, each.start) != wanted:
+                message = (
+                    f"{each.name} must have the type, dimension, causality and start value that its function gives it."
+                )
+                raise _unlike(f"{at}/{number}", message)
 
 
-def _plan(fmu: Fmu, unit: Unit, model: FmiIntegration, name: str) -> _FmuPlan:
+def _unlike(pointer: str, message: str) -> InputRefused:
+    finding = codes.NOT_WRITABLE_AS_FMU.finding(message, pointer=pointer, fix=_AGAIN)
+    return InputRefused("The document cannot be used.", (finding,))
+
+
+def _plan(fmu: Fmu, unit: Unit, model: FmiIntegration) -> _FmuPlan:
     layout, connections = unit.layout, unit.connections
-    if [(each.type, each.length, each.causality) for each in fmu.variables] != [
-        (each.type, each.length, each.causality) for each in layout.variables
-    ]:
-        raise _unlike(
-            name,
-            f"/FmuList/{model.fmus.index(fmu)}/VariableList",
-            f"The variables of {fmu.name} must be those of its functions.",
-        )
     plans = [member.plan for member in connections.members]
     seen = [0] * len(plans)
     inputs: list[tuple[int, int, int, int]] = []

@@ -787,332 +787,78 @@ SIGCAT_EXPORT fmi3Instance FMI3(InstantiateScheduledExecution)(
     return refused(logMessage, instanceEnvironment, "This FMU is for co-simulation.");
 }
 
-SIGCAT_EXPORT fmi3Status FMI3(EnterEventMode)(fmi3Instance instance)
-{
-    return not_offered(instance);
-}
+/* Arguments have the names of the standard, and none is used. */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#endif
+#define NOT_OFFERED(name, ...) \
+    SIGCAT_EXPORT fmi3Status FMI3(name)(__VA_ARGS__) \
+    { \
+        return not_offered(instance); \
+    }
 
-SIGCAT_EXPORT fmi3Status FMI3(GetString)(
-    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, fmi3String values[], size_t
-    nValues)
-{
-    (void)valueReferences;
-    (void)nValueReferences;
-    (void)values;
-    (void)nValues;
-    return not_offered(instance);
-}
+NOT_OFFERED(EnterEventMode, fmi3Instance instance)
+NOT_OFFERED(GetString, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, fmi3String
+    values[], size_t nValues)
+NOT_OFFERED(GetBinary, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, size_t
+    valueSizes[], fmi3Binary values[], size_t nValues)
+NOT_OFFERED(GetClock, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, fmi3Clock
+    values[])
+NOT_OFFERED(SetString, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const
+    fmi3String values[], size_t nValues)
+NOT_OFFERED(SetBinary, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const size_t
+    valueSizes[], const fmi3Binary values[], size_t nValues)
+NOT_OFFERED(SetClock, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const fmi3Clock
+    values[])
+NOT_OFFERED(GetNumberOfVariableDependencies, fmi3Instance instance, fmi3ValueReference valueReference, size_t *nDependencies)
+NOT_OFFERED(GetVariableDependencies, fmi3Instance instance, fmi3ValueReference dependent, size_t elementIndicesOfDependent[],
+    fmi3ValueReference independents[], size_t elementIndicesOfIndependents[], fmi3DependencyKind dependencyKinds[], size_t
+    nDependencies)
+NOT_OFFERED(GetDirectionalDerivative, fmi3Instance instance, const fmi3ValueReference unknowns[], size_t nUnknowns, const
+    fmi3ValueReference knowns[], size_t nKnowns, const fmi3Float64 seed[], size_t nSeed, fmi3Float64 sensitivity[], size_t
+    nSensitivity)
+NOT_OFFERED(GetAdjointDerivative, fmi3Instance instance, const fmi3ValueReference unknowns[], size_t nUnknowns, const
+    fmi3ValueReference knowns[], size_t nKnowns, const fmi3Float64 seed[], size_t nSeed, fmi3Float64 sensitivity[], size_t
+    nSensitivity)
+NOT_OFFERED(EnterConfigurationMode, fmi3Instance instance)
+NOT_OFFERED(ExitConfigurationMode, fmi3Instance instance)
+NOT_OFFERED(GetIntervalDecimal, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences,
+    fmi3Float64 intervals[], fmi3IntervalQualifier qualifiers[])
+NOT_OFFERED(GetIntervalFraction, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences,
+    fmi3UInt64 counters[], fmi3UInt64 resolutions[], fmi3IntervalQualifier qualifiers[])
+NOT_OFFERED(GetShiftDecimal, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences,
+    fmi3Float64 shifts[])
+NOT_OFFERED(GetShiftFraction, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences,
+    fmi3UInt64 counters[], fmi3UInt64 resolutions[])
+NOT_OFFERED(SetIntervalDecimal, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const
+    fmi3Float64 intervals[])
+NOT_OFFERED(SetIntervalFraction, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const
+    fmi3UInt64 counters[], const fmi3UInt64 resolutions[])
+NOT_OFFERED(SetShiftDecimal, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const
+    fmi3Float64 shifts[])
+NOT_OFFERED(SetShiftFraction, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const
+    fmi3UInt64 counters[], const fmi3UInt64 resolutions[])
+NOT_OFFERED(EvaluateDiscreteStates, fmi3Instance instance)
+NOT_OFFERED(UpdateDiscreteStates, fmi3Instance instance, fmi3Boolean *discreteStatesNeedUpdate, fmi3Boolean *terminateSimulation,
+    fmi3Boolean *nominalsOfContinuousStatesChanged, fmi3Boolean *valuesOfContinuousStatesChanged, fmi3Boolean
+    *nextEventTimeDefined, fmi3Float64 *nextEventTime)
+NOT_OFFERED(EnterContinuousTimeMode, fmi3Instance instance)
+NOT_OFFERED(CompletedIntegratorStep, fmi3Instance instance, fmi3Boolean noSetFMUStatePriorToCurrentPoint, fmi3Boolean
+    *enterEventMode, fmi3Boolean *terminateSimulation)
+NOT_OFFERED(SetTime, fmi3Instance instance, fmi3Float64 time)
+NOT_OFFERED(SetContinuousStates, fmi3Instance instance, const fmi3Float64 continuousStates[], size_t nContinuousStates)
+NOT_OFFERED(GetContinuousStateDerivatives, fmi3Instance instance, fmi3Float64 derivatives[], size_t nContinuousStates)
+NOT_OFFERED(GetEventIndicators, fmi3Instance instance, fmi3Float64 eventIndicators[], size_t nEventIndicators)
+NOT_OFFERED(GetContinuousStates, fmi3Instance instance, fmi3Float64 continuousStates[], size_t nContinuousStates)
+NOT_OFFERED(GetNominalsOfContinuousStates, fmi3Instance instance, fmi3Float64 nominals[], size_t nContinuousStates)
+NOT_OFFERED(GetNumberOfEventIndicators, fmi3Instance instance, size_t *nEventIndicators)
+NOT_OFFERED(GetNumberOfContinuousStates, fmi3Instance instance, size_t *nContinuousStates)
+NOT_OFFERED(EnterStepMode, fmi3Instance instance)
+NOT_OFFERED(GetOutputDerivatives, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences,
+    const fmi3Int32 orders[], fmi3Float64 values[], size_t nValues)
+NOT_OFFERED(ActivateModelPartition, fmi3Instance instance, fmi3ValueReference clockReference, fmi3Float64 activationTime)
 
-SIGCAT_EXPORT fmi3Status FMI3(GetBinary)(
-    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, size_t valueSizes[],
-    fmi3Binary values[], size_t nValues)
-{
-    (void)valueReferences;
-    (void)nValueReferences;
-    (void)valueSizes;
-    (void)values;
-    (void)nValues;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(GetClock)(
-    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, fmi3Clock values[])
-{
-    (void)valueReferences;
-    (void)nValueReferences;
-    (void)values;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(SetString)(
-    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const fmi3String values[],
-    size_t nValues)
-{
-    (void)valueReferences;
-    (void)nValueReferences;
-    (void)values;
-    (void)nValues;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(SetBinary)(
-    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const size_t valueSizes[],
-    const fmi3Binary values[], size_t nValues)
-{
-    (void)valueReferences;
-    (void)nValueReferences;
-    (void)valueSizes;
-    (void)values;
-    (void)nValues;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(SetClock)(
-    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const fmi3Clock values[])
-{
-    (void)valueReferences;
-    (void)nValueReferences;
-    (void)values;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(GetNumberOfVariableDependencies)(
-    fmi3Instance instance, fmi3ValueReference valueReference, size_t *nDependencies)
-{
-    (void)valueReference;
-    (void)nDependencies;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(GetVariableDependencies)(
-    fmi3Instance instance, fmi3ValueReference dependent, size_t elementIndicesOfDependent[], fmi3ValueReference
-    independents[], size_t elementIndicesOfIndependents[], fmi3DependencyKind dependencyKinds[], size_t nDependencies)
-{
-    (void)dependent;
-    (void)elementIndicesOfDependent;
-    (void)independents;
-    (void)elementIndicesOfIndependents;
-    (void)dependencyKinds;
-    (void)nDependencies;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(GetDirectionalDerivative)(
-    fmi3Instance instance, const fmi3ValueReference unknowns[], size_t nUnknowns, const fmi3ValueReference knowns[], size_t
-    nKnowns, const fmi3Float64 seed[], size_t nSeed, fmi3Float64 sensitivity[], size_t nSensitivity)
-{
-    (void)unknowns;
-    (void)nUnknowns;
-    (void)knowns;
-    (void)nKnowns;
-    (void)seed;
-    (void)nSeed;
-    (void)sensitivity;
-    (void)nSensitivity;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(GetAdjointDerivative)(
-    fmi3Instance instance, const fmi3ValueReference unknowns[], size_t nUnknowns, const fmi3ValueReference knowns[], size_t
-    nKnowns, const fmi3Float64 seed[], size_t nSeed, fmi3Float64 sensitivity[], size_t nSensitivity)
-{
-    (void)unknowns;
-    (void)nUnknowns;
-    (void)knowns;
-    (void)nKnowns;
-    (void)seed;
-    (void)nSeed;
-    (void)sensitivity;
-    (void)nSensitivity;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(EnterConfigurationMode)(fmi3Instance instance)
-{
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(ExitConfigurationMode)(fmi3Instance instance)
-{
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(GetIntervalDecimal)(
-    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, fmi3Float64 intervals[],
-    fmi3IntervalQualifier qualifiers[])
-{
-    (void)valueReferences;
-    (void)nValueReferences;
-    (void)intervals;
-    (void)qualifiers;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(GetIntervalFraction)(
-    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, fmi3UInt64 counters[],
-    fmi3UInt64 resolutions[], fmi3IntervalQualifier qualifiers[])
-{
-    (void)valueReferences;
-    (void)nValueReferences;
-    (void)counters;
-    (void)resolutions;
-    (void)qualifiers;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(GetShiftDecimal)(
-    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, fmi3Float64 shifts[])
-{
-    (void)valueReferences;
-    (void)nValueReferences;
-    (void)shifts;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(GetShiftFraction)(
-    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, fmi3UInt64 counters[],
-    fmi3UInt64 resolutions[])
-{
-    (void)valueReferences;
-    (void)nValueReferences;
-    (void)counters;
-    (void)resolutions;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(SetIntervalDecimal)(
-    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const fmi3Float64
-    intervals[])
-{
-    (void)valueReferences;
-    (void)nValueReferences;
-    (void)intervals;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(SetIntervalFraction)(
-    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const fmi3UInt64 counters[],
-    const fmi3UInt64 resolutions[])
-{
-    (void)valueReferences;
-    (void)nValueReferences;
-    (void)counters;
-    (void)resolutions;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(SetShiftDecimal)(
-    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const fmi3Float64 shifts[])
-{
-    (void)valueReferences;
-    (void)nValueReferences;
-    (void)shifts;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(SetShiftFraction)(
-    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const fmi3UInt64 counters[],
-    const fmi3UInt64 resolutions[])
-{
-    (void)valueReferences;
-    (void)nValueReferences;
-    (void)counters;
-    (void)resolutions;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(EvaluateDiscreteStates)(fmi3Instance instance)
-{
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(UpdateDiscreteStates)(
-    fmi3Instance instance, fmi3Boolean *discreteStatesNeedUpdate, fmi3Boolean *terminateSimulation, fmi3Boolean
-    *nominalsOfContinuousStatesChanged, fmi3Boolean *valuesOfContinuousStatesChanged, fmi3Boolean *nextEventTimeDefined,
-    fmi3Float64 *nextEventTime)
-{
-    (void)discreteStatesNeedUpdate;
-    (void)terminateSimulation;
-    (void)nominalsOfContinuousStatesChanged;
-    (void)valuesOfContinuousStatesChanged;
-    (void)nextEventTimeDefined;
-    (void)nextEventTime;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(EnterContinuousTimeMode)(fmi3Instance instance)
-{
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(CompletedIntegratorStep)(
-    fmi3Instance instance, fmi3Boolean noSetFMUStatePriorToCurrentPoint, fmi3Boolean *enterEventMode, fmi3Boolean
-    *terminateSimulation)
-{
-    (void)noSetFMUStatePriorToCurrentPoint;
-    (void)enterEventMode;
-    (void)terminateSimulation;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(SetTime)(fmi3Instance instance, fmi3Float64 time)
-{
-    (void)time;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(SetContinuousStates)(
-    fmi3Instance instance, const fmi3Float64 continuousStates[], size_t nContinuousStates)
-{
-    (void)continuousStates;
-    (void)nContinuousStates;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(GetContinuousStateDerivatives)(
-    fmi3Instance instance, fmi3Float64 derivatives[], size_t nContinuousStates)
-{
-    (void)derivatives;
-    (void)nContinuousStates;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(GetEventIndicators)(fmi3Instance instance, fmi3Float64 eventIndicators[], size_t nEventIndicators)
-{
-    (void)eventIndicators;
-    (void)nEventIndicators;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(GetContinuousStates)(
-    fmi3Instance instance, fmi3Float64 continuousStates[], size_t nContinuousStates)
-{
-    (void)continuousStates;
-    (void)nContinuousStates;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(GetNominalsOfContinuousStates)(
-    fmi3Instance instance, fmi3Float64 nominals[], size_t nContinuousStates)
-{
-    (void)nominals;
-    (void)nContinuousStates;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(GetNumberOfEventIndicators)(fmi3Instance instance, size_t *nEventIndicators)
-{
-    (void)nEventIndicators;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(GetNumberOfContinuousStates)(fmi3Instance instance, size_t *nContinuousStates)
-{
-    (void)nContinuousStates;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(EnterStepMode)(fmi3Instance instance)
-{
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(GetOutputDerivatives)(
-    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const fmi3Int32 orders[],
-    fmi3Float64 values[], size_t nValues)
-{
-    (void)valueReferences;
-    (void)nValueReferences;
-    (void)orders;
-    (void)values;
-    (void)nValues;
-    return not_offered(instance);
-}
-
-SIGCAT_EXPORT fmi3Status FMI3(ActivateModelPartition)(
-    fmi3Instance instance, fmi3ValueReference clockReference, fmi3Float64 activationTime)
-{
-    (void)clockReference;
-    (void)activationTime;
-    return not_offered(instance);
-}
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
