@@ -148,6 +148,7 @@ KINDS = (
             "tests/adapter/autosar_adaptive/application/test_life.py",
             "tests/adapter/autosar_adaptive/application/test_recorder.py",
             "tests/adapter/autosar_adaptive/application/test_run.py",
+            "tests/adapter/autosar_adaptive/application/test_threads.py::test_threads_that_are_measured_are_in_order",
             "tests/adapter/autosar_adaptive/application/test_threads.py::test_a_slow_call_does_not_block_an_urgent_one_and_threads_are_in_order",
             "tests/adapter/autosar_adaptive/application/test_threads.py::test_a_state_that_is_protected_is_sent_at_once_and_again_with_each_call",
             "tests/adapter/autosar_adaptive/application/test_threads.py::test_a_state_that_is_protected_reaches_another_function_early_and_late",
@@ -309,6 +310,11 @@ KINDS = (
             "tests/clients/test_clients.py::test_the_document_passes_the_strict_rules_of_redocly",
         ),
         ("tests/adapter/autosar_classic/test_components.py::test_cppcheck_finds_documented_deviations[methods]",),
+    ),
+    Kind(
+        "every wrong value of a catalogue",
+        ("tests/function/test_faulty_catalogue.py::test_a_wrong_value_of_the_catalogue_is_no_error_of_sigcat",),
+        ("tests/function/test_faulty_catalogue.py::test_a_wrong_value_of_the_catalogue_is_no_error_of_sigcat[.inf]",),
     ),
     Kind(
         "FMUs in an importer of others",
