@@ -1,5 +1,7 @@
 """Deployments, faults, the project file and pipelines: paths, values and names of releases."""
 
+from sigcat.limits import DEFAULT_LIMITS
+from sigcat.migration import migrate
 from tests.catalogue.hosting.archives import FILES, saved, tar_bytes
 
 DEPLOYMENT = """\
@@ -46,6 +48,16 @@ def test_files_of_other_programs_may_be_anything(sides):
     sides.write("chart.yaml", "{{ if }}\n")
     sides.write("binary.csv", b"\xff\xfe\x00")
     assert sides.run().status == 0
+
+
+def test_files_that_are_too_large_or_no_text_are_reported(sides, monkeypatch):
+    monkeypatch.setattr(migrate, "DEFAULT_LIMITS", DEFAULT_LIMITS._replace(file_bytes=2000))
+    sides.write("long.csv", "time,Vehicle.Speed\n" + "0,1\n" * 600)
+    sides.write("old.vspec", b"Vehicle.Speed:\n  comment: \xe9\n")
+    result = sides.run()
+    assert result.status == 1
+    assert "The file has more than 2,000 bytes. It is not migrated." in result.messages
+    assert "The file must be in UTF-8. It is not migrated." in result.messages
 
 
 PIPELINE = """\

@@ -14,7 +14,7 @@ from sigcat.catalogue.comparing.sides import Side
 from sigcat.catalogue.reading.yaml_document import read_document
 from sigcat.errors import NotFound
 from sigcat.file_kind import ROOT_NAME, ending_of, file_kind
-from sigcat.findings import Finding, in_order
+from sigcat.findings import Finding, RuleCode, in_order
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.migration.changed_text import Migrated, Outcome, Replacement, migrated
 from sigcat.migration.function_changes import FunctionFile, function_changes
@@ -113,13 +113,20 @@ def migrate(project: Project, migration: Migration) -> Iterator[Migrated]:
 
 
 def _migrated(path: Path, project: Project, migration: Migration, included: Included) -> Migrated | None:
-    if not _may_change(path) or path.stat().st_size > DEFAULT_LIMITS.file_bytes:
+    if not _may_change(path):
         return None
+    if path.stat().st_size > DEFAULT_LIMITS.file_bytes:
+        return _skipped(
+            path,
+            codes.FILE_TOO_LARGE,
+            f"The file has more than {DEFAULT_LIMITS.file_bytes:,} bytes. It is not migrated.",
+        )
     data, name, releases = read_bytes(path), str(path), project.releases
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
-        return None
+        message = "The file must be in UTF-8. It is not migrated."
+        return _skipped(path, codes.NOT_UTF_8, message) if ending_of(path.name) == ".vspec" else None
     current = [p for p, release in project.current.get(name, {}).items() if release == releases.new_id]
     if path.name in _PROJECTS:
         found = migrated(name, data, project_changes(text, releases.old, releases.new))
@@ -134,6 +141,13 @@ def _migrated(path: Path, project: Project, migration: Migration, included: Incl
     else:
         found = _of_yaml(path, data, migration, included, current)
     return found
+
+
+def _skipped(path: Path, rule: RuleCode, message: str) -> Migrated | None:
+    """Return a finding instead of changes; none about JSON, which is of any program."""
+    if ending_of(path.name) == ".json":
+        return None
+    return Migrated(str(path), b"", b"", findings=(rule.finding(message, str(path), 1, 1),))
 
 
 def _may_change(path: Path) -> bool:
