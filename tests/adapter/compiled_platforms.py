@@ -7,6 +7,7 @@ import subprocess
 import tempfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
+from xml.etree import ElementTree as ET
 
 from scripts import ros2_environment, ros2_packages
 from sigcat.adapter.core.plan import CLASS
@@ -175,8 +176,22 @@ def _check_import(node: ast.ImportFrom, module: Path, folder: Path) -> None:
             raise Fails(f"{module.relative_to(folder)}:{node.lineno}: {node.module} has no {alias.name}")
 
 
+# -- FMI ----------------------------------------------------------------------------------------------------------
+
+
+def _fmi(folder: Path, subjects: Sequence[Subject]) -> None:
+    """Check that the description of each FMU is XML, and its sources."""
+    for description in sorted(folder.glob("*/modelDescription.xml")):
+        ET.parse(description)
+        sources = description.parent / "sources"
+        own = f"-I{sources.relative_to(folder)}"
+        _syntax([path.relative_to(folder) for path in sorted(sources.rglob("*.c*"))], folder, own)
+    del subjects
+
+
 _BY_PLATFORM: Mapping[str, Callable[[Path, Sequence[Subject]], None]] = {
     "autosar-classic": _classic,
     "autosar-adaptive": _adaptive,
     "ros2": _ros2,
+    "fmi": _fmi,
 }

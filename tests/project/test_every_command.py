@@ -42,6 +42,7 @@ COMMANDS = (
 OTHERS = {
     "diff": "several trees: below, and test_git_sides.py",
     "version-bump": "the same",
+    "migrate": "the same: below, and tests/migration/test_project_files.py",
     "rule": "rules of the project, no tree: below",
     "config": "test_shown_project.py",
     "completion": "test_completion.py",
@@ -182,6 +183,12 @@ def test_a_project_file_for_what_is_there_gives_the_same_findings(company, capsy
 def test_a_side_of_a_comparison_is_a_catalogue_of_the_project(company, capsys):
     assert main(["diff", "vss", "acme"]) == 0
     assert "+ AcmeGas" in capsys.readouterr().out
+
+
+def test_a_side_of_a_migration_is_a_catalogue_of_the_project_and_so_are_its_files(company, capsys):
+    assert main(["migrate", "acme", "acme", "--check"]) == 0
+    assert main(["migrate", "acme", "vss", "--check"]) == 1
+    assert f"{GAS} was removed" in capsys.readouterr().err
 
 
 def test_options_come_before_the_project_and_no_project_before_it_is_found(company, capsys):
