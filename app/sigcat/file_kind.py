@@ -42,6 +42,8 @@ class DocumentKind(NamedTuple):
     """In sentences: `a function.yaml`."""
     use: str
     """The command that accepts it, as an instruction."""
+    platform: str = ""
+    """Name of the platform whose Integration JSON it is; empty for other documents."""
 
 
 FUNCTION_JSON = DocumentKind(
@@ -62,24 +64,28 @@ INTEGRATION_JSON = (
         frozenset(("FunctionInformation",)),
         "Integration JSON for AUTOSAR adaptive",
         "Run `sigcat generate arxml` on it.",
+        "autosar-adaptive",
     ),
     DocumentKind(
         "integration json",
         frozenset(("ApplicationInformation",)),
         "Integration JSON for AUTOSAR Classic",
         "Run `sigcat generate autosar-classic` on it.",
+        "autosar-classic",
     ),
     DocumentKind(
         "integration json",
         frozenset(("FmiInformation",)),
         "Integration JSON for FMI",
         "Run `sigcat generate fmi` on it.",
+        "fmi",
     ),
     DocumentKind(
         "integration json",
         FUNCTION_JSON.keys | {"CommunicationList"},
         "Integration JSON for ROS 2",
         "For ARXML, run `sigcat integrate autosar-adaptive` on the functions.",
+        "ros2",
     ),
 )
 DOCUMENT_KINDS = (*INTEGRATION_JSON, FUNCTION_JSON, FUNCTION_YAML)

@@ -24,10 +24,8 @@ from sigcat.players.commands import BuildFails
 from sigcat.runs.columns import Column, columns_of
 
 REFERENCE = next(iter(RUNNERS))
-BESIDE_BASELINE = "ros2-cpp"
+BESIDE_BASELINE = next(runner.name for runner in RUNNERS.values() if runner.has_baseline)
 """The platform that what people wrote is built beside, and measured against."""
-_FOLDERS = {"ros2-cpp": "ros2", "ros2-py": "ros2"}
-"""Platforms that share what is built."""
 _BUILT_BEFORE = "Parts were built before: build times cover only what had changed, and the total time is not measured."
 Play = Callable[[Built, Subject, Drive], Recording]
 Tell = Callable[[str], None]
@@ -116,7 +114,7 @@ def _all_built(asked: Asked, tools: Toolchain, tell: Tell) -> list[Played]:
     names = [REFERENCE, *(name for name in asked.platforms if name != REFERENCE)]
     folders: dict[str, list[str]] = {}
     for name in names:
-        folders.setdefault(_FOLDERS.get(name, name), []).append(name)
+        folders.setdefault(RUNNERS[name].folder, []).append(name)
     longest_first = sorted(folders.values(), key=lambda each: BESIDE_BASELINE not in each)
     built = side_by_side([partial(_built_in_folder, each, asked, tools, tell) for each in longest_first])
     found = {each.name: each for of_folder in built for each in of_folder}
@@ -137,7 +135,7 @@ def _built(runner: Runner, asked: Asked, tools: Toolchain, tell: Tell) -> Played
         tell(f"{runner.title}: left out. {missing}")
         return Played(runner.name, runner.title, left_out=missing)
     tell(f"{runner.title}: building")
-    folder = asked.folder / _FOLDERS.get(runner.name, runner.name)
+    folder = asked.folder / runner.folder
     folder.mkdir(parents=True, exist_ok=True)
     try:
         return Played(runner.name, runner.title, built=runner.build(asked.subject, folder, tools))

@@ -3,9 +3,9 @@
 import json
 import os
 import shutil
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
 from sigcat import codes
 from sigcat.adapter.autosar_adaptive.application.generate import generate_player
@@ -69,11 +69,12 @@ def build_player(data: bytes, name: str, folder: Path) -> Program:
     except ValueError:
         document = None
     kind = document_kind(document.keys()) if isinstance(document, dict) else None
-    if kind is None or kind.kind != "integration json":
-        raise UsageError(f"{name} must be Integration JSON, as `sigcat integrate` writes it")
-    if "CommunicationList" in document:
-        return _of_ros2(data, name, document, folder)
-    return _of_autosar(data, name, folder)
+    build = _PLAYERS.get(kind.platform) if kind is not None else None
+    if build is None:
+        found = f"; it is {kind.title}" if kind is not None else ""
+        wanted = " or ".join(f"`sigcat integrate {platform}`" for platform in _PLAYERS)
+        raise UsageError(f"{name} must be Integration JSON, as {wanted} writes it{found}")
+    return build(data, name, folder)
 
 
 def _of_autosar(data: bytes, name: str, folder: Path) -> Program:
@@ -86,7 +87,8 @@ def _of_autosar(data: bytes, name: str, folder: Path) -> Program:
     return Program("SOME/IP", folder / "build/player/player", dict(os.environ), received)
 
 
-def _of_ros2(data: bytes, name: str, document: Mapping[str, Any], folder: Path) -> Program:
+def _of_ros2(data: bytes, name: str, folder: Path) -> Program:
+    document = json.loads(data)
     files = PACKAGES.generate(data, name, DEFAULT_LIMITS, Options())
     functions = read_ros2(data, name, DEFAULT_LIMITS).functions
     received = received_by(source_functions(functions, data, name, DEFAULT_LIMITS, codes.NOT_WRITABLE_AS_ROS2, "ros2"))
@@ -98,6 +100,10 @@ def _of_ros2(data: bytes, name: str, document: Mapping[str, Any], folder: Path) 
     write(player_files(document), folder / "player")
     build_cmake(folder / "player", folder, prefix, ros2, *subset)
     return Program("DDS", prefix / "lib/player/player", _variables(ros2, prefix, *subset), received)
+
+
+_PLAYERS: Mapping[str, Callable[[bytes, str, Path], Program]] = {"autosar-adaptive": _of_autosar, "ros2": _of_ros2}
+"""How the player of a platform is built, by the platform's name."""
 
 
 def _of_package(name: str, files: tuple[GeneratedFile, ...]) -> tuple[GeneratedFile, ...]:

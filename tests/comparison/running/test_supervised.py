@@ -55,9 +55,9 @@ def test_a_function_without_alive_and_deadline_supervision_is_not_measured(plan)
 @pytest.mark.parametrize(("over", "passes"), [(0, True), (1, True), (2, False)])
 def test_one_time_of_a_hundred_may_be_longer(over, passes):
     row = model.Supervision(
-        platform="ros2", mode="free run", function="CoreAcc", period=CYCLE, gaps=100, over=over, longest=CYCLE
+        platform="ros2-cpp", mode="free run", function="CoreAcc", period=CYCLE, gaps=100, over=over, longest=CYCLE
     )
-    platforms = tuple(model.Platform(name=name, title=name) for name in ("simulation", "ros2"))
+    platforms = tuple(model.Platform(name=name, title=name) for name in ("simulation", "ros2-cpp"))
     told = model.Report(
         sigcat="1", name="x", functions=(), trace="", machine=(), reference="simulation",
         platforms=platforms, seconds=1.0, supervision=(row,),
@@ -68,8 +68,8 @@ def test_one_time_of_a_hundred_may_be_longer(over, passes):
 
 def test_a_time_is_longer_beyond_the_period_and_a_millisecond():
     gaps_ns = (CYCLE, CYCLE + MS, CYCLE + MS + 1)
-    built = Built("ros2", Path(), (), 0.0, 0.0)
-    recording = Recording("ros2", "free run", built, {}, supervised=(Supervised("F", "", CYCLE, gaps_ns),))
-    material = Material("x", (), "", 0, {}, CYCLE, (Played("ros2", "ROS 2", free_run=recording),))
+    built = Built("ros2-cpp", Path(), (), 0.0, 0.0)
+    recording = Recording("ros2-cpp", "free run", built, {}, supervised=(Supervised("F", "", CYCLE, gaps_ns),))
+    material = Material("x", (), "", 0, {}, CYCLE, (Played("ros2-cpp", "ROS 2", free_run=recording),))
     (row,) = supervisions(material)
     assert (row.gaps, row.over, row.longest) == (3, 1, CYCLE + MS + 1)

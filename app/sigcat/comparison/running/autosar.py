@@ -101,4 +101,4 @@ def _kill(model: IntegrationModel, kill: Kill) -> str:
     return f"{component.executable}@{component.name}@{kill.time_ns}"
 
 
-AUTOSAR_ADAPTIVE = Runner(NAME, "AUTOSAR adaptive", _missing, _build, _play)
+AUTOSAR_ADAPTIVE = Runner(NAME, "AUTOSAR adaptive", _missing, _build, _play, paper_platform="AUTOSAR")

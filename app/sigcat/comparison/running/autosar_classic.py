@@ -61,4 +61,4 @@ def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
     )
 
 
-AUTOSAR_CLASSIC = Runner(NAME, "AUTOSAR Classic", _missing, _build, _play)
+AUTOSAR_CLASSIC = Runner(NAME, "AUTOSAR Classic", _missing, _build, _play, paper_platform="AUTOSAR")

@@ -157,5 +157,12 @@ def _variables(ros2: Ros2, folder: Path) -> Mapping[str, str]:
     return ros2.variables(folder / "install", *subset)
 
 
-ROS2_CPP = Runner(CPP, "ROS 2, C++", _missing, partial(_build, language=CPP), partial(_play, language=CPP))
-ROS2_PY = Runner(PYTHON, "ROS 2, Python", _missing, partial(_build, language=PYTHON), partial(_play, language=PYTHON))
+def _runner(language: str, title: str, *, is_interpreted: bool) -> Runner:
+    return Runner(
+        language, title, _missing, partial(_build, language=language), partial(_play, language=language),
+        shared_folder="ros2", paper_platform="ROS 2", is_interpreted=is_interpreted, has_baseline=not is_interpreted,
+    )  # fmt: skip
+
+
+ROS2_CPP = _runner(CPP, "ROS 2, C++", is_interpreted=False)
+ROS2_PY = _runner(PYTHON, "ROS 2, Python", is_interpreted=True)

@@ -57,3 +57,16 @@ class Runner(NamedTuple):
     """Generate and compile in a folder. Raises InputRefused, or BuildFails with what the compiler says."""
     play: Callable[[Built, Subject, Drive], Recording]
     """Play and record. A process that dies ends the run: the recording has its last words."""
+    shared_folder: str = ""
+    """Folder of what is built, if other platforms share it; if empty that of its name."""
+    paper_platform: str = ""
+    """Platform of the paper whose figures it is compared with, as in the keys of the figures; empty for none."""
+    is_interpreted: bool = False
+    """Whether its adapters are not compiled."""
+    has_baseline: bool = False
+    """Whether code written by hand is built beside it, and its load is compared with that."""
+
+    @property
+    def folder(self) -> str:
+        """Folder in which it is built."""
+        return self.shared_folder or self.name

@@ -1,10 +1,12 @@
 """The paper's figures, and what was measured here beside each."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 from sigcat.comparison.paper import FIGURES, Figure
 from sigcat.comparison.report import model
 from sigcat.comparison.report.words import duration, memory, percent
+from sigcat.comparison.running.by_hand import NAME as BASELINE
+from sigcat.comparison.running.table import RUNNERS
 
 
 def beside_paper(told: model.Report) -> Iterator[model.PaperFigure]:
@@ -63,17 +65,15 @@ def _bare(name: str) -> str:
 
 
 def _lines(told: model.Report, _kind: str, platform: str) -> str:
-    word = "ros2" if platform == "ROS 2" else "autosar"
-    found: Sequence[model.Lines] = [
-        each for each in told.effort if each.by == "sigcat" and each.platform.startswith(word)
-    ]
-    by_hand = [
-        each for each in told.effort if each.by == "person" and each.platform.startswith("baseline") and word == "ros2"
-    ]
+    own = [name for name, runner in RUNNERS.items() if runner.paper_platform == platform]
+    found = [each for each in told.effort if each.by == "sigcat" and each.platform in own]
+    has_baseline = any(RUNNERS[name].has_baseline for name in own)
+    by_hand = [each for each in told.effort if has_baseline and each.by == "person" and each.platform == BASELINE]
     texts = [f"{told.title_of(each.platform)}: 0 by hand, {each.code:,} generated" for each in found]
     return "; ".join([*texts, *(f"nodes by hand: {each.code:,}" for each in by_hand)])
 
 
 def _generated(told: model.Report, _kind: str, _function: str) -> str:
-    found = [each for each in told.platforms if each.name.startswith("autosar") and not each.left_out]
+    own = [name for name, runner in RUNNERS.items() if runner.paper_platform == "AUTOSAR"]
+    found = [each for each in told.platforms if each.name in own and not each.left_out]
     return "; ".join(f"{each.title}: {each.generate_s:.2f} s to generate" for each in found)

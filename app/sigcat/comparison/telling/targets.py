@@ -6,6 +6,7 @@ from statistics import median
 from sigcat.comparison.load import Load, Overhead, overhead
 from sigcat.comparison.report import model
 from sigcat.comparison.report.words import counted, duration, signed
+from sigcat.comparison.running.table import RUNNERS
 
 ADAPTER_NS = 10_000
 CALLS = 100
@@ -16,8 +17,6 @@ LONGEST_S = 300
 WHOLE_DRIVE_S = 600
 WAITING = "processes that wanted to run, before it began"
 """Name of the machine's load in a report."""
-_INTERPRETED = frozenset(("ros2-py",))
-"""Platforms whose adapters are not compiled."""
 
 
 def targets(told: model.Report) -> Iterator[model.Target]:
@@ -25,14 +24,14 @@ def targets(told: model.Report) -> Iterator[model.Target]:
     compiled = [
         each.name
         for each in told.platforms
-        if not (each.left_out or each.is_by_hand or each.name in _INTERPRETED or each.name == told.reference)
+        if not (each.left_out or each.is_by_hand or each.name == told.reference or RUNNERS[each.name].is_interpreted)
     ]
     yield _equal(told)
     yield _faults(told)
     for name in compiled:
         yield from _adapters(told, name)
     for name in compiled:
-        if name.startswith("ros2"):
+        if RUNNERS[name].has_baseline:
             yield from _overheads(told, name)
     for each in told.platforms:
         if told.supervision and not (each.left_out or each.is_by_hand or each.name == told.reference):
