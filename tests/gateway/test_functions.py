@@ -154,8 +154,18 @@ def test_options_that_do_not_belong_together_are_told(tmp_path, capsys, options,
     assert told in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("text", ["", "{}", "[1]", "nonsense"])
-def test_what_is_no_integration_json_is_told(run, tmp_path, capsys, text):
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("", ""),
+        ("{}", ""),
+        ("[1]", ""),
+        ("nonsense", ""),
+        ('{"FmiInformation": {}}', "; it is Integration JSON for FMI"),
+        ('{"ApplicationInformation": {}}', "; it is Integration JSON for AUTOSAR Classic"),
+    ],
+)
+def test_a_document_without_a_player_is_refused(run, tmp_path, capsys, text, kind):
     (tmp_path / "drive.log").write_text("(0.1) can0 100#64000000\n")
     (tmp_path / "functions.json").write_text(text)
     given = [
@@ -168,4 +178,9 @@ def test_what_is_no_integration_json_is_told(run, tmp_path, capsys, text):
         str(tmp_path / "can.vspec"),
     ]
     assert main(["gateway", *given, "--to", str(tmp_path / "functions.json")]) == 2
-    assert "must be Integration JSON" in capsys.readouterr().err
+    message = capsys.readouterr().err
+    assert (
+        "must be Integration JSON, as `sigcat integrate autosar-adaptive` or `sigcat integrate ros2` writes it"
+        in message
+    )
+    assert kind in message
