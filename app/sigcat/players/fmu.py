@@ -22,7 +22,7 @@ _DATATYPES: Mapping[str, str] = {
 """Datatypes of VSS for those of FMI 2.0 and 3.0. Strings, binaries and clocks have none, and are not played."""
 _STARTS_WITHIN_S = 60.0
 _MOST_SAID = 2000
-"""Characters of what an FMU says that a message has."""
+"""Characters of the output of an FMU that a message has."""
 
 
 class Port(NamedTuple):

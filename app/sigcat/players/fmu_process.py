@@ -1,4 +1,4 @@
-"""An FMU in a process of its own: `python -m sigcat.players.fmu_process FILE MEMORY_MIB`, which limits what it may allocate.
+"""An FMU in a separate process: `python -m sigcat.players.fmu_process FILE MEMORY_MIB`, which limits what it may allocate.
 
 Each line of standard input is a step: its length in ns, and what is set before it, as JSON. Standard output has `ready`, and then a line
 for each step: its outputs. What the FMU reports goes to standard error.
@@ -20,7 +20,7 @@ def main() -> int:
 
     file, memory = sys.argv[1], int(sys.argv[2])
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
-    os.dup2(2, 1)  # what the code of the FMU prints is no answer
+    os.dup2(2, 1)  # the code of the FMU prints to standard error
     description = read_model_description(file)
     folder = extract(file)
     _limit(memory)

@@ -46,7 +46,7 @@ class _Source(NamedTuple):
     """Folders of headers, likewise."""
     definitions: tuple[str, ...]
     generated: tuple[str, ...]
-    """Sources of the core and of what calls it."""
+    """Sources of the core and of its caller."""
 
 
 class _FmuPlan(NamedTuple):
@@ -72,7 +72,7 @@ class _FmuPlan(NamedTuple):
 
 
 class _ProjectPlan(NamedTuple):
-    """Plan of what all FMUs share."""
+    """Plan of the files that all FMUs share."""
 
     version: str
     model: FmiIntegration

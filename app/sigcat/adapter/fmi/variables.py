@@ -262,5 +262,5 @@ def _free(name: str, causality: Causality, taken: Iterable[str]) -> str:
     known = set(taken)
     if name not in known:
         return name
-    wanted = f"{name}.{'received' if causality == 'input' else causality}"
-    return next(each for each in (wanted, *(f"{wanted}{n}" for n in range(2, 1000))) if each not in known)
+    longer = f"{name}.{'received' if causality == 'input' else causality}"
+    return next(each for each in (longer, *(f"{longer}{n}" for n in range(2, 1000))) if each not in known)

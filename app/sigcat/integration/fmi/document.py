@@ -19,7 +19,7 @@ def _problems(model: FmiIntegration) -> Iterator[Problem]:
     for index, fmu in enumerate(model.fmus):
         if names.index(fmu.name.lower()) < index:
             yield Problem(
-                ("FmuList", index, "Name"), f"Each FMU must have a name of its own, and {fmu.name} is used twice."
+                ("FmuList", index, "Name"), f"Each FMU must have its own name, and {fmu.name} is used twice."
             )
         yield from _variables(fmu, index)
 
@@ -29,7 +29,7 @@ def _variables(fmu: Fmu, index: int) -> Iterator[Problem]:
     for number, variable in enumerate(fmu.variables):
         at = ("FmuList", index, "VariableList", number)
         if variable.name in seen:
-            message = f"Each variable must have a name of its own, and {variable.name} is used twice."
+            message = f"Each variable must have its own name, and {variable.name} is used twice."
             yield Problem((*at, "Name"), message, "Rename one of the two.")
         seen.add(variable.name)
         if variable.reference != number:

@@ -53,7 +53,7 @@ class Fmu(WireModel):
     functions: tuple[FunctionName, ...] = described(
         "FunctionNames", "Functions in it, in the order of their turns.", source=OWN, strict=False
     )
-    token: CIdentifier = described("InstantiationToken", "Digest of what the variables were made from.", source=OWN)
+    token: CIdentifier = described("InstantiationToken", "Digest of the functions and of the variables.", source=OWN)
     step_size: Annotated[Number, Field(gt=0)] = described("StepSize", "Proposed step.", unit="ms", source=OWN)
     variables: tuple[FmuVariable, ...] = described(
         "VariableList", "Variables, by value reference.", source=OWN, strict=False

@@ -1,4 +1,4 @@
-"""The start page: what the service hosts, and what is wrong with it at a glance."""
+"""The start page: catalogues and functions that the service hosts, and their findings at a glance."""
 
 from fastapi import APIRouter, Request
 from fastapi.responses import Response
