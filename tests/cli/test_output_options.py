@@ -125,7 +125,68 @@ def run(command, folder):
 def test_what_is_read_is_not_written(command, folder, capsys):
     before = contents(folder)
     assert run(command, folder) == 2
+    assert "would be lost" in capsys.readouterr().err
+    assert contents(folder) == before
+
+
+SOURCES = {
+    "C code": (("diff", "tree", "other.vspec", "-o", "step.c"), "C or C++ code"),
+    "a header": (("lint", "tree", "-o", "step.hpp"), "C or C++ code"),
+    "a function that is not read": (("export", "csv", "-s", "tree", "-o", "function.yaml"), "a function"),
+    "a deployment that is not read": (
+        ("diff", "tree", "other.vspec", "-o", "project/deploy.yaml"),
+        "a file of a project",
+    ),
+    "an overlay of a project": (("lint", "tree", "-o", "project/acme.vspec"), "a file of a project"),
+    "the project file": (("schema", "deployment", "-o", "project/sigcat.toml"), "a file of a project"),
+    "a baseline over code": (("lint", "tree", "--write-baseline", "step.c"), "C or C++ code"),
+}
+
+
+@pytest.mark.parametrize(("command", "kind"), SOURCES.values(), ids=SOURCES)
+def test_sources_are_not_written_though_the_command_does_not_read_them(command, kind, folder, capsys):
+    Path("step.c").write_text("int step;\n")
+    Path("step.hpp").write_text("extern int step;\n")
+    Path("project").mkdir()
+    Path("project/deploy.yaml").write_text("name: Acme\n")
+    Path("project/acme.vspec").write_text(OVERLAY)
+    Path("project/sigcat.toml").write_text(
+        'deployment = "deploy.yaml"\n[[catalogue]]\nid = "acme"\ntitle = "Acme"\nrelease = "shipped"\noverlays = ["acme.vspec"]\n'
+    )
+    before = contents(folder)
+    assert run(command, folder) == 2
+    assert f"is {kind}, which people write, and would be lost" in capsys.readouterr().err
+    assert contents(folder) == before
+
+
+def test_a_report_that_is_refused_is_not_written_after_the_error(folder, capsys):
+    before = contents(folder)
+    command = (
+        "simulate",
+        "function.yaml",
+        "-s",
+        "tree",
+        "--trace",
+        "units.yaml",
+        "-o",
+        "out.csv",
+        "--report",
+        "units.yaml",
+    )
+    assert run(command, folder) == 2
     assert "is read by this command" in capsys.readouterr().err
+    assert contents(folder) == before
+
+
+def test_a_report_that_is_a_file_of_the_tree_is_not_written_after_the_error(folder, capsys):
+    before = contents(folder)
+    trace = folder / "trace.csv"
+    trace.write_text("time\n0\n")
+    assert (
+        run(("simulate", "function.yaml", *TREE_OPTIONS, "--trace", str(trace), "--report", "tree/part.vspec"), folder)
+        == 2
+    )
+    trace.unlink()
     assert contents(folder) == before
 
 

@@ -48,6 +48,7 @@ def test_a_number_is_converted_exactly(capsys, given, expected):
     [
         (("1", "km", "s"), "km (length) cannot be converted to s (duration). km converts to mm, cm, m, inch."),
         (("x", "km", "m"), "'x' must be a number"),
+        (("1e400", "km", "m"), "'1e400' must be a number that a double can hold"),
         (("1", "km"), "write a number and two units"),
         (("1", "kmm", "m"), "unknown unit 'kmm'. Did you mean"),
     ],

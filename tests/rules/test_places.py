@@ -93,7 +93,7 @@ def test_items_within_items_have_their_places(attribute, steps, place):
 @pytest.mark.parametrize(
     ("code", "text", "proposal"),
     [
-        ("V101", "Vehicle.Tür: {type: branch, description: A door.}\n", "Use a name such as 'Tur'."),
+        ("V101", "Vehicle.Tür: {type: branch, description: A door.}\n", "Use a name such as 'Tuer'."),
         ("V101", "Vehicle.Ж: {type: branch, description: A door.}\n", ""),
         ("V102", "Vehicle.Is_Lit:\n" + SENSOR.format("boolean"), "Use a name such as 'IsLit'."),
         ("V102", "Vehicle.Island:\n" + SENSOR.format("boolean"), "Use a name such as 'IsIsland'."),

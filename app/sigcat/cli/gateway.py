@@ -7,11 +7,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.command_parser import positive
-from sigcat.cli.output import make_folder, print_findings, write_lines, write_text
+from sigcat.cli.output import make_folder, print_findings, write_lines
 from sigcat.cli.output_options import FORMATS, add_output
 from sigcat.cli.project_options import project_of
+from sigcat.cli.reported import reported
 from sigcat.cli.tree_options import add_dbc, add_tree_options, read_tree
-from sigcat.errors import InputRefused, UsageError, existing_file
+from sigcat.errors import UsageError, existing_file
 from sigcat.temporary_files import temporary_folder
 
 if TYPE_CHECKING:
@@ -98,17 +99,8 @@ def _add_functions(parser: argparse.ArgumentParser) -> None:
 
 def gateway(arguments: argparse.Namespace) -> int:
     """Carry, and write a report of the findings if `--report` asks for one."""
-    from sigcat.rules.report import report, sources_of
-
-    found: list[Finding] = []
-    try:
+    with reported(arguments.report, arguments.format or "json") as found:
         return _gateway(arguments, found)
-    except InputRefused as refused:
-        found += refused.findings
-        raise
-    finally:
-        if arguments.report is not None:
-            write_text(report(found, arguments.format or "json", sources_of(found)), arguments.report)
 
 
 def _gateway(arguments: argparse.Namespace, found: "list[Finding]") -> int:

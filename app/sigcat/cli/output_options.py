@@ -1,12 +1,13 @@
-"""The options that name what is written. Nothing is written over a file that the command reads, or wrote just before."""
+"""The options that name what is written. Nothing is written over a source of the project, what the command reads, or wrote just before."""
 
 import argparse
 import os
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from sigcat.errors import UsageError
+from sigcat.errors import InputRefused, UsageError
 
 FORMATS = ("text", "json", "github", "gitlab", "sarif", "junit")
 """Forms of a report of findings."""
@@ -38,7 +39,7 @@ def outputs_of(arguments: argparse.Namespace) -> dict[str, Path]:
 def refuse_overwriting(
     arguments: argparse.Namespace, read: Iterable[str | Path] = (), written: Iterable[Path] = ()
 ) -> None:
-    """Raise UsageError if a file that is read would be written, or one file twice.
+    """Raise UsageError if a source of the project or a file that is read would be written, or one file twice.
 
     `read` and `written` are files that the arguments do not name: included ones, those in a folder.
     """
@@ -51,6 +52,9 @@ def refuse_overwriting(
     for path in (*outputs, *written):
         if _identity(path) in inputs:
             raise UsageError(f"{path} is read by this command and would be lost: name another file to write")
+    for path in outputs:
+        if path.is_file() and (kind := _kind_of_source(path)):
+            raise UsageError(f"{path} is {kind}, which people write, and would be lost: name another file to write")
     if twice := _twice([*outputs, *written]):
         raise UsageError(f"{twice} is named for two results: name a file for each")
 
@@ -82,6 +86,36 @@ def _inputs(arguments: argparse.Namespace, outputs: dict[str, Path]) -> Iterator
     for name, value in vars(arguments).items():
         if name not in outputs:
             yield from (path for path in (value if isinstance(value, list) else [value]) if isinstance(path, Path))
+
+
+def _kind_of_source(path: Path) -> str:
+    """The kind of a file that no command makes: code, a declared function, or a file that a project names; else empty."""
+    from sigcat.file_kind import file_kind
+    from sigcat.function.c_project.files import HEADERS, SOURCES
+    from sigcat.limits import RECOGNITION_BYTES
+
+    if path.suffix.lower() in HEADERS | SOURCES:
+        return "C or C++ code"
+    with path.open("rb") as file:
+        if file_kind(file.read(RECOGNITION_BYTES), path.name) == "function":
+            return "a function"
+    return "a file of a project" if _identity(path) in map(_identity, _project_files(path)) else ""
+
+
+def _project_files(path: Path) -> Iterator[Path]:
+    """The files that the project around a file names, if there is one that can be read."""
+    from sigcat.project.find_project import nearest_project
+    from sigcat.project.read_project import read_project
+
+    file = nearest_project(path.parent)
+    if file is None:
+        return
+    yield file
+    with suppress(InputRefused, UsageError):  # what is wrong with it is reported where it is used
+        project = read_project(file)
+        yield from project.files
+        for source in project.catalogues:
+            yield from (*source.overlays, *source.types)
 
 
 def _identity(path: Path) -> tuple[int, int] | None:

@@ -39,12 +39,16 @@ def show(arguments: argparse.Namespace) -> int:
     return 0
 
 
+def _written(value: object) -> object:
+    return "(empty)" if value is None else value
+
+
 def _print_text(node: "Node", instances: "Sequence[Node]" = ()) -> None:
     print(printable(node.path))
     for name, value in node.values.items():
         for position, (written, origin) in enumerate(reversed(node.definition.history(name))):
             by = f" ({origin.overlay})" if origin.overlay not in ("", origin.file) else ""
-            shown = value if position == 0 else f"was {written}"
+            shown = _written(value) if position == 0 else f"was {_written(written)}"
             print(printable(f"  {name if position == 0 else '':14} {shown}  [{origin.file}:{origin.line}{by}]"))
     if node.template != node.path:
         print(printable(f"  {'instance of':14} {node.template}"))

@@ -12,6 +12,7 @@ from sigcat.cli.ended_by_signals import ended_by_signals
 from sigcat.cli.function_options import add_functions, functions_of
 from sigcat.cli.output import make_folder, opened, print_findings, write_text
 from sigcat.cli.output_options import FORMATS, add_output, add_outputs
+from sigcat.cli.reported import reported
 from sigcat.cli.trace_options import add_trace, trace_of
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import InputRefused, UsageError, existing_file
@@ -115,18 +116,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def simulate(arguments: argparse.Namespace) -> int:
     """Run the functions, and write a report of the findings if `--report` asks for one."""
-    from sigcat.rules.report import report, sources_of
-
-    found: list[Finding] = []
-    try:
-        with ended_by_signals():
-            return _simulate(arguments, found)
-    except InputRefused as refused:
-        found += refused.findings
-        raise
-    finally:
-        if arguments.report is not None:
-            write_text(report(found, arguments.format, sources_of(found)), arguments.report)
+    with reported(arguments.report, arguments.format) as found, ended_by_signals():
+        return _simulate(arguments, found)
 
 
 def _simulate(arguments: argparse.Namespace, found: "list[Finding]") -> int:

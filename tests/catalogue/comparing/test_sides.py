@@ -390,8 +390,8 @@ def test_what_git_does_not_have_is_said(repository, side, message):
 def test_outside_of_a_repository_git_is_quoted(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(tmp_path.parent))
-    with pytest.raises(UsageError, match="not a git repository"):
-        paths("git:HEAD")
+    with pytest.raises(UsageError, match="git:HAED: not a git repository"):
+        paths("git:HAED")
 
 
 def test_without_git_that_is_said(monkeypatch):

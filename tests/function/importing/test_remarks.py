@@ -2,6 +2,7 @@
 
 import pytest
 
+from sigcat.function.c_project.comments import Comments
 from sigcat.function.c_project.remarks import Remark, cycle_time_of, remark_of
 from sigcat.function.importing.units import unit_of
 from tests.function.shipped import interfaces
@@ -88,3 +89,18 @@ def test_a_comment_says_how_often_a_call_is_made(comment, milliseconds):
 )  # fmt: skip
 def test_a_unit_is_spelled_in_many_ways(text, key):
     assert unit_of([text], interfaces().vocabulary) == key
+
+
+@pytest.mark.parametrize(
+    ("line", "found"),
+    [
+        ("float flow; /* [l/h] */ int speed; /* [rpm] */ bool dry;", {"flow": "[l/h]", "speed": "[rpm]", "dry": ""}),
+        ("float flow; int speed; int temp[4]; /* [degC] */", {"flow": "", "speed": "", "temp": "[degC]"}),
+        ("float near, far; /* [m] */", {"near": "[m]", "far": "[m]"}),
+        ("unsigned is_dry : 1; /* dry */ unsigned is_on : 1; /* on */", {"is_dry": "dry", "is_on": "on"}),
+        ("extern DW model; /* states */", {"of_another_line": "states"}),
+    ],
+)
+def test_a_comment_belongs_to_the_name_before_it(line, found):
+    comments = Comments(line)
+    assert {name: comments.beside(1, name) for name in found} == found

@@ -6,6 +6,7 @@ with problems is kept, so that everything wrong with a tree can be reported at o
 
 import re
 from collections.abc import Iterator, Mapping
+from math import isfinite
 from typing import Any
 
 from sigcat import codes
@@ -106,6 +107,8 @@ _MAY_BE_INFINITE = (float, list, dict)
 
 def _misspelled(name: str, written: Any, meant: Any) -> Iterator[Problem]:
     """A value that vss-tools takes for another, `'0'` for 0 and `'yes'` for true, or refuses: 1.0 for 1."""
+    if isinstance(meant, float) and not isfinite(meant):
+        return  # reported as what JSON does not have
     if is_misspelled(written, meant):
         wrong = f"the text {shown(written)}" if isinstance(written, str) else _yaml_word(written)
         message = f"`{name}` must be {EXPECTED[name]}, not {wrong}."

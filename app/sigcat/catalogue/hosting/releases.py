@@ -220,6 +220,10 @@ def _bring(
     if re.match(r"[A-Za-z][A-Za-z0-9+.-]+:", origin):
         raise UsageError(f"--from {origin}: name an http or https address, or a file")
     file = Path(origin)
+    if file.is_dir():
+        raise UsageError(
+            f"--from {origin} must be an archive (.tar.gz), not a folder. Use the tree in it with -s {origin}."
+        )
     if not file.is_file():
         raise UsageError(f"--from {origin}: there is no such file")
     if file.stat().st_size > limits.fetch.bytes:

@@ -25,8 +25,8 @@ def unpack_revision(revision: str, folder: Path, limits: Limits = DEFAULT_LIMITS
     Raises UsageError with git's own words.
     """
     _check(revision)
-    prefix = _git("rev-parse", "--show-prefix")
-    top = _git("rev-parse", "--show-toplevel") or "."
+    prefix = _git(revision, "rev-parse", "--show-prefix")
+    top = _git(revision, "rev-parse", "--show-toplevel") or "."
     commit = _object(revision, "tree")
     with tempfile.TemporaryFile() as complaints:
         command = [_program(), "-C", top, "archive", "--format=tar", commit]
@@ -61,11 +61,11 @@ def merge_base(revision: str, other: str = "HEAD") -> str:
 
 def _object(revision: str, kind: str) -> str:
     """Return the name of the tree or commit of a revision. Raises UsageError with branches and tags that may be meant."""
-    repository = _git("rev-parse", "--absolute-git-dir")
+    repository = _git(revision, "rev-parse", "--absolute-git-dir")
     command = [_program(), "rev-parse", "--quiet", "--verify", "--end-of-options", f"{revision}^{{{kind}}}"]
     found = subprocess.run(command, capture_output=True, check=False)  # noqa: S603 -- no shell
     if found.returncode:
-        names = _git("for-each-ref", "--format=%(refname:short)").split()
+        names = _git(revision, "for-each-ref", "--format=%(refname:short)").split()
         advice = did_you_mean(revision, names) or "`git branch --all` and `git tag` list what there is."
         raise UsageError(f"git:{revision}: {repository} has no such branch, tag or commit. {advice}")
     return found.stdout.decode().strip()
@@ -83,13 +83,13 @@ def is_revision(name: str) -> bool:
 def commit_date(revision: str) -> str:
     """Return the day of a commit, such as `2026-05-17`. Raises UsageError."""
     _check(revision)
-    return _git("log", "-1", "--format=%cs", "--end-of-options", revision)
+    return _git(revision, "log", "-1", "--format=%cs", "--end-of-options", revision)
 
 
 def last_tag() -> str:
     """Return the last tag before the current commit. Raises UsageError."""
     try:
-        return _git("describe", "--tags", "--abbrev=0")
+        return _git("HEAD", "describe", "--tags", "--abbrev=0")
     except UsageError:
         raise UsageError("no tag found before the current commit; name the old side") from None
 
@@ -106,14 +106,11 @@ def _program() -> str:
     return program
 
 
-def _git(*arguments: str) -> str:
+def _git(revision: str, *arguments: str) -> str:
+    """Return the output of a command that a revision needs. Raises UsageError with git's own words."""
     result = subprocess.run([_program(), *arguments], capture_output=True, check=False)  # noqa: S603 -- no shell
     if result.returncode:
-        raise UsageError(
-            _first_line(
-                result.stderr.decode(errors="replace"), arguments[-1].removesuffix("^{tree}").removesuffix("^{commit}")
-            )
-        )
+        raise UsageError(_first_line(result.stderr.decode(errors="replace"), revision))
     return result.stdout.decode(errors="replace").strip()
 
 

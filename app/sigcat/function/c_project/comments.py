@@ -36,11 +36,15 @@ class Comments:
         self._lines = [comment.first for comment in self._comments]
         self._text = text.split("\n")
 
-    def beside(self, line: int) -> str:
-        """The comment behind a line, or far right on the line after it."""
+    def beside(self, line: int, name: str = "") -> str:
+        """The comment behind a line, or far right on the line after it; behind a name, where the line declares several."""
+        declared = self._declared(line, name)
         for comment in self._from(line):
             if comment.first == line and not comment.is_alone:
-                return comment.text
+                if comment.column < declared:
+                    continue
+                is_of_another = self._text[line - 1].count(";", declared, comment.column) > 1
+                return "" if declared and is_of_another else comment.text
             if comment.first == line + 1 and comment.is_alone and comment.column > _FAR_RIGHT:
                 return comment.text
             if comment.first > line:
@@ -76,6 +80,12 @@ class Comments:
     def all(self) -> Iterator[Comment]:
         """Every comment, in order."""
         return iter(self._comments)
+
+    def _declared(self, line: int, name: str) -> int:
+        """The column of a name on a line; 0 if it is not there."""
+        text = self._text[line - 1] if name and 0 < line <= len(self._text) else ""
+        found = re.search(rf"\b{re.escape(name)}\b\s*(?:\[[^;]*)?[;,=:]", text) if text else None
+        return found.start() if found else 0
 
     def _from(self, line: int) -> Iterator[Comment]:
         return iter(self._comments[bisect_left(self._lines, line) :])

@@ -103,7 +103,7 @@ def _told(variable: Variable, heading: str, use: Use) -> Role:
 def _role(variable: Variable, value: Value, use: Use, heading: str, code: Code) -> Role:
     """Written variables are outputs; those that are only read are inputs, or parameters if they have a value."""
     comments = code.comments.get(value.place.file)
-    comment = comments.beside(value.place.line) if comments else ""
+    comment = comments.beside(value.place.line, value.name) if comments else ""
     is_written = value.key in use.written or (variable.name in use.written and value.key == variable.name)
     if _PARAMETER.search(comment) and not is_written:
         return "parameter"

@@ -45,12 +45,12 @@ class Code(NamedTuple):
     declarations: Declarations
     comments: Mapping[str, Comments]
 
-    def remark(self, place: Place, *, beside_only: bool = False) -> Remark:
-        """Facts in the comment behind a line, or else in the one above it."""
+    def remark(self, place: Place, name: str) -> Remark:
+        """Facts in the comment behind a name on its line, or else in the one above the line."""
         comments = self.comments.get(place.file)
         if comments is None:
             return Remark()
-        return remark_of(comments.beside(place.line) or ("" if beside_only else comments.above(place.line)))
+        return remark_of(comments.beside(place.line, name) or comments.above(place.line))
 
     def heading(self, place: Place) -> str:
         """The comment above a line or its group."""
@@ -121,7 +121,7 @@ def _value(at: _At, code: Code) -> Value:
         datatype=datatype,
         type_name=element.name,
         place=at.place,
-        remark=code.remark(at.place),
+        remark=code.remark(at.place, at.name),
         length=at.type.length if is_array else 0,
         constants=code.declarations.enumerations.get(element.key, ()) if element.kind == "enumeration" else (),
         start=at.start,

@@ -18,9 +18,7 @@ def _problems(model: FmiIntegration) -> Iterator[Problem]:
     names = [each.name.lower() for each in model.fmus]
     for index, fmu in enumerate(model.fmus):
         if names.index(fmu.name.lower()) < index:
-            yield Problem(
-                ("FmuList", index, "Name"), f"Each FMU must have its own name, and {fmu.name} is used twice."
-            )
+            yield Problem(("FmuList", index, "Name"), f"Each FMU must have its own name, and {fmu.name} is used twice.")
         yield from _variables(fmu, index)
 
 

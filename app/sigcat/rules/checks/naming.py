@@ -77,10 +77,14 @@ def _with_prefix(name: str, prefixes: list[str]) -> str:
     return f"{within[2]}{within[1]}{within[3]}" if within else f"{prefixes[0]}{name}"
 
 
+_GERMAN = str.maketrans({"ä": "ae", "ö": "oe", "ü": "ue", "Ä": "Ae", "Ö": "Oe", "Ü": "Ue", "ß": "ss"})
+
+
 def _plain(name: str) -> str:
-    """The name without accents: `Tür` → `Tur`; a name without plain letters becomes empty."""
+    """The name without accents: `Öl` → `Oel`, `Café` → `Cafe`; a name without plain letters becomes empty."""
     if name.isascii():
         return name
     import unicodedata  # for few names: it takes time at start-up
 
+    name = unicodedata.normalize("NFC", name).translate(_GERMAN)
     return unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode()

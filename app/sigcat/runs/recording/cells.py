@@ -16,7 +16,7 @@ from sigcat.adapter.host.shapes import ERROR_CODE, SECONDS, Array, Number, Recor
 from sigcat.catalogue.model.datatypes import FLOATING, INTEGER_RANGES
 from sigcat.findings import shown
 from sigcat.names import did_you_mean
-from sigcat.runs.recording.times import nanoseconds
+from sigcat.runs.recording.times import LIMITS, nanoseconds
 
 LARGEST_FLOAT = float(struct.unpack(">f", bytes.fromhex("7f7fffff"))[0])
 _SMALLEST_NORMAL = 2.0**-126
@@ -62,7 +62,7 @@ def value_of(text: str, shape: Shape) -> Value:
     if isinstance(shape, Number):
         return _number(text.strip(), shape)
     try:
-        given = json.loads(text, parse_float=exact_float)
+        given = json.loads(text, parse_float=exact_float, object_pairs_hook=_without_duplicates)
     except (ValueError, RecursionError):
         what = "a JSON list" if isinstance(shape, Array) else "a JSON mapping"
         raise Unfit(f"must be {what}, not {shown(text)}") from None
@@ -75,15 +75,33 @@ def fitted(given: Any, shape: Shape) -> Value:
         return _number(given if isinstance(given, str) and shape.symbols else _text(given), shape)
     if isinstance(shape, Array):
         if not isinstance(given, list) or len(given) != shape.length:
-            found = f"one of {len(given)}" if isinstance(given, list) else shown(given)
+            found = f"one of {len(given)}" if isinstance(given, list) else shown(_text(given))
             raise Unfit(f"must be a list of {shape.length} elements, not {found}")
         if _are_numbers(given, shape.element):
             return list(map(float, given))
-        return [fitted(element, shape.element) for element in given]
+        return [_inner(element, shape.element, f"element {number}") for number, element in enumerate(given)]
     names = [name for name, _ in shape.fields]
     if not isinstance(given, dict) or set(given) != set(names):
-        raise Unfit(f"must be a mapping with {', '.join(names)}, not {shown(given)}")
-    return {name: fitted(given[name], field) for name, field in shape.fields}
+        raise Unfit(f"must be a mapping with {', '.join(names)}, not {shown(_text(given))}")
+    return {name: _inner(given[name], field, name) for name, field in shape.fields}
+
+
+def _inner(given: Any, shape: Shape, place: str) -> Value:
+    """A member or an element. Raises Unfit with its place."""
+    try:
+        return fitted(given, shape)
+    except Unfit as reason:
+        raise Unfit(f"must have a valid {place}: it {reason}", reason.fix) from None
+
+
+def _without_duplicates(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """A mapping of JSON. Raises Unfit for a name that is given twice."""
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        names = [name for name, _ in pairs]
+        twice = next(name for name in names if names.count(name) > 1)
+        raise Unfit(f"must have each member once, and {shown(twice)} is given twice")
+    return found
 
 
 def _are_numbers(given: list[Any], shape: Shape) -> bool:
@@ -96,11 +114,10 @@ def _are_numbers(given: list[Any], shape: Shape) -> bool:
 
 
 def _text(given: Any) -> str:
-    if isinstance(given, bool):
-        return "true" if given else "false"
+    """A value as JSON, which has been read from there."""
     if isinstance(given, Literal):
         return given.text
-    return repr(given) if isinstance(given, int | float) else shown(given)
+    return repr(given) if isinstance(given, float) else json.dumps(given, ensure_ascii=False)
 
 
 @lru_cache(maxsize=4096)
@@ -120,7 +137,7 @@ def _number(text: str, shape: Number) -> Value:
 def _time(text: str) -> int:
     time = nanoseconds(text)
     if time is None:
-        raise Unfit(f"must be a time in seconds, from 0 on, not {shown(text)}")
+        raise Unfit(f"must be a time in seconds, {LIMITS}, not {shown(text)}")
     return time
 
 

@@ -25,6 +25,10 @@ def _unusual(text: str) -> int | None:
         return None
 
 
+LIMITS = f"from 0 to {LATEST // NANOSECONDS:,}"
+"""The times that a trace may have, in seconds."""
+
+
 def seconds(time: int) -> str:
     """A time in seconds, with nine decimals."""
     return f"{time // NANOSECONDS}.{time % NANOSECONDS:09d}"

@@ -17,7 +17,7 @@ from sigcat.findings import Finding, RuleCode, has_errors, shown
 from sigcat.limits import TRACE_FINDINGS, TRACE_ROW_BYTES
 from sigcat.names import did_you_mean
 from sigcat.runs.recording.cells import Unfit, value_of
-from sigcat.runs.recording.times import nanoseconds
+from sigcat.runs.recording.times import LIMITS, nanoseconds
 
 TIME, CALL = RUN_COLUMNS
 """Columns that every recording has: `call` is in what a simulation writes, and says nothing here."""
@@ -233,7 +233,7 @@ def _unfit_time(trace: Trace, row: _Row, *, is_number: bool) -> Finding:
     text = shown(row.cells[0])
     message = f"The time must be at least that of the row above, not {text}."
     if not is_number:
-        message = f"The time must be in seconds, from 0 on, not {text}."
+        message = f"The time must be in seconds, {LIMITS}, not {text}."
     return codes.TRACE_TIME_UNFIT.finding(message, str(trace.file), row.line, _column(row, 0))
 
 
