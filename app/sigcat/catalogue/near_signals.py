@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from sigcat.catalogue.abbreviations import ABBREVIATIONS, OF_CODE
 from sigcat.catalogue.model.catalogue import Catalogue, Node
+from sigcat.catalogue.model.definition import SIGNALS
 from sigcat.catalogue.model.interfaces import category_of, function_of
 from sigcat.catalogue.search_words import Bits, Words, numbers_in, words_of_paths
 from sigcat.names import last_name, parent_path, words
@@ -148,7 +149,7 @@ def _bits(nodes: Sequence[Node]) -> Bits:
 
 def _may_be_meant(node: Node) -> bool:
     """Signals that last, without the parameters of functions."""
-    is_signal = node.is_leaf and category_of(node.path) == "data" and not function_of(node.path)
+    is_signal = node.type in SIGNALS and category_of(node.path) == "data" and not function_of(node.path)
     return is_signal and not node.values.get("deprecation")
 
 

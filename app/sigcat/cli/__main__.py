@@ -2,7 +2,7 @@
 
 import sys
 
-from sigcat.cli import main
+from sigcat.__main__ import main
 
 if __name__ == "__main__":
     sys.exit(main())

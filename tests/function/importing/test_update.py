@@ -235,3 +235,21 @@ def test_an_array_of_structs_has_the_length_of_the_code(tmp_path, capsys):
     assert said[:2] == ["changed: tanks: type Tank → Bus", "changed: tanks: length 2 → 3"]
     assert all(each.startswith("new: tanks[") for each in said[2:])
     assert main(["lint", str(tmp_path / "function.yaml")]) == 0
+
+
+def test_members_of_a_struct_that_the_file_names_as_a_whole_are_not_new(tmp_path, capsys):
+    header = "typedef struct { float level; float flow; } Tank;\nextern Tank tank;\nextern float Duty;\nvoid Pump_init(void);\nvoid Pump_step(void);\n"
+    source = '#include "Pump.h"\nTank tank;\nfloat Duty;\nvoid Pump_init(void) {}\nvoid Pump_step(void) { Duty = tank.level + tank.flow; }\n'
+    write(tmp_path, header, source)
+    assert main(["function", "new", "Pump", "--from-c", str(tmp_path), "--define-under", "Vehicle.Pump"]) == 0
+    file = tmp_path / "function.yaml"
+    lines = file.read_text().splitlines(keepends=True)
+    (second,) = (number for number, line in enumerate(lines) if "variable: tank.flow" in line)
+    first = max(number for number, line in enumerate(lines[:second]) if line.lstrip().startswith("- path:"))
+    last = next(
+        number for number, line in enumerate(lines) if number > second and line.lstrip().startswith(("- ", "#"))
+    )
+    file.write_text("".join([*lines[:first], *lines[last:]]).replace("variable: tank.level", "variable: tank"))
+    capsys.readouterr()
+    assert update(tmp_path, "--define-under", "Vehicle.Pump") == 0
+    assert "new:" not in capsys.readouterr().out

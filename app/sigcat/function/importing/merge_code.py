@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -115,14 +116,21 @@ def _values(project: CodeProject) -> dict[str, tuple[str, Value]]:
     return {value.expression: (role, value) for role, values in roles for value in values if not value.problem}
 
 
-def _new(project: CodeProject, variables: Collection[str]) -> CodeProject:
-    """The project with those values alone that the file does not name."""
+def _new(project: CodeProject, variables: AbstractSet[str]) -> CodeProject:
+    """The project with those values alone that the file does not name, by themselves or as members of a struct."""
     whole = project.interface
     inputs, outputs, parameters = (
-        tuple(value for value in values if value.expression not in variables)
+        tuple(value for value in values if variables.isdisjoint(_with_owners(value.expression)))
         for values in (whole.inputs, whole.outputs, whole.parameters)
     )
     return project._replace(interface=whole._replace(inputs=inputs, outputs=outputs, parameters=parameters))
+
+
+def _with_owners(expression: str) -> Iterator[str]:
+    """An expression such as `in.middle[0].flow`, and the structs and arrays that it is in: `in.middle[0]`, `in.middle`, `in`."""
+    yield expression
+    for mark in re.finditer(r"[.\[]", expression):
+        yield expression[: mark.start()]
 
 
 def _variables(value: Any) -> Iterator[str]:
