@@ -34,6 +34,31 @@ def test_what_a_run_wrote_is_what_is_expected_of_it(run):
     assert Path("out.csv").read_text() == EXPECTED
 
 
+HEAD = EXPECTED.splitlines()[0]
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["time,call\n", f"{HEAD}\n", f"{HEAD}\n0.01{',' * HEAD.count(',')}\n", "time,Vehicle.Speed\n0,1\n"],
+    ids=["no column", "no row", "empty cells", "inputs only"],
+)
+def test_a_file_without_values_of_outputs_is_no_pass(run, text):
+    status, said = run(text)
+    assert status == 2
+    assert said[-1].startswith("sigcat: expected.csv has no value of an output: nothing was compared.")
+
+
+def test_an_output_without_values_is_not_counted(run):
+    lines = [line.split(",") for line in EXPECTED.splitlines()]
+    for line in lines[1:]:
+        line[-1] = ""
+    status, said = run("".join(f"{','.join(line)}\n" for line in lines))
+    assert status == 0
+    assert said == [
+        f"sigcat: All 7 outputs of expected.csv are as expected. Not compared, as they have no value: {lines[0][-1]}."
+    ]
+
+
 def test_what_differs_is_in_a_table_a_picture_and_a_report(run):
     changed = EXPECTED.replace(MEAN, "4.2").replace("RISES", "FALLS", 1)
     status, said = run(changed, "--differences", "first.svg", "--junit", "report.xml", "--report", "all.json")

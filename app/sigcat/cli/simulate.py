@@ -217,9 +217,13 @@ def _write_differences(arguments: argparse.Namespace, expected: "Expected", prep
 
 
 def _refuse_differences(file: Path, expected: "Expected") -> None:
-    """Say that all is as expected. Raises InputRefused if it is not."""
+    """Say that all is as expected. Raises InputRefused if it is not, and UsageError if nothing was compared."""
     from sigcat.runs.expecting.reports import findings_of, summary
 
+    if not any(each.total for each in expected.columns):
+        raise UsageError(
+            f"{file} has no value of an output: nothing was compared. Write what is expected, as a run with -o does."
+        )
     text = summary(expected.columns, str(file))
     if findings := findings_of(expected.columns, expected.trace):
         raise InputRefused(text, findings)

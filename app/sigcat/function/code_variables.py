@@ -39,6 +39,12 @@ class _Number(NamedTuple):
         is_widened = (self.sort, other.sort) == ("unsigned", "signed") and self.bits < other.bits
         return is_widened or (self.sort == other.sort and self.bits <= other.bits)
 
+    def holds(self, number: int) -> bool:
+        """Whether a whole number is one of this type."""
+        if self.sort == "signed":
+            return -(1 << self.bits - 1) <= number < 1 << self.bits - 1
+        return self.sort != "unsigned" or 0 <= number < 1 << self.bits
+
 
 class _Question(NamedTuple):
     """A line of the text that clang is given, and what of the declaration it was made from."""
@@ -179,6 +185,10 @@ def _unfit(
         if has.sort == "floating" and datatype.kind != "struct" and datatype.vss_datatype != "string":
             message = f"{variable.expression!r} must be an integer; the header has {kind.name}."
             yield function.finding(codes.VARIABLE_TYPE_UNFIT, variable.pointer, message, "Correct the code.")
+        elif unheld := [each for each in datatype.symbols or () if not has.holds(each.value)]:
+            message = f"{variable.expression!r} must hold {unheld[0].value}, the number of {unheld[0].symbol}; the header has {kind.name}."
+            fix = "Correct the number, or the code."
+            yield function.finding(codes.VARIABLE_TYPE_UNFIT, variable.pointer, message, fix)
     elif not (has.fits(declared) if is_read else declared.fits(has)):
         message = f"{variable.expression!r} must be {datatype.c_definition}; the header has {kind.name}."
         fix = f"Give `datatype: {vss_datatype(kind)}`, or correct the code."

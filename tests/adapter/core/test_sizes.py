@@ -25,7 +25,11 @@ from tests.adapter.written import (
 )
 from tests.function.shipped import resolved
 
-DATATYPES = (array("DT_Floats", FLOAT, 3), array("DT_Bytes", U8, 3), enumeration("DT_Gear", PARK=0, DRIVE=5))
+DATATYPES = (
+    array("DT_Floats", FLOAT, 3), array("DT_Bytes", U8, 3), enumeration("DT_Gear", PARK=0, DRIVE=5),
+    enumeration("DT_Far", "int16_t", NEAR=0, FAR=300), enumeration("DT_Signed", "int8_t", UNKNOWN=-1, ONE=1), enumeration("DT_Bit", OFF=0, ON=1),
+    enumeration("DT_Half", LOW=0, HIGH=200),
+)  # fmt: skip
 READ = {
     "as declared": (signal("A", FLOAT), "float a;", ""),
     "wider": (signal("A", FLOAT), "double a;", ""),
@@ -41,6 +45,9 @@ READ = {
     "a pointer for an array": (signal("A", "DT_Floats"), "float *a;", "io.a must have 3 elements"),
     "queued values": (queue("A", 4, U8, ValuesPerStep=3), "uint8_t a[5];", ""),
     "no room for queued values": (queue("A", 4, U8, ValuesPerStep=3), "uint8_t a[2];", "io.a must have at least 3 elements"),
+    "a number beyond the variable": (signal("A", "DT_Far"), "uint8_t a;", "io.a must be an integer that holds 0 to 300"),
+    "a number within the variable": (signal("A", "DT_Far"), "int16_t a;", ""),
+    "a number of either sign": (signal("A", "DT_Signed"), "int8_t a;", ""),
     "one place for queued values": (queue("A", 4, U8, ValuesPerStep=3), "uint8_t a;", "subscript"),
 }  # fmt: skip
 WRITTEN = {
@@ -48,6 +55,11 @@ WRITTEN = {
     "wider": (output("A", FLOAT), "double a;", "io.a must be float"),
     "narrower": (output("A", U16), "uint8_t a;", ""),
     "a bit field": (output("A", U8), "unsigned a : 3;", ""),
+    "a number beyond the variable": (
+        output("A", "DT_Far"),
+        "uint8_t a;",
+        "io.a must be an integer that holds 0 to 300",
+    ),
     "room for a whole queue": (
         queue("A", 4, U8, "Provider", CountVariable="io.n"),
         "uint8_t a[3], n;",
@@ -63,6 +75,11 @@ KINDS = {
     "a boolean for an integer": (signal("A", U8), "bool a;", "io.a must be uint8_t"),
     "a float for a flag": (signal("A", BOOL), "float a;", "io.a must be an integer"),
     "a float for an enumeration": (signal("A", "DT_Gear"), "float a;", "io.a must be an integer"),
+    "a number beyond the signed variable": (signal("A", "DT_Half"), "int8_t a;", "io.a must be an integer that holds 0 to 200"),
+    "a negative number": (signal("A", "DT_Signed"), "uint8_t a;", "io.a must be an integer that holds -1 to 1"),
+    "a negative number for a wide one": (signal("A", "DT_Signed"), "uint64_t a;", "io.a must be an integer that holds -1 to 1"),
+    "an enumeration in a flag": (signal("A", "DT_Gear"), "bool a;", "io.a must be an integer that holds 0 to 5"),
+    "an enumeration of two in a flag": (signal("A", "DT_Bit"), "bool a;", ""),
     "a character": (signal("A", U8), "char a;", ""),
     "signed elements": (signal("A", "DT_Bytes"), "int8_t a[3];", "io.a[0] must be uint8_t"),
     "provided unsigned and narrower": (output("A", S16), "uint8_t a;", ""),
@@ -73,6 +90,7 @@ KINDS = {
 NAMED = {
     "at least": "as_many_elements_as_declared",
     "elements": "as_many_elements_as_declared",
+    "holds": "must_be_an_integer_that_holds_its_numbers",
     "must be": "than_declared",
 }
 """Names of arrays in C99, which has no message, by the message of C11."""

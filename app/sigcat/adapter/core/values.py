@@ -183,6 +183,7 @@ def _leaf(item: Interface, part: Part, *, to_code: bool, is_struct: bool) -> Lea
         conversion=IDENTITY if part.symbols else source.scale.inverse.then(target.scale),
         is_enumeration=part.symbols is not None,
         names=_names(source, target),
+        coded=_coded(code),
         is_checked=is_checked and not part.symbols,
         **(_on_source(low, high, source) if is_checked and not part.symbols else {}),
     )
@@ -195,6 +196,11 @@ def _leaf(item: Interface, part: Part, *, to_code: bool, is_struct: bool) -> Lea
         default=_target_numbers(default or init, part, target),
         replacement=_replacement(item, init, default, part, target),
     )
+
+
+def _coded(code: Side) -> tuple[int, int] | None:
+    numbers = [each.value for each in code.numbers or ()]
+    return (min(numbers), max(numbers)) if numbers else None
 
 
 def _code_side(item: Interface, part: Part, *, is_struct: bool) -> Side:

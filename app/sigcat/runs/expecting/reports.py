@@ -52,9 +52,12 @@ def _short(text: str) -> str:
 def summary(columns: Sequence[Compared], file: str) -> str:
     """Say whether all is as expected, with a table of the differences."""
     wrong = [each for each in columns if each.first]
+    compared = [each for each in columns if each.total]
+    empty = [each.name for each in columns if not each.total]
+    without = f" Not compared, as they have no value: {', '.join(empty)}." if empty else ""
     if not wrong:
-        return f"All {len(columns)} outputs of {file} are as expected."
-    return f"{len(wrong)} of {len(columns)} outputs differ from {file}:\n{_table(wrong)}"
+        return f"All {len(compared)} outputs of {file} are as expected.{without}"
+    return f"{len(wrong)} of {len(compared)} outputs differ from {file}:{without}\n{_table(wrong)}"
 
 
 def _table(wrong: Sequence[Compared]) -> str:

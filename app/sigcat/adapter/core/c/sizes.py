@@ -10,7 +10,9 @@ from sigcat.function.document.document import Pointer
 PUT, GOT = "HOLDS", "FITS"
 """A variable that numbers are put into may be wider than declared; one that they are got from may be narrower."""
 WHOLE = "WHOLE"
-"""A flag or an enumeration may be in an integer of any size, but not in a floating-point variable."""
+"""A flag may be in an integer of any size, but not in a floating-point variable."""
+NUMBERS = "NUMBERS"
+"""An enumeration or a mode may be in any integer that holds its numbers."""
 
 
 class Check(NamedTuple):
@@ -44,6 +46,10 @@ def _checks(scope: Scope) -> Iterator[Check]:
         yield from _of_parameter(parameter, scope)
     for method in plan.methods:
         yield from _of_method(method, scope)
+    for mode in (plan.mode_in, plan.mode_out):
+        if mode is not None and mode.variable is not None:
+            codes = [each.code for each in mode.modes]
+            yield _check(NUMBERS, mode.variable, f"{min(codes)}, {max(codes)}", mode.named.pointer, scope)
 
 
 def _of_input(item: Input, scope: Scope) -> Iterator[Check]:
@@ -90,7 +96,10 @@ def _of_leaf(
         yield _check("HAS", f"{variable}{place.partition('[i]')[0]}", str(leaf.length), pointer, scope)
     number = leaf.element.target if macro == PUT else leaf.element.source
     target = f"{variable}{place.replace('[i]', '[0]')}"
-    if leaf.element.is_enumeration or number.is_boolean:
+    if leaf.element.coded is not None:
+        least, greatest = leaf.element.coded
+        yield _check(NUMBERS, target, f"{least}, {greatest}", pointer, scope)
+    elif number.is_boolean:
         yield _check(WHOLE, target, "", pointer, scope)
     else:
         yield _check(macro, target, number.c, pointer, scope)

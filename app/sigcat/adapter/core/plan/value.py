@@ -20,6 +20,8 @@ class Element(NamedTuple):
     """Whether the code may have an enumeration for it."""
     names: Mapping[int, int] | None = None
     """Numbers of an enumeration in the source, and their numbers in the target."""
+    coded: tuple[int, int] | None = None
+    """Smallest and greatest number of an enumeration in the code."""
     least: Number | None = None
     """Smallest number of the source within the range; None if there is none below it."""
     greatest: Number | None = None
