@@ -132,6 +132,14 @@ def test_the_whole_tree_is_linted_at_once_with_what_was_not_changed(repository, 
 
 
 @checked_with("pre-commit", "Hooks run, and refuse commits with errors")
+def test_a_change_of_code_runs_the_hook_of_the_whole_tree(repository, home):
+    (repository / "step.h").write_text("extern int speed;\n")
+    done = staged(repository, home)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert re.search(r"sigcat lint \(whole tree\)\.+Passed", done.stdout)
+
+
+@checked_with("pre-commit", "Hooks run, and refuse commits with errors")
 def test_a_change_of_other_files_runs_no_hook(repository, home):
     (repository / "README.md").write_text("The tree.\n")
     done = staged(repository, home)

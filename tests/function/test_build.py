@@ -342,6 +342,14 @@ def test_the_document_holds_no_date_that_the_author_did_not_write():
     ("item", "expected"),
     [
         (
+            "{path: Vehicle.VehicleIdentification.Year, role: consumed, init: 1.5}",
+            ("F024", "init", "`init` of 'Year' must be a whole number from 0 to 65535, not 1.5."),
+        ),
+        (
+            "{path: Vehicle.VehicleIdentification.Year, role: consumed, init: -1}",
+            ("F024", "init", "`init` of 'Year' must be a whole number from 0 to 65535, not -1."),
+        ),
+        (
             "{path: Vehicle.Speed, role: consumed, init: true}",
             ("F024", "init", "`init` of 'Vehicle.Speed' must be a number, not true."),
         ),

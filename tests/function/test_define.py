@@ -19,6 +19,7 @@ from sigcat.function.function_file import build_function, check_function, check_
 from sigcat.function.function_json.model import to_json
 from sigcat.rules.linting.lint import lint_paths
 from tests.function.shipped import interfaces
+from tests.function.test_build import declared
 from tests.growth import LINEAR, growth
 from tests.overlays.test_overlays import EXTENDED, UNITS
 from tests.reference_tools import checked_with
@@ -102,6 +103,19 @@ def test_a_build_with_the_overlay_gives_the_same_interfaces_as_one_with_define(t
     del values["define"]
     other, _ = build_function(yaml.safe_dump(values).encode(), "f.yaml", catalogue)
     assert own.model_copy(update={"provenance": None}) == other.model_copy(update={"provenance": None})
+
+
+@pytest.mark.parametrize(("path", "kind"), [("Types.Lane", "a struct"), ("Types.Lane.Width", "a property of a struct")])
+def test_a_struct_and_its_properties_are_no_signals(path, kind, tmp_path):
+    types = tmp_path / "types.vspec"
+    types.write_text(overlay_of(LANES, "f.yaml", interfaces()).types)
+    catalogue = read_catalogue(ROOT_FILE, units=UNITS, types=[types])
+    findings = check_function(declared(f"{{path: {path}, role: consumed}}"), "f.yaml", catalogue)
+    (found,) = (each for each in findings if each.rule == "F011")
+    assert found.message == f"{path!r} must be a data interface, not {kind}."
+    assert found.fix == "Define a signal with the datatype 'Types.Lane', and name that."
+    findings = check_function(declared("{path: Types.Lane.Widht, role: consumed}"), "f.yaml", catalogue)
+    assert not any("Types.Lane.Width" in each.fix for each in findings)
 
 
 def test_the_overlay_lints_clean(tmp_path):

@@ -55,6 +55,12 @@ def test_a_quantity_that_no_file_has_is_reported_once(files, capsys):
     assert "Found 1 error in 1 file." in said
 
 
+def test_a_quantity_is_in_lower_case_as_vss_tools_wants_it(files, capsys):
+    (files / "units.yaml").write_text(UNITS.replace("quantity: power", "quantity: Power"))
+    assert main(["lint", "units.yaml", "quantities.yaml"]) == 1
+    assert "must be in lower case, not 'Power': vss-tools refuses it. Write 'power'." in capsys.readouterr().out
+
+
 @pytest.mark.parametrize("more", ["", UNITS])
 def test_a_copy_of_the_shipped_units_replaces_nothing(more, files, capsys):
     (files / "overlays/a.vspec").write_text(OVERLAY.format("km/h"))

@@ -11,7 +11,8 @@ from sigcat.patterns import Matching
 BRANCH = "branch"
 STRUCT = "struct"
 SIGNALS = ("sensor", "actuator", "attribute")
-TYPES = (BRANCH, *SIGNALS, STRUCT, "property")
+PROPERTY = "property"
+TYPES = (BRANCH, *SIGNALS, STRUCT, PROPERTY)
 
 COMMON_ATTRIBUTES = frozenset(
     ("type", "description", "comment", "delete", "deprecation", "constUID", "fka", "instantiate")

@@ -287,6 +287,11 @@ def _unit(entry: Statement, quantities: _Quantities, findings: list[Finding]) ->
         message = f"Unit {entry.path!r} has the unknown quantity {shown(quantity)}."
         findings.append(_about(entry, codes.QUANTITY_UNKNOWN, message, "quantity", hint))
         return None
+    if quantity != quantity.lower() and quantities.all:
+        message = (
+            f"The quantity of unit {entry.path!r} must be in lower case, not {shown(quantity)}: vss-tools refuses it."
+        )
+        findings.append(_about(entry, codes.QUANTITY_UNKNOWN, message, "quantity", f"Write {quantity.lower()!r}."))
     allowed = values.get("allowed-datatypes") or []
     unknown = [name for name in allowed if name not in DATATYPES] if isinstance(allowed, list) else [allowed]
     if unknown:

@@ -6,6 +6,7 @@ from typing import Any
 
 from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue, Node
+from sigcat.catalogue.model.definition import SIGNALS
 from sigcat.catalogue.model.interfaces import Category, category_of, interface_name
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
@@ -42,8 +43,8 @@ def check_against(function: FunctionJson, catalogue: Catalogue) -> Problems:
 
 
 def _item(pointer: Pointer, item: Item, node: Node, catalogue: Catalogue) -> Problems:
-    if not node.is_leaf or category_of(node.path) != "data":
-        what = f"a {node.type}" if not node.is_leaf else f"the interface {interface_name(node.path)}"
+    if node.type not in SIGNALS or category_of(node.path) != "data":
+        what = f"a {node.type}" if node.type not in SIGNALS else f"the interface {interface_name(node.path)}"
         message = f"{node.path!r} must be a data interface, not {what}."
         yield Problem(codes.SIGNAL_HOLDS_NO_VALUE, (*pointer, "VssPath"), message, subject=Subject("data", item.name))
         return

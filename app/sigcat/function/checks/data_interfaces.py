@@ -41,9 +41,10 @@ def _range(pointer: Pointer, item: Item) -> Problems:
         fix, subject = "Exchange `min` and `max`.", Subject("data", path, ("min", "max"))
         yield Problem(codes.RANGE_UPSIDE_DOWN, (*pointer, "Min"), message, fix, subject)
         return
-    for key, value in () if _has_elements(item) else (("InitValue", item.init_value), ("Default", item.default)):
+    values = (("InitValue", "init", item.init_value), ("Default", "default", item.default))
+    for key, word, value in () if _has_elements(item) else values:
         if value is not None and _is_outside(value, item.min, item.max):
-            message = f"`{key}` of {item.name!r} must be {_words(item.min, item.max)}, not {value}."
+            message = f"`{word}` of {item.name!r} must be {_words(item.min, item.max)}, not {value}."
             subject = Subject("data", path, ("default",))
             yield Problem(codes.START_VALUE_OUT_OF_RANGE, (*pointer, key), message, subject=subject, cause=subject)
 

@@ -48,6 +48,7 @@ def check_elements(function: FunctionJson) -> Problems:
             text = getattr(item, "init_elements" if key == "InitElements" else "default_elements", None)
             if text is not None and not _is_text(types.get(item.datatype)):
                 yield from _value(text, item, (*pointer, key), types)
+        yield from _single(item, pointer, types)
         yield from _members(item, pointer, types)
 
 
@@ -70,6 +71,23 @@ def _value(text: Text, item: Item, at: Pointer, types: Types) -> Problems:
         yield Problem(
             codes.START_VALUE_OUT_OF_RANGE, (*at, *misfit.at), message, subject=subject, cause=_cause(at, subject)
         )
+
+
+def _single(item: Item, pointer: Pointer, types: Types) -> Problems:
+    """A number that an integer of the code does not hold, although it is in the range of the signal."""
+    datatype = types.get(item.datatype)
+    limits = _limits(item)
+    integers = _integers(datatype, limits) if datatype is not None and not datatype.symbols else None
+    if integers is None or item.init_elements is not None:
+        return
+    for key, what, value in (("InitValue", "init", item.init_value), ("Default", "default", item.default)):
+        if value is not None and _is_number(value, None, limits) and not _is_number(value, integers, limits):
+            message = (
+                f"`{what}` of {item.name!r} must be a whole number from {integers[0]} to {integers[1]}, not {value:g}."
+            )
+            subject = Subject("data", item.vss_path or item.name, () if what == "init" else ("default",))
+            cause = subject if what == "default" else None
+            yield Problem(codes.START_VALUE_OUT_OF_RANGE, (*pointer, key), message, subject=subject, cause=cause)
 
 
 def _limits(item: Item) -> _Limits:

@@ -2,12 +2,13 @@
 
 from sigcat import codes
 from sigcat.catalogue.model.catalogue import Node
+from sigcat.catalogue.model.definition import BRANCH, PROPERTY, SIGNALS, STRUCT
 from sigcat.catalogue.model.interfaces import category_of
 from sigcat.catalogue.near_signals import is_to_be_chosen
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.resolving.context import Context, Resolving
-from sigcat.names import did_you_mean, last_name, with_article
+from sigcat.names import did_you_mean, last_name, parent_path, with_article
 
 
 def data_node(path: str, at: Pointer, context: Context) -> Resolving[Node | None]:
@@ -17,7 +18,7 @@ def data_node(path: str, at: Pointer, context: Context) -> Resolving[Node | None
     if node is None:
         yield _unknown(path, at, context)
         return None
-    if not node.is_leaf or category_of(node.path) != "data":
+    if node.type not in SIGNALS or category_of(node.path) != "data":
         message, fix = f"{path!r} must be a data interface, not {_kind_of(node)}.", _instead(node)
         yield Problem(codes.SIGNAL_HOLDS_NO_VALUE, at, message, fix, subject)
         return None
@@ -41,7 +42,8 @@ def _unknown(path: str, at: Pointer, context: Context) -> Problem:
 def _spelled_alike(path: str, context: Context) -> str:
     if is_to_be_chosen(path):
         return ""
-    return did_you_mean(path, context.catalogue.nodes) or did_you_mean(path, context.own_parameters)
+    signals = [node.path for node in context.catalogue.nodes.values() if node.type in SIGNALS]
+    return did_you_mean(path, signals) or did_you_mean(path, context.own_parameters)
 
 
 def _defined(name: str, context: Context) -> str:
@@ -52,12 +54,17 @@ def _defined(name: str, context: Context) -> str:
 
 
 def _kind_of(node: Node) -> str:
-    if not node.is_leaf:
-        return "a branch"
+    if node.type in (BRANCH, STRUCT):
+        return f"a {node.type}"
+    if node.type == PROPERTY:
+        return "a property of a struct"
     return with_article(f"{category_of(node.path)} interface".replace("_", " "))
 
 
 def _instead(node: Node) -> str:
+    if node.type in (STRUCT, PROPERTY):
+        struct = node.path if node.type == STRUCT else parent_path(node.path)
+        return f"Define a signal with the datatype {struct!r}, and name that."
     if node.is_leaf:
         return "List it under `errors`, `safetyReactions` or `modes`."
     leaves = [leaf.path for leaf in node.walk() if leaf.is_leaf][:3]
