@@ -134,6 +134,9 @@ CODE_VALUES = 2_000
 HOSTED_FUNCTION_BYTES = 4 * 1024 * 1024
 """Bytes of a function file in a folder of the service; a larger one is skipped, and `/health/ready` names it."""
 
+QUEUE_LENGTH = 65_535
+"""Values that a queue of a function may hold."""
+
 TRACE_ROW_BYTES = 4 * 1024 * 1024
 """Bytes of one row of a trace."""
 

@@ -45,6 +45,17 @@ def test_hover_knows_instances_units_rules_and_unsaved_texts(client: Editor, ove
     assert client.ask("textDocument/hover", client.at(overlay, "behind", 1)) is None
 
 
+def test_a_file_that_is_neither_open_nor_on_the_disk_has_no_hover(client: Editor, project: Path, overlay: Path) -> None:
+    at = client.at(overlay, "Vehicle.Cabin.Gas", 10)
+    missing = {**at, "textDocument": {"uri": (project / "overlays/gone.vspec").as_uri()}}
+    for method in ("hover", "definition", "references"):
+        context = {"context": {"includeDeclaration": True}} if method == "references" else {}
+        assert not client.ask(f"textDocument/{method}", {**missing, **context})
+    assert client.ask("textDocument/completion", missing)["items"]  # of an empty line
+    beyond = {**at, "position": {"line": 10**6, "character": 0}}
+    assert client.ask("textDocument/hover", beyond) is None
+
+
 @pytest.mark.parametrize(
     ("text", "expected"),
     [

@@ -113,11 +113,14 @@ class SigcatServer(LanguageServer):
             return LintResult((Finding("", "error", str(error), str(path), 1),), (str(path),))
 
     def place(self, uri: str, position: types.Position) -> tuple[Path, list[str], int, int]:
-        """Return the file, the lines, the line and the column of a position."""
+        """Return the file, the lines, the line and the column of a position; an empty line for a file that cannot be read."""
         document = self.workspace.get_text_document(uri)
-        lines = document.source.split("\n")
+        try:
+            lines = document.source.split("\n")
+        except (OSError, UnicodeError):  # it is not open, and not on the disk
+            return path_of(uri), [""], 0, 0
         at = document.position_codec.position_from_client_units(lines, position)
-        return path_of(uri), lines, at.line, at.character
+        return path_of(uri), lines, min(at.line, len(lines) - 1), at.character
 
     def location(self, place: Place) -> types.Location:
         """Return a place as the editor counts: in code units of its encoding."""

@@ -10,6 +10,7 @@ from threading import Timer
 from typing import Any, NamedTuple
 
 from sigcat.adapter.host.shapes import Array, Number, Shape, Value, numbers
+from sigcat.catalogue.model.interfaces import interface_name
 from sigcat.errors import UsageError
 from sigcat.runs.recording.recorded import Recorded
 from sigcat.runs.recording.trace_file import Known, Trace, moments, open_trace
@@ -41,7 +42,7 @@ class Fmu(NamedTuple):
     step: int
     """Proposed step in ns."""
     inputs: Mapping[str, Port]
-    """Inputs, and parameters that may change."""
+    """Inputs, and parameters that may change; those that are interfaces of a function by the names of traces, too."""
     outputs: tuple[Port, ...]
 
 
@@ -61,9 +62,10 @@ def read_fmu(file: Path) -> Fmu:
     experiment = description.defaultExperiment
     step = float(experiment.stepSize) if experiment is not None and experiment.stepSize else 0.01
     known = [each for each in description.modelVariables if each.type in _DATATYPES]
-    inputs = [each for each in known if each.causality == "input" or each.variability == "tunable"]
+    inputs = [_port(each) for each in known if each.causality == "input" or each.variability == "tunable"]
     outputs = tuple(_port(each) for each in description.modelVariables if each.causality == "output")
-    return Fmu(file, round(step * 1e9), {each.name: _port(each) for each in inputs}, outputs)
+    by_name = {**{interface_name(each.name): each for each in inputs}, **{each.name: each for each in inputs}}
+    return Fmu(file, round(step * 1e9), by_name, outputs)
 
 
 def _port(variable: Any) -> Port:
@@ -95,7 +97,8 @@ def played(fmu: Fmu, trace: Path, step: int, duration: int | None, limits: Limit
     A row of the trace is set at the first communication point that is not before it. Raises InputRefused for a trace that
     does not fit, and UsageError for an FMU that refuses a step or ends.
     """
-    opened = open_trace(trace, Known({name: each.shape for name, each in fmu.inputs.items()}, ()))
+    known = {name: each.shape for name, each in fmu.inputs.items()}
+    opened = open_trace(trace, Known(known, (), kinds="not an input of the FMU"))
     process = subprocess.Popen(  # noqa: S603 — our own interpreter
         [sys.executable, "-m", "sigcat.players.fmu_process", str(fmu.file.absolute()), str(limits.memory_mib)],
         stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,

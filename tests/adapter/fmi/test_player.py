@@ -3,10 +3,12 @@
 import json
 import shutil
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 from sigcat.cli import main
+from sigcat.players.fmu import read_fmu
 from tests.adapter.fmi.fmus import built
 from tests.needs import cmake
 
@@ -104,3 +106,25 @@ def test_a_document_with_another_start_value_is_refused(tmp_path, capsys):
         in capsys.readouterr().err
     )
     assert not (tmp_path / "made").exists()
+
+
+def test_a_trace_of_simulate_names_interfaces_as_it_does_there(monkeypatch):
+    mode, speed = "Vehicle.Function.Spray.Mode.In", "h"
+    variables = [
+        SimpleNamespace(
+            name=name, valueReference=number, type="Int32", causality="input", variability="discrete", dimensions=()
+        )
+        for number, name in enumerate((mode, speed))
+    ]
+    description = SimpleNamespace(coSimulation=True, defaultExperiment=None, modelVariables=variables)
+    monkeypatch.setattr("fmpy.read_model_description", lambda _: description)
+    inputs = read_fmu(Path("spray.fmu")).inputs
+    assert {name: port.name for name, port in inputs.items()} == {mode: mode, "Spray_Mode_In": mode, speed: speed}
+
+
+def test_an_unknown_column_is_not_an_input_of_the_fmu(fmu, tmp_path, capsys):
+    (tmp_path / "trace.csv").write_text("time,Vehicle.Sped\n0,1\n")
+    assert main(["simulate", "--fmu", str(fmu), "--trace", str(tmp_path / "trace.csv")]) == 1
+    assert (
+        "The column 'Vehicle.Sped' is not an input of the FMU. Did you mean 'Vehicle.Speed'?" in capsys.readouterr().err
+    )

@@ -13,6 +13,7 @@ from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
 from sigcat.function.function_json.walk import data, errors, methods, parameters, runnables, safety_reactions
+from sigcat.limits import QUEUE_LENGTH
 from sigcat.names import IDENTIFIER, did_you_mean
 
 Problems = Iterator[Problem]
@@ -105,6 +106,11 @@ def _queue(pointer: Pointer, item: DataQueue) -> Problems:
     """As many values at once as the queue has, into an array, with a place for their number."""
     count, subject = item.values_per_step or 1, Subject("data", item.vss_path or item.name)
     at = (*pointer, "ValuesPerStep")
+    if item.queue_length > QUEUE_LENGTH:
+        message = f"The queue of {item.name!r} must hold at most {QUEUE_LENGTH:,} values, not {item.queue_length:,}."
+        yield Problem(
+            codes.QUEUE_UNFIT, (*pointer, "QueueLength"), message, "Shorten it: the core has a place for each.", subject
+        )
     if count > item.queue_length:
         message = (
             f"{item.name!r} must take at most {item.queue_length} values at once, which its queue holds, not {count}."

@@ -37,6 +37,8 @@ class Known(NamedTuple):
     """The names of each input that a trace should have."""
     unused: str = "the functions do not receive it, or one of them provides it"
     """Why one of the others is left out."""
+    kinds: str = "neither a signal of the catalogue nor an interface of the functions"
+    """What an unknown column is not."""
 
 
 class Moment(NamedTuple):
@@ -183,9 +185,7 @@ class _Header(NamedTuple):
             yield self._finding(codes.TRACE_COLUMN_UNUSED, index, message, "")
         else:
             hint = did_you_mean(name, [*self.known.received, *self.known.others])
-            message = (
-                f"The column {shown(name)} is neither a signal of the catalogue nor an interface of the functions."
-            )
+            message = f"The column {shown(name)} is {self.known.kinds}."
             yield self._finding(codes.TRACE_COLUMN_UNKNOWN, index, message, hint or "Remove it.")
 
     def _finding(self, rule: RuleCode, index: int, message: str, fix: str) -> Finding:
