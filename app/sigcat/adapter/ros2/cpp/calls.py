@@ -4,48 +4,34 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.core.plan import Call
-from sigcat.adapter.ros2.cpp.layout import call
-from sigcat.adapter.ros2.cpp.names import report_name, run_name, scope_of, times_name
+from sigcat.adapter.ros2.cpp.names import scope_of
 from sigcat.adapter.ros2.plan import NodePlan
 from sigcat.function.document.text import composed
-from sigcat.function.document.text_filters import AnyText, c_string
+from sigcat.function.document.text_filters import AnyText
+from sigcat.names import snake_case
 
 
 class NodeCall(NamedTuple):
-    """A call: its name in the core, its constant there, its function and the member that has its times."""
+    """A call, its constant in the core, and the stem of names that the node has for it."""
 
-    name: str
+    step: Call
     constant: str
-    run: str
-    times: str
+    stem: str
     about: AnyText
-    longest: int | None
-    """Nanoseconds that it may run; None without a deadline."""
-    report: str
-    """The variable of its diagnostics."""
-    reported: str
-    """The statement that fills it, under the lock of the core."""
-    status: str
-    """The statement that tells it."""
 
 
 def node_calls(node: NodePlan) -> Sequence[NodeCall]:
     """All of them."""
-    return [_call(step, node) for step in node.steps]
+    constant = scope_of(node).call
+    return [NodeCall(step, constant(step.name), _stem(node, step), _about(step)) for step in node.steps]
 
 
-def _call(step: Call, node: NodePlan) -> NodeCall:
-    report, times, place = report_name(node, step), times_name(node, step), f"core_->adapter.{step.name}"
-    missed = f"{place}.missed" if step.cycle is not None else "0"
-    status = call("call_status", ["node", c_string(step.interface), report], ")", 3)
-    return NodeCall(
-        step.name,
-        scope_of(node).call(step.name),
-        run_name(node, step),
-        times,
-        composed(step.interface, ": ", step.description) if step.description else step.interface,
-        None if step.deadline is None else step.deadline.most,
-        report,
-        call(f"{report} = {times}.report", [missed, f"{place}.dropped"], levels=2),
-        call("told.status.push_back", [status]),
-    )
+def _about(step: Call) -> AnyText:
+    return composed(step.interface, ": ", step.description) if step.description else step.interface
+
+
+def _stem(node: NodePlan, call: Call) -> str:
+    """A call in snake_case, unless another one has the same."""
+    names = [snake_case(step.name) for step in node.steps]
+    name = snake_case(call.name)
+    return name if name and names.count(name) == 1 else call.name

@@ -3,12 +3,8 @@
 import re
 
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.core.plan import Call, WireType
+from sigcat.adapter.core.plan import WireType
 from sigcat.adapter.ros2.plan import InterfaceType, NodePlan, WorkspacePlan
-from sigcat.names import snake_case
-
-CORE = "&core_->adapter"
-"""The core, as its functions take it."""
 
 
 def guard(workspace: WorkspacePlan, stem: str) -> str:
@@ -33,31 +29,9 @@ def bridge_source(node: NodePlan) -> str:
     return f"{node.core.function}_bridge.{node.core.code.ending}"
 
 
-def core_function(node: NodePlan, name: str) -> str:
-    """A function of the core: `CoreAcc_Adapter_Start`."""
-    return f"{node.core.type_name}_{name}"
-
-
 def scope_of(node: NodePlan) -> Scope:
     """The names of constants of the core."""
     return Scope(node.core)
-
-
-def _call_name(node: NodePlan, call: Call) -> str:
-    """A call in snake_case, unless another one has the same."""
-    names = [snake_case(step.name) for step in node.steps]
-    name = snake_case(call.name)
-    return name if name and names.count(name) == 1 else call.name
-
-
-def run_name(node: NodePlan, call: Call) -> str:
-    """The member function that runs a call: `run_step`."""
-    return f"run_{_call_name(node, call)}"
-
-
-def times_name(node: NodePlan, call: Call) -> str:
-    """The member that has its times: `step_times_`."""
-    return f"{_call_name(node, call)}_times_"
 
 
 def table(place: str) -> str:
@@ -68,8 +42,3 @@ def table(place: str) -> str:
 def is_plain(wire: WireType) -> bool:
     """Whether it is one number."""
     return not wire.is_struct and wire.length is None
-
-
-def report_name(node: NodePlan, call: Call) -> str:
-    """The local variable with the reported counts of a call."""
-    return f"{_call_name(node, call)}_report"

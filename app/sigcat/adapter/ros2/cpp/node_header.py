@@ -3,8 +3,8 @@
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from sigcat.adapter.ros2.cpp.layout import WIDEST
-from sigcat.adapter.ros2.cpp.names import guard, header_of, run_name, short, times_name
+from sigcat.adapter.ros2.cpp.calls import NodeCall, node_calls
+from sigcat.adapter.ros2.cpp.names import guard, header_of, short
 from sigcat.adapter.ros2.package_xml import rights
 from sigcat.adapter.ros2.plan import NodePlan, Publisher, Subscription, WorkspacePlan
 from sigcat.adapter.templates import rendered
@@ -19,11 +19,12 @@ class _Member(NamedTuple):
     type: str
 
 
-class _Call(NamedTuple):
-    """Names of the function that runs a call, and of the member that has its times."""
+class _Publisher(NamedTuple):
+    """A publisher; a derived class may complete its messages, if they are no statuses: transitions are virtual, too."""
 
-    run: str
-    times: str
+    member: str
+    type: str
+    is_status: bool
 
 
 class _Header(NamedTuple):
@@ -37,11 +38,8 @@ class _Header(NamedTuple):
     interfaces: str
     type: str
     has_messages: bool
-    hooks: Sequence[_Member]
-    """Publishers whose messages a derived class may complete: transitions are virtual, too."""
-    calls: Sequence[_Call]
-    publishers: Sequence[str]
-    """Declarations of their members."""
+    calls: Sequence[NodeCall]
+    publishers: Sequence[_Publisher]
     offered: Sequence[_Member]
     used: Sequence[_Member]
     is_settable: bool
@@ -63,9 +61,8 @@ def node_header(node: NodePlan, workspace: WorkspacePlan) -> str:
         workspace.interfaces,
         node.type,
         has_messages(node, node.publishers),
-        hooks=[_Member(each.member, short(each.message, node)) for each in node.publishers if not each.is_status],
-        calls=[_Call(run_name(node, step), times_name(node, step)) for step in node.steps],
-        publishers=[_declared(each, node) for each in node.publishers],
+        calls=node_calls(node),
+        publishers=[_Publisher(each.member, short(each.message, node), each.is_status) for each in node.publishers],
         offered=[_Member(each.member, short(each.service, node)) for each in node.offered],
         used=[_Member(each.member, short(each.service, node)) for each in node.used],
         is_settable=bool(node.settable),
@@ -95,10 +92,3 @@ def _headers(node: NodePlan, workspace: WorkspacePlan) -> list[str]:
     headers += [f"{workspace.name}/{each}.hpp" for each in own]
     headers += ["diagnostic_msgs/msg/diagnostic_array.hpp", "rclcpp/rclcpp.hpp", "rclcpp_lifecycle/lifecycle_node.hpp"]
     return sorted(headers)
-
-
-def _declared(publisher: Publisher, node: NodePlan) -> str:
-    """The member, on one line if it fits."""
-    type_ = f"std::unique_ptr<CountingPublisher<{short(publisher.message, node)}>>"
-    line = f"{type_} {publisher.member}_publisher_;"
-    return line if len(line) + 2 <= WIDEST else f"{type_}\n{publisher.member}_publisher_;"

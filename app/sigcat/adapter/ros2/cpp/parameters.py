@@ -4,10 +4,9 @@ import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from sigcat.adapter.ros2.cpp.layout import call, literal
 from sigcat.adapter.ros2.cpp.names import table
 from sigcat.adapter.ros2.plan import NodeParameter, NodePlan, WorkspacePlan
-from sigcat.function.document.text_filters import AnyText, c_string
+from sigcat.function.document.text_filters import c_string
 
 _CPP = {"bool": "bool", "integer": "int64_t", "double": "double", "string": "std::string"}
 AS = {
@@ -17,70 +16,73 @@ AS = {
 """Functions of rclcpp that return a parameter of each type."""
 
 
-class Settable(NamedTuple):
-    """A parameter that may change while the node runs, and the expression that takes its value."""
+class Range(NamedTuple):
+    """The limits of a parameter, as C++ writes them."""
 
-    name: str
-    taken: str
+    low: str
+    high: str
+
+
+class Declared(NamedTuple):
+    """A parameter of the node, with its type, default and limits in C++."""
+
+    of: NodeParameter
+    place: str
+    """Its name in the core."""
+    type: str
+    default: str
+    range: Range | None
+    """The range of its descriptor; None if it has no limits."""
+    limits: Range
+    """Limits of which a refusal tells: those of every number where it has none."""
+    getter: str
+    table: str
+    """Texts of an enumeration; empty if its value is not text."""
 
 
 class Parameters(NamedTuple):
     """All parameters of a node."""
 
-    declared: Sequence[str]
-    """Statements that declare them."""
-    settable: Sequence[Settable]
-    """All that the core's SetParameters takes."""
-    start_values: Sequence[str]
-    """Statements that give the core start values that are not its own, which are exact."""
+    declared: Sequence[Declared]
+    settable: Sequence[Declared]
+    """All that the core's SetParameters takes; others only start with a value."""
     unset: Sequence[str]
     """Parameters of the core that the node has none for: structs."""
-    refusal: str
-    """The call that finds the reason of a refusal."""
+    priority: int | None
+    policy: str
     has_taken_callback: bool
     """Whether the release tells when all have accepted: others may refuse what this node does not."""
 
 
 def parameters_of(node: NodePlan, workspace: WorkspacePlan) -> Parameters:
     """All of a node."""
+    declared = [_declared(each) for each in node.parameters]
     return Parameters(
-        [*_own(node, workspace), *(_declared(each) for each in node.parameters)],
-        [Settable(each.name, _taken(each)) for each in node.settable],
-        [_start_value(each) for each in node.parameters],
+        declared,
+        [each for each in declared if not each.of.is_learned],
         _unset(node) if node.settable else (),
-        call("refusal", ["parameters", _all_limits(node)], ");", 2),
+        node.priority,
+        node.policy,
         workspace.release != "humble",
     )
 
 
-def _own(node: NodePlan, workspace: WorkspacePlan) -> list[str]:
-    """Those that every node has, whatever its function is."""
-    found = [_fixed("bool", "lock_step", "false", "Whether the service ~/step gives the time: for tests and replays.")]
-    if node.priority is not None:
-        words = f"Policy of the thread that runs the calls, with priority {node.priority}."
-        found.append(_fixed("std::string", "scheduling_policy", c_string(node.policy), words, "one of other, fifo, rr"))
-        found.append('check_policy(get_parameter("scheduling_policy").as_string());')
-    if node.is_stored:
-        words = (
-            f"Folder of the values that the node keeps; $ROS_HOME/{workspace.name} or ~/.ros/{workspace.name} if empty."
-        )
-        found.append(_fixed("std::string", "storage_folder", '""', words))
-    return found
-
-
-def _fixed(cpp: str, name: str, default: str, words: str, constraints: str = "") -> str:
-    """The declaration of a parameter that cannot be changed while the node runs."""
-    return _declaration(cpp, name, default, call("fixed", [_described(words, constraints, 3)], ")", 2))
-
-
-def _described(words: AnyText, constraints: AnyText, levels: int) -> str:
-    """A descriptor, on one line if it fits."""
-    arguments = [literal(words, levels + 1), *([literal(constraints, levels + 1)] if constraints else [])]
-    return call("described", arguments, ")", levels)
-
-
-def _declaration(cpp: str, name: str, default: str, descriptor: str) -> str:
-    return call(f"declare_parameter<{cpp}>", [c_string(name), default, descriptor])
+def _declared(parameter: NodeParameter) -> Declared:
+    low, high = (
+        (-math.inf if parameter.low is None else parameter.low),
+        (math.inf if parameter.high is None else parameter.high),
+    )
+    place = parameter.parameter.named.name
+    return Declared(
+        parameter,
+        place,
+        _cpp_type(parameter),
+        _default(parameter),
+        None if parameter.low is None and parameter.high is None else _range(parameter),
+        Range(_double(low), _double(high)),
+        AS[parameter.type],
+        table(place) if parameter.symbols else "",
+    )
 
 
 def _cpp_type(parameter: NodeParameter) -> str:
@@ -89,23 +91,16 @@ def _cpp_type(parameter: NodeParameter) -> str:
     return f"std::vector<{element}>" if parameter.type.endswith("_array") else element
 
 
-def _declared(parameter: NodeParameter) -> str:
-    has_range = parameter.low is not None or parameter.high is not None
-    levels = 2 + has_range + parameter.is_read_only
-    descriptor = _described(parameter.described, parameter.constraints or "", levels)
-    if has_range:
-        descriptor = call("within", [descriptor, *_limits(parameter)], ")", levels - 1)
-    if parameter.is_read_only:
-        descriptor = call("fixed", [descriptor], ")", 2)
-    return _declaration(_cpp_type(parameter), parameter.name, _default(parameter), descriptor)
+def _range(parameter: NodeParameter) -> Range:
+    """Limits of its type, where it has none."""
+    element = "double" if parameter.type == "double" else "int64_t"
+    least = "lowest" if element == "double" else "min"
+    low, high = (None if each is None else _limit(each, element) for each in (parameter.low, parameter.high))
+    return Range(low or f"std::numeric_limits<{element}>::{least}()", high or f"std::numeric_limits<{element}>::max()")
 
 
-def _limits(parameter: NodeParameter) -> tuple[str, str]:
-    if parameter.type == "double":
-        low, high = (None if each is None else _double(each) for each in (parameter.low, parameter.high))
-        return low or "std::numeric_limits<double>::lowest()", high or "std::numeric_limits<double>::max()"
-    low, high = (None if each is None else f"int64_t{{{round(each)}}}" for each in (parameter.low, parameter.high))
-    return low or "std::numeric_limits<int64_t>::min()", high or "std::numeric_limits<int64_t>::max()"
+def _limit(value: float, element: str) -> str:
+    return _double(value) if element == "double" else f"int64_t{{{round(value)}}}"
 
 
 def _default(parameter: NodeParameter) -> str:
@@ -132,29 +127,6 @@ def _double(value: float) -> str:
     if not math.isfinite(number):
         return "std::numeric_limits<double>::quiet_NaN()"
     return repr(number)
-
-
-def _all_limits(node: NodePlan) -> str:
-    """Limits of those that have some; one that has none of a kind has those of every number."""
-    own = ", ".join(
-        f"{{{c_string(each.name)}, {_double(-math.inf if each.low is None else each.low)}, {_double(math.inf if each.high is None else each.high)}}}"
-        for each in node.settable
-        if each.low is not None or each.high is not None
-    )
-    return f"{{{own}}}"
-
-
-def _taken(parameter: NodeParameter) -> str:
-    place = f"changed.{parameter.parameter.named.name}"
-    text_table = f"{table(parameter.parameter.named.name)}, " if parameter.symbols else ""
-    return f"take({text_table}parameter.{AS[parameter.type]}(), {place})"
-
-
-def _start_value(parameter: NodeParameter) -> str:
-    name = parameter.parameter.named.name
-    text_table = f"{table(name)}, " if parameter.symbols else ""
-    got = f"get_parameter({c_string(parameter.name)}).{AS[parameter.type]}()"
-    return call("start_with", [f"{text_table}{got}", _default(parameter), f"stored.{name}"])
 
 
 def _unset(node: NodePlan) -> Sequence[str]:

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from sigcat.adapter.ros2.cpp.layout import WIDEST
 from sigcat.adapter.ros2.cpp.names import guard, header_of
 from sigcat.adapter.ros2.package_xml import rights
 from sigcat.adapter.ros2.plan import NodePlan, StructPair, WorkspacePlan
@@ -21,9 +20,8 @@ class _Member(NamedTuple):
 class _Copy(NamedTuple):
     """A specialization that copies one struct to the other."""
 
-    head: str
-    arguments: Sequence[str]
-    """Rows of them."""
+    source: str
+    target: str
     members: Sequence[_Member]
 
 
@@ -57,15 +55,6 @@ def _copies(pair: StructPair) -> tuple[_Copy, _Copy]:
     message, core = pair.message.cpp, f"::{pair.struct.name}"
     names = [(member, field.name) for field, member in zip(pair.struct.fields, pair.members, strict=True)]
     return (
-        _copy(message, core, [_Member(theirs, ours) for theirs, ours in names]),
-        _copy(core, message, [_Member(ours, theirs) for theirs, ours in names]),
+        _Copy(message, core, [_Member(theirs, ours) for theirs, ours in names]),
+        _Copy(core, message, [_Member(ours, theirs) for theirs, ours in names]),
     )
-
-
-def _copy(source: str, target: str, members: Sequence[_Member]) -> _Copy:
-    head = f"struct Copy<{source}, {target}>"
-    if len(head) > WIDEST:
-        head = f"struct Copy<{source},\n  {target}>"
-    arguments = [f"const {source} & from,", f"{target} & to)"]
-    line = " ".join(arguments)
-    return _Copy(head, [line] if len(line) + 4 <= WIDEST else arguments, members)
