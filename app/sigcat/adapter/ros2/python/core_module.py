@@ -1,61 +1,55 @@
 """The module of a core: a class over the shared library that notebooks use without ROS."""
 
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from sigcat.adapter.core.plan import Call, CorePlan, Method, Output, WireType
+from sigcat.adapter.core.plan import Call, CorePlan, Method, WireType
 from sigcat.adapter.ros2.plan import Monitor, NodePlan
-from sigcat.adapter.ros2.python.bridge import declarations, digest, out_names, publish_names, struct_names
-from sigcat.adapter.ros2.python.names import class_name, imports, python_names, typed
+from sigcat.adapter.ros2.python.bridge import declarations, digest, publish_names, struct_names
+from sigcat.adapter.ros2.python.names import Import, class_name, imports, python_names, typed
 from sigcat.adapter.templates import rendered
 from sigcat.function.document.text import sentence
-from sigcat.function.document.text_filters import AnyText, python_string
+from sigcat.function.document.text_filters import AnyText
 
 
 class _Sent(NamedTuple):
-    """A value that is sent: its names in Python and in the library, its type, and the expression that copies it."""
+    """A value that is sent: its names in Python and in the library, and its type."""
 
     member: str
     name: str
     type: str
     comment: str
-    value: str
+    is_queue: bool
+    is_plain: bool
+    """Whether it is one number."""
 
 
-class _Told(NamedTuple):
+class _Published(NamedTuple):
     """A flag that a value is to be sent: its names in Python and in the library."""
 
     member: str
     name: str
 
 
-class _Taken(NamedTuple):
-    """A value that the core takes: the method, the function of the library, and its argument."""
+class _Received(NamedTuple):
+    """A value that the core takes: its name in the library, and the method that takes it."""
 
+    name: str
     receiver: str
-    function: str
+    wire: WireType
     type: str
     comment: str
-    given: str
-
-    @property
-    def is_wide(self) -> bool:
-        """Whether the call has an argument on each line."""
-        return len(self.function) + len(self.given) > 60
 
 
 class _Method(NamedTuple):
     """A method of the function: its names in Python and in the library."""
 
     member: str
-    name: str
+    of: Method
     comment: str
-    is_offered: bool
-    arguments: Sequence[str]
-    dictionary: str
-    """Arguments by their names in the library."""
-    has_arguments: bool
-    has_results: bool
+    arguments: Mapping[str, str]
+    """Arguments in Python by their names in the library."""
 
 
 class _Core(NamedTuple):
@@ -64,12 +58,14 @@ class _Core(NamedTuple):
     function: str
     version: str
     about: Sequence[AnyText]
-    typing_imports: str
-    own_imports: str
+    typing_imports: Sequence[Import]
+    own_imports: Sequence[Import]
     declarations: str
     digest: str
     stem: str
     type: str
+    adapter: str
+    """Names of functions of the library begin with it."""
     package: str
     library: str
     structs: Sequence[str]
@@ -78,10 +74,10 @@ class _Core(NamedTuple):
     monitors: Sequence[Monitor]
     learned: Sequence[tuple[str, str]]
     """Stored parameters with their keys."""
-    taken: Sequence[_Taken]
+    received: Sequence[_Received]
     methods: Sequence[_Method]
     out: Sequence[_Sent]
-    publish: Sequence[_Told]
+    publish: Sequence[_Published]
 
 
 def core_type(core: CorePlan) -> str:
@@ -115,18 +111,19 @@ def argument_names(method: Method, *, is_request: bool) -> dict[str, str]:
 def core_module(node: NodePlan) -> str:
     """The whole module."""
     core = node.core
-    names, comments = members(core), _comments(core)
+    names, methods = members(core), method_names(core)
     own = ["Core", *(["Call"] if core.steps else []), *(["Error"] if core.errors else [])]
     plan = _Core(
         function=core.function,
         version=f" {core.version}" if core.version else "",
         about=[sentence(core.description)] if core.description else [],
         typing_imports=_typing_imports(core),
-        own_imports=imports(".support.core", own),
+        own_imports=imports([(".support.core", own)]),
         declarations=declarations(core),
         digest=digest(core),
         stem=class_name(core.function),
         type=core_type(core),
+        adapter=core.type_name,
         package=node.package,
         library=node.core_library,
         structs=struct_names(core),
@@ -134,86 +131,62 @@ def core_module(node: NodePlan) -> str:
         has_errors=bool(core.errors),
         monitors=node.monitors,
         learned=[(each.named.name, node.stored_keys[each.variable]) for each in node.learned],
-        taken=[_taken(name, wire, comment, core) for name, wire, comment in _values(core)],
-        methods=[_method(each, core) for each in core.methods],
-        out=[
-            _Sent(names[each], each, _type(core, each), comments[each], _value(each, core)) for each in out_names(core)
-        ],
-        publish=[_Told(names[each], each) for each in publish_names(core)],
+        received=_received(core),
+        methods=[_method(each, methods) for each in core.methods],
+        out=_sent(core),
+        publish=[_Published(names[each], each) for each in publish_names(core)],
     )
     return rendered("adapter/ros2/python/core.py.j2", plan)
 
 
-def _typing_imports(core: CorePlan) -> str:
-    taken = [typed(wire, is_sequence=True) for _, wire, _ in _values(core)]
-    taken += ["Tuple[Dict[str, Any]"] * bool(core.methods)
-    taken += ["Mapping[str, Any]"] * bool(core.requests)
-    given = [_type(core, name) for name in out_names(core)]
-    used = " ".join((*taken, *given))
-    names = [
-        name
-        for name in ("Any", "Dict", "List", "Mapping", "Sequence", "Tuple")
-        if f"{name}[" in used or (name == "Any" and "Any" in used)
+def _typing_imports(core: CorePlan) -> Sequence[Import]:
+    types = [*(each.type for each in _received(core)), *(each.type for each in _sent(core))]
+    types += ["Tuple[int, Dict[str, Any]]"] if core.methods else []
+    types += ["Mapping[str, Any]"] if core.requests else []
+    types += ["NamedTuple"] if core.published else []
+    used = set(re.findall(r"[A-Z]\w+", " ".join(types)))
+    return imports([("typing", used)]) if used else ()
+
+
+def _received(core: CorePlan) -> Sequence[_Received]:
+    names = receivers(core)
+    return [
+        _Received(name, names[name], wire, typed(wire, is_sequence=True), comment)
+        for name, wire, comment in _received_values(core)
     ]
-    names += ["NamedTuple"] * bool(publish_names(core))
-    return imports("typing", names)
 
 
-def _outputs(core: CorePlan) -> dict[str, Output]:
-    return {output.named.name: output for output in core.outputs}
-
-
-def _wires(core: CorePlan) -> dict[str, WireType]:
-    found = {name: output.value.wire for name, output in _outputs(core).items()}
-    return found | {each.named.name: each.wire for each in core.statuses}
-
-
-def _type(core: CorePlan, name: str) -> str:
-    wire, output = _wires(core)[name], _outputs(core).get(name)
-    return f"List[{typed(wire)}]" if output is not None and output.queue else typed(wire)
-
-
-def _comments(core: CorePlan) -> dict[str, str]:
-    found = (*core.outputs, *core.statuses, *core.methods)
-    return {each.named.name: each.named.comment for each in found}
-
-
-def _values(core: CorePlan) -> Iterator[tuple[str, WireType, str]]:
-    """Received values: the name in the library, the type, and a comment."""
-    yield from ((port.name, port.wire, port.comment) for port in core.ports)
+def _received_values(core: CorePlan) -> Iterator[tuple[str, WireType, str]]:
+    """Names in the library, types and comments."""
+    yield from ((each.name, each.wire, each.comment) for each in core.ports)
     yield from ((each.named.name, each.wire, each.named.comment) for each in core.reactions)
     yield from ((each.name, each.wire, each.comment) for each in core.foreign_errors)
     if core.mode_in:
         yield core.mode_in.named.name, core.mode_in.wire, core.mode_in.named.comment
 
 
-def _taken(name: str, wire: WireType, comment: str, core: CorePlan) -> _Taken:
-    given = "value"
-    if wire.length is not None:
-        given = f"self._array({python_string(wire.c)}, value, {wire.length})"
-    elif wire.is_struct:
-        given = f"self._struct({python_string(wire.c)}, value)"
-    function = f"{core.type_name}_Receive_{name}"
-    return _Taken(receivers(core)[name], function, typed(wire, is_sequence=True), comment, given)
+def _sent(core: CorePlan) -> Sequence[_Sent]:
+    names = members(core)
+    values = [(each.named, each.value.wire, each.queue is not None) for each in core.outputs]
+    values += [(each.named, each.wire, False) for each in core.statuses]
+    return [
+        _Sent(
+            names[named.name],
+            named.name,
+            f"List[{typed(wire)}]" if is_queue else typed(wire),
+            named.comment,
+            is_queue,
+            is_plain=not wire.is_struct and wire.length is None,
+        )
+        for named, wire, is_queue in values
+    ]
 
 
-def _method(method: Method, core: CorePlan) -> _Method:
-    own = argument_names(method, is_request=True)
-    pairs = ", ".join(f"{python_string(each.name)}: {own[each.name]}" for each in method.arguments)
+def _method(method: Method, names: Mapping[str, str]) -> _Method:
+    named = method.named
     return _Method(
-        method_names(core)[method.named.name],
-        method.named.name,
-        method.named.comment or method.named.name,
-        method.is_offered,
-        [f"{each}: Any" for each in own.values()],
-        f"{{{pairs}}}",
-        bool(method.arguments),
-        bool(method.results),
+        names[named.name],
+        method,
+        named.comment or named.name,
+        argument_names(method, is_request=True),
     )
-
-
-def _value(name: str, core: CorePlan) -> str:
-    wire, output = _wires(core)[name], _outputs(core).get(name)
-    if output is not None and output.queue:
-        return f"self._plain(found.{name}.values)[:found.{name}.count]"
-    return f"self._plain(found.{name})" if wire.is_struct or wire.length is not None else f"found.{name}"

@@ -2,8 +2,9 @@
 
 import builtins
 import keyword
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from math import isfinite
+from typing import NamedTuple
 
 from sigcat.adapter.core.identifiers import unique
 from sigcat.adapter.core.numbers import type_of_c
@@ -70,16 +71,14 @@ def _scalar(c: str) -> str:
     return "bool" if kind.is_boolean else "float" if kind.is_floating else "int"
 
 
-def sorted_imports(found: Iterable[tuple[str, Iterable[str]]]) -> str:
-    """Imports in the order of their modules; of one without names, the module itself."""
+class Import(NamedTuple):
+    """An import of names from a module; of the module itself without any."""
+
+    module: str
+    names: Sequence[str]
+
+
+def imports(found: Iterable[tuple[str, Iterable[str]]]) -> Sequence[Import]:
+    """Imports in the order of their modules and names, as the linters require."""
     ordered = sorted(found, key=lambda each: each[0].lower())
-    return "\n".join(imports(module, names) if names else f"import {module}" for module, names in ordered)
-
-
-def imports(module: str, names: Iterable[str]) -> str:
-    """An import of the used names, sorted as the linters require; empty without any."""
-    found = sorted(set(names), key=str.lower)
-    if not found:
-        return ""
-    whole = f"from {module} import {', '.join(found)}"
-    return whole if len(whole) <= WIDEST else f"from {module} import (\n    " + ",\n    ".join(found) + ",\n)"
+    return [Import(module, sorted(set(names), key=str.lower)) for module, names in ordered]

@@ -18,10 +18,8 @@ _TEST_DEPENDENCIES = ("ament_flake8", "ament_pep257", "domain_coordinator", "lif
 class _Setup(NamedTuple):
     name: str
     package: Package
-    description: str
-    executables: Sequence[str]
-    """Each with its function, as `console_scripts` have them."""
-    functions: Sequence[str]
+    application: str
+    nodes: Sequence[NodePlan]
 
 
 def package_name(workspace: WorkspacePlan) -> str:
@@ -54,10 +52,7 @@ def setup_cfg(workspace: WorkspacePlan) -> str:
 
 
 def _setup(workspace: WorkspacePlan) -> _Setup:
-    name = package_name(workspace)
-    executables = [f"{node.executable} = {name}.{node.stem}:main" for node in workspace.nodes]
-    functions = [node.core.function for node in workspace.nodes]
-    return _Setup(name, workspace.package, f"{workspace.application} in Python.", executables, functions)
+    return _Setup(package_name(workspace), workspace.package, workspace.application, workspace.nodes)
 
 
 def init_module(workspace: WorkspacePlan) -> str:

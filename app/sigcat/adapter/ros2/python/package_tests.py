@@ -1,10 +1,11 @@
 """Tests of the package, which `colcon test` runs: linters, cores without ROS, nodes in lock-step."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
 from sigcat.adapter.ros2.python.core_module import core_type
-from sigcat.adapter.ros2.python.names import sorted_imports
+from sigcat.adapter.ros2.python.names import Import, imports
 from sigcat.adapter.ros2.python.package import core_stem, package_name
 from sigcat.adapter.templates import rendered
 
@@ -20,7 +21,7 @@ class _Tests(NamedTuple):
     """Plan of the tests of a core, and of those of its node."""
 
     function: str
-    imports: str
+    imports: Sequence[Import]
     core: str
     type: str
     is_stored: bool
@@ -35,7 +36,7 @@ def core_test(node: NodePlan, workspace: WorkspacePlan) -> str:
     """Tests of a core, which need no ROS but its packages."""
     core, name = core_type(node.core), package_name(workspace)
     modules = [(f"{name}.{core_stem(node)}", [core]), (f"{name}.support.core", ["LayoutError"]), ("pytest", ())]
-    return rendered("adapter/ros2/python/test_core.py.j2", _tests(node, sorted_imports(modules)))
+    return rendered("adapter/ros2/python/test_core.py.j2", _tests(node, imports(modules)))
 
 
 def node_test(node: NodePlan, workspace: WorkspacePlan) -> str:
@@ -50,8 +51,8 @@ def node_test(node: NodePlan, workspace: WorkspacePlan) -> str:
         ("rclpy.lifecycle", ["TransitionCallbackReturn"]),
         ("rclpy.parameter", ["Parameter"]),
     ]
-    return rendered("adapter/ros2/python/test_node.py.j2", _tests(node, sorted_imports(modules)))
+    return rendered("adapter/ros2/python/test_node.py.j2", _tests(node, imports(modules)))
 
 
-def _tests(node: NodePlan, imports: str) -> _Tests:
-    return _Tests(node.core.function, imports, core_type(node.core), node.type, node.is_stored)
+def _tests(node: NodePlan, needed: Sequence[Import]) -> _Tests:
+    return _Tests(node.core.function, needed, core_type(node.core), node.type, node.is_stored)
