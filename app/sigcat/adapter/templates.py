@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import sigcat
 from sigcat.adapter.origins import origin
 from sigcat.function.document import text_filters
+from sigcat.function.document.text import composed
 
 if TYPE_CHECKING:
     from jinja2 import Environment
@@ -47,4 +48,5 @@ def _environment() -> "Environment":
     )
     environment.filters.update({name: getattr(text_filters, name) for name in _FILTERS})
     environment.filters["origin"] = origin
+    environment.filters["composed"] = lambda parts: composed(*parts)
     return environment

@@ -9,7 +9,7 @@ from sigcat.integration.ros2.model import Ros2Integration
 
 
 class _Changelog(NamedTuple):
-    title: str
+    package: str
     version: str
     functions: Sequence[str]
     """Each with its version, if it has one."""
@@ -19,5 +19,5 @@ def changelog(package: str, version: str, workspace: WorkspacePlan, model: Ros2I
     """The text of a package's file. A document without a date is not released yet."""
     day = "-".join(reversed((model.meta.date or "").split(".")))
     functions = [" ".join(filter(None, (node.core.function, node.core.version))) for node in workspace.nodes]
-    plan = _Changelog(f"Changelog for package {package}", f"{version} ({day})" if day else "Forthcoming", functions)
+    plan = _Changelog(package, f"{version} ({day})" if day else "Forthcoming", functions)
     return rendered("adapter/ros2/bringup/CHANGELOG.rst.j2", plan)

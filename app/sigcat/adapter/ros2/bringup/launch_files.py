@@ -6,7 +6,7 @@ from typing import NamedTuple
 from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.ros2.bringup.graph import in_order_of_activation
 from sigcat.adapter.ros2.package_xml import rights
-from sigcat.adapter.ros2.plan import WorkspacePlan
+from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
 from sigcat.adapter.templates import rendered
 from sigcat.function.document.text import Text
 
@@ -18,29 +18,21 @@ _TEMPLATES = {
 """Templates by what the names of their files end with."""
 
 
-class _Node(NamedTuple):
-    name: str
-    plugin: str
-
-
 class _Launch(NamedTuple):
     rights: Text
     name: str
     """Name of the package."""
-    container: str
     namespace: str
     has_bond: bool
-    nodes: Sequence[_Node]
+    nodes: Sequence[NodePlan]
     """In the order of activation."""
 
 
 def launch_files(workspace: WorkspacePlan) -> Iterator[GeneratedFile]:
     """The files, by their names in the package."""
     name = workspace.name
-    nodes = [_Node(node.name, f"{name}::{node.type}") for node in in_order_of_activation(workspace)]
-    plan = _Launch(
-        rights(workspace.package), name, f"{name}_container", workspace.namespace.strip("/"), workspace.has_bond, nodes
-    )
+    nodes = in_order_of_activation(workspace)
+    plan = _Launch(rights(workspace.package), name, workspace.namespace.strip("/"), workspace.has_bond, nodes)
     for ending, template in _TEMPLATES.items():
         text = rendered(f"adapter/ros2/bringup/{template}", plan)
         yield GeneratedFile(f"launch/{name}{ending}", text.encode())

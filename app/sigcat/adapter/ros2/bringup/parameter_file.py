@@ -1,24 +1,30 @@
 """Parameter files: every parameter of a node with its default, and what a reader should know of it."""
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from sigcat.adapter.ros2.plan import NodeParameter, NodePlan, WorkspacePlan
 from sigcat.adapter.templates import rendered
-from sigcat.function.document.text import Text, composed
-from sigcat.function.document.text_filters import AnyText, yaml_string
+from sigcat.function.document.text import Text
+from sigcat.function.document.text_filters import yaml_string
 
 
 class _Entry(NamedTuple):
-    name: str
-    about: Sequence[AnyText]
+    """A parameter, and literals of its default and its limits."""
+
+    of: NodeParameter
     value: str | None
     """None if it is a list without elements, which a file of parameters cannot have."""
+    low: str | None
+    high: str | None
 
 
 class _ParameterFile(NamedTuple):
-    node: str
+    """Plan of the file."""
+
+    node: NodePlan
+    package: str
     schema: str
     has_values: bool
     """Whether there is a value; rcl refuses a key without one."""
@@ -27,9 +33,10 @@ class _ParameterFile(NamedTuple):
 
 def parameter_file(node: NodePlan, workspace: WorkspacePlan) -> str:
     """The text of `config/NODE.yaml`, for the node of this name in any namespace."""
-    entries = [*map(_entry, node.parameters), *_own(node, workspace)]
-    has_values = any(entry.value is not None for entry in entries)
-    plan = _ParameterFile(node.name, schema_name(node), has_values, entries)
+    entries = [_entry(each) for each in node.parameters]
+    has_own = node.priority is not None or node.is_stored
+    has_values = has_own or any(entry.value is not None for entry in entries)
+    plan = _ParameterFile(node, workspace.name, schema_name(node), has_values, entries)
     return rendered("adapter/ros2/bringup/parameters.yaml.j2", plan)
 
 
@@ -38,36 +45,11 @@ def schema_name(node: NodePlan) -> str:
     return f"{node.name}.schema.json"
 
 
-def _own(node: NodePlan, workspace: WorkspacePlan) -> Iterator[_Entry]:
-    """Parameters of every node, whatever its function is."""
-    if node.priority is not None:
-        about = f"Policy of the thread that makes the calls: other, fifo or rr, these with priority {node.priority}."
-        yield _Entry("scheduling_policy", [about], node.policy)
-    if node.is_stored:
-        folders = f"if empty $ROS_HOME/{workspace.name}, or else ~/.ros/{workspace.name}"
-        about = f"Folder of the values that the node keeps between runs; {folders}."
-        yield _Entry("storage_folder", [about], '""')
-
-
 def _entry(parameter: NodeParameter) -> _Entry:
-    known = [part for limit in _limits(parameter) for part in ("; ", limit)]
-    about = [parameter.description, composed(parameter.parameter.named.comment, *known)]
     is_empty = isinstance(parameter.default, list | tuple) and not parameter.default
     value = None if is_empty else _value(parameter.default, parameter.type.removesuffix("_array"))
-    return _Entry(parameter.name, about, value)
-
-
-def _limits(parameter: NodeParameter) -> Iterator[AnyText]:
-    if parameter.low is not None:
-        yield f"at least {json.dumps(parameter.low)}"
-    if parameter.high is not None:
-        yield f"at most {json.dumps(parameter.high)}"
-    if parameter.constraints:
-        yield parameter.constraints
-    if parameter.is_learned:
-        yield "the function learns it; this is what it starts from"
-    elif parameter.is_read_only:
-        yield "only read when the node starts"
+    low, high = (None if each is None else json.dumps(each) for each in (parameter.low, parameter.high))
+    return _Entry(parameter, value, low, high)
 
 
 def _value(value: Any, element: str) -> str:
