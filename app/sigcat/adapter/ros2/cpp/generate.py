@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import NamedTuple
 
 from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.ros2.cpp.cmake import cmake
@@ -13,7 +14,8 @@ from sigcat.adapter.ros2.cpp.structs import structs_header
 from sigcat.adapter.ros2.cpp.tests import launch_test, node_test
 from sigcat.adapter.ros2.package_xml import package_xml, rights
 from sigcat.adapter.ros2.plan import WorkspacePlan
-from sigcat.function.document.text_filters import comment
+from sigcat.adapter.templates import rendered
+from sigcat.function.document.text_filters import AnyText
 
 _DEPENDS = (
     "builtin_interfaces",
@@ -28,8 +30,18 @@ _TEST_DEPENDS = (
     "ament_cmake_ros", "ament_cmake_uncrustify", "ament_cmake_xmllint", "ament_lint_auto", "launch_testing_ament_cmake",
     "launch_testing_ros", "lifecycle_msgs",
 )  # fmt: skip
+_FOLDER = "adapter/ros2/cpp/support"
 SUPPORT = Path(__file__).parent / "support"
-"""Common files of all nodes, with PACKAGE_NAME and PACKAGE_GUARD for the name of the package."""
+"""Templates of files that all nodes have in common."""
+
+
+class _Support(NamedTuple):
+    """Plan of such a file."""
+
+    rights: AnyText
+    package: str
+    guard: str
+    """Include guards begin with it."""
 
 
 def cpp_files(workspace: WorkspacePlan) -> Iterator[GeneratedFile]:
@@ -60,13 +72,14 @@ def _support(workspace: WorkspacePlan) -> Iterator[GeneratedFile]:
         *(() if any(node.is_stored for node in workspace.nodes) else ("storage", "stored_text")),
         *(() if workspace.has_bond else ("bond",)),
     }
-    for path in sorted(SUPPORT.rglob("*.?pp")):
-        if path.stem.removeprefix("test_") in unused:
+    plan = _Support(rights(workspace.package), workspace.name, workspace.name.upper())
+    for path in sorted(SUPPORT.rglob("*.j2")):
+        name = path.name.removesuffix(".j2")
+        if Path(name).stem.removeprefix("test_") in unused:
             continue
-        text = path.read_text(encoding="utf-8").replace("PACKAGE_GUARD", workspace.name.upper())
-        text = f"// {comment(rights(workspace.package))}\n\n{text.replace('PACKAGE_NAME', workspace.name)}"
-        folder = f"include/{workspace.name}" if path.suffix == ".hpp" else path.parent.name
-        yield GeneratedFile(f"{folder}/{path.name}", text.encode())
+        folder = f"include/{workspace.name}" if name.endswith(".hpp") else path.parent.name
+        text = rendered(f"{_FOLDER}/{path.parent.name}/{path.name}", plan)
+        yield GeneratedFile(f"{folder}/{name}", text.encode())
 
 
 def _dependencies(workspace: WorkspacePlan) -> Iterator[tuple[str, str]]:
