@@ -6,8 +6,6 @@ from typing import NamedTuple
 from sigcat.adapter.core.plan import Call
 from sigcat.adapter.ros2.cpp.names import scope_of
 from sigcat.adapter.ros2.plan import NodePlan
-from sigcat.function.document.text import composed
-from sigcat.function.document.text_filters import AnyText
 from sigcat.names import snake_case
 
 
@@ -17,17 +15,12 @@ class NodeCall(NamedTuple):
     step: Call
     constant: str
     stem: str
-    about: AnyText
 
 
 def node_calls(node: NodePlan) -> Sequence[NodeCall]:
     """All of them."""
     constant = scope_of(node).call
-    return [NodeCall(step, constant(step.name), _stem(node, step), _about(step)) for step in node.steps]
-
-
-def _about(step: Call) -> AnyText:
-    return composed(step.interface, ": ", step.description) if step.description else step.interface
+    return [NodeCall(step, constant(step.name), _stem(node, step)) for step in node.steps]
 
 
 def _stem(node: NodePlan, call: Call) -> str:

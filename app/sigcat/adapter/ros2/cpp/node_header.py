@@ -8,7 +8,6 @@ from sigcat.adapter.ros2.cpp.names import guard, header_of, short
 from sigcat.adapter.ros2.package_xml import rights
 from sigcat.adapter.ros2.plan import NodePlan, Publisher, Subscription, WorkspacePlan
 from sigcat.adapter.templates import rendered
-from sigcat.function.document.text import composed
 from sigcat.function.document.text_filters import AnyText
 
 
@@ -31,44 +30,37 @@ class _Header(NamedTuple):
     """Plan of the header."""
 
     rights: AnyText
-    about: AnyText
+    node: NodePlan
     guard: str
     headers: Sequence[str]
     package: str
     interfaces: str
-    type: str
     has_messages: bool
     calls: Sequence[NodeCall]
     publishers: Sequence[_Publisher]
     offered: Sequence[_Member]
     used: Sequence[_Member]
-    is_settable: bool
     has_taken_callback: bool
     has_deadline: bool
-    is_stored: bool
     has_bond: bool
 
 
 def node_header(node: NodePlan, workspace: WorkspacePlan) -> str:
     """The whole header."""
-    version = f" {node.core.version}" if node.core.version else ""
     plan = _Header(
         rights(workspace.package),
-        composed(f"{node.core.function}{version}: ", node.core.description),
+        node,
         guard(workspace, node.stem),
         _headers(node, workspace),
         workspace.name,
         workspace.interfaces,
-        node.type,
         has_messages(node, node.publishers),
         calls=node_calls(node),
         publishers=[_Publisher(each.member, short(each.message, node), each.is_status) for each in node.publishers],
         offered=[_Member(each.member, short(each.service, node)) for each in node.offered],
         used=[_Member(each.member, short(each.service, node)) for each in node.used],
-        is_settable=bool(node.settable),
         has_taken_callback=workspace.release != "humble",
         has_deadline=has_deadline(node),
-        is_stored=node.is_stored,
         has_bond=workspace.has_bond,
     )
     return rendered("adapter/ros2/cpp/node.hpp.j2", plan)

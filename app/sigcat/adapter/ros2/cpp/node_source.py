@@ -14,37 +14,40 @@ from sigcat.adapter.ros2.cpp.sending import Sending, sending_of
 from sigcat.adapter.ros2.cpp.stored import Learned, learned_parameters
 from sigcat.adapter.ros2.cpp.tables import SymbolTable, symbol_tables
 from sigcat.adapter.ros2.package_xml import rights
-from sigcat.adapter.ros2.plan import Monitor, NodePlan, WorkspacePlan
+from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
 from sigcat.adapter.templates import rendered
 from sigcat.function.document.text_filters import AnyText
+
+
+class _Main(NamedTuple):
+    """Plan of the main function of the node's own executable. Two threads beside the one that receives: one answers, one changes the state."""
+
+    rights: AnyText
+    package: str
+    node: NodePlan
 
 
 class _Source(NamedTuple):
     """Plan of the source."""
 
     rights: AnyText
-    header: str
+    node: NodePlan
     headers: Sequence[str]
     package: str
     interfaces: str
     has_new_messages: bool
     """Whether it has messages of the set, and its header none."""
     type: str
-    name: str
-    function: str
     core: str
     """The type of the core, with which names of its functions and types begin."""
     macro: str
     """Names of its constants begin with it."""
     is_once: bool
     """Whether a process can have one node of it: the code has its data in global variables."""
-    is_stored: bool
     has_bond: bool
     has_deadline: bool
-    priority: int | None
     calls: Sequence[NodeCall]
     tables: Sequence[SymbolTable]
-    monitors: Sequence[Monitor]
     learned: Sequence[Learned]
     parameters: Parameters
     connections: Connections
@@ -56,24 +59,19 @@ def node_source(node: NodePlan, workspace: WorkspacePlan) -> str:
     """The whole source."""
     plan = _Source(
         rights(workspace.package),
-        f"{workspace.name}/{node.stem}.hpp",
+        node,
         _headers(node, workspace),
         workspace.name,
         workspace.interfaces,
         has_messages(node, node.subscriptions) and not has_messages(node, node.publishers),
         node.type,
-        node.name,
-        node.core.function,
         node.core.type_name,
         scope_of(node).macro,
         node.core.code.signature == GLOBALS,
-        node.is_stored,
         workspace.has_bond,
         has_deadline(node),
-        node.priority,
         node_calls(node),
         symbol_tables(node),
-        node.monitors,
         learned_parameters(node),
         parameters_of(node, workspace),
         connections_of(node),
@@ -81,6 +79,11 @@ def node_source(node: NodePlan, workspace: WorkspacePlan) -> str:
         methods_of(node, workspace),
     )
     return rendered("adapter/ros2/cpp/node.cpp.j2", plan)
+
+
+def main_source(node: NodePlan, workspace: WorkspacePlan) -> str:
+    """The source of the node's own executable."""
+    return rendered("adapter/ros2/cpp/main.cpp.j2", _Main(rights(workspace.package), workspace.name, node))
 
 
 def _headers(node: NodePlan, workspace: WorkspacePlan) -> list[str]:

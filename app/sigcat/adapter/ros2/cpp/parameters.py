@@ -48,8 +48,6 @@ class Parameters(NamedTuple):
     """All that the core's SetParameters takes; others only start with a value."""
     unset: Sequence[str]
     """Parameters of the core that the node has none for: structs."""
-    priority: int | None
-    policy: str
     has_taken_callback: bool
     """Whether the release tells when all have accepted: others may refuse what this node does not."""
 
@@ -61,8 +59,6 @@ def parameters_of(node: NodePlan, workspace: WorkspacePlan) -> Parameters:
         declared,
         [each for each in declared if not each.of.is_learned],
         _unset(node) if node.settable else (),
-        node.priority,
-        node.policy,
         workspace.release != "humble",
     )
 

@@ -24,12 +24,7 @@ class _NodeTest(NamedTuple):
     headers: Sequence[str]
     interfaces: str
     package: str
-    type: str
-    folder: str
-    """Beginning of the name of a folder of stored values."""
-    full_name: str
-    step_service: str
-    is_stored: bool
+    node: NodePlan
     refused: Sequence[_Refused]
     cycle: int
     """Nanoseconds between two steps."""
@@ -39,8 +34,8 @@ class _LaunchTest(NamedTuple):
     """Plan of the test of the launch file."""
 
     package: str
-    launch: str
     nodes: Sequence[str]
+    """Their full names."""
 
 
 def node_test(node: NodePlan, workspace: WorkspacePlan) -> str:
@@ -50,11 +45,7 @@ def node_test(node: NodePlan, workspace: WorkspacePlan) -> str:
         _headers(node, workspace),
         workspace.interfaces,
         workspace.name,
-        node.type,
-        f"test_{node.stem}_",
-        f"/{node.name}",
-        f"/{node.name}/step",
-        node.is_stored,
+        node,
         [_refused(each, each.high) for each in node.settable if not each.is_read_only and each.high is not None],
         min((step.cycle for step in node.steps if step.cycle), default=10**7),
     )
@@ -77,5 +68,4 @@ def _refused(parameter: NodeParameter, high: float) -> _Refused:
 def launch_test(workspace: WorkspacePlan) -> str:
     """The launch file brings every node to its active state."""
     nodes = [f"{workspace.namespace.rstrip('/')}/{node.name}" for node in workspace.nodes]
-    plan = _LaunchTest(workspace.name, f"launch/{workspace.name}.launch.py", nodes)
-    return rendered("adapter/ros2/cpp/test_launch.py.j2", plan)
+    return rendered("adapter/ros2/cpp/test_launch.py.j2", _LaunchTest(workspace.name, nodes))
