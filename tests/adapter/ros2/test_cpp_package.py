@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from sigcat.adapter.ros2.cpp.parameters import AS
+from sigcat.adapter.ros2.cpp.node.parameters import AS
 from sigcat.errors import InputRefused
 from tests.adapter.autosar_adaptive.application.generated import FULL
 from tests.adapter.ros2 import generated

@@ -7,8 +7,8 @@ from typing import NamedTuple
 from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.ros2.cpp.cmake import cmake
 from sigcat.adapter.ros2.cpp.layout import fitted
-from sigcat.adapter.ros2.cpp.node_header import has_deadline, node_header
-from sigcat.adapter.ros2.cpp.node_source import main_source, node_source
+from sigcat.adapter.ros2.cpp.node.header import has_deadline, node_header
+from sigcat.adapter.ros2.cpp.node.source import main_source, node_source
 from sigcat.adapter.ros2.cpp.structs import structs_header
 from sigcat.adapter.ros2.cpp.tests import launch_test, node_test
 from sigcat.adapter.ros2.package_xml import package_xml, rights

@@ -5,11 +5,19 @@ from pathlib import Path
 
 from sigcat.adapter.files import GeneratedFile, shipped, within
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
-from sigcat.adapter.ros2.python import package, package_tests
-from sigcat.adapter.ros2.python.bridge import bridge_files
-from sigcat.adapter.ros2.python.core_module import core_module
+from sigcat.adapter.ros2.python.core.bridge import bridge_files
+from sigcat.adapter.ros2.python.core.module import core_module
 from sigcat.adapter.ros2.python.names import written
 from sigcat.adapter.ros2.python.node_module import node_module
+from sigcat.adapter.ros2.python.package import tests
+from sigcat.adapter.ros2.python.package.description import (
+    core_stem,
+    init_module,
+    package_description,
+    package_name,
+    setup_cfg,
+    setup_py,
+)
 
 SUPPORT = Path(__file__).parent / "support"
 """Modules that are the same in every package."""
@@ -24,22 +32,22 @@ def python_files(workspace: WorkspacePlan) -> tuple[GeneratedFile, ...]:
     bridges = (file for node in workspace.nodes for file in bridge_files(node.core))
     return (
         *within(f"{workspace.name}/core", bridges),
-        *within(package.package_name(workspace), _package(workspace)),
+        *within(package_name(workspace), _package(workspace)),
     )
 
 
 def _package(workspace: WorkspacePlan) -> Iterable[GeneratedFile]:
-    name = package.package_name(workspace)
-    yield _text("package.xml", package.description(workspace))
-    yield _module("setup.py", package.setup_py(workspace))
-    yield _text("setup.cfg", package.setup_cfg(workspace))
+    name = package_name(workspace)
+    yield _text("package.xml", package_description(workspace))
+    yield _module("setup.py", setup_py(workspace))
+    yield _text("setup.cfg", setup_cfg(workspace))
     yield _text(f"resource/{name}", "")
-    yield _module(f"{name}/__init__.py", package.init_module(workspace))
+    yield _module(f"{name}/__init__.py", init_module(workspace))
     yield _text(f"{name}/py.typed", "")
     yield from within(f"{name}/support", _support(workspace))
     for node in workspace.nodes:
         yield from _node(node, workspace)
-    yield from (_text(f"test/{name}", package_tests.common(name)) for name in package_tests.COMMON)
+    yield from (_text(f"test/{name}", tests.common(name)) for name in tests.COMMON)
 
 
 def _support(workspace: WorkspacePlan) -> Iterable[GeneratedFile]:
@@ -51,12 +59,12 @@ def _support(workspace: WorkspacePlan) -> Iterable[GeneratedFile]:
 
 
 def _node(node: NodePlan, workspace: WorkspacePlan) -> Iterable[GeneratedFile]:
-    name = package.package_name(workspace)
-    core, stem = package.core_stem(node), node.stem
+    name = package_name(workspace)
+    core, stem = core_stem(node), node.stem
     yield _module(f"{name}/{core}.py", core_module(node))
     yield _module(f"{name}/{stem}.py", node_module(node, has_bond=workspace.has_bond))
-    yield _module(f"test/test_{core}.py", package_tests.core_test(node, workspace))
-    yield _module(f"test/test_{stem}.py", package_tests.node_test(node, workspace))
+    yield _module(f"test/test_{core}.py", tests.core_test(node, workspace))
+    yield _module(f"test/test_{stem}.py", tests.node_test(node, workspace))
 
 
 def _module(name: str, text: str) -> GeneratedFile:

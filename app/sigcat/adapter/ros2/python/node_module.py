@@ -18,7 +18,7 @@ from sigcat.adapter.ros2.plan import (
     Subscription,
     Taken,
 )
-from sigcat.adapter.ros2.python.core_module import argument_names, core_type, members, method_names, receivers
+from sigcat.adapter.ros2.python.core.module import argument_names, core_type, members, method_names, receivers
 from sigcat.adapter.ros2.python.names import Import, class_name, imports, number
 from sigcat.adapter.templates import rendered
 from sigcat.function.document.text import sentence

@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
-from sigcat.adapter.ros2.python.core_module import core_type
+from sigcat.adapter.ros2.python.core.module import core_type
 from sigcat.adapter.ros2.python.names import Import, imports
-from sigcat.adapter.ros2.python.package import core_stem, package_name
+from sigcat.adapter.ros2.python.package.description import core_stem, package_name
 from sigcat.adapter.templates import rendered
 
 COMMON = ("conftest.py", "test_flake8.py", "test_pep257.py")
@@ -29,14 +29,14 @@ class _Tests(NamedTuple):
 
 def common(name: str) -> str:
     """The file of that name."""
-    return rendered(f"adapter/ros2/python/{name}.j2", _Nothing())
+    return rendered(f"adapter/ros2/python/package/{name}.j2", _Nothing())
 
 
 def core_test(node: NodePlan, workspace: WorkspacePlan) -> str:
     """Tests of a core, which need no ROS but its packages."""
     core, name = core_type(node.core), package_name(workspace)
     modules = [(f"{name}.{core_stem(node)}", [core]), (f"{name}.support.core", ["LayoutError"]), ("pytest", ())]
-    return rendered("adapter/ros2/python/test_core.py.j2", _tests(node, imports(modules)))
+    return rendered("adapter/ros2/python/package/test_core.py.j2", _tests(node, imports(modules)))
 
 
 def node_test(node: NodePlan, workspace: WorkspacePlan) -> str:
@@ -51,7 +51,7 @@ def node_test(node: NodePlan, workspace: WorkspacePlan) -> str:
         ("rclpy.lifecycle", ["TransitionCallbackReturn"]),
         ("rclpy.parameter", ["Parameter"]),
     ]
-    return rendered("adapter/ros2/python/test_node.py.j2", _tests(node, imports(modules)))
+    return rendered("adapter/ros2/python/package/test_node.py.j2", _tests(node, imports(modules)))
 
 
 def _tests(node: NodePlan, needed: Sequence[Import]) -> _Tests:

@@ -4,15 +4,15 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.core.plan import GLOBALS
-from sigcat.adapter.ros2.cpp.calls import NodeCall, node_calls
-from sigcat.adapter.ros2.cpp.connections import Connections, connections_of
-from sigcat.adapter.ros2.cpp.methods import Methods, methods_of
 from sigcat.adapter.ros2.cpp.names import header_of, scope_of
-from sigcat.adapter.ros2.cpp.node_header import has_deadline, has_messages
-from sigcat.adapter.ros2.cpp.parameters import Parameters, parameters_of
-from sigcat.adapter.ros2.cpp.sending import Sending, sending_of
-from sigcat.adapter.ros2.cpp.stored import Learned, learned_parameters
-from sigcat.adapter.ros2.cpp.tables import SymbolTable, symbol_tables
+from sigcat.adapter.ros2.cpp.node.calls import NodeCall, node_calls
+from sigcat.adapter.ros2.cpp.node.connections import Connections, connections_of
+from sigcat.adapter.ros2.cpp.node.header import has_deadline, has_messages
+from sigcat.adapter.ros2.cpp.node.methods import Methods, methods_of
+from sigcat.adapter.ros2.cpp.node.parameters import Parameters, parameters_of
+from sigcat.adapter.ros2.cpp.node.sending import Sending, sending_of
+from sigcat.adapter.ros2.cpp.node.stored import Learned, learned_parameters
+from sigcat.adapter.ros2.cpp.node.tables import SymbolTable, symbol_tables
 from sigcat.adapter.ros2.package_xml import rights
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
 from sigcat.adapter.templates import rendered
@@ -78,12 +78,12 @@ def node_source(node: NodePlan, workspace: WorkspacePlan) -> str:
         sending_of(node),
         methods_of(node, workspace),
     )
-    return rendered("adapter/ros2/cpp/node.cpp.j2", plan)
+    return rendered("adapter/ros2/cpp/node/node.cpp.j2", plan)
 
 
 def main_source(node: NodePlan, workspace: WorkspacePlan) -> str:
     """The source of the node's own executable."""
-    return rendered("adapter/ros2/cpp/main.cpp.j2", _Main(rights(workspace.package), workspace.name, node))
+    return rendered("adapter/ros2/cpp/node/main.cpp.j2", _Main(rights(workspace.package), workspace.name, node))
 
 
 def _headers(node: NodePlan, workspace: WorkspacePlan) -> list[str]:

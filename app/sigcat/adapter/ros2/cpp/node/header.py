@@ -3,8 +3,8 @@
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from sigcat.adapter.ros2.cpp.calls import NodeCall, node_calls
 from sigcat.adapter.ros2.cpp.names import guard, header_of, short
+from sigcat.adapter.ros2.cpp.node.calls import NodeCall, node_calls
 from sigcat.adapter.ros2.package_xml import rights
 from sigcat.adapter.ros2.plan import NodePlan, Publisher, Subscription, WorkspacePlan
 from sigcat.adapter.templates import rendered
@@ -63,7 +63,7 @@ def node_header(node: NodePlan, workspace: WorkspacePlan) -> str:
         has_deadline=has_deadline(node),
         has_bond=workspace.has_bond,
     )
-    return rendered("adapter/ros2/cpp/node.hpp.j2", plan)
+    return rendered("adapter/ros2/cpp/node/node.hpp.j2", plan)
 
 
 def has_messages(node: NodePlan, ends: Iterable[Publisher | Subscription]) -> bool:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from sigcat.adapter.core.plan import Call, CorePlan, Method, WireType
 from sigcat.adapter.ros2.plan import Monitor, NodePlan
-from sigcat.adapter.ros2.python.bridge import declarations, digest, publish_names, struct_names
+from sigcat.adapter.ros2.python.core.bridge import declarations, digest, publish_names, struct_names
 from sigcat.adapter.ros2.python.names import Import, class_name, imports, python_names, typed
 from sigcat.adapter.templates import rendered
 from sigcat.function.document.text import sentence
@@ -136,7 +136,7 @@ def core_module(node: NodePlan) -> str:
         out=_sent(core),
         publish=[_Published(names[each], each) for each in publish_names(core)],
     )
-    return rendered("adapter/ros2/python/core.py.j2", plan)
+    return rendered("adapter/ros2/python/core/core.py.j2", plan)
 
 
 def _typing_imports(core: CorePlan) -> Sequence[Import]:

@@ -32,7 +32,7 @@ def core_stem(node: NodePlan) -> str:
     return f"{snake_case(node.core.function)}_core"
 
 
-def description(workspace: WorkspacePlan) -> str:
+def package_description(workspace: WorkspacePlan) -> str:
     """package.xml."""
     bond = {"bondpy"} if workspace.has_bond and workspace.release != "humble" else set()
     others = {workspace.name, workspace.interfaces, *workspace.message_packages}
@@ -43,12 +43,12 @@ def description(workspace: WorkspacePlan) -> str:
 
 def setup_py(workspace: WorkspacePlan) -> str:
     """setup.py, with an executable for each node."""
-    return rendered("adapter/ros2/python/setup.py.j2", _setup(workspace))
+    return rendered("adapter/ros2/python/package/setup.py.j2", _setup(workspace))
 
 
 def setup_cfg(workspace: WorkspacePlan) -> str:
     """setup.cfg: executables stand where `ros2 run` looks for them."""
-    return rendered("adapter/ros2/python/setup.cfg.j2", _setup(workspace))
+    return rendered("adapter/ros2/python/package/setup.cfg.j2", _setup(workspace))
 
 
 def _setup(workspace: WorkspacePlan) -> _Setup:
@@ -57,4 +57,4 @@ def _setup(workspace: WorkspacePlan) -> _Setup:
 
 def init_module(workspace: WorkspacePlan) -> str:
     """Description of the package."""
-    return rendered("adapter/ros2/python/__init__.py.j2", _setup(workspace))
+    return rendered("adapter/ros2/python/package/__init__.py.j2", _setup(workspace))
