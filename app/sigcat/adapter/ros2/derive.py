@@ -55,9 +55,9 @@ def _refuse_disagreements(contexts: Iterable[NodeContext]) -> None:
 
 
 def _disagreements(context: NodeContext) -> Iterator[tuple[str, str]]:
-    told = {diagnostic.error for diagnostic in context.node.diagnostics}
+    diagnosed = {diagnostic.error for diagnostic in context.node.diagnostics}
     for error in context.errors:
-        if error not in told:
+        if error not in diagnosed:
             yield f"`Diagnostics` must have the error {error}", "/Diagnostics"
     methods = {context.name_of(method.named): method for method in context.core.methods}
     for service in (service for role in (SERVER, CLIENT) for service in context.services(role)):

@@ -10,13 +10,13 @@ from sigcat.adapter.ros2.node_context import NodeContext
 from sigcat.adapter.ros2.plan import (
     ArgumentField,
     Fixed,
-    Given,
     InterfaceType,
     MethodService,
     Publisher,
+    ReceivedField,
+    SentField,
     Subscription,
     Symbol,
-    Taken,
 )
 from sigcat.integration.ros2.model import ArgumentMap, FieldMapping, QualityOfService, RosTopic, StatusTopic
 from sigcat.integration.ros2.services import CLIENT, SERVER
@@ -65,30 +65,30 @@ def subscriptions(context: NodeContext) -> tuple[Subscription, ...]:
     made = [_subscription(name, ends, names, context) for name, ends in found.items()]
     made += [_status_subscription(topic, taken, names)
              for topic in _status_topics(context, SUBSCRIPTION)
-             if (taken := _status_taken(topic, context)) is not None]  # fmt: skip
+             if (taken := _received_status(topic, context)) is not None]  # fmt: skip
     return tuple(each for each in made if each.takes)
 
 
 def _subscription(
     name: str, ends: list[tuple[str, RosTopic]], names: dict[str, str], context: NodeContext
 ) -> Subscription:
-    takes: dict[str, Taken] = {}
+    takes: dict[str, ReceivedField] = {}
     for call, topic in ends:
-        for mapping in (mapping for data_map in topic.data_maps for mapping in data_map.mappings or ()):
+        for mapping in topic.mappings:
             port = context.port(call, mapping)
             if port is not None:
-                takes[port.name] = _taken(mapping, port)
+                takes[port.name] = _received_field(mapping, port)
     first = ends[0][1]
     assert first.message is not None
-    quality = _together([topic.quality for _, topic in ends if topic.quality is not None])
+    quality = _combined([topic.quality for _, topic in ends if topic.quality is not None])
     return Subscription(name, interface_type(first.message), _member(name, names), quality, tuple(takes.values()))
 
 
-def _taken(mapping: FieldMapping, port: Port) -> Taken:
+def _received_field(mapping: FieldMapping, port: Port) -> ReceivedField:
     symbols = () if mapping.number_field else _text_symbols(mapping, port.wire)
     field = mapping.number_field or mapping.field
     nameless = _nameless(port.wire) if symbols else None
-    return Taken(port.name, field, port.wire, port.comment, symbols, nameless, wakes=bool(port.triggers))
+    return ReceivedField(port.name, field, port.wire, port.comment, symbols, nameless, wakes=bool(port.triggers))
 
 
 _FIRST_NAMELESS = 2**31 - 1
@@ -103,31 +103,33 @@ def _nameless(wire: WireType) -> int | None:
     return next((number for number in numbers if number not in named), None)
 
 
-def _together(qualities: list[QualityOfService]) -> QualityOfService:
+def _combined(qualities: list[QualityOfService]) -> QualityOfService:
     """One subscription for all calls: the deepest, with the shortest deadline."""
     deadlines = [each.deadline for each in qualities if each.deadline is not None]
     depth = max(each.depth for each in qualities)
     return qualities[0].model_copy(update={"depth": depth, "deadline": min(deadlines, default=None)})
 
 
-def _status_subscription(topic: StatusTopic, taken: Taken, names: dict[str, str]) -> Subscription:
+def _status_subscription(topic: StatusTopic, taken: ReceivedField, names: dict[str, str]) -> Subscription:
     member = _member(topic.topic, names)
     return Subscription(topic.topic, interface_type(topic.message), member, topic.quality, (taken,))
 
 
-def _status_taken(topic: StatusTopic, context: NodeContext) -> Taken | None:
+def _received_status(topic: StatusTopic, context: NodeContext) -> ReceivedField | None:
     """The input that receives an error of others, a safety reaction or the mode."""
     core = context.core
     for error in core.foreign_errors:
         if error.name == identifier(topic.interface):
-            return Taken(error.name, topic.field, error.wire, error.comment)
+            return ReceivedField(error.name, topic.field, error.wire, error.comment)
     for reaction in core.reactions:
         if context.name_of(reaction.named) == topic.interface:
             numbers = _differing(((INACTIVE, reaction.inactive), (ACTIVE, reaction.active)))
-            return Taken(reaction.named.name, topic.field, reaction.wire, reaction.named.comment, numbers=numbers)
+            return ReceivedField(
+                reaction.named.name, topic.field, reaction.wire, reaction.named.comment, numbers=numbers
+            )
     mode = core.mode_in
     if mode is not None and context.name_of(mode.named) == topic.interface:
-        return Taken(mode.named.name, topic.field, mode.wire, mode.named.comment)
+        return ReceivedField(mode.named.name, topic.field, mode.wire, mode.named.comment)
     return None
 
 
@@ -148,17 +150,17 @@ def publishers(context: NodeContext) -> tuple[Publisher, ...]:
     made += [Publisher(topic.topic, interface_type(topic.message), _member(topic.topic, names), topic.quality, (given,),
                        is_status=True)
              for topic in _status_topics(context, PUBLISHER)
-             if (given := _status_given(topic, context)) is not None]  # fmt: skip
+             if (given := _sent_status(topic, context)) is not None]  # fmt: skip
     return tuple(each for each in made if each.gives)
 
 
 def _publisher(name: str, ends: list[tuple[str, RosTopic]], names: dict[str, str], context: NodeContext) -> Publisher:
-    gives: dict[str, Given] = {}
+    gives: dict[str, SentField] = {}
     for call, topic in ends:
-        for mapping in (mapping for data_map in topic.data_maps for mapping in data_map.mappings or ()):
+        for mapping in topic.mappings:
             output = context.output(call, mapping)
             if output is not None:
-                gives[output.named.name] = _given(mapping, output, context)
+                gives[output.named.name] = _sent_field(mapping, output, context)
     first = ends[0][1]
     assert first.message is not None
     assert first.quality is not None
@@ -168,9 +170,9 @@ def _publisher(name: str, ends: list[tuple[str, RosTopic]], names: dict[str, str
     )  # fmt: skip
 
 
-def _given(mapping: FieldMapping, output: Output, context: NodeContext) -> Given:
+def _sent_field(mapping: FieldMapping, output: Output, context: NodeContext) -> SentField:
     wire = output.value.wire
-    return Given(
+    return SentField(
         place=output.named.name,
         field=mapping.field,
         wire=wire,
@@ -188,27 +190,26 @@ def _own_ports(mapping: FieldMapping, context: NodeContext) -> tuple[Port, ...]:
     found = {
         port.name: port
         for call, topic in context.topics(SUBSCRIPTION)
-        for data_map in topic.data_maps
-        for other in data_map.mappings or ()
+        for other in topic.mappings
         if (other.vss_path or other.signal) == key and (port := context.port(call, other)) is not None
     }
     return tuple(found.values())
 
 
-def _status_given(topic: StatusTopic, context: NodeContext) -> Given | None:
+def _sent_status(topic: StatusTopic, context: NodeContext) -> SentField | None:
     """Sent status of an error, a safety reaction or the mode."""
     core = context.core
     error = context.errors.get(topic.interface)
     if error is not None:
         numbers = _differing(((error.passed, PASSED), (error.failed, FAILED)))
-        return Given(error.named.name, topic.field, error.wire, error.named.comment, numbers=numbers)
+        return SentField(error.named.name, topic.field, error.wire, error.named.comment, numbers=numbers)
     for reaction in core.reactions:
         if context.name_of(reaction.named) == topic.interface:
             numbers = _differing(((reaction.inactive, INACTIVE), (reaction.active, ACTIVE)))
-            return Given(reaction.named.name, topic.field, reaction.wire, reaction.named.comment, numbers=numbers)
+            return SentField(reaction.named.name, topic.field, reaction.wire, reaction.named.comment, numbers=numbers)
     mode = core.mode_out
     if mode is not None and context.name_of(mode.named) == topic.interface:
-        return Given(mode.named.name, topic.field, mode.wire, mode.named.comment)
+        return SentField(mode.named.name, topic.field, mode.wire, mode.named.comment)
     return None
 
 

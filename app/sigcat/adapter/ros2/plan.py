@@ -33,7 +33,7 @@ class Symbol(NamedTuple):
     """In the core."""
 
 
-class Taken(NamedTuple):
+class ReceivedField(NamedTuple):
     """A field of a message, and the place of the core that takes it."""
 
     place: str
@@ -52,7 +52,7 @@ class Taken(NamedTuple):
     """Whether a value makes a call due."""
 
 
-class Given(NamedTuple):
+class SentField(NamedTuple):
     """A field of a message, and the place of the core's `out` that it is filled from."""
 
     place: str
@@ -79,7 +79,7 @@ class Subscription:
     member: str
     """Name of its member, without the underscore at the end: `vehicle_speed`."""
     quality: QualityOfService
-    takes: tuple[Taken, ...]
+    takes: tuple[ReceivedField, ...]
 
 
 class Fixed(NamedTuple):
@@ -97,7 +97,7 @@ class Publisher:
     message: InterfaceType
     member: str
     quality: QualityOfService
-    gives: tuple[Given, ...]
+    gives: tuple[SentField, ...]
     is_status: bool = False
     """Whether it is an error, a safety reaction or a mode, and not data of a call."""
     stamp: str | None = "stamp"

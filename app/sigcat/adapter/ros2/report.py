@@ -126,7 +126,7 @@ def _of_topic(topic: RosTopic, node: RosNode, places: Mapping[str, str]) -> Iter
     known = {**places, "interfaces": f"{topic.message}.msg"}
     way = "publisher" if topic.role == PUBLISHER else "subscription"
     yield from entries(node.function, topic.name, way, topic, _filled("topic", known))
-    for mapping in (mapping for data_map in topic.data_maps for mapping in data_map.mappings or ()):
+    for mapping in topic.mappings:
         yield from entries(node.function, mapping.signal, "signal", mapping, _filled("signal", known))
 
 

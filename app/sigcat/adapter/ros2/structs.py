@@ -31,7 +31,7 @@ def _uses(context: NodeContext) -> Iterator[tuple[str, WireType]]:
     """Datatypes of fields, and of the places of the core."""
     for role in (SUBSCRIPTION, PUBLISHER):
         for call, topic in context.topics(role):
-            for mapping in (mapping for data_map in topic.data_maps for mapping in data_map.mappings or ()):
+            for mapping in topic.mappings:
                 port, output = context.port(call, mapping), context.output(call, mapping)
                 wire = port.wire if port else output.value.wire if output else None
                 if wire is not None:
@@ -48,8 +48,8 @@ def _add(
     context: NodeContext,
 ) -> None:  # fmt: skip
     if len(message.fields) != len(struct.fields):
-        told = f"The message {message.name} must have the {len(struct.fields)} members of its struct, not {len(message.fields)}."
-        finding = codes.NOT_WRITABLE_AS_ROS2.finding(told, pointer="/InterfacePackageList/0/Messages")
+        text = f"The message {message.name} must have the {len(struct.fields)} members of its struct, not {len(message.fields)}."
+        finding = codes.NOT_WRITABLE_AS_ROS2.finding(text, pointer="/InterfacePackageList/0/Messages")
         raise InputRefused("The integration cannot become packages.", (finding,))
     for field, member in zip(message.fields, struct.fields, strict=True):
         if member.c in known:

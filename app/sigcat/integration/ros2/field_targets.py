@@ -240,7 +240,7 @@ def _exchanged(communications: Iterable[Communication]) -> _Exchanged:
     for communication in communications:
         for topic in communication.topics:
             role = PROVIDER if topic.role == PUBLISHER else CONSUMER
-            for mapping in (field for data_map in topic.data_maps for field in data_map.mappings or ()):
+            for mapping in topic.mappings:
                 fields[(topic.node or "", communication.runnable, mapping.signal, role)] = topic, mapping
         for service in communication.services or ():
             role = PROVIDER if service.role == SERVER else CONSUMER

@@ -4,6 +4,7 @@ Fields of the authors' schema keep their spelling (`ROSTopicList`, `GlobalVariab
 there: packages with messages and services, nodes with their life cycle, quality of service, conversions.
 """
 
+from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
 from pydantic import Field
@@ -189,6 +190,11 @@ class RosTopic(WireModel):
     quality: QualityOfService | None = described(
         "QualityOfService", "Quality of service of this end.", default=None, source=OWN
     )
+
+    @property
+    def mappings(self) -> Iterator[FieldMapping]:
+        """All fields, of whichever data mapping."""
+        return (mapping for data_map in self.data_maps for mapping in data_map.mappings or ())
 
 
 class ArgumentMap(WireModel):

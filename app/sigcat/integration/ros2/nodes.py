@@ -18,7 +18,6 @@ from sigcat.integration.ros2.model import (
     Communication,
     MessageField,
     RosNode,
-    RosTopic,
     Schedule,
     StatusTopic,
     Transition,
@@ -144,12 +143,10 @@ def _triggers(call: Runnable, part: Part, exchanged: Sequence[Communication]) ->
         for communication in exchanged
         if communication.runnable == call.name
         for topic in communication.topics
-        if topic.role == SUBSCRIPTION and topic.node == part.name and names.intersection(_signals(topic))
+        if topic.role == SUBSCRIPTION
+        and topic.node == part.name
+        and names.intersection(mapping.signal for mapping in topic.mappings)
     )
-
-
-def _signals(topic: RosTopic) -> Iterable[str]:
-    return (mapping.signal for data_map in topic.data_maps for mapping in data_map.mappings or ())
 
 
 def _after(call: Runnable, part: Part, findings: FindingCollector) -> str | None:

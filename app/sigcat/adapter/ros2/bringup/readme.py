@@ -6,10 +6,10 @@ from typing import NamedTuple
 from sigcat.adapter.ros2.bringup.graph import publishers_of, subscribers_of
 from sigcat.adapter.ros2.bringup.picture import OUTSIDE, Picture, picture
 from sigcat.adapter.ros2.plan import (
-    Given,
     Publisher,
+    ReceivedField,
+    SentField,
     Subscription,
-    Taken,
     WorkspacePlan,
 )
 from sigcat.adapter.templates import rendered
@@ -26,7 +26,7 @@ class _Topic(NamedTuple):
     """The source outside, if there is none in the set."""
     targets: Sequence[str]
     quality: QualityOfService
-    fields: Sequence[Taken | Given]
+    fields: Sequence[ReceivedField | SentField]
 
 
 class _Readme(NamedTuple):
@@ -46,7 +46,7 @@ def providers_of(model: Ros2Integration) -> Mapping[str, AnyText]:
     """Publishers of a topic outside of the set, as functions and the deployment name them."""
     found: dict[str, AnyText] = {}
     for topic in (topic for communication in model.communications for topic in communication.topics):
-        for mapping in (mapping for data_map in topic.data_maps for mapping in data_map.mappings or ()):
+        for mapping in topic.mappings:
             if topic.role != PUBLISHER and mapping.external_provider:
                 found.setdefault(topic.name, mapping.external_provider)
     for node in (node for package in model.node_packages or () for node in package.nodes):

@@ -8,7 +8,7 @@ from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
 from sigcat.adapter.ros2.python.core.bridge import bridge_files
 from sigcat.adapter.ros2.python.core.module import core_module
 from sigcat.adapter.ros2.python.names import written
-from sigcat.adapter.ros2.python.node_module import node_module
+from sigcat.adapter.ros2.python.node.module import node_module
 from sigcat.adapter.ros2.python.package import tests
 from sigcat.adapter.ros2.python.package.description import (
     core_stem,

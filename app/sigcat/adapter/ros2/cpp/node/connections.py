@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.ros2.cpp.names import is_plain, short, table
-from sigcat.adapter.ros2.plan import NodePlan, Publisher, Subscription, Taken
+from sigcat.adapter.ros2.plan import NodePlan, Publisher, ReceivedField, Subscription
 from sigcat.integration.ros2.model import QualityOfService
 
 
@@ -36,7 +36,7 @@ class Advertised(NamedTuple):
 class Received(NamedTuple):
     """A value of a message, which the core receives."""
 
-    of: Taken
+    of: ReceivedField
     is_plain: bool
     """Whether it is one number."""
     table: str
@@ -86,7 +86,7 @@ def _subscribed(subscription: Subscription, node: NodePlan) -> Subscribed:
     )
 
 
-def _received(taken: Taken) -> Received:
+def _received(taken: ReceivedField) -> Received:
     numbers = {number for _, number in taken.numbers}
     unnamed = next(number for number in range(256) if number not in numbers) if numbers else None
     return Received(taken, is_plain(taken.wire), table(taken.place) if taken.symbols else "", unnamed)

@@ -5,14 +5,14 @@ from typing import Any, NamedTuple
 
 from sigcat.adapter.core.plan import Port
 from sigcat.adapter.ros2.cpp.names import is_plain, short, table
-from sigcat.adapter.ros2.plan import Fixed, Given, NodePlan, Publisher
+from sigcat.adapter.ros2.plan import Fixed, NodePlan, Publisher, SentField
 from sigcat.function.document.text_filters import c_string
 
 
 class Filled(NamedTuple):
     """A field of a message, and the value of the core that fills it."""
 
-    of: Given
+    of: SentField
     is_plain: bool
     """Whether it is one number."""
     table: str
@@ -82,11 +82,11 @@ def _literal(value: Any) -> str:
     return repr(value) if isinstance(value, int | float) else c_string(value)
 
 
-def _filled(given: Given) -> Filled:
+def _filled(given: SentField) -> Filled:
     assert [number for _, number in given.numbers] in ([], [0, 1])
     active = given.numbers[1][0] if given.numbers else None
     return Filled(given, is_plain(given.wire), table(given.place) if given.symbols else "", active)
 
 
-def _taken_back(port: Port, given: Given) -> TakenBack:
+def _taken_back(port: Port, given: SentField) -> TakenBack:
     return TakenBack(given.place, port, port.wire.is_struct and port.wire.length is None)

@@ -4,22 +4,28 @@ import sys
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from sigcat.adapter.core.plan import WireType
 from sigcat.adapter.ros2.plan import (
-    ArgumentField,
     Fixed,
-    Given,
-    InterfaceType,
     MethodService,
     NodeParameter,
     NodePlan,
     Publisher,
-    StructPair,
+    ReceivedField,
+    SentField,
     Subscription,
-    Taken,
 )
 from sigcat.adapter.ros2.python.core.module import argument_names, core_type, members, method_names, receivers
 from sigcat.adapter.ros2.python.names import Import, class_name, imports, number
+from sigcat.adapter.ros2.python.node.conversions import (
+    Conversion,
+    Field,
+    Struct,
+    argument_fields,
+    class_of,
+    for_core,
+    for_message,
+    struct_of,
+)
 from sigcat.adapter.templates import rendered
 from sigcat.function.document.text import sentence
 from sigcat.function.document.text_filters import AnyText, python_string
@@ -44,36 +50,12 @@ class _Parameter(NamedTuple):
     limits: Sequence[str]
 
 
-class _Conversion(NamedTuple):
-    """A conversion of a value of a message for the core, or back; without a function and a table, the value stays as it is."""
-
-    function: str = ""
-    table: Sequence[tuple[str, str]] = ()
-    """Literals of values on both sides."""
-    other: str | None = None
-    """Literal for all values that are not in the table; None for the value itself."""
-    is_each: bool = False
-    """Whether the elements are converted, and not the whole."""
-
-
-_UNCHANGED = _Conversion()
-
-
-class _Field(NamedTuple):
-    """A field of a message, its name in the core, and conversions for the core and for the message."""
-
-    name: str
-    core: str
-    for_core: _Conversion
-    for_message: _Conversion
-
-
 class _Taken(NamedTuple):
     """A value of a message, and the method of the core that takes it."""
 
-    of: Taken
+    of: ReceivedField
     receiver: str
-    for_core: _Conversion
+    for_core: Conversion
 
 
 class _Subscription(NamedTuple):
@@ -100,9 +82,9 @@ class _OwnReceiver(NamedTuple):
 class _Given(NamedTuple):
     """A field of a message, and the member of the core's output that it is made of."""
 
-    of: Given
+    of: SentField
     member: str
-    for_message: _Conversion
+    for_message: Conversion
     own_receivers: Sequence[_OwnReceiver]
 
 
@@ -123,20 +105,11 @@ class _Service(NamedTuple):
     of: MethodService
     type: str
     name: str
-    request: Sequence[_Field]
-    response: Sequence[_Field]
+    request: Sequence[Field]
+    response: Sequence[Field]
     private: str = ""
     member: str = ""
     """The member of the core's flags that asks for a request."""
-
-
-class _Struct(NamedTuple):
-    """A struct of a message, and functions that begin with its stem."""
-
-    stem: str
-    name: str
-    type: str
-    fields: Sequence[_Field]
 
 
 class _Base(NamedTuple):
@@ -175,7 +148,7 @@ class _Node(NamedTuple):
     other_imports: Sequence[Import]
     own_imports: Sequence[Import]
     base: str
-    structs: Sequence[_Struct]
+    structs: Sequence[Struct]
     parameters: Sequence[_Parameter]
     subscriptions: Sequence[_Subscription]
     publishers: Sequence[_Publisher]
@@ -194,7 +167,7 @@ def node_module(node: NodePlan, *, has_bond: bool) -> str:
         type=node.type,
         name=node.name,
         core=core_type(core),
-        step=_class_of(node.step_service, node),
+        step=class_of(node.step_service, node),
         out=f"{stem}Out",
         publish=f"{stem}Publish",
         priority=node.priority,
@@ -203,20 +176,14 @@ def node_module(node: NodePlan, *, has_bond: bool) -> str:
         other_imports=_other_imports(node),
         own_imports=_own_imports(node, base),
         base=base.name,
-        structs=[_struct(pair, node) for pair in node.structs],
+        structs=[struct_of(pair, node) for pair in node.structs],
         parameters=[_parameter(each) for each in node.parameters],
         subscriptions=[_subscription(each, node, names) for each in node.subscriptions],
         publishers=[_publisher(each, node, names) for each in node.publishers],
         offered=[_offered(each, node, names) for each in node.offered],
         used=[_used(each, node, names) for each in node.used],
     )
-    return rendered("adapter/ros2/python/node.py.j2", plan)
-
-
-def _class_of(interface: InterfaceType, node: NodePlan) -> str:
-    """A message or service: `msg.Speed`, or `geometry_msgs.msg.Twist`."""
-    own = f"{interface.kind}.{interface.name}"
-    return own if node.is_own(interface) else f"{interface.package}.{own}"
+    return rendered("adapter/ros2/python/node/node.py.j2", plan)
 
 
 # -- imports ------------------------------------------------------------------------------------------------------
@@ -289,27 +256,16 @@ def _range(parameter: NodeParameter) -> _Range | None:
 def _subscription(subscription: Subscription, node: NodePlan, names: _Names) -> _Subscription:
     return _Subscription(
         subscription,
-        _class_of(subscription.message, node),
+        class_of(subscription.message, node),
         node.private(subscription.topic),
-        [_Taken(each, names.receivers[each.place], _for_core(each, node)) for each in subscription.takes],
+        [_Taken(each, names.receivers[each.place], for_core(each, node)) for each in subscription.takes],
     )
-
-
-def _for_core(taken: Taken, node: NodePlan) -> _Conversion:
-    """The conversion of a field of a message."""
-    is_each = taken.wire.length is not None
-    if taken.symbols:
-        pairs = [(python_string(each.text), str(each.number)) for each in taken.symbols]
-        return _Conversion("", pairs, str(taken.nameless), is_each)
-    if taken.numbers:
-        return _Conversion("", [(str(one), str(other)) for one, other in taken.numbers], None, is_each)
-    return _wire_for_core(taken.wire, node) if taken.wire.is_struct else _UNCHANGED
 
 
 def _publisher(publisher: Publisher, node: NodePlan, names: _Names) -> _Publisher:
     return _Publisher(
         publisher,
-        _class_of(publisher.message, node),
+        class_of(publisher.message, node),
         node.private(publisher.topic),
         [Fixed(each.field, _literal(each.value)) for each in publisher.fixed],
         [_filled(each, node, names) for each in publisher.gives],
@@ -321,59 +277,9 @@ def _literal(value: Any) -> str:
     return repr(value) if isinstance(value, bool | int | float) else python_string(value)
 
 
-def _filled(given: Given, node: NodePlan, names: _Names) -> _Given:
+def _filled(given: SentField, node: NodePlan, names: _Names) -> _Given:
     own = [_OwnReceiver(names.receivers[port.name], wakes=bool(port.triggers)) for port in given.own_ports]
-    return _Given(given, names.members[given.place], _for_message(given, node), own)
-
-
-def _for_message(given: Given, node: NodePlan) -> _Conversion:
-    """The conversion of a value of the core."""
-    is_each = given.wire.length is not None
-    if given.symbols:
-        pairs = [(str(each.number), python_string(each.text)) for each in given.symbols]
-        return _Conversion("", pairs, python_string(""), is_each)
-    if given.numbers:
-        return _Conversion("", [(str(one), str(other)) for one, other in given.numbers], None, is_each)
-    return _wire_for_message(given.wire, node)
-
-
-# -- structs ------------------------------------------------------------------------------------------------------
-
-
-def _struct(pair: StructPair, node: NodePlan) -> _Struct:
-    """A struct that a message and the core have."""
-    structs = {each.struct.name for each in node.structs}
-    fields = [
-        _field(name, member.name, WireType(member.c, member.length, is_struct=member.c in structs), node)
-        for name, member in zip(pair.members, pair.struct.fields, strict=True)
-    ]
-    return _Struct(_stem(pair), pair.message.name, _class_of(pair.message, node), fields)
-
-
-def _field(name: str, core: str, wire: WireType, node: NodePlan) -> _Field:
-    return _Field(name, core, _wire_for_core(wire, node), _wire_for_message(wire, node))
-
-
-def _stem(pair: StructPair) -> str:
-    return snake_case(pair.message.name)
-
-
-def _stem_of(wire: WireType, node: NodePlan) -> str:
-    return next(_stem(pair) for pair in node.structs if pair.struct.name == wire.c)
-
-
-def _wire_for_core(wire: WireType, node: NodePlan) -> _Conversion:
-    """The conversion of a field, by its type alone: the core takes lists."""
-    if wire.is_struct:
-        return _Conversion(f"_{_stem_of(wire, node)}_of", is_each=wire.length is not None)
-    return _UNCHANGED if wire.length is None else _Conversion("list")
-
-
-def _wire_for_message(wire: WireType, node: NodePlan) -> _Conversion:
-    """The conversion of a value of the core, by its type alone."""
-    if wire.is_struct:
-        return _Conversion(f"_{_stem_of(wire, node)}_message", is_each=wire.length is not None)
-    return _UNCHANGED
+    return _Given(given, names.members[given.place], for_message(given, node), own)
 
 
 # -- services -----------------------------------------------------------------------------------------------------
@@ -381,13 +287,13 @@ def _wire_for_message(wire: WireType, node: NodePlan) -> _Conversion:
 
 def _offered(service: MethodService, node: NodePlan, names: _Names) -> _Service:
     own = argument_names(service.method, is_request=True)
-    request = [each._replace(core=own[each.core]) for each in _fields(service.request, node)]
+    request = [each._replace(core=own[each.core]) for each in argument_fields(service.request, node)]
     return _Service(
         service,
-        _class_of(service.service, node),
+        class_of(service.service, node),
         names.methods[service.method.named.name],
         request,
-        _fields(service.response, node),
+        argument_fields(service.response, node),
         private=node.private(service.topic),
     )
 
@@ -396,13 +302,9 @@ def _used(service: MethodService, node: NodePlan, names: _Names) -> _Service:
     name = service.method.named.name
     return _Service(
         service,
-        _class_of(service.service, node),
+        class_of(service.service, node),
         names.methods[name],
-        _fields(service.request, node),
-        _fields(service.response, node),
+        argument_fields(service.request, node),
+        argument_fields(service.response, node),
         member=names.members[name],
     )
-
-
-def _fields(fields: Iterable[ArgumentField], node: NodePlan) -> Sequence[_Field]:
-    return [_field(each.field, each.argument.name, each.argument.value.wire, node) for each in fields]
