@@ -1,11 +1,13 @@
 """A node of an integration beside the core of its function: which interface is which place of the core."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
 
 from sigcat.adapter.core.places import CorePlaces
 from sigcat.adapter.core.plan import CorePlan, Output, Port
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.ros2.model import Communication, FieldMapping, Message, RosNode, RosService, RosTopic
+from sigcat.integration.ros2.topics import SUBSCRIPTION
 
 
 class NodeContext(CorePlaces):
@@ -43,6 +45,21 @@ class NodeContext(CorePlaces):
         """The place that takes a field, if a step has one."""
         return self.ports.get(self.data_pointers.get((call, mapping.signal), ()))
 
+    @cached_property
+    def receiving_ports(self) -> Mapping[str, tuple[Port, ...]]:
+        """Places that take each signal: another call of the function may send it."""
+        found: dict[str, dict[str, Port]] = {}
+        for call, topic in self.topics(SUBSCRIPTION):
+            for mapping in topic.mappings:
+                if (port := self.port(call, mapping)) is not None:
+                    found.setdefault(signal_key(mapping), {})[port.name] = port
+        return {key: tuple(ports.values()) for key, ports in found.items()}
+
     def output(self, call: str, mapping: FieldMapping) -> Output | None:
         """The place that a field is filled from."""
         return self.outputs.get(self.data_pointers.get((call, mapping.signal), ()))
+
+
+def signal_key(mapping: FieldMapping) -> str:
+    """The signal of a field, which calls of a function have in common: its path, or its name if it has none."""
+    return mapping.vss_path or mapping.signal

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from sigcat.adapter.core.identifiers import identifier, unique
 from sigcat.adapter.core.numbers import type_of_c
 from sigcat.adapter.core.plan import Method, Output, Port, WireType
-from sigcat.adapter.ros2.node_context import NodeContext
+from sigcat.adapter.ros2.node_context import NodeContext, signal_key
 from sigcat.adapter.ros2.plan import (
     ArgumentField,
     Fixed,
@@ -180,20 +180,8 @@ def _sent_field(mapping: FieldMapping, output: Output, context: NodeContext) -> 
         is_queue=output.queue is not None,
         number_field=mapping.number_field,
         symbols=_text_symbols(mapping, wire),
-        own_ports=_own_ports(mapping, context),
+        own_ports=context.receiving_ports.get(signal_key(mapping), ()),
     )
-
-
-def _own_ports(mapping: FieldMapping, context: NodeContext) -> tuple[Port, ...]:
-    """Ports of other calls of the function that receive what it sends."""
-    key = mapping.vss_path or mapping.signal
-    found = {
-        port.name: port
-        for call, topic in context.topics(SUBSCRIPTION)
-        for other in topic.mappings
-        if (other.vss_path or other.signal) == key and (port := context.port(call, other)) is not None
-    }
-    return tuple(found.values())
 
 
 def _sent_status(topic: StatusTopic, context: NodeContext) -> SentField | None:
