@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from sigcat.errors import UsageError
 from sigcat.function.document.text import Text, optional
-from sigcat.function.function_json.model import Component, FunctionJson
+from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 
@@ -37,24 +37,6 @@ class Application(NamedTuple):
     """Sender of modes."""
     paths: Mapping[str, str]
     """VSS paths of signals that name none, by `Function.Signal`."""
-
-
-class Part(NamedTuple):
-    """A component of a function, under the name that it has in the set."""
-
-    name: str
-    function: FunctionJson
-    component: Component
-
-    @property
-    def function_name(self) -> str:
-        """Name of the function."""
-        return self.function.info.function_name
-
-    @property
-    def is_first(self) -> bool:
-        """Whether it is the component of the function that has what belongs to none."""
-        return self.component is self.function.components[0]
 
 
 def application(functions: Sequence[ResolvedFunction], deployment: Deployment = NO_DEPLOYMENT) -> Application:

@@ -75,7 +75,7 @@ def safety_reactions(function: FunctionJson) -> Iterator[tuple[Pointer, Located,
 def references(function: FunctionJson) -> Iterator[tuple[Pointer, str]]:
     """Every reference to a datatype."""
     for pointer, _, contract in contracts(function):
-        for key, items in _lists(contract):
+        for key, items in interface_lists(contract):
             for index, item in enumerate(items or ()):
                 at = (*pointer, key, index)
                 if key == "MethodList":
@@ -91,7 +91,8 @@ def references(function: FunctionJson) -> Iterator[tuple[Pointer, str]]:
             yield ("Datatypes", index, "Fields", number, "Datatype"), field.datatype
 
 
-def _lists(contract: Contract) -> tuple[tuple[str, tuple[Any, ...] | None], ...]:
+def interface_lists(contract: Contract) -> tuple[tuple[str, tuple[Any, ...] | None], ...]:
+    """Lists of interfaces of a contract, each with its key."""
     return (
         ("SignalList", contract.signals),
         ("DataQList", contract.queues),

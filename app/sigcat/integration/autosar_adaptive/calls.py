@@ -6,11 +6,11 @@ from typing import TypeVar
 
 from sigcat import codes
 from sigcat.function.document.text import Text
+from sigcat.function.exchange import Part
 from sigcat.function.function_json.conversion import as_number, of_text
 from sigcat.function.function_json.data_interfaces import ParameterInterface
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
-from sigcat.integration.application import Part
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.code import CallCode, ParameterCode, code_of
 from sigcat.integration.autosar_adaptive.context import Context

@@ -2,61 +2,51 @@
 
 from collections.abc import Iterable, Sequence
 
+from sigcat.function.exchange import Side
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.methods import Argument, MethodInterface
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.code import MethodUse
 from sigcat.integration.autosar_adaptive.context import Context
-from sigcat.integration.autosar_adaptive.elements import Element, Service, cycle_of, group_of
-from sigcat.integration.autosar_adaptive.grouping import Placed
+from sigcat.integration.autosar_adaptive.elements import Element, Service, cycle_of, event_group_of
 from sigcat.integration.autosar_adaptive.transport import DEFAULT_TRANSPORT
 from sigcat.integration.autosar_adaptive.types import TypeTable
 from sigcat.integration.autosar_names import distinct, short_name
-from sigcat.integration.autosar_parts import Item
 from sigcat.integration.sent_values import sent
 
 
 def view(service: Service, part: str, types: TypeTable, context: Context) -> tuple[model.Services, bool] | None:
     """Return a component's part of a service, and whether it provides it; None if it does not take part in it."""
-    provider = service.group.provider
-    provides = provider is not None and provider.name == part
     mine = [
-        (element, [side for side in element.sides if side.item.part.name == part])
+        (element, [side for side in element.sides if side.part.name == part])
         for element in service.elements
-        if any(side.item.part.name == part for side in element.sides)
+        if any(side.part.name == part for side in element.sides)
     ]
     if not mine:
         return None
     return model.Services(
-        events=tuple(
-            _event(service, element, sides, types, context) for element, sides in mine if element.kind is Signal
-        ),
-        methods=tuple(
-            _method(service, element, sides, types) for element, sides in mine if element.kind is MethodInterface
-        ),
-        fields=tuple(
-            _field(service, element, sides, types, context) for element, sides in mine if element.kind is ErrorInterface
-        ),
-    ), provides
+        events=tuple(_event(service, element, sides, types, context) for element, sides in mine if element.is_event),
+        methods=tuple(_method(service, element, sides, types) for element, sides in mine if element.is_method),
+        fields=tuple(_field(service, element, sides, types, context) for element, sides in mine if element.is_field),
+    ), service.group.provider == part
 
 
-def _event(service: Service, element: Element, sides: list[Placed], types: TypeTable, context: Context) -> model.Event:
-    leading = element.leading.item
-    interface = leading.interface
-    assert isinstance(interface, Signal | DataQueue)
+def _event(service: Service, element: Element, sides: list[Side], types: TypeTable, context: Context) -> model.Event:
+    leading = element.leading
+    interface = leading.data
     variables = tuple(dict.fromkeys(filter(None, map(_variable, sides))))
     is_catalogue = _in_catalogue_datatype(interface)
     datatype = types.on_the_wire(leading.part.function, interface.datatype, interface.vss_datatype)
     symbols = types.symbols_sent(datatype)
-    low, high = _limits(interface, symbols, provides=element.leading.provides)
+    low, high = _limits(interface, symbols, provides=leading.provides)
     return model.Event(
         name=element.name,
         datatype=datatype,
         data_mapping=variables or None,
         description=interface.description,
         event_id=service.ids[element.name],
-        event_group=group_of(element, context.settings.transport.get(service.name, DEFAULT_TRANSPORT)),
+        event_group=event_group_of(element, context.settings.transport.get(service.name, DEFAULT_TRANSPORT)),
         unit=(interface.vss_unit or interface.units) if is_catalogue else interface.units,
         min=low,
         max=high,
@@ -64,7 +54,7 @@ def _event(service: Service, element: Element, sides: list[Placed], types: TypeT
         offset=None if is_catalogue else _text(interface.offset),
         cycle_time=cycle_of(element),
         protection=service.protections.get(element.name),
-        vss_path=context.path_of(leading) or None,
+        vss_path=leading.path or None,
         uses=tuple(_use(side, symbols, types) for side in sides),
     )
 
@@ -82,9 +72,8 @@ def _limits(interface: Signal | DataQueue, symbols: Sequence[model.Symbol], *, p
     return (sent(interface.min, interface), sent(interface.max, interface)) if provides else (None, None)
 
 
-def _variable(side: Placed) -> str | None:
-    interface = side.item.interface
-    return interface.variable if isinstance(interface, Signal | DataQueue) else None
+def _variable(side: Side) -> str | None:
+    return side.data.variable
 
 
 def _in_catalogue_datatype(interface: Signal | DataQueue) -> bool:
@@ -95,15 +84,13 @@ def _text(number: str | float | None) -> str | None:
     return None if number is None else str(number)
 
 
-def _use(side: Placed, symbols: Sequence[model.Symbol], types: TypeTable) -> model.Use:
-    interface, call, part = side.item.interface, side.item.call, side.item.part
-    assert isinstance(interface, Signal | DataQueue)
-    assert call is not None
+def _use(side: Side, symbols: Sequence[model.Symbol], types: TypeTable) -> model.Use:
+    interface, part = side.data, side.part
     own = types.symbols_of_code(part.function, interface.datatype)
     return model.Use(
         function=part.function_name,
         component=part.name,
-        call=call.name,
+        call=side.runnable.name,
         code_datatype=types.c_definition(part.function, interface.datatype),
         code_symbols=None if set(own) == set(symbols) else own or None,
         signal=interface if isinstance(interface, Signal) else None,
@@ -111,12 +98,12 @@ def _use(side: Placed, symbols: Sequence[model.Symbol], types: TypeTable) -> mod
     )
 
 
-def _calls(sides: Iterable[Placed]) -> tuple[str, ...]:
-    return tuple(dict.fromkeys(side.item.call.name for side in sides if side.item.call))
+def _calls(sides: Iterable[Side]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(side.call.name for side in sides if side.call))
 
 
-def _method(service: Service, element: Element, sides: list[Placed], types: TypeTable) -> model.Method:
-    leading = element.leading.item
+def _method(service: Service, element: Element, sides: list[Side], types: TypeTable) -> model.Method:
+    leading = element.leading
     assert isinstance(leading.interface, MethodInterface)
     return model.Method(
         name=element.name,
@@ -129,16 +116,14 @@ def _method(service: Service, element: Element, sides: list[Placed], types: Type
     )
 
 
-def _method_use(side: Placed) -> MethodUse:
-    method, call, part = side.item.interface, side.item.call, side.item.part
-    assert isinstance(method, MethodInterface)
-    assert call is not None
-    return MethodUse(function=part.function_name, component=part.name, call=call.name, method=method)
+def _method_use(side: Side) -> MethodUse:
+    assert isinstance(side.interface, MethodInterface)
+    return MethodUse(function=side.function, component=side.part.name, call=side.runnable.name, method=side.interface)
 
 
-def _arguments(item: Item, listed: tuple[Argument, ...], types: TypeTable) -> tuple[model.MethodArgument, ...]:
+def _arguments(side: Side, listed: tuple[Argument, ...], types: TypeTable) -> tuple[model.MethodArgument, ...]:
     names = distinct({f"{index:06d}": short_name(argument.name) for index, argument in enumerate(listed)})
-    function = item.part.function
+    function = side.part.function
     return tuple(
         model.MethodArgument(
             name=names[f"{index:06d}"],
@@ -152,9 +137,9 @@ def _arguments(item: Item, listed: tuple[Argument, ...], types: TypeTable) -> tu
 
 
 def _field(
-    service: Service, element: Element, sides: list[Placed], types: TypeTable, context: Context
+    service: Service, element: Element, sides: list[Side], types: TypeTable, context: Context
 ) -> model.ServiceField:
-    leading = element.leading.item
+    leading = element.leading
     interface = leading.interface
     assert isinstance(interface, ErrorInterface | SafetyReaction | ModeInterface)
     protection = service.protections.get(element.name)
@@ -164,7 +149,7 @@ def _field(
         datatype=types.word(leading.part.function, interface.datatype),
         notifier_id=service.ids[element.name],
         getter_id=None if protection else service.ids[f"Get{element.name}"],
-        event_group=group_of(element, context.settings.transport.get(service.name, DEFAULT_TRANSPORT)),
+        event_group=event_group_of(element, context.settings.transport.get(service.name, DEFAULT_TRANSPORT)),
         protection=protection,
         calls=_calls(sides),
         vss_path=interface.vss_path,

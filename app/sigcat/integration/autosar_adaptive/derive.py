@@ -7,10 +7,10 @@ from sigcat import codes
 from sigcat.asil import is_above, level_of
 from sigcat.findings import Finding
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.methods import MethodInterface
+from sigcat.function.exchange import Part, Side, exchange_of
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.runnable import Contract
-from sigcat.integration.application import DEFAULT_VERSION, NO_DATE, Application, Part, application
+from sigcat.integration.application import DEFAULT_VERSION, NO_DATE, Application, application
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.calls import calls, function_modes, parameters
 from sigcat.integration.autosar_adaptive.component_views import view
@@ -18,7 +18,7 @@ from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.disagreements import report_disagreements
 from sigcat.integration.autosar_adaptive.elements import Service, element_paths, services
 from sigcat.integration.autosar_adaptive.field_targets import field_targets
-from sigcat.integration.autosar_adaptive.grouping import MODES, SAFETY, Placed, placed
+from sigcat.integration.autosar_adaptive.grouping import MODES, SAFETY
 from sigcat.integration.autosar_adaptive.namespaces import namespace_of
 from sigcat.integration.autosar_adaptive.processes import further_processes, process_problems
 from sigcat.integration.autosar_adaptive.protection import (
@@ -46,7 +46,7 @@ from sigcat.integration.autosar_adaptive.units import units_of
 from sigcat.integration.autosar_adaptive.unused import report_units, report_unused
 from sigcat.integration.autosar_adaptive.versions import FIRST, parsed
 from sigcat.integration.autosar_names import short_name
-from sigcat.integration.autosar_parts import items, named_parts
+from sigcat.integration.autosar_parts import named_parts
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.not_carried import report_not_carried
@@ -77,15 +77,11 @@ def derive(
 ) -> Derived:
     """The integration of a function or a set of functions. The order in which they are given does not matter."""
     app = application(functions, deployment)
-    context = Context(
-        app,
-        settings,
-        named_parts([each.function for each in app.functions]),
-        FindingCollector(app.functions, deployment),
-    )
+    parts = named_parts([each.function for each in app.functions])
+    exchange = exchange_of(parts, app.paths)
+    context = Context(app, settings, parts, exchange, FindingCollector(app.functions, deployment))
     types = TypeTable(context)
-    sides = placed(list(items(context.parts)), context)
-    all_services = protected(services(sides, context), context)
+    all_services = protected(services(context), context)
     report_disagreements(all_services, types, context)
     _report_asil(all_services, context)
     report_unset_errors(all_services, context)
@@ -104,9 +100,9 @@ def derive(
     integration = segmented(integration, context)
     report_open_lengths(integration, context)
     _report_processes(components, context)
-    report_unused(sides, all_services, context)
+    report_unused(all_services, context)
     report_units(units_of(integration), context)
-    targets = field_targets(context, sides, all_services)
+    targets = field_targets(context, all_services)
     report_not_carried(codes.FIELD_NOT_CARRIED, targets, app.functions, context.findings)
     return Derived(integration, context.findings.findings, targets)
 
@@ -137,13 +133,12 @@ def _report_asil(all_services: Sequence[Service], context: Context) -> None:
                 _report_unprotected(side, context)
 
 
-def _report_unprotected(side: Placed, context: Context) -> None:
-    interface = side.item.interface
-    level = level_of(getattr(interface, "asil_level", None))
+def _report_unprotected(side: Side, context: Context) -> None:
+    level = level_of(getattr(side.interface, "asil_level", None))
     if is_above(level, "QM") and states_asil(side):
         message = f"{side.identity} has ASIL {level}, and its service has no end-to-end protection."
-        fix = _PROTECT_METHOD if isinstance(interface, MethodInterface) else _PROTECT
-        subject = Subject(side.identity, interface)
+        fix = _PROTECT_METHOD if side.kind == "method" else _PROTECT
+        subject = Subject(side.identity, side.interface)
         context.findings.report(codes.ASIL_NOT_PROTECTED, message, subject, fix, key="AsilLevel")
 
 
@@ -242,15 +237,15 @@ def _interface(service: Service, content: model.Services, provides: bool, contex
 
 def _of_outside(service: Service, context: Context) -> ServiceSettings | None:
     """Return the deployment's settings for a service that no function of the set provides."""
-    if service.group.provider is not None:
+    if service.group.provider:
         return None
     return next((each for each in context.settings.services if each.name == service.group.name), None)
 
 
 def _provider_names(service: Service, content: model.Services, context: Context) -> list[Text]:
     """The component of the set, or who the deployment or the functions say provides it; else only the network is known."""
-    if service.group.provider is not None:
-        return [Text(service.group.provider.name)]
+    if service.group.provider:
+        return [Text(service.group.provider)]
     app = context.application
     manager = {SAFETY: app.safety_manager, MODES: app.mode_manager}.get(service.group.origin)
     if manager:

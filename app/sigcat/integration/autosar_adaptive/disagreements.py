@@ -3,10 +3,9 @@
 from collections.abc import Iterable
 
 from sigcat import codes
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.exchange import Side
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.elements import Element, Service
-from sigcat.integration.autosar_adaptive.grouping import Placed
 from sigcat.integration.autosar_adaptive.types import TypeTable
 from sigcat.integration.finding_collector import Subject
 
@@ -15,7 +14,7 @@ def report_disagreements(all_services: Iterable[Service], types: TypeTable, cont
     """Report where the sides of an event differ in what they take to be sent."""
     for service in all_services:
         for element in service.elements:
-            if element.kind is Signal:
+            if element.is_event:
                 _compare(element, types, context)
 
 
@@ -26,10 +25,10 @@ def _compare(element: Element, types: TypeTable, context: Context) -> None:
         found = _sent_as(side, types)
         if found != wanted and not (found[1] == wanted[1] and _same_names(found[0], wanted[0], types)):
             message = (
-                f"{element.identity}: {side.item.where} takes it as {found[0]} in {found[1] or 'no unit'}, "
-                f"{leading.item.where} as {wanted[0]} in {wanted[1] or 'no unit'}, as it is sent."
+                f"{element.identity}: {side.where} takes it as {found[0]} in {found[1] or 'no unit'}, "
+                f"{leading.where} as {wanted[0]} in {wanted[1] or 'no unit'}, as it is sent."
             )
-            subject = Subject(element.identity, side.item.interface)
+            subject = Subject(element.identity, side.interface)
             context.findings.report(
                 codes.MEANINGS_DIFFER_ADAPTIVE, message, subject, "Build both from the same catalogue."
             )
@@ -41,8 +40,6 @@ def _same_names(one: str, other: str, types: TypeTable) -> bool:
     return bool(names[0]) and names[0] == names[1]
 
 
-def _sent_as(side: Placed, types: TypeTable) -> tuple[str, str]:
-    interface = side.item.interface
-    assert isinstance(interface, Signal | DataQueue)
-    word = types.on_the_wire(side.item.part.function, interface.datatype, interface.vss_datatype)
-    return word, (interface.vss_unit or interface.units or "")
+def _sent_as(side: Side, types: TypeTable) -> tuple[str, str]:
+    word = types.on_the_wire(side.part.function, side.data.datatype, side.data.vss_datatype)
+    return word, (side.data.vss_unit or side.data.units or "")

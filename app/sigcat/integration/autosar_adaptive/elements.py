@@ -2,17 +2,17 @@
 
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from types import MappingProxyType
 from typing import NamedTuple
 
 from sigcat import codes
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.exchange import Element as Exchanged
+from sigcat.function.exchange import Kind, Side
 from sigcat.function.function_json.duration import time_in_a_name
-from sigcat.function.function_json.methods import MethodInterface
-from sigcat.function.function_json.status_interfaces import ErrorInterface
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.e2e import E2eProtection
-from sigcat.integration.autosar_adaptive.grouping import Group, Placed
+from sigcat.integration.autosar_adaptive.grouping import Group, group_of, report_rivals
 from sigcat.integration.autosar_adaptive.identifiers import (
     EVENT_GROUPS,
     EVENTS,
@@ -25,7 +25,6 @@ from sigcat.integration.autosar_adaptive.identifiers import (
 from sigcat.integration.autosar_adaptive.numbering import Names, numbers
 from sigcat.integration.autosar_adaptive.transport import DEFAULT_TRANSPORT, TransportSettings
 from sigcat.integration.autosar_names import distinct, event_name, short_name
-from sigcat.integration.autosar_parts import Item
 from sigcat.integration.finding_collector import Subject
 
 FIELD_GROUP = "Fields"
@@ -34,18 +33,26 @@ EVENT_GROUP = "Events"
 """Event group of the events whose cycle is not known."""
 
 
-class Element(NamedTuple):
-    """An event, a method or a field, and its sides."""
+@dataclass(frozen=True)
+class Element(Exchanged):
+    """An event, a method or a field: the sides of an element of the exchange that take part in one service."""
 
     name: str
-    identity: str
-    kind: type
-    sides: tuple[Placed, ...]
 
     @property
-    def leading(self) -> Placed:
-        """The side that says what is sent: the provider, or the first consumer."""
-        return next((side for side in self.sides if side.provides), self.sides[0])
+    def is_event(self) -> bool:
+        """Whether it is an event: data, queued or not."""
+        return self.kind == "data"
+
+    @property
+    def is_method(self) -> bool:
+        """Whether it is a method."""
+        return self.kind == "method"
+
+    @property
+    def is_field(self) -> bool:
+        """Whether it is a field: a status or a mode."""
+        return not (self.is_event or self.is_method)
 
 
 class Service(NamedTuple):
@@ -63,19 +70,24 @@ class Service(NamedTuple):
     """Protections of events that are protected end to end, by name."""
 
 
-def services(placed: Sequence[Placed], context: Context) -> tuple[Service, ...]:
+def services(context: Context) -> tuple[Service, ...]:
     """Every service, by name."""
-    by_origin: defaultdict[str, list[Placed]] = defaultdict(list)
-    for side in placed:
-        by_origin[_key(side.group)].append(side)
-    names = distinct({key: sides[0].group.name for key, sides in by_origin.items()})
-    for key, sides in by_origin.items():
-        _report_renamed(names[key], Subject(sides[0].group.name, sides[0].item.interface), context)
+    report_rivals(context)
+    by_key: defaultdict[str, list[Side]] = defaultdict(list)
+    groups: dict[str, Group] = {}
+    for side in context.exchange.sides:
+        if context.exchange.element(side).is_reported:
+            group = group_of(side, context)
+            groups.setdefault(group.key, group)
+            by_key[group.key].append(side)
+    names = distinct({key: group.name for key, group in groups.items()})
+    for key, sides in by_key.items():
+        _report_renamed(names[key], Subject(groups[key].name, sides[0].interface), context)
     service_ids = numbers(Names(sorted(names.values()), SERVICES), context)
     given = dict.fromkeys(names.values(), INSTANCES)
     instances = numbers(Names(sorted(names.values()), RULED_INSTANCES, suffix=INSTANCE, given=given), context)
     return tuple(
-        _service(by_origin[key], name, service_ids[name], instances[name], context)
+        _service(groups[key], by_key[key], name, service_ids[name], instances[name], context)
         for key, name in sorted(names.items(), key=lambda pair: pair[1])
     )
 
@@ -83,67 +95,48 @@ def services(placed: Sequence[Placed], context: Context) -> tuple[Service, ...]:
 def element_paths(all_services: Iterable[Service]) -> dict[int, str]:
     """`Service/Event` of each interface, by the identity of the interface."""
     return {
-        id(side.item.interface): f"{service.name}/{element.name}"
+        id(side.interface): f"{service.name}/{element.name}"
         for service in all_services
         for element in service.elements
         for side in element.sides
     }
 
 
-def _key(group: Group) -> str:
-    return f"{'component' if group.provider else 'outside'} {group.origin}"
-
-
-def _service(sides: Sequence[Placed], name: str, number: int, instance: int, context: Context) -> Service:
+def _service(group: Group, sides: Sequence[Side], name: str, number: int, instance: int, context: Context) -> Service:
     elements = _elements(sides, name, context)
-    events = {element.name for element in elements if element.kind is Signal}
-    fields = {element.name for element in elements if element.kind is ErrorInterface}
-    methods = {element.name for element in elements if element.kind is MethodInterface}
+    events = {element.name for element in elements if element.is_event}
+    fields = {element.name for element in elements if element.is_field}
+    methods = {element.name for element in elements if element.is_method}
     ids = {
         **numbers(Names(sorted(events | fields), EVENTS, f"{name}."), context),
         **numbers(Names(sorted(methods | {f"Get{field}" for field in fields}), METHODS, f"{name}."), context),
     }
     chosen = context.settings.transport.get(name, DEFAULT_TRANSPORT)
-    groups = {group_of(element, chosen) for element in elements} - {""}
-    return Service(
-        sides[0].group,
-        name,
-        number,
-        instance,
-        elements,
-        ids,
-        numbers(Names(sorted(groups), EVENT_GROUPS, f"{name}."), context),
-    )
+    groups = {event_group_of(element, chosen) for element in elements} - {""}
+    event_groups = numbers(Names(sorted(groups), EVENT_GROUPS, f"{name}."), context)
+    return Service(group, name, number, instance, elements, ids, event_groups)
 
 
-def _elements(sides: Sequence[Placed], service: str, context: Context) -> tuple[Element, ...]:
-    """Elements of a service by name. Data interfaces are events, whether queued or not; statuses are fields."""
-    found: defaultdict[tuple[str, type], list[Placed]] = defaultdict(list)
+_IN_DIGESTS: Mapping[Kind, str] = {"data": "Signal", "method": "MethodInterface", "mode out": "ModeInterface"}
+"""Words of which digests in names are made: names of services that are in use do not change."""
+
+
+def _elements(sides: Sequence[Side], service: str, context: Context) -> tuple[Element, ...]:
+    """Elements of a service by name."""
+    found: defaultdict[str, list[Side]] = defaultdict(list)
     for side in sides:
-        found[side.identity, _kind(side.item)].append(side)
-    wanted = {
-        f"{identity} {kind.__name__}": _wanted(identity, listed[0], context)
-        for (identity, kind), listed in found.items()
-    }
+        found[f"{side.identity} {_IN_DIGESTS.get(side.kind, 'ErrorInterface')}"].append(side)
+    wanted = {key: _wanted(listed[0]) for key, listed in found.items()}
     names = distinct(wanted)
     made = []
-    for (identity, kind), listed in found.items():
-        key = f"{identity} {kind.__name__}"
-        plain = Subject(f"{service}.{wanted[key]}", listed[0].item.interface)
-        _report_renamed(f"{service}.{names[key]}", plain, context)
-        made.append(Element(names[key], identity, kind, tuple(listed)))
+    for key, listed in found.items():
+        _report_renamed(f"{service}.{names[key]}", Subject(f"{service}.{wanted[key]}", listed[0].interface), context)
+        made.append(Element(listed[0].kind, listed[0].identity, tuple(listed), names[key]))
     return tuple(sorted(made, key=lambda element: element.name))
 
 
-def _kind(item: Item) -> type:
-    if isinstance(item.interface, Signal | DataQueue):
-        return Signal
-    return MethodInterface if isinstance(item.interface, MethodInterface) else ErrorInterface
-
-
-def _wanted(identity: str, side: Placed, context: Context) -> str:
-    is_data = isinstance(side.item.interface, Signal | DataQueue)
-    return event_name(identity) if is_data and context.path_of(side.item) else short_name(identity)
+def _wanted(side: Side) -> str:
+    return event_name(side.identity) if side.kind == "data" and side.path else short_name(side.identity)
 
 
 def _report_renamed(name: str, wanted: Subject, context: Context) -> None:
@@ -152,9 +145,9 @@ def _report_renamed(name: str, wanted: Subject, context: Context) -> None:
         context.findings.report(codes.NAME_TAKEN, message, wanted)
 
 
-def group_of(element: Element, chosen: TransportSettings) -> str:
+def event_group_of(element: Element, chosen: TransportSettings) -> str:
     """Event group of an element: the one that names it, or fields have one, events one for each cycle; methods have none."""
-    if element.kind is MethodInterface:
+    if element.is_method:
         return ""
     if chosen.event_groups == "one":
         return EVENT_GROUP
@@ -165,7 +158,7 @@ def group_of(element: Element, chosen: TransportSettings) -> str:
 
 
 def _group_by_cycle(element: Element) -> str:
-    if element.kind is ErrorInterface:
+    if element.is_field:
         return FIELD_GROUP
     cycle = cycle_of(element)
     return EVENT_GROUP if cycle is None else f"Cycle{time_in_a_name(cycle)}"
@@ -173,5 +166,5 @@ def _group_by_cycle(element: Element) -> str:
 
 def cycle_of(element: Element) -> float | None:
     """Cycle of the call that provides it, in ms."""
-    side = element.leading
-    return side.item.call.cycle_time if side.provides and side.item.call else None
+    provider = element.provider
+    return provider.call.cycle_time if provider and provider.call else None

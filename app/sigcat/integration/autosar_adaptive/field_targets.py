@@ -4,16 +4,14 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from pydantic import BaseModel
 
+from sigcat.function.exchange import Part, Side
 from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
-from sigcat.integration.application import Part
 from sigcat.integration.autosar_adaptive.code import CallCode, ParameterCode
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.elements import Service, element_paths
-from sigcat.integration.autosar_adaptive.grouping import Placed
-from sigcat.integration.autosar_parts import Item
 from sigcat.integration.report import Entry, FieldTarget, entries
 
 _CATALOGUE = "sent in the catalogue's datatype and unit; its use has those of the code"
@@ -128,31 +126,28 @@ CALL_TARGETS: Mapping[str, FieldTarget | str] = _CALL
 PARAMETER_TARGETS: Mapping[str, FieldTarget | str] = _PARAMETER
 
 
-def field_targets(context: Context, sides: Sequence[Placed], all_services: Sequence[Service]) -> tuple[Entry, ...]:
+def field_targets(context: Context, all_services: Sequence[Service]) -> tuple[Entry, ...]:
     """An entry for each field that has a value, in the order of the documents."""
     names = element_paths(all_services)
     made: list[Entry] = []
     for part in context.parts:
         made.extend(_of_part(part))
-    for side in sides:
-        if (
-            isinstance(side.item.interface, ErrorInterface) and not side.provides
-        ):  # its entries are those of who reports it
-            continue
-        made.extend(_of_interface(side.item, names[id(side.item.interface)]))
+    for side in context.exchange.sides:
+        if side.provides or side.kind != "error":  # the entries of an error are those of who reports it
+            made.extend(_of_interface(side, names[id(side.interface)]))
     return tuple(made)
 
 
-def _of_interface(item: Item, element: str) -> list[Entry]:
-    kind, table = TABLES[type(item.interface)]
-    of = "Queue" if isinstance(item.interface, DataQueue) else "Signal"
-    prefix = f"{item.part.name}/{element}"
+def _of_interface(side: Side, element: str) -> list[Entry]:
+    kind, table = TABLES[type(side.interface)]
+    of = "Queue" if isinstance(side.interface, DataQueue) else "Signal"
+    prefix = f"{side.part.name}/{element}"
     below = _below(prefix, table, of)
-    if type(item.interface) in _INSIDE:
-        inside = _INSIDE[type(item.interface)]
-        for field in item.interface.model_extra or ():
+    if type(side.interface) in _INSIDE:
+        inside = _INSIDE[type(side.interface)]
+        for field in side.interface.model_extra or ():
             below[field] = FieldTarget(f"{prefix}/{inside}/{field}", "no field that sigcat knows; carried as it is")
-    return entries(item.part.function_name, item.interface.name, kind, item.interface, below)
+    return entries(side.function, side.interface.name, kind, side.interface, below)
 
 
 def _below(prefix: str, table: Mapping[str, FieldTarget | str], of: str = "") -> dict[str, FieldTarget | str]:

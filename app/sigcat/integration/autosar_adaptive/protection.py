@@ -4,13 +4,10 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from sigcat import codes
 from sigcat.asil import is_above, level_of
-from sigcat.function.function_json.methods import MethodInterface
-from sigcat.function.function_json.role import CONSUMER
-from sigcat.function.function_json.status_interfaces import ErrorInterface
+from sigcat.function.exchange import Side
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.e2e import E2eProtection, EventE2eSettings, Profile
 from sigcat.integration.autosar_adaptive.elements import Element, Service
-from sigcat.integration.autosar_adaptive.grouping import Placed
 from sigcat.integration.autosar_adaptive.identifiers import DATA_ID, RULED_DATA_IDS, RULED_INSTANCES, data_ids
 from sigcat.integration.autosar_adaptive.model import IntegrationModel, TypeEntry
 from sigcat.integration.autosar_adaptive.numbering import Names, is_given, numbers
@@ -86,14 +83,13 @@ def _is_open(word: str, types: Mapping[str, TypeEntry]) -> bool:
     return False
 
 
-def _report_never_set(side: Placed, key: str, context: Context) -> None:
-    interface = side.item.interface
-    error = getattr(interface, "e2e_error", None)
-    if error is not None and getattr(interface, "role", None) == CONSUMER:
-        message = f"{key} must be protected end to end to set {error} of {side.item.part.function_name}."
+def _report_never_set(side: Side, key: str, context: Context) -> None:
+    error = getattr(side.interface, "e2e_error", None)
+    if error is not None and not side.provides:
+        message = f"{key} must be protected end to end to set {error} of {side.function}."
         fix = f"State a profile for it under `e2e` in the deployment file: events: {{{key}: {{profile: 4}}}}."
         context.findings.report(
-            codes.E2E_ERROR_NEVER_SET, message, Subject(side.identity, interface), fix, key="E2eError"
+            codes.E2E_ERROR_NEVER_SET, message, Subject(side.identity, side.interface), fix, key="E2eError"
         )
 
 
@@ -101,7 +97,7 @@ def _profiles(services: Sequence[Service], context: Context) -> Iterator[tuple[s
     for service in services:
         for element in service.elements:
             key = _key(service, element)
-            profile = _profile(element, key, context) if element.kind is not MethodInterface else None
+            profile = _profile(element, key, context) if not element.is_method else None
             if profile is not None:
                 yield key, profile
 
@@ -110,13 +106,13 @@ def _profile(element: Element, key: str, context: Context) -> Profile | None:
     for stated in _stated(key, context):
         if stated.profile is not None:
             return None if stated.profile == "none" else stated.profile
-    levels = (level_of(getattr(each.item.interface, "asil_level", None)) for each in element.sides if states_asil(each))
+    levels = (level_of(getattr(each.interface, "asil_level", None)) for each in element.sides if states_asil(each))
     return context.settings.e2e.profile if any(is_above(level, "QM") for level in levels) else None
 
 
-def states_asil(side: Placed) -> bool:
+def states_asil(side: Side) -> bool:
     """Whether a side says which ASIL is sent: what consumes an error of another function does not."""
-    return side.provides or not isinstance(side.item.interface, ErrorInterface)
+    return side.provides or side.kind != "error"
 
 
 def _step(key: str, context: Context) -> int:

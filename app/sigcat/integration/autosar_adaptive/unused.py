@@ -4,11 +4,8 @@ from collections.abc import Collection, Iterator, Sequence
 
 from sigcat import codes
 from sigcat.function.document.document import Pointer
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
-from sigcat.function.function_json.methods import MethodInterface
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.elements import Service
-from sigcat.integration.autosar_adaptive.grouping import Placed
 from sigcat.integration.autosar_adaptive.identifiers import DATA_ID
 from sigcat.integration.autosar_adaptive.protection import METHODS_ARE_NOT_PROTECTED
 from sigcat.integration.autosar_adaptive.transport import DEFAULT_TRANSPORT
@@ -17,10 +14,9 @@ from sigcat.integration.unknown_paths import report_unknown_paths
 from sigcat.names import did_you_mean
 
 
-def report_unused(sides: Sequence[Placed], services: Sequence[Service], context: Context) -> None:
+def report_unused(services: Sequence[Service], context: Context) -> None:
     """A finding for each key of the deployment that names nothing of the set."""
     settings = context.settings
-    signals = [side.item for side in sides if isinstance(side.item.interface, Signal | DataQueue)]
     report_unknown_paths(codes.DEPLOYMENT_NAMES_NOTHING, context.application, context.findings)
     _report_unknown(
         ("autosarAdaptive", "components"), settings.components, {part.name for part in context.parts}, context
@@ -30,7 +26,7 @@ def report_unused(sides: Sequence[Placed], services: Sequence[Service], context:
     _report_unknown(("autosarAdaptive", "transport"), settings.transport, {each.name for each in services}, context)
     _report_unknown_members(services, context)
     _report_unprotectable(services, context)
-    paths = {context.path_of(item) for item in signals}
+    paths = {side.path for side in context.exchange.sides if side.kind == "data"}
     for index, service in enumerate(settings.services):
         for number, above in enumerate(service.paths):
             if not any(path == above or path.startswith(f"{above}.") for path in paths):
@@ -72,7 +68,7 @@ def _report_unknown_members(services: Sequence[Service], context: Context) -> No
     """A finding for each event group of the deployment with a member that the service does not send."""
     for service in services:
         chosen = context.settings.transport.get(service.name, DEFAULT_TRANSPORT)
-        sent = {element.name for element in service.elements if element.kind is not MethodInterface}
+        sent = {element.name for element in service.elements if not element.is_method}
         groups = chosen.event_groups if isinstance(chosen.event_groups, dict) else {}
         for group, names in groups.items():
             _report_unknown(("autosarAdaptive", "transport", service.name, "eventGroups", group), names, sent, context)
@@ -95,9 +91,7 @@ def _report_unprotectable(services: Sequence[Service], context: Context) -> None
 def _protectable(services: Sequence[Service]) -> Iterator[str]:
     for service in services:
         yield service.name
-        yield from (
-            f"{service.name}.{element.name}" for element in service.elements if element.kind is not MethodInterface
-        )
+        yield from (f"{service.name}.{element.name}" for element in service.elements if not element.is_method)
 
 
 def _branches(paths: Collection[str]) -> set[str]:

@@ -4,9 +4,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.exchange import Exchange, Part
 from sigcat.function.function_json.runnable import Runnable as Call
-from sigcat.integration.application import Application, Part
+from sigcat.integration.application import Application
 from sigcat.integration.autosar_classic.settings import AutosarClassicSettings
 from sigcat.integration.autosar_names import distinct, short_name
 from sigcat.integration.finding_collector import FindingCollector
@@ -38,15 +38,8 @@ class Context:
     application: Application
     settings: AutosarClassicSettings
     parts: tuple[Part, ...]
+    exchange: Exchange
     findings: FindingCollector
-
-    def path_of(self, part: Part, interface: Signal | DataQueue) -> str:
-        """VSS path of a data interface, its own or the one that the deployment gives; empty if there is none."""
-        return interface.vss_path or self.application.paths.get(f"{part.function_name}.{interface.name}", "")
-
-    def identity_of(self, part: Part, interface: Signal | DataQueue) -> str:
-        """Identity of a signal for two data interfaces: the path, or the name."""
-        return self.path_of(part, interface) or interface.name
 
 
 def role_of(call: Call) -> str:

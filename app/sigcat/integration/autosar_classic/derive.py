@@ -7,8 +7,9 @@ from sigcat import codes
 from sigcat.findings import Finding, has_errors
 from sigcat.function.document.document import pointer_text
 from sigcat.function.document.text import Text
+from sigcat.function.exchange import Part, exchange_of
 from sigcat.function.function_json.resolved_function import ResolvedFunction
-from sigcat.integration.application import DEFAULT_VERSION, NO_DATE, Part, application
+from sigcat.integration.application import DEFAULT_VERSION, NO_DATE, application
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.base_software import (
     CLOCK,
@@ -80,12 +81,12 @@ def derive(
 ) -> Derived:
     """The integration of a function or a set of functions. The order in which they are given does not matter."""
     app = application(functions, deployment)
-    context = Context(
-        app, settings, named_parts([f.function for f in app.functions]), FindingCollector(app.functions, deployment)
-    )
+    parts = named_parts([f.function for f in app.functions])
+    exchange = exchange_of(parts, app.paths)
+    context = Context(app, settings, parts, exchange, FindingCollector(app.functions, deployment))
     elements = elements_of(context)
     types = _types(context)
-    interfaces = _interfaces(elements, types, context)
+    interfaces = _interfaces(elements, types)
     report_meanings(elements, types, context)
     behaviours = _behaviours(elements, types, context)
     components = _components(behaviours, interfaces, types, context)
@@ -194,13 +195,13 @@ def _types(context: Context) -> TypeTable:
     return types
 
 
-def _interfaces(elements: Sequence[Element], types: TypeTable, context: Context) -> _Interfaces:
+def _interfaces(elements: Sequence[Element], types: TypeTable) -> _Interfaces:
     """One for each element, and those of the base software."""
     modes = [mode_interface(each, types) for each in elements if kind_of_port(each) == "ModeSwitch"]
     services = (CLOCK, DIAGNOSTIC_MONITOR, IGNITION, NV_MEMORY, SUPERVISION)
     methods = [method_interface(each, types) for each in elements if kind_of_port(each) == "ClientServer"]
     return _Interfaces(
-        tuple(data_interface(each, types, context) for each in elements if kind_of_port(each) == "SenderReceiver"),
+        tuple(data_interface(each, types) for each in elements if kind_of_port(each) == "SenderReceiver"),
         tuple(sorted((*methods, *services), key=lambda each: each.name)),
         tuple(sorted((*(each for each, _ in modes), ECU_MODE), key=lambda each: each.name)),
         (*(group for _, group in modes), ECU_MODES),

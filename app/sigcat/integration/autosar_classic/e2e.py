@@ -25,14 +25,9 @@ def _window(settings: WindowSettings) -> model.E2eWindow:
     return model.E2eWindow(size=settings.window_size, min_ok=settings.min_ok_state, max_error=settings.max_error_state)
 
 
-def is_protected(element: Element) -> bool:
-    """Whether a consumer has an error for messages that end-to-end protection rejects."""
-    return any(getattr(side.interface, "e2e_error", None) for side in element.sides if not side.provides)
-
-
 def report_unknown_elements(elements: Sequence[Element], context: Context) -> None:
     """Keys of `elements` that name no protected data."""
-    known = {key for element in elements if is_protected(element) for key in (element.identity, element.name)}
+    known = {key for element in elements if element.is_checked for key in (element.identity, element.name)}
     for key in sorted(context.settings.e2e.elements.keys() - known):
         message = f"{key!r}, which the deployment file names under `autosarClassic: e2e: elements`, must be consumed with an `e2eError`."
         fix = did_you_mean(key, sorted(known)) or "Remove it, or name an `e2eError` in the function."

@@ -3,17 +3,18 @@
 The document carries each function whole: what the core decides is taken from there, and stands nowhere else.
 """
 
+from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 
 from pydantic import BaseModel
 
+from sigcat.function.exchange import Part, Side
 from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.wire import own_fields
-from sigcat.integration.application import Part
 from sigcat.integration.autosar_classic.context import Context, named_calls
 from sigcat.integration.autosar_classic.elements import Element
 from sigcat.integration.autosar_classic.parameters import Parameter, parameters_of
@@ -139,42 +140,28 @@ CALL_TARGETS, PARAMETER_TARGETS = _CALL, _PARAMETER
 
 def field_targets(context: Context, elements: Sequence[Element]) -> tuple[Entry, ...]:
     """An entry for each field that has a value, in the order of the documents."""
-    named = {id(side.interface): element for element in elements for side in element.sides if not _is_foreign(side.part, element, side.interface)}  # fmt: skip
+    named = {(each.kind, each.identity): each for each in elements}
+    sides: defaultdict[str, list[Side]] = defaultdict(list)
+    for side in context.exchange.sides:
+        if side.provides or side.kind != "error":  # the entries of an error are those of who reports it
+            sides[side.part.name].append(side)
     made: list[Entry] = []
     for part in context.parts:
         made += _of_part(part)
-        for interface in _interfaces(part):
-            if id(interface) in named:
-                made += _of_interface(part, interface, named[id(interface)])
+        for side in sides[part.name]:
+            made += _of_interface(side, named[side.kind, side.identity])
     return tuple(made)
 
 
-def _is_foreign(part: Part, element: Element, interface: object) -> bool:
-    """Whether a component only hears of an error: its entries are those of who reports it."""
-    return element.kind == "error" and not any(interface is each for each in _interfaces(part))
-
-
-def _interfaces(part: Part) -> list[Signal | DataQueue | MethodInterface | ErrorInterface | SafetyReaction | ModeInterface]:  # fmt: skip
-    found: list[Signal | DataQueue | MethodInterface | ErrorInterface | SafetyReaction | ModeInterface] = []
-    for call in part.component.runnables:
-        for contract in call.contracts or ():
-            found += contract.signals or ()
-            found += contract.queues or ()
-            found += contract.methods or ()
-            found += contract.errors or ()
-            found += contract.safety_reactions or ()
-    return [*found, *(part.function.mode_interfaces or () if part.is_first else ())]
-
-
-def _of_interface(part: Part, interface: object, element: Element) -> list[Entry]:
-    kind, table = TABLES[type(interface)]
+def _of_interface(side: Side, element: Element) -> list[Entry]:
+    kind, table = TABLES[type(side.interface)]
     lists = {"method": "ClientServerInterfaces", "mode": "ModeSwitchInterfaces"}
     names = {
-        "{port}": f"{part.name}/Ports/{element.name}",
+        "{port}": f"{side.part.name}/Ports/{element.name}",
         "{interface}": f"{lists.get(kind, 'SenderReceiverInterfaces')}/{element.name}",
         "{element}": element.name,
     }
-    return entries(part.function_name, interface.name, kind, interface, _named(table, names))  # type: ignore[attr-defined, arg-type]
+    return entries(side.function, side.interface.name, kind, side.interface, _named(table, names))
 
 
 def _named(table: _Targets, names: Mapping[str, str]) -> dict[str, FieldTarget | str]:

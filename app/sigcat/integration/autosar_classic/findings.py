@@ -5,12 +5,12 @@ from fractions import Fraction
 
 from sigcat import codes
 from sigcat.asil import is_above, level_of
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.exchange import Side
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import STEP, Context, named_calls
-from sigcat.integration.autosar_classic.elements import Element, Side
+from sigcat.integration.autosar_classic.elements import Element
 from sigcat.integration.autosar_classic.interfaces import type_of
 from sigcat.integration.autosar_classic.service_needs import STORED
 from sigcat.integration.autosar_classic.types import TypeTable
@@ -25,17 +25,15 @@ def report_meanings(elements: Iterable[Element], types: TypeTable, context: Cont
             found, wanted = _meaning(side, types), _meaning(element.leading, types)
             if found != wanted:
                 message = (
-                    f"{element.identity}: {side.item.where} takes it as {found[0]} in {found[1] or 'no unit'}, "
-                    f"{element.leading.item.where} as {wanted[0]} in {wanted[1] or 'no unit'}."
+                    f"{element.identity}: {side.where} takes it as {found[0]} in {found[1] or 'no unit'}, "
+                    f"{element.leading.where} as {wanted[0]} in {wanted[1] or 'no unit'}."
                 )
                 subject = Subject(element.identity, side.interface)
                 context.findings.report(codes.MEANINGS_DIFFER_CLASSIC, message, subject, "Build both from the same catalogue.")  # fmt: skip
 
 
 def _meaning(side: Side, types: TypeTable) -> tuple[str, str]:
-    interface = side.interface
-    assert isinstance(interface, Signal | DataQueue)
-    return type_of(side, types), interface.vss_unit or interface.units or ""
+    return type_of(side, types), side.data.vss_unit or side.data.units or ""
 
 
 def report_asil(elements: Iterable[Element], composition: model.Composition, context: Context) -> None:
@@ -43,13 +41,11 @@ def report_asil(elements: Iterable[Element], composition: model.Composition, con
     crossing = {port.interface for port in composition.ports}
     for element in elements:
         for side in element.sides if element.kind == "data" and element.name in crossing else ():
-            interface = side.interface
-            assert isinstance(interface, Signal | DataQueue)
-            level = level_of(interface.asil_level)
+            level = level_of(side.data.asil_level)
             if is_above(level, "QM"):
-                message = f"{element.identity} ({side.item.where}) is of ASIL {level}, and its way over a bus has to be protected end to end."
+                message = f"{element.identity} ({side.where}) is of ASIL {level}, and its way over a bus has to be protected end to end."
                 fix = "Configure an end-to-end transformer for its system signal."
-                subject = Subject(element.identity, interface)
+                subject = Subject(element.identity, side.data)
                 context.findings.report(codes.ASIL_OVER_A_BUS, message, subject, fix, key="AsilLevel")
 
 

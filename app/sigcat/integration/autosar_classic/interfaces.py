@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
+from sigcat.function.exchange import Side
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.datatype import innermost
 from sigcat.function.function_json.methods import MethodInterface
@@ -10,8 +11,7 @@ from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.base_software import E_NOT_OK
-from sigcat.integration.autosar_classic.context import Context
-from sigcat.integration.autosar_classic.elements import Element, Side
+from sigcat.integration.autosar_classic.elements import Element
 from sigcat.integration.autosar_classic.types import Meaning, TypeTable
 from sigcat.integration.autosar_names import distinct, short_name
 from sigcat.integration.sent_values import sent
@@ -34,10 +34,9 @@ def _longest_queue(sides: Iterable[Side]) -> int:
     return max((side.interface.queue_length for side in sides if isinstance(side.interface, DataQueue)), default=0)
 
 
-def data_interface(element: Element, types: TypeTable, context: Context) -> model.SenderReceiverInterface:
+def data_interface(element: Element, types: TypeTable) -> model.SenderReceiverInterface:
     """The interface of a signal or a status."""
     side = element.leading
-    path = context.path_of(side.part, side.interface) if isinstance(side.interface, Signal | DataQueue) else ""
     meaning = _meaning(side, types)
     return model.SenderReceiverInterface(
         name=element.name,
@@ -47,7 +46,7 @@ def data_interface(element: Element, types: TypeTable, context: Context) -> mode
                 type=types.application(element.name, type_of(side, types), meaning),
                 description=meaning.description,
                 queued=True if element.is_queued else None,
-                vss_path=path or getattr(side.interface, "vss_path", None),
+                vss_path=side.path or None,
                 unit=meaning.unit or None,
             ),
         ),

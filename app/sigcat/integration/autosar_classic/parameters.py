@@ -4,8 +4,8 @@ from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 from sigcat.function.document.text import Text
+from sigcat.function.exchange import Part
 from sigcat.function.function_json.data_interfaces import ParameterInterface
-from sigcat.integration.application import Part
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import OF_ADAPTER, named_calls
 from sigcat.integration.autosar_classic.types import Meaning, TypeTable

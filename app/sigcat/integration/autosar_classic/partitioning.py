@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.asil import Level, is_above, level_of, rank
-from sigcat.integration.application import Part
+from sigcat.function.exchange import Part
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import Context
 from sigcat.integration.finding_collector import Subject

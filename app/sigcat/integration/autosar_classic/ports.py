@@ -3,15 +3,15 @@
 from collections.abc import Iterable, Iterator
 from typing import Any
 
+from sigcat.function.exchange import Part, Side
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
-from sigcat.integration.application import Part
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.e2e import windows_of
 from sigcat.integration.autosar_classic.e2e_settings import E2eSettings
-from sigcat.integration.autosar_classic.elements import Element, Side
+from sigcat.integration.autosar_classic.elements import Element
 from sigcat.integration.autosar_classic.interfaces import CALL_QUEUE, numbers_of_status, queue_length
 from sigcat.integration.autosar_classic.types import TypeTable
 from sigcat.integration.sent_values import initial
@@ -89,7 +89,7 @@ def _use(side: Side) -> model.Use:
         interface=interface.name,
         kind=_KINDS[type(interface)],
         function=side.part.function_name,
-        call=side.item.call.name if side.item.call else None,
+        call=side.call.name if side.call else None,
         timeout=whole(number),
     )
 

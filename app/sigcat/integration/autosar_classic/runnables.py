@@ -5,13 +5,13 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from sigcat.function.document.text import Text
+from sigcat.function.exchange import Part
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.role import CONSUMER
 from sigcat.function.function_json.runnable import Runnable as Call
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
-from sigcat.integration.application import Part
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import INIT, STEP, TERMINATE, NamedCall
 from sigcat.integration.autosar_classic.partitioning import asil_of, code_section

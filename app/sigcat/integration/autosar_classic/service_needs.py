@@ -3,8 +3,8 @@
 from collections.abc import Iterable, Iterator, Sequence
 
 from sigcat.function.document.text import Text
+from sigcat.function.exchange import Part
 from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
-from sigcat.integration.application import Part
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.base_software import (
     CLOCK,

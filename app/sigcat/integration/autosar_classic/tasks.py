@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.function.document.text import Text
-from sigcat.integration.application import Part
+from sigcat.function.exchange import Part
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.runnables import JUDGE_WINDOWS, Behaviour
 from sigcat.integration.autosar_names import distinct, short_name

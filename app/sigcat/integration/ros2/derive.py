@@ -7,11 +7,12 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.findings import Finding
 from sigcat.function.document.text import Text
+from sigcat.function.exchange import Part
 from sigcat.function.function_json.data_interfaces import ParameterInterface
 from sigcat.function.function_json.model import FunctionInfo, FunctionJson, MetaInfo, Mode
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.walk import parts as walked
-from sigcat.integration.application import DEFAULT_VERSION, Application, Part, application, joined
+from sigcat.integration.application import DEFAULT_VERSION, Application, application, joined
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.report import Entry

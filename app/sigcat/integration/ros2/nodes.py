@@ -6,11 +6,11 @@ from typing import Any, NamedTuple
 from sigcat import codes
 from sigcat.function.checks.order import previous_calls
 from sigcat.function.document.text import Text
+from sigcat.function.exchange import Part
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.status_interfaces import ModeInterface
 from sigcat.function.function_json.triggers import triggers
-from sigcat.integration.application import Part
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.common_types import STAMP
 from sigcat.integration.ros2.messages import MessageBook, constants, unresolved

@@ -7,12 +7,12 @@ from typing import Any, NamedTuple
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
 from sigcat.function.document.text import Text, json_of, optional
+from sigcat.function.exchange import Part
 from sigcat.function.function_json.conversion import Linear
 from sigcat.function.function_json.data_interfaces import ParameterInterface
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.primitive_types import value_range
 from sigcat.function.function_json.runnable import Contract
-from sigcat.integration.application import Part
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.conversions import conversion, converted, physical, to_catalogue
 from sigcat.integration.ros2.messages import unresolved

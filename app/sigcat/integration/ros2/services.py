@@ -5,10 +5,10 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.function.document.text import Text
+from sigcat.function.exchange import Part
 from sigcat.function.function_json.methods import Argument, MethodInterface
 from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.integration.application import Part
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.messages import MessageBook, unresolved
 from sigcat.integration.ros2.model import ArgumentMap, Communication, MessageField, RosService

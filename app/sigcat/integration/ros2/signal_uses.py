@@ -4,12 +4,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.asil import Level, level_of
+from sigcat.function.exchange import Part
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.runnable import Contract, Runnable
-from sigcat.integration.application import Part
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.names import package_name, report_renamed
 
@@ -73,13 +73,13 @@ def node_parts(functions: Sequence[FunctionJson], findings: FindingCollector) ->
     made: list[Part] = []
     taken: set[str] = set()
     for function in functions:
-        for component in function.components:
+        for index, component in enumerate(function.components):
             is_shared = names.count(component.name) > 1 and component.name != function.info.function_name
             source = f"{function.info.function_name}_{component.name}" if is_shared else component.name
             name = package_name(source, taken)
             report_renamed(name, component.name, Subject(component.name, component), findings)
             taken.add(name.text)
-            made.append(Part(name.text, function, component))
+            made.append(Part(name.text, function, index))
     return tuple(made)
 
 

@@ -9,10 +9,10 @@ from typing import NamedTuple, TypeVar
 
 from sigcat import codes
 from sigcat.function.document.text import Text, optional
+from sigcat.function.exchange import Part
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.runnable import Contract
 from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
-from sigcat.integration.application import Part
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.common_types import ERROR_STATUS, SAFETY_REACTION
 from sigcat.integration.ros2.model import ConditionMonitor, Diagnostic, StatusTopic

@@ -1,0 +1,223 @@
+"""Exchange of a set of functions: each signal, method, status and mode once, with its providers and consumers.
+
+Sets, simulation and every platform start here. A platform adds its own names, datatypes and findings.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal, NamedTuple
+
+from sigcat.function.document.document import Pointer
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.methods import MethodInterface
+from sigcat.function.function_json.model import Component, FunctionJson
+from sigcat.function.function_json.role import PROVIDER
+from sigcat.function.function_json.runnable import Runnable
+from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
+from sigcat.function.function_json.walk import interface_lists
+
+Interface = Signal | DataQueue | MethodInterface | ErrorInterface | SafetyReaction | ModeInterface
+Kind = Literal["data", "method", "error", "reaction", "mode in", "mode out"]
+_KINDS: Mapping[type, Kind] = {
+    Signal: "data", DataQueue: "data", MethodInterface: "method", ErrorInterface: "error", SafetyReaction: "reaction",
+}  # fmt: skip
+
+
+class Part(NamedTuple):
+    """A component of a function, under the name that it has in the set."""
+
+    name: str
+    function: FunctionJson
+    number: int
+    """Index of the component in the function."""
+
+    @property
+    def component(self) -> Component:
+        """The component."""
+        return self.function.components[self.number]
+
+    @property
+    def function_name(self) -> str:
+        """Name of the function."""
+        return self.function.info.function_name
+
+    @property
+    def is_first(self) -> bool:
+        """Whether it is the component of the function that has what belongs to none."""
+        return self.number == 0
+
+
+class Side(NamedTuple):
+    """An interface of a component, at the call that uses it."""
+
+    part: Part
+    call: Runnable | None
+    """None for a mode, which belongs to no call."""
+    interface: Interface
+    kind: Kind
+    path: str
+    """VSS path: its own, or the one that the deployment states; empty if there is none."""
+    identity: str
+    """Name that all sides of the element share: of data the path, if there is one, or else the name."""
+    provides: bool
+    pointer: Pointer
+    """Pointer of the interface in the function; of an error of another function, of what it sets."""
+
+    @property
+    def function(self) -> str:
+        """Name of the function."""
+        return self.part.function_name
+
+    @property
+    def data(self) -> Signal | DataQueue:
+        """The interface, if it is data."""
+        assert isinstance(self.interface, Signal | DataQueue)
+        return self.interface
+
+    @property
+    def runnable(self) -> Runnable:
+        """The call, if the interface is not a mode."""
+        assert self.call is not None
+        return self.call
+
+    @property
+    def where(self) -> str:
+        """For findings: `CoreAcc, CoreAcc_Step`."""
+        return self.function + (f", {self.call.name}" if self.call else "")
+
+
+@dataclass(frozen=True)
+class Element:
+    """Something that is exchanged, and its sides."""
+
+    kind: Kind
+    identity: str
+    sides: tuple[Side, ...]
+
+    @cached_property
+    def providers(self) -> tuple[Side, ...]:
+        """The first providing side of each component."""
+        first: dict[str, Side] = {}
+        for side in self.sides:
+            if side.provides:
+                first.setdefault(side.part.name, side)
+        return tuple(first.values())
+
+    @property
+    def provider(self) -> Side | None:
+        """The first of them, to which consumers are connected; None if no function of the set provides it."""
+        return next(iter(self.providers), None)
+
+    @property
+    def leading(self) -> Side:
+        """The side that says what is sent: the provider, or the first consumer."""
+        return self.provider or self.sides[0]
+
+    @property
+    def is_queued(self) -> bool:
+        """Whether one of its sides queues values: then all have to."""
+        return any(isinstance(side.interface, DataQueue) for side in self.sides)
+
+    @property
+    def is_reported(self) -> bool:
+        """Whether it is no error, or a function of the set reports it."""
+        return self.kind != "error" or self.provider is not None
+
+    @property
+    def is_checked(self) -> bool:
+        """Whether a consumer has an error for messages that end-to-end protection rejects."""
+        return any(getattr(side.interface, "e2e_error", None) for side in self.sides if not side.provides)
+
+
+class Exchange(NamedTuple):
+    """Everything that a set of functions exchanges."""
+
+    sides: tuple[Side, ...]
+    """In the order of the documents; after them errors of other components on which something depends."""
+    elements: Mapping[tuple[Kind, str], Element]
+
+    def element(self, side: Side) -> Element:
+        """Return the element of a side."""
+        return self.elements[side.kind, side.identity]
+
+
+def exchange_of(parts: Sequence[Part], paths: Mapping[str, str] | None = None, *, joins_names: bool = True) -> Exchange:
+    """Resolve the exchange of components.
+
+    `paths` are those of signals that name none, by `Function.Signal`. Signals without any path are one if they have
+    one name; without `joins_names`, each belongs to its function.
+    """
+    own = [side for part in parts for side in _sides(part, paths or {}, joins_names=joins_names)]
+    sides = (*own, *_errors_of_others(own))
+    found: dict[tuple[Kind, str], list[Side]] = {}
+    for side in sides:
+        found.setdefault((side.kind, side.identity), []).append(side)
+    return Exchange(sides, {key: Element(*key, tuple(listed)) for key, listed in found.items()})
+
+
+def parts_of(functions: Iterable[FunctionJson]) -> tuple[Part, ...]:
+    """Every component under its own name."""
+    return tuple(Part(each.name, function, index) for function in functions for index, each in enumerate(function.components))  # fmt: skip
+
+
+def kind_of(interface: Interface) -> Kind:
+    """Return the kind of an interface."""
+    if isinstance(interface, ModeInterface):
+        return "mode out" if interface.direction == "Out" else "mode in"
+    return _KINDS[type(interface)]
+
+
+def causes(interface: Interface) -> tuple[str, ...]:
+    """Names of the errors that set an error or a safety reaction."""
+    if isinstance(interface, SafetyReaction):
+        return interface.errors
+    return interface.dependencies if isinstance(interface, ErrorInterface) else ()
+
+
+def _sides(part: Part, paths: Mapping[str, str], *, joins_names: bool) -> Iterator[Side]:
+    for pointer, call, interface in _interfaces(part):
+        kind, name = kind_of(interface), f"{part.function_name}.{interface.name}"
+        path = getattr(interface, "vss_path", None) or (paths.get(name, "") if kind == "data" else "")
+        identity = (path or (interface.name if joins_names else name)) if kind == "data" else interface.name
+        yield Side(part, call, interface, kind, path, identity, _provides(interface, kind), pointer)
+
+
+def _interfaces(part: Part) -> Iterator[tuple[Pointer, Runnable | None, Interface]]:
+    """Every interface of a component. Parameters are not among them: they stay inside it."""
+    for i, call in enumerate(part.component.runnables):
+        for j, contract in enumerate(call.contracts or ()):
+            at = ("ComponentList", part.number, "functionList", i, "funcContractList", j)
+            for key, items in interface_lists(contract):
+                if key != "ParameterList":
+                    yield from (((*at, key, index), call, item) for index, item in enumerate(items or ()))
+    for index, mode in enumerate(part.function.mode_interfaces or ()) if part.is_first else ():
+        yield ("ModeInterfaceList", index), None, mode
+
+
+def _provides(interface: Interface, kind: Kind) -> bool:
+    if isinstance(interface, Signal | DataQueue | MethodInterface):
+        return interface.role == PROVIDER
+    return kind in ("error", "mode out")
+
+
+def _errors_of_others(own: Sequence[Side]) -> Iterator[Side]:
+    """Errors of other components that set an error or a safety reaction of a component, which consumes their status."""
+    reported = {side.identity: side for side in reversed(own) if side.kind == "error"}
+    seen: set[tuple[str, str]] = set()
+    for side in own:
+        for name in causes(side.interface):
+            other = reported.get(name)
+            is_own = other is not None and other.part.name == side.part.name
+            if not is_own and (side.part.name, name) not in seen:
+                seen.add((side.part.name, name))
+                error = other.interface if other else _unknown_error(name)
+                path = other.path if other else ""
+                yield side._replace(interface=error, kind="error", path=path, identity=name, provides=False)
+
+
+def _unknown_error(name: str) -> ErrorInterface:
+    """An error that no function of the set reports: its status is a number, 0 or 1."""
+    return ErrorInterface.model_construct(
+        name=name, description="An error that no function of the set reports.", datatype="", dependencies=()
+    )
