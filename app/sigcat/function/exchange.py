@@ -6,14 +6,14 @@ Sets, simulation and every platform start here. A platform adds its own names, d
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal, NamedTuple
+from typing import Literal, NamedTuple, TypeVar
 
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.model import Component, FunctionJson
 from sigcat.function.function_json.role import PROVIDER
-from sigcat.function.function_json.runnable import Runnable
+from sigcat.function.function_json.runnable import Contract, Runnable
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.walk import interface_lists
 
@@ -22,6 +22,9 @@ Kind = Literal["data", "method", "error", "reaction", "mode in", "mode out"]
 _KINDS: Mapping[type, Kind] = {
     Signal: "data", DataQueue: "data", MethodInterface: "method", ErrorInterface: "error", SafetyReaction: "reaction",
 }  # fmt: skip
+
+
+_Status = TypeVar("_Status", ErrorInterface, SafetyReaction)
 
 
 class Part(NamedTuple):
@@ -74,6 +77,11 @@ class Side(NamedTuple):
         """The interface, if it is data."""
         assert isinstance(self.interface, Signal | DataQueue)
         return self.interface
+
+    @property
+    def queue_length(self) -> int | None:
+        """Values to queue, if it is a queue."""
+        return self.interface.queue_length if isinstance(self.interface, DataQueue) else None
 
     @property
     def runnable(self) -> Runnable:
@@ -137,6 +145,11 @@ class Exchange(NamedTuple):
     """In the order of the documents; after them errors of other components on which something depends."""
     elements: Mapping[tuple[Kind, str], Element]
 
+    @property
+    def data(self) -> tuple[Side, ...]:
+        """Sides of signals and queues."""
+        return tuple(side for side in self.sides if side.kind == "data")
+
     def element(self, side: Side) -> Element:
         """Return the element of a side."""
         return self.elements[side.kind, side.identity]
@@ -159,6 +172,28 @@ def exchange_of(parts: Sequence[Part], paths: Mapping[str, str] | None = None, *
 def parts_of(functions: Iterable[FunctionJson]) -> tuple[Part, ...]:
     """Every component under its own name."""
     return tuple(Part(each.name, function, index) for function in functions for index, each in enumerate(function.components))  # fmt: skip
+
+
+def contracts_of(part: Part) -> Iterator[Contract]:
+    """Every contract of a component's calls."""
+    return (contract for call in part.component.runnables for contract in call.contracts or ())
+
+
+def errors_of(part: Part) -> tuple[ErrorInterface, ...]:
+    """Errors that the calls of a component report, each once."""
+    return _once(error for contract in contracts_of(part) for error in contract.errors or ())
+
+
+def reactions_of(part: Part) -> tuple[SafetyReaction, ...]:
+    """Safety reactions of the calls of a component, each once."""
+    return _once(each for contract in contracts_of(part) for each in contract.safety_reactions or ())
+
+
+def _once(items: Iterable[_Status]) -> tuple[_Status, ...]:
+    first: dict[str, _Status] = {}
+    for item in items:
+        first.setdefault(item.name, item)
+    return tuple(first.values())
 
 
 def kind_of(interface: Interface) -> Kind:

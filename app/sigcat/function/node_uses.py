@@ -9,9 +9,9 @@ from sigcat.catalogue.hosting.variants import expanded_of
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import PROVIDER
+from sigcat.function.function_json.walk import calls_of, data_of
 from sigcat.function.hosted_files import HostedFiles
 from sigcat.function.hosting import buildable, functions_over
-from sigcat.function.sets.wiring import calls_of, data_of
 from sigcat.names import parent_path
 
 

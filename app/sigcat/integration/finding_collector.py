@@ -9,6 +9,7 @@ from pydantic import BaseModel
 
 from sigcat.findings import Finding, RuleCode
 from sigcat.function.document.document import Pointer
+from sigcat.function.exchange import Side
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.walk import parts
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
@@ -23,6 +24,11 @@ class Subject(NamedTuple):
 
     def __str__(self) -> str:
         return self.name
+
+
+def subject_of(side: Side) -> Subject:
+    """Return what a side of an element uses, as findings call it."""
+    return Subject(side.identity, side.interface)
 
 
 @dataclass

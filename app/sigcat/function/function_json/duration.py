@@ -70,3 +70,8 @@ def _is_number(value: Any) -> bool:
 
 def _plain(number: float) -> float | int:
     return int(number) if number == int(number) else number
+
+
+def whole(number: float | None) -> float | None:
+    """A number that is whole as an integer, so that it is written as one."""
+    return int(number) if number is not None and number == int(number) else number

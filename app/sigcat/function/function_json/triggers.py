@@ -3,6 +3,7 @@
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.role import CONSUMER
 from sigcat.function.function_json.runnable import Runnable
+from sigcat.function.function_json.walk import data_of
 
 EVENT_TRIGGERED = "EventTriggered"
 """Run type of a call that events trigger."""
@@ -15,10 +16,7 @@ def events_of(call: Runnable) -> tuple[str, ...]:
 
 def consumed_by(call: Runnable) -> tuple[Signal | DataQueue, ...]:
     """Signals and queues that a call reads."""
-    listed: list[Signal | DataQueue] = []
-    for contract in call.contracts or ():
-        listed += [*(contract.signals or ()), *(contract.queues or ())]
-    return tuple(item for item in listed if item.role == CONSUMER)
+    return tuple(item for contract in call.contracts or () for item in data_of(contract) if item.role == CONSUMER)
 
 
 def triggers(call: Runnable) -> tuple[Signal | DataQueue, ...]:

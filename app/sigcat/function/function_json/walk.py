@@ -28,6 +28,16 @@ def runnables(function: FunctionJson) -> Iterator[Located]:
             yield Located(("ComponentList", i, "functionList", j), component, runnable)
 
 
+def calls_of(function: FunctionJson) -> Iterator[Runnable]:
+    """Every call, without its place."""
+    return (each.runnable for each in runnables(function))
+
+
+def data_of(contract: Contract) -> tuple[Signal | DataQueue, ...]:
+    """Signals and queues of a contract."""
+    return (*(contract.signals or ()), *(contract.queues or ()))
+
+
 def contracts(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Contract]]:
     """Every contract, with the call that it belongs to."""
     for located in runnables(function):

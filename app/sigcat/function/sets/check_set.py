@@ -114,13 +114,15 @@ def _rivals(wiring: Wiring, functions: Mapping[str, ResolvedFunction]) -> Findin
 def _unprovided(wiring: Wiring, functions: Mapping[str, ResolvedFunction], catalogue: Catalogue) -> Findings:
     """Signals of the standard come from the vehicle, and attributes are set before it drives."""
     for end in wiring.from_outside:
-        node = catalogue.get(end.path)
+        node = catalogue.get(end.identity)
         if node is None or node.type == "attribute" or not node.definition.statements[0].file.overlay:
             continue
-        if not end.signal.external_provider:
-            message = f"No function provides {end.path!r}, and it is not a signal of the standard."
+        if not end.data.external_provider:
+            message = f"No function provides {end.identity!r}, and it is not a signal of the standard."
             fix = "Add the function, or name the provider under `provider`."
-            yield functions[end.function].finding(codes.CONSUMED_AND_NOT_PROVIDED, end.pointer, message, fix, end.path)
+            yield functions[end.function].finding(
+                codes.CONSUMED_AND_NOT_PROVIDED, end.pointer, message, fix, end.identity
+            )
 
 
 def _unmapped(wiring: Wiring, functions: Mapping[str, ResolvedFunction], catalogue: Catalogue) -> Findings:
@@ -128,10 +130,12 @@ def _unmapped(wiring: Wiring, functions: Mapping[str, ResolvedFunction], catalog
     if catalogue.attributes.isdisjoint(RECEIVED):
         return
     for end in wiring.from_outside:
-        node = catalogue.get(end.path)
+        node = catalogue.get(end.identity)
         if node is not None and node.type != "attribute" and node.values.keys().isdisjoint(RECEIVED):
-            message = f"{end.path!r} comes from outside, and nothing maps it to a network."
-            yield functions[end.function].finding(codes.CONSUMED_AND_NOT_MAPPED, end.pointer, message, path=end.path)
+            message = f"{end.identity!r} comes from outside, and nothing maps it to a network."
+            yield functions[end.function].finding(
+                codes.CONSUMED_AND_NOT_MAPPED, end.pointer, message, path=end.identity
+            )
 
 
 # -- order and errors ---------------------------------------------------------------------------------------------

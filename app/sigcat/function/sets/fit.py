@@ -7,11 +7,12 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.asil import is_above, level_of
 from sigcat.findings import RuleCode
+from sigcat.function.exchange import Side
 from sigcat.function.function_json.conversion import of_text
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.primitive_types import c_type
-from sigcat.function.sets.ends import Datum, End
 
 
 class Mismatch(NamedTuple):
@@ -27,7 +28,7 @@ class Mismatch(NamedTuple):
 Mismatches = Iterator[Mismatch]
 
 
-def mismatches(provider: End, consumer: End) -> Mismatches:
+def mismatches(provider: Side, consumer: Side) -> Mismatches:
     """Everything in which a consumer expects something else than its provider gives."""
     yield from _datatype(provider, consumer)
     yield from _unit(provider, consumer)
@@ -42,25 +43,25 @@ _PRIMITIVE = frozenset(("Bool", "Float32", "Float64", "UInt8", "UInt16", "UInt32
 """The usual datatypes, of which one need not ask whether they are enumerations."""
 
 
-def _datatype(provider: End, consumer: End) -> Mismatches:
+def _datatype(provider: Side, consumer: Side) -> Mismatches:
     given, wanted = _names_of_datatypes(provider, consumer)
     message = ""
     if given != wanted:
         message = (
-            f"The datatype of {consumer.path!r} must be {given}, as {provider.function} provides it, not {wanted}."
+            f"The datatype of {consumer.identity!r} must be {given}, as {provider.function} provides it, not {wanted}."
         )
     elif _have_other_symbols(provider, consumer):
         message = (
-            f"The values of {consumer.path!r} must be {', '.join(_symbols(provider))}, as {provider.function} provides"
+            f"The values of {consumer.identity!r} must be {', '.join(_symbols(provider))}, as {provider.function} provides"
             f" them, not {', '.join(_symbols(consumer))}."
         )
     if message:
         yield Mismatch(codes.PROVIDED_AS_ANOTHER_DATATYPE, "Datatype", message, "Use the same datatype in both.")
 
 
-def _names_of_datatypes(provider: End, consumer: End) -> tuple[str, str]:
+def _names_of_datatypes(provider: Side, consumer: Side) -> tuple[str, str]:
     """The datatypes of both ends by VSS, or where one does not say so, by C; equal if they mean the same."""
-    given, wanted = provider.signal.vss_datatype, consumer.signal.vss_datatype
+    given, wanted = provider.data.vss_datatype, consumer.data.vss_datatype
     if given and wanted:
         return given, wanted
     own, other = _type(provider), _type(consumer)
@@ -73,32 +74,32 @@ def _meaning(datatype: Datatype) -> object:
     return c_type(datatype.c_definition) or datatype.c_definition
 
 
-def _type(end: End) -> Datatype | None:
-    return next((each for each in end.owner.datatypes if each.reference == end.signal.datatype), None)
+def _type(end: Side) -> Datatype | None:
+    return next((each for each in end.part.function.datatypes if each.reference == end.data.datatype), None)
 
 
-def _have_other_symbols(provider: End, consumer: End) -> bool:
-    if not (provider.signal.vss_datatype and consumer.signal.vss_datatype):
+def _have_other_symbols(provider: Side, consumer: Side) -> bool:
+    if not (provider.data.vss_datatype and consumer.data.vss_datatype):
         return False
     given, wanted = _symbols(provider), _symbols(consumer)
     return bool(given and wanted and set(given) != set(wanted))
 
 
-def _symbols(end: End) -> tuple[str, ...]:
+def _symbols(end: Side) -> tuple[str, ...]:
     """Names of the values of an enumeration. Their numbers may differ: integrations convert them by name."""
-    if end.signal.datatype.removeprefix("DT_") in _PRIMITIVE:
+    if end.data.datatype.removeprefix("DT_") in _PRIMITIVE:
         return ()
     datatype = _type(end)
     return tuple(symbol.symbol for symbol in (datatype.symbols if datatype else None) or ())
 
 
-def _unit(provider: End, consumer: End) -> Mismatches:
-    given, wanted = provider.signal, consumer.signal
+def _unit(provider: Side, consumer: Side) -> Mismatches:
+    given, wanted = provider.data, consumer.data
     both = bool(given.vss_path and wanted.vss_path)
     own, other = (given.vss_unit, wanted.vss_unit) if both else (given.units, wanted.units)
     if (own or "") != (other or ""):
         message = (
-            f"The unit of {consumer.path!r} must be {own or 'none'}, as {provider.function} provides it,"
+            f"The unit of {consumer.identity!r} must be {own or 'none'}, as {provider.function} provides it,"
             f" not {other or 'none'}."
         )
         fix = "Use the same unit in both, or give the path in the catalogue."
@@ -108,22 +109,22 @@ def _unit(provider: End, consumer: End) -> Mismatches:
 # -- range and time -----------------------------------------------------------------------------------------------
 
 
-def _range(provider: End, consumer: End) -> Mismatches:
+def _range(provider: Side, consumer: Side) -> Mismatches:
     """In the unit of the catalogue; the key is that of the limit in the consumer's own unit.
 
     A consumer that says what replaces a value out of range has said what to do; of an enumeration each has its own.
     """
-    if consumer.signal.range_error_action or _symbols(consumer):
+    if consumer.data.range_error_action or _symbols(consumer):
         return
-    given, wanted = _range_of(provider.signal), _range_of(consumer.signal)
-    keys = ("Max", "Min") if _falls(consumer.signal) else ("Min", "Max")
+    given, wanted = _range_of(provider.data), _range_of(consumer.data)
+    keys = ("Max", "Min") if _falls(consumer.data) else ("Min", "Max")
     for key, end, own, other, sign in (
         (keys[0], "down", given[0], wanted[0], -1),
         (keys[1], "up", given[1], wanted[1], 1),
     ):
         if own is not None and other is not None and (own - other) * sign > _rounding(other):
             message = (
-                f"The range of {consumer.path!r} must go {end} to {float(own):g}, as {provider.function} provides it,"
+                f"The range of {consumer.identity!r} must go {end} to {float(own):g}, as {provider.function} provides it,"
                 f" not only to {float(other):g}."
             )
             fix = "Widen the range, or say what replaces others: rangeErrorAction."
@@ -136,7 +137,7 @@ def _rounding(limit: Fraction) -> Fraction:
     return abs(limit) * Fraction(1, 10**9)
 
 
-def _range_of(datum: Datum) -> tuple[Fraction | None, Fraction | None]:
+def _range_of(datum: Signal | DataQueue) -> tuple[Fraction | None, Fraction | None]:
     """The range in the unit of the catalogue."""
     factor, offset = of_text(datum.conversion_factor or "1"), of_text(datum.conversion_offset or "0")
     if factor is None or offset is None:
@@ -145,16 +146,16 @@ def _range_of(datum: Datum) -> tuple[Fraction | None, Fraction | None]:
     return (ends[1], ends[0]) if factor < 0 else (ends[0], ends[1])
 
 
-def _falls(datum: Datum) -> bool:
+def _falls(datum: Signal | DataQueue) -> bool:
     """Whether the function's number falls where the catalogue's rises."""
     return (datum.conversion_factor or "").strip().startswith("-")
 
 
-def _timeout(provider: End, consumer: End) -> Mismatches:
-    timeout, cycle = milliseconds(consumer.signal.timeout), provider.runnable.cycle_time
+def _timeout(provider: Side, consumer: Side) -> Mismatches:
+    timeout, cycle = milliseconds(consumer.data.timeout), provider.runnable.cycle_time
     if timeout is not None and cycle and timeout < cycle:
         message = (
-            f"The time-out of {consumer.path!r} must be at least {cycle} ms, the cycle in which {provider.function}"
+            f"The time-out of {consumer.identity!r} must be at least {cycle} ms, the cycle in which {provider.function}"
             f" provides it, not {timeout:g} ms."
         )
         fix = "Wait longer than one cycle of the provider."
@@ -164,11 +165,11 @@ def _timeout(provider: End, consumer: End) -> Mismatches:
 # -- safety -------------------------------------------------------------------------------------------------------
 
 
-def _asil(provider: End, consumer: End) -> Mismatches:
-    given, wanted = level_of(provider.signal.asil_level), level_of(consumer.signal.asil_level)
+def _asil(provider: Side, consumer: Side) -> Mismatches:
+    given, wanted = level_of(provider.data.asil_level), level_of(consumer.data.asil_level)
     if is_above(wanted, given):
         message = (
-            f"{provider.function} must provide {consumer.path!r} at ASIL {wanted}, as {consumer.function} needs it,"
+            f"{provider.function} must provide {consumer.identity!r} at ASIL {wanted}, as {consumer.function} needs it,"
             f" not at {given}."
         )
         fix = f"Develop the provider to {wanted}, or let the consumer need less."

@@ -3,21 +3,19 @@
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
+from sigcat.function.exchange import Side, causes, exchange_of, parts_of
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.runnable import Contract, Runnable
-from sigcat.function.function_json.walk import data
-from sigcat.function.sets.ends import Datum, End
+from sigcat.function.function_json.role import CONSUMER
+from sigcat.function.function_json.status_interfaces import SafetyReaction
 from sigcat.function.sets.fit import Mismatch, mismatches
-
-__all__ = ["End", "Link", "Wiring", "calls_of", "connect", "data_of"]
 
 
 class Link(NamedTuple):
     """A signal that one function provides and another one consumes."""
 
     path: str
-    provider: End
-    consumer: End
+    provider: Side
+    consumer: Side
     mismatches: tuple[Mismatch, ...]
 
 
@@ -25,7 +23,7 @@ class Rivals(NamedTuple):
     """A signal that several functions provide."""
 
     path: str
-    providers: tuple[End, ...]
+    providers: tuple[Side, ...]
     """The first end of each of them."""
 
     @property
@@ -39,9 +37,9 @@ class Wiring(NamedTuple):
 
     functions: tuple[str, ...]
     links: tuple[Link, ...]
-    from_outside: tuple[End, ...]
+    from_outside: tuple[Side, ...]
     """Consumed, and provided by no function of the set."""
-    to_outside: tuple[End, ...]
+    to_outside: tuple[Side, ...]
     """Provided, and consumed by no function of the set."""
     rivals: tuple[Rivals, ...]
     unreported: tuple[tuple[str, str, str], ...]
@@ -50,47 +48,36 @@ class Wiring(NamedTuple):
 
 def connect(functions: Sequence[FunctionJson]) -> Wiring:
     """The wiring of functions. A signal that a function provides to itself is not a link."""
-    ends = [end for function in functions for end in ends_of(function)]
-    providers = by_path(end for end in ends if end.is_provider)
-    consumers = by_path(end for end in ends if end.is_consumer)
+    exchange = exchange_of(parts_of(functions))
+    providers = _by_path(side for side in exchange.data if side.provides)
+    consumers = _by_path(side for side in exchange.data if side.data.role == CONSUMER)
     links = (link for path, each in consumers.items() for link in _links(providers.get(path, ()), each))
     rivals = (Rivals(path, tuple(_first_of_each(each))) for path, each in providers.items())
+    reactions = (side for side in exchange.sides if isinstance(side.interface, SafetyReaction))
     return Wiring(
         tuple(function.info.function_name for function in functions),
         tuple(links),
-        tuple(end for path, each in consumers.items() if path not in providers for end in each),
-        tuple(end for path, each in providers.items() if path not in consumers for end in each),
+        tuple(side for path, each in consumers.items() if path not in providers for side in each),
+        tuple(side for path, each in providers.items() if path not in consumers for side in each),
         tuple(each for each in rivals if len(each.providers) > 1),
-        tuple(_unreported(functions)),
+        tuple(
+            (side.function, side.identity, error)
+            for side in reactions
+            for error in causes(side.interface)
+            if not exchange.elements["error", error].providers
+        ),
     )
 
 
-def calls_of(function: FunctionJson) -> Iterator[Runnable]:
-    """Every call of a function."""
-    for component in function.components:
-        yield from component.runnables
-
-
-def data_of(contract: Contract) -> Iterator[Datum]:
-    """Signals and queues of a contract."""
-    yield from contract.signals or ()
-    yield from contract.queues or ()
-
-
-def ends_of(function: FunctionJson) -> Iterator[End]:
-    """Every signal and queue of a function, each once for each call that uses it."""
-    return (End(function, pointer, located.runnable, signal) for pointer, located, signal in data(function))
-
-
-def by_path(ends: Iterable[End]) -> dict[str, list[End]]:
-    """Ends of one signal together."""
-    grouped: dict[str, list[End]] = {}
-    for end in ends:
-        grouped.setdefault(end.path, []).append(end)
+def _by_path(sides: Iterable[Side]) -> dict[str, list[Side]]:
+    """Sides of one signal together."""
+    grouped: dict[str, list[Side]] = {}
+    for side in sides:
+        grouped.setdefault(side.identity, []).append(side)
     return grouped
 
 
-def _links(providers: Sequence[End], consumers: Sequence[End]) -> Iterator[Link]:
+def _links(providers: Sequence[Side], consumers: Sequence[Side]) -> Iterator[Link]:
     """Each consumer of a signal with its provider. A further function that provides it has a link to one consumer.
 
     Not every pair: a signal that a thousand calls give and take would have a million.
@@ -108,27 +95,17 @@ def _links(providers: Sequence[End], consumers: Sequence[End]) -> Iterator[Link]
             yield _link(rival, taker)
 
 
-def _link(provider: End, consumer: End) -> Link:
-    return Link(consumer.path, provider, consumer, tuple(mismatches(provider, consumer)))
+def _link(provider: Side, consumer: Side) -> Link:
+    return Link(consumer.identity, provider, consumer, tuple(mismatches(provider, consumer)))
 
 
-def _first_of_each(ends: Iterable[End]) -> list[End]:
+def _first_of_each(ends: Iterable[Side]) -> list[Side]:
     """The first end of each function."""
-    first: dict[str, End] = {}
+    first: dict[str, Side] = {}
     for end in ends:
         first.setdefault(end.function, end)
     return list(first.values())
 
 
-def _other(end: End, others: Iterable[End]) -> End | None:
+def _other(end: Side, others: Iterable[Side]) -> Side | None:
     return next((other for other in others if other.function != end.function), None)
-
-
-def _unreported(functions: Sequence[FunctionJson]) -> Iterator[tuple[str, str, str]]:
-    contracts = [
-        (f.info.function_name, contract) for f in functions for call in calls_of(f) for contract in call.contracts or ()
-    ]
-    reported = {error.name for _, contract in contracts for error in contract.errors or ()}
-    for name, contract in contracts:
-        for reaction in contract.safety_reactions or ():
-            yield from ((name, reaction.name, error) for error in reaction.errors if error not in reported)

@@ -5,7 +5,7 @@ from typing import Any
 
 from sigcat.function.exchange import Part, Side
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
-from sigcat.function.function_json.duration import milliseconds
+from sigcat.function.function_json.duration import milliseconds, whole
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.autosar_classic import model
@@ -98,11 +98,6 @@ _KINDS: dict[type, Any] = {
     Signal: "signal", DataQueue: "queue", MethodInterface: "method", ErrorInterface: "error",
     SafetyReaction: "safety reaction", ModeInterface: "mode",
 }  # fmt: skip
-
-
-def whole(number: float | None) -> float | None:
-    """A number that is whole as an integer, so that it is written as one."""
-    return int(number) if number is not None and number == int(number) else number
 
 
 def initial_of(sides: Iterable[Side], types: TypeTable) -> Any:

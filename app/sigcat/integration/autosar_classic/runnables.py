@@ -12,6 +12,7 @@ from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.role import CONSUMER
 from sigcat.function.function_json.runnable import Runnable as Call
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
+from sigcat.function.function_json.walk import data_of
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import INIT, STEP, TERMINATE, NamedCall
 from sigcat.integration.autosar_classic.partitioning import asil_of, code_section
@@ -275,8 +276,7 @@ def _received_statuses(behaviour: Behaviour) -> list[model.Access]:
 def _data(call: Call, behaviour: Behaviour) -> Iterator[model.Access]:
     """Signals and queues of a call."""
     for contract in call.contracts or ():
-        listed: list[Signal | DataQueue] = [*(contract.signals or ()), *(contract.queues or ())]
-        for data in listed:
+        for data in data_of(contract):
             port = _port_of(data, call, behaviour)
             if port is None:
                 continue

@@ -3,8 +3,7 @@
 from collections.abc import Iterable, Iterator, Sequence
 
 from sigcat.function.document.text import Text
-from sigcat.function.exchange import Part
-from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
+from sigcat.function.exchange import Part, errors_of, reactions_of
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.base_software import (
     CLOCK,
@@ -22,28 +21,6 @@ from sigcat.integration.autosar_names import distinct, short_name
 
 CLOCK_PORT, IGNITION_PORT, ECU_PORT = "Clock", "Ignition", "EcuMode"
 NV_PORT, STORED, SUPERVISION_PORT = "StoredBlock", "Stored", "Supervision"
-
-
-def errors_of(part: Part) -> tuple[ErrorInterface, ...]:
-    """The errors that a component reports, each once."""
-    found = {
-        error.name: error
-        for call in reversed(part.component.runnables)
-        for contract in call.contracts or ()
-        for error in reversed(contract.errors or ())
-    }
-    return tuple(reversed(found.values()))
-
-
-def reactions_of(part: Part) -> tuple[SafetyReaction, ...]:
-    """The safety reactions of a component, each once."""
-    found = {
-        each.name: each
-        for call in reversed(part.component.runnables)
-        for contract in call.contracts or ()
-        for each in reversed(contract.safety_reactions or ())
-    }
-    return tuple(reversed(found.values()))
 
 
 def monitors(part: Part) -> tuple[model.DiagnosticEvent, ...]:

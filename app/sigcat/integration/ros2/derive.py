@@ -7,10 +7,11 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.findings import Finding
 from sigcat.function.document.text import Text
-from sigcat.function.exchange import Part
+from sigcat.function.exchange import Part, exchange_of
 from sigcat.function.function_json.data_interfaces import ParameterInterface
 from sigcat.function.function_json.model import FunctionInfo, FunctionJson, MetaInfo, Mode
 from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.function.function_json.walk import interface_lists
 from sigcat.function.function_json.walk import parts as walked
 from sigcat.integration.application import DEFAULT_VERSION, Application, application, joined
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
@@ -25,7 +26,7 @@ from sigcat.integration.ros2.names import PACKAGES_OF_ROS, package_name, topic_n
 from sigcat.integration.ros2.nodes import NodeContext, mode_topic, node_of, report_calls
 from sigcat.integration.ros2.services import with_services
 from sigcat.integration.ros2.settings import NO_SETTINGS, Ros2Settings
-from sigcat.integration.ros2.signal_uses import asil_of, data_of, node_parts, signal_uses
+from sigcat.integration.ros2.signal_uses import asil_of, node_parts
 from sigcat.integration.ros2.statuses import statuses_of
 from sigcat.integration.ros2.topics import communications, topics_of
 from sigcat.integration.unknown_paths import report_unknown_paths
@@ -97,12 +98,12 @@ def _exchanged(
     findings: FindingCollector,
 ) -> tuple[Communication, ...]:  # fmt: skip
     """Communications of each call with others."""
-    uses = signal_uses(parts, app.paths)
-    topics = topics_of(uses, existing, settings, book, findings)
-    made = communications(topics, uses, settings, book, findings)
-    _report_quality_of_nothing(made, {use.path for use in uses if use.path}, settings, findings)
-    _report_fields_of_nothing(existing, {use.key for use in uses}, findings)
-    return with_services(made, parts, book, findings)
+    exchange = exchange_of(parts, app.paths, joins_names=False)
+    topics = topics_of(exchange, existing, settings, book, findings)
+    made = communications(topics, exchange.data, settings, book, findings)
+    _report_quality_of_nothing(made, {use.path for use in exchange.data if use.path}, settings, findings)
+    _report_fields_of_nothing(existing, {use.identity for use in exchange.data}, findings)
+    return with_services(made, exchange, book, findings)
 
 
 def _report_quality_of_nothing(
@@ -173,17 +174,12 @@ def _report_asil(parts: Sequence[Part], findings: FindingCollector) -> None:
     for part in parts:
         for call in part.component.runnables:
             _above_qm(Subject(call.name, call), call.asil_level, "the call shares its process with others", findings)
-            for contract in call.contracts or ():
-                for item in data_of(contract):
-                    name = item.vss_path or f"{part.function_name}.{item.name}"
-                    _above_qm(Subject(name, item), item.asil_level, _UNPROTECTED, findings)
-                for parameter in contract.parameters or ():
-                    name = parameter.vss_path or f"{part.function_name}.{parameter.name}"
-                    _above_qm(Subject(name, parameter), parameter.asil_level, "parameters are not protected", findings)
-                for error in contract.errors or ():
-                    _above_qm(Subject(error.name, error), error.asil_level, _UNPROTECTED, findings)
-                for reaction in contract.safety_reactions or ():
-                    _above_qm(Subject(reaction.name, reaction), reaction.asil_level, _UNPROTECTED, findings)
+            for key, items in (each for contract in call.contracts or () for each in interface_lists(contract)):
+                why = "parameters are not protected" if key == "ParameterList" else _UNPROTECTED
+                for item in items or () if key != "MethodList" else ():
+                    is_status = key in ("ErrorList", "SafetyReactionList")
+                    name = item.name if is_status else item.vss_path or f"{part.function_name}.{item.name}"
+                    _above_qm(Subject(name, item), item.asil_level, why, findings)
 
 
 def _above_qm(subject: Subject, asil: str | None, why: str, findings: FindingCollector) -> None:

@@ -6,8 +6,8 @@ from typing import Any, NamedTuple
 from sigcat import codes
 from sigcat.function.checks.order import previous_calls
 from sigcat.function.document.text import Text
-from sigcat.function.exchange import Part
-from sigcat.function.function_json.duration import milliseconds
+from sigcat.function.exchange import Part, contracts_of
+from sigcat.function.function_json.duration import milliseconds, whole
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.status_interfaces import ModeInterface
 from sigcat.function.function_json.triggers import triggers
@@ -26,12 +26,11 @@ from sigcat.integration.ros2.names import topic_name
 from sigcat.integration.ros2.parameters import parameters_of
 from sigcat.integration.ros2.quality import MODE
 from sigcat.integration.ros2.settings import SchedulingPolicy
-from sigcat.integration.ros2.signal_uses import CYCLIC, EVENT, INIT, SHUTDOWN, run_kind, whole
+from sigcat.integration.ros2.signal_uses import CYCLIC, EVENT, INIT, SHUTDOWN, run_kind
 from sigcat.integration.ros2.statuses import (
     DIAGNOSTICS,
     Statuses,
     conditions,
-    contracts,
     diagnostics,
     error_topics,
     reaction_topics,
@@ -75,7 +74,7 @@ def node_of(part: Part, context: NodeContext) -> RosNode:
         plugin=f"{context.package}::{camel_case(part.name)}Node",
         transitions=_transitions(part),
         schedules=schedules,
-        parameters=parameters_of(contracts(part), part, book.table, findings),
+        parameters=parameters_of(contracts_of(part), part, book.table, findings),
         modes=tuple(_modes(part, context)),
         error_topics=tuple(error_topics(part, book.package, statuses)),
         reaction_topics=tuple(reaction_topics(part, book.package, statuses, manager)),

@@ -18,9 +18,10 @@ from collections.abc import Sequence
 
 from sigcat.asil import rank
 from sigcat.function.document.text import Text
+from sigcat.function.exchange import Side
 from sigcat.integration.ros2.model import Durability, QualityOfService, Reliability
 from sigcat.integration.ros2.settings import QualitySettings, Ros2Settings
-from sigcat.integration.ros2.signal_uses import SignalUse
+from sigcat.integration.ros2.signal_uses import asil_of_side, cycle_of, is_sent_in_each_cycle, timeout_of
 
 MODE = QualityOfService(
     reliability="reliable", durability="transient_local", history="keep_last", depth=1, liveliness="automatic",
@@ -33,7 +34,7 @@ STATUS = MODE.model_copy(update={"reasons": (Text("A status is sent on change an
 
 
 def quality(
-    mine: Sequence[SignalUse], everyone: Sequence[SignalUse], topic: str, settings: Ros2Settings, *,
+    mine: Sequence[Side], everyone: Sequence[Side], topic: str, settings: Ros2Settings, *,
     is_existing: bool = False,
 ) -> QualityOfService:  # fmt: skip
     """Quality of one end of a topic. `mine` are the signals of this end; `everyone` those of every end in the set.
@@ -41,8 +42,8 @@ def quality(
     `is_existing`: the message exists, and nodes that are not of the set know it.
     """
     reasons: list[str] = []
-    asil = max((use.asil for use in everyone), key=rank)
-    is_heard = any(use.is_provider for use in everyone)
+    asil = max((asil_of_side(use) for use in everyone), key=rank)
+    is_heard = any(use.provides for use in everyone)
     is_strict = asil in ("C", "D") and is_heard
     if is_heard and is_existing:
         reliability: Reliability = "reliable"
@@ -64,12 +65,12 @@ def quality(
     return _overridden(derived, [settings.quality[key] for key in dict.fromkeys(keys) if key in settings.quality])
 
 
-def _reliability(everyone: Sequence[SignalUse], asil: str, reasons: list[str]) -> Reliability:
+def _reliability(everyone: Sequence[Side], asil: str, reasons: list[str]) -> Reliability:
     causes = (
         (asil != "QM", f"reliable: ASIL {asil}"),
         (any(use.queue_length for use in everyone), "reliable: queued, no value may be lost"),
         (any(use.data.type == "attribute" for use in everyone), "reliable: an attribute is not sent again"),
-        (any(use.is_provider and use.cycle is None for use in everyone), "reliable: the provider has no cycle"),
+        (any(use.provides and cycle_of(use) is None for use in everyone), "reliable: the provider has no cycle"),
     )
     for holds, reason in causes:
         if holds:
@@ -85,15 +86,15 @@ def _of_outsider(reasons: list[str]) -> Reliability:
     return "best_effort"
 
 
-def _durability(everyone: Sequence[SignalUse], reasons: list[str]) -> Durability:
-    if any(use.data.type == "attribute" or (use.is_provider and use.cycle is None) for use in everyone):
+def _durability(everyone: Sequence[Side], reasons: list[str]) -> Durability:
+    if any(use.data.type == "attribute" or (use.provides and cycle_of(use) is None) for use in everyone):
         reasons.append("transient local: late subscribers need the last value")
         return "transient_local"
     return "volatile"
 
 
-def _depth(mine: Sequence[SignalUse], everyone: Sequence[SignalUse], reasons: list[str]) -> int:
-    relevant = everyone if any(use.is_provider for use in mine) else mine
+def _depth(mine: Sequence[Side], everyone: Sequence[Side], reasons: list[str]) -> int:
+    relevant = everyone if any(use.provides for use in mine) else mine
     lengths = [use.queue_length for use in relevant if use.queue_length]
     if not lengths:
         reasons.append("depth 1: only the latest value counts")
@@ -103,20 +104,20 @@ def _depth(mine: Sequence[SignalUse], everyone: Sequence[SignalUse], reasons: li
     return depth
 
 
-def _deadline(mine: Sequence[SignalUse], everyone: Sequence[SignalUse], reasons: list[str]) -> float | None:
-    timeouts = [use.timeout for use in everyone if not use.is_provider and use.timeout]
-    if not any(use.is_provider for use in mine):
-        own = [use.timeout for use in mine if use.timeout]
+def _deadline(mine: Sequence[Side], everyone: Sequence[Side], reasons: list[str]) -> float | None:
+    timeouts = [each for use in everyone if not use.provides and (each := timeout_of(use))]
+    if not any(use.provides for use in mine):
+        own = [each for use in mine if (each := timeout_of(use))]
         if own and not _is_offered(mine, everyone):
             reasons.append("no deadline: no publisher of the set offers one; the adapter supervises the time-out")
             return None
         if own:
             reasons.append("deadline: the time-out")
         return min(own, default=None)
-    cycles = [2 * use.cycle for use in mine if use.cycle]
+    cycles = [2 * cycle for use in mine if (cycle := cycle_of(use))]
     if not cycles:
         return None
-    if not any(use.is_sent_in_each_cycle for use in mine):
+    if not any(is_sent_in_each_cycle(use) for use in mine):
         reasons.append("no deadline: a call may have nothing to send")
         return None
     shortest = min([*timeouts, max(cycles)])
@@ -124,11 +125,11 @@ def _deadline(mine: Sequence[SignalUse], everyone: Sequence[SignalUse], reasons:
     return shortest
 
 
-def _is_offered(mine: Sequence[SignalUse], everyone: Sequence[SignalUse]) -> bool:
+def _is_offered(mine: Sequence[Side], everyone: Sequence[Side]) -> bool:
     """Whether every publisher of the signals is of the set, and sends in each of its cycles."""
-    offered = [use.is_sent_in_each_cycle for use in everyone if use.is_provider]
-    provided = {use.key for use in everyone if use.is_provider}
-    return bool(offered) and all(offered) and provided >= {use.key for use in mine}
+    offered = [is_sent_in_each_cycle(use) for use in everyone if use.provides]
+    provided = {use.identity for use in everyone if use.provides}
+    return bool(offered) and all(offered) and provided >= {use.identity for use in mine}
 
 
 def _overridden(derived: QualityOfService, settings: Sequence[QualitySettings]) -> QualityOfService:

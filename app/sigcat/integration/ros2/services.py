@@ -1,15 +1,13 @@
 """Methods as services: requests and responses in the interface package, servers and clients at the calls."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.function.document.text import Text
-from sigcat.function.exchange import Part
+from sigcat.function.exchange import Exchange, Side
 from sigcat.function.function_json.methods import Argument, MethodInterface
-from sigcat.function.function_json.role import PROVIDER
-from sigcat.function.function_json.runnable import Runnable
-from sigcat.integration.finding_collector import FindingCollector, Subject
+from sigcat.integration.finding_collector import FindingCollector, Subject, subject_of
 from sigcat.integration.ros2.messages import MessageBook, unresolved
 from sigcat.integration.ros2.model import ArgumentMap, Communication, MessageField, RosService
 from sigcat.integration.ros2.names import field_name, report_renamed, topic_name
@@ -20,12 +18,6 @@ SERVER = "Server"
 CLIENT = "Client"
 
 
-class _Call(NamedTuple):
-    part: Part
-    runnable: Runnable
-    method: MethodInterface
-
-
 class _Side(NamedTuple):
     """A request or a response."""
 
@@ -34,16 +26,16 @@ class _Side(NamedTuple):
 
 
 def with_services(
-    exchanged: Sequence[Communication], parts: Sequence[Part], book: MessageBook,
+    exchanged: Sequence[Communication], exchange: Exchange, book: MessageBook,
     findings: FindingCollector,
 ) -> tuple[Communication, ...]:  # fmt: skip
     """The communications with the services of every call. Calls that exchange nothing else are added."""
     services: dict[tuple[str, str], list[RosService]] = {}
     types: dict[str, tuple[str, _Side, _Side]] = {}
-    for call in _calls(parts):
-        service = _service(call, types, book, findings)
+    for use in exchange.sides:
+        service = _service(use, types, book, findings) if use.kind == "method" else None
         if service is not None:
-            services.setdefault((call.part.name, call.runnable.name), []).append(service)
+            services.setdefault((use.part.name, use.runnable.name), []).append(service)
     made = []
     for communication in exchanged:
         node = next((topic.node for topic in communication.topics), "") or ""
@@ -53,22 +45,15 @@ def with_services(
     return tuple(made)
 
 
-def _calls(parts: Sequence[Part]) -> Iterator[_Call]:
-    for part in parts:
-        for runnable in part.component.runnables:
-            for contract in runnable.contracts or ():
-                yield from (_Call(part, runnable, method) for method in contract.methods or ())
-
-
 def _service(
-    call: _Call,
+    use: Side,
     types: dict[str, tuple[str, _Side, _Side]],
     book: MessageBook,
     findings: FindingCollector,
 ) -> RosService | None:
     """Server or client of a method. Providers and users of one name have one service."""
-    method = call.method
-    interface = Subject(method.name, method)
+    method, interface = use.interface, subject_of(use)
+    assert isinstance(method, MethodInterface)
     request = _side(method.inputs, interface, book, findings)
     response = _side(method.outputs, interface, book, findings)
     if request is None or response is None:
@@ -83,16 +68,16 @@ def _service(
         )
     name, asked, answered = types[method.name]
     if _shape(asked) != _shape(request) or _shape(answered) != _shape(response):
-        message = f"The method {method.name} must have the same arguments everywhere, in the same units; those of {call.part.function_name} differ from another function's."
+        message = f"The method {method.name} must have the same arguments everywhere, in the same units; those of {use.function} differ from another function's."
         findings.report(
             codes.MEANINGS_DIFFER, message, interface, "Rename one of them, or use the same datatypes and units."
         )
     return RosService(
         name=topic_name(method.name),
         method=method.name,
-        role=SERVER if method.role == PROVIDER else CLIENT,
+        role=SERVER if use.provides else CLIENT,
         service=f"{book.package}/srv/{name}",
-        node=call.part.name,
+        node=use.part.name,
         request=request.arguments,
         response=response.arguments,
         success=success.name,

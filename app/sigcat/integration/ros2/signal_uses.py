@@ -1,15 +1,12 @@
-"""Calls of nodes that read or write each signal."""
+"""Calls of nodes, and the times and ASIL at which they read or write signals."""
 
-from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Sequence
 
 from sigcat.asil import Level, level_of
-from sigcat.function.exchange import Part
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
-from sigcat.function.function_json.duration import milliseconds
+from sigcat.function.exchange import Part, Side
+from sigcat.function.function_json.duration import milliseconds, whole
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.role import PROVIDER
-from sigcat.function.function_json.runnable import Contract, Runnable
+from sigcat.function.function_json.runnable import Runnable
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.names import package_name, report_renamed
 
@@ -17,54 +14,24 @@ Kind = str
 INIT, CYCLIC, SHUTDOWN, EVENT = "init", "cyclic", "shutdown", "event"
 
 
-class SignalUse(NamedTuple):
-    """One call reads or writes one signal."""
+def cycle_of(side: Side) -> float | None:
+    """Return the cycle of the call of a side, in ms, if it has one."""
+    return side.runnable.cycle_time if run_kind(side.runnable) == CYCLIC else None
 
-    part: Part
-    runnable: Runnable
-    data: Signal | DataQueue
-    path: str
-    """Path in the catalogue; empty if the signal names none."""
 
-    @property
-    def is_provider(self) -> bool:
-        """Whether the call writes the signal."""
-        return self.data.role == PROVIDER
+def is_sent_in_each_cycle(side: Side) -> bool:
+    """Whether the call provides a value whenever it runs: of a queue with a count it may provide none."""
+    return bool(cycle_of(side)) and not getattr(side.interface, "count_variable", None)
 
-    @property
-    def key(self) -> str:
-        """Identity of the signal in the set: its path, or its name in the function."""
-        return self.path or f"{self.part.function_name}.{self.data.name}"
 
-    @property
-    def interface(self) -> Subject:
-        """The signal, as findings call it."""
-        return Subject(self.key, self.data)
+def timeout_of(side: Side) -> float | None:
+    """Return the longest time between two values, in ms."""
+    return whole(milliseconds(side.data.timeout)) or None
 
-    @property
-    def queue_length(self) -> int | None:
-        """Values to queue, if it is a queue."""
-        return self.data.queue_length if isinstance(self.data, DataQueue) else None
 
-    @property
-    def is_sent_in_each_cycle(self) -> bool:
-        """Whether the call provides a value whenever it runs: of a queue with a count it may provide none."""
-        return bool(self.cycle) and not (isinstance(self.data, DataQueue) and self.data.count_variable)
-
-    @property
-    def timeout(self) -> float | None:
-        """Longest time between two values, in ms."""
-        return whole(milliseconds(self.data.timeout)) or None
-
-    @property
-    def asil(self) -> Level:
-        """ASIL of the signal, or else of the call."""
-        return asil_of(self.data.asil_level or self.runnable.asil_level)
-
-    @property
-    def cycle(self) -> float | None:
-        """Cycle of the call, in ms, if it has one."""
-        return self.runnable.cycle_time if run_kind(self.runnable) == CYCLIC else None
+def asil_of_side(side: Side) -> Level:
+    """Return the ASIL of the signal, or else of the call."""
+    return asil_of(side.data.asil_level or side.runnable.asil_level)
 
 
 def node_parts(functions: Sequence[FunctionJson], findings: FindingCollector) -> tuple[Part, ...]:
@@ -83,25 +50,6 @@ def node_parts(functions: Sequence[FunctionJson], findings: FindingCollector) ->
     return tuple(made)
 
 
-def signal_uses(parts: Sequence[Part], paths: Mapping[str, str]) -> tuple[SignalUse, ...]:
-    """Every use of every signal and queue. `paths` are those of signals that name none, by `Function.Signal`."""
-    return tuple(use for part in parts for use in _uses(part, paths))
-
-
-def _uses(part: Part, paths: Mapping[str, str]) -> Iterator[SignalUse]:
-    for runnable in part.component.runnables:
-        for contract in runnable.contracts or ():
-            for data in data_of(contract):
-                yield SignalUse(
-                    part, runnable, data, data.vss_path or paths.get(f"{part.function_name}.{data.name}", "")
-                )
-
-
-def data_of(contract: Contract) -> tuple[Signal | DataQueue, ...]:
-    """Signals and queues."""
-    return (*(contract.signals or ()), *(contract.queues or ()))
-
-
 def run_kind(runnable: Runnable) -> Kind:
     """When a call runs, however the document spells it: `Terminate` and `Shutdown`, `event based`."""
     text = runnable.run_type.strip().lower()
@@ -114,8 +62,3 @@ def run_kind(runnable: Runnable) -> Kind:
 def asil_of(text: str | None) -> Level:
     """The level that a document states; QM where it states none that can be read (F090, F091)."""
     return level_of(text) or "QM"
-
-
-def whole(number: float | None) -> float | None:
-    """A number that is whole as an integer, so that it is written as one."""
-    return int(number) if number is not None and number == int(number) else number

@@ -5,13 +5,12 @@ there. What the platform says of a safety condition comes on a topic for all nod
 """
 
 from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.function.document.text import Text, optional
-from sigcat.function.exchange import Part
+from sigcat.function.exchange import Part, errors_of, reactions_of
 from sigcat.function.function_json.datatype import Datatype
-from sigcat.function.function_json.runnable import Contract
 from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.common_types import ERROR_STATUS, SAFETY_REACTION
@@ -26,7 +25,6 @@ DIAGNOSTICS = "/diagnostics"
 SAFETY_MANAGEMENT = "safety_management"
 """Topic of the platform's safety conditions."""
 _ERROR_ENDING, _REACTION_ENDING = "_ErrorSts", "_SftyCondSts"
-_Named = TypeVar("_Named", ErrorInterface, SafetyReaction)
 _MILD = ("warn", "information", "amber", "none")
 
 
@@ -63,25 +61,6 @@ def statuses_of(parts: Sequence[Part], taken: Iterable[str], findings: FindingCo
             short = reaction.name.removesuffix(_REACTION_ENDING)
             _name(topics, names, "", reaction, short, findings)
     return Statuses(topics, reporters)
-
-
-def contracts(part: Part) -> Iterable[Contract]:
-    """Every contract of a component's calls."""
-    return (contract for runnable in part.component.runnables for contract in runnable.contracts or ())
-
-
-def errors_of(part: Part) -> tuple[ErrorInterface, ...]:
-    """Errors that the calls of a component report, each once."""
-    return _once(error for contract in contracts(part) for error in contract.errors or ())
-
-
-def reactions_of(part: Part) -> tuple[SafetyReaction, ...]:
-    """Safety reactions of the calls of a component, each once."""
-    return _once(reaction for contract in contracts(part) for reaction in contract.safety_reactions or ())
-
-
-def _once(items: Iterable[_Named]) -> tuple[_Named, ...]:
-    return tuple({item.name: item for item in items}.values())
 
 
 # -- topics -------------------------------------------------------------------------------------------------------

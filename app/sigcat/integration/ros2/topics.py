@@ -5,9 +5,10 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.function.document.text import Text
+from sigcat.function.exchange import Element, Exchange, Side
 from sigcat.function.function_json.conversion import IDENTITY, Linear, as_text
 from sigcat.function.function_json.duration import time_in_a_name
-from sigcat.integration.finding_collector import FindingCollector
+from sigcat.integration.finding_collector import FindingCollector, subject_of
 from sigcat.integration.ros2.common_types import STAMP
 from sigcat.integration.ros2.conversions import conversion, to_catalogue
 from sigcat.integration.ros2.existing_messages import SECTION, ExistingMessages, MappedField
@@ -25,7 +26,7 @@ from sigcat.integration.ros2.model import (
 from sigcat.integration.ros2.names import Name, field_name, package_name, report_renamed, topic_name
 from sigcat.integration.ros2.quality import quality
 from sigcat.integration.ros2.settings import Ros2Settings
-from sigcat.integration.ros2.signal_uses import SignalUse
+from sigcat.integration.ros2.signal_uses import asil_of_side, cycle_of, timeout_of
 from sigcat.integration.ros2.types import FieldType, c_definition, field_type, number_of, sent
 from sigcat.names import camel_case, last_name, parent_path
 
@@ -54,7 +55,7 @@ class Topic(NamedTuple):
     """With its package: `eco_control_interfaces/msg/Speed`."""
     members: dict[str, Member]
     """By the key of the signal."""
-    uses: tuple[SignalUse, ...]
+    uses: tuple[Side, ...]
     stamp: str | None = STAMP.name
     """Field of the time; None if the message has none."""
     values: tuple[FixedField, ...] = ()
@@ -69,19 +70,20 @@ class _Group(NamedTuple):
 
 
 def topics_of(
-    uses: Sequence[SignalUse], existing: ExistingMessages, settings: Ros2Settings, book: MessageBook,
+    exchange: Exchange, existing: ExistingMessages, settings: Ros2Settings, book: MessageBook,
     findings: FindingCollector,
 ) -> tuple[Topic, ...]:  # fmt: skip
     """Every topic, in the order of their names. Names and types of topics for single signals depend on paths alone."""
-    providers = _providers(uses, findings)
+    uses = exchange.data
+    _report_uses(uses, exchange, findings)
     mapped = tuple(_existing_topics(uses, existing, findings))
-    own = [use for use in uses if use.key not in existing.fields]
-    together = _Together.of(uses, (use for use in providers.values() if use.key not in existing.fields))
-    groups: dict[_Group, list[SignalUse]] = {}
+    own = [use for use in uses if use.identity not in existing.fields]
+    together = _Together.of(exchange.element(use) for use in own)
+    groups: dict[_Group, list[Side]] = {}
     for use in own:
-        groups.setdefault(_group(use, providers.get(use.key), together, settings), []).append(use)
+        groups.setdefault(_group(use, exchange.element(use).provider, together, settings), []).append(use)
     taken = {topic.name.removeprefix("/"): topic.message for topic in mapped}
-    messages = {group: book.reserved(group.message, groups[group][0].interface) for group in sorted(groups)}
+    messages = {group: book.reserved(group.message, subject_of(groups[group][0])) for group in sorted(groups)}
     made = []
     for group, message in messages.items():
         name = _free(topic_name(*group.segments), taken, groups[group][0], findings)
@@ -89,21 +91,19 @@ def topics_of(
     return tuple(sorted((*made, *mapped), key=lambda topic: topic.name))
 
 
-def _existing_topics(
-    uses: Sequence[SignalUse], existing: ExistingMessages, findings: FindingCollector
-) -> Iterable[Topic]:
+def _existing_topics(uses: Sequence[Side], existing: ExistingMessages, findings: FindingCollector) -> Iterable[Topic]:
     """Topics whose messages exist. Each is sent by one node, or by others: a message is sent whole."""
     for name, topic in existing.topics.items():
         fields = {key: field for key, field in existing.fields.items() if field.topic == name}
-        own = tuple(use for use in uses if use.key in fields)
+        own = tuple(use for use in uses if use.identity in fields)
         if not own:
             continue
-        senders = {use.part.name for use in own if use.is_provider}
+        senders = {use.part.name for use in own if use.provides}
         if topic.values and not senders:
             message = f"{name} must be sent by a node of the set to have `values`; it is only received."
             at = (*SECTION, name, "values")
             findings.report_deployment(codes.FIELD_DOES_NOT_FIT, message, at, "Remove `values`.", "")
-        foreign = {use.key for use in own} - {use.key for use in own if use.is_provider}
+        foreign = {use.identity for use in own} - {use.identity for use in own if use.provides}
         if len(senders) > 1 or (senders and foreign):
             others = [*sorted(senders), *(f"the sender of {key}" for key in sorted(foreign))]
             message = f"{name} must have one sender, not {' and '.join(others)}: each would send the fields of the others empty."
@@ -111,8 +111,10 @@ def _existing_topics(
                 codes.FIELD_DOES_NOT_FIT, message, (*SECTION, name), "Map signals of one node.", ""
             )
         members = {
-            use.key: Member(
-                fields[use.key].path, *_existing_kind(use, fields[use.key]), way=existing.ways.get(use.key, IDENTITY)
+            use.identity: Member(
+                fields[use.identity].path,
+                *_existing_kind(use, fields[use.identity]),
+                way=existing.ways.get(use.identity, IDENTITY),
             )
             for use in own
         }
@@ -120,7 +122,7 @@ def _existing_topics(
         yield Topic(name, topic.message, members, own, topic.stamp, values)
 
 
-def _existing_kind(use: SignalUse, mapped: MappedField) -> tuple[str, FieldType]:
+def _existing_kind(use: Side, mapped: MappedField) -> tuple[str, FieldType]:
     """The datatype of a field, with the names of an enumeration."""
     field = mapped.field
     assert field.element is not None
@@ -130,14 +132,14 @@ def _existing_kind(use: SignalUse, mapped: MappedField) -> tuple[str, FieldType]
 
 def communications(
     topics: Sequence[Topic],
-    uses: Sequence[SignalUse],
+    uses: Sequence[Side],
     settings: Ros2Settings,
     book: MessageBook,
     findings: FindingCollector,
 ) -> tuple[Communication, ...]:
     """Return the topics of each call, in the order of the document."""
     by_key = {key: topic for topic in topics for key in topic.members}
-    calls: dict[tuple[str, str], list[SignalUse]] = {}
+    calls: dict[tuple[str, str], list[Side]] = {}
     for use in uses:
         calls.setdefault((use.part.name, use.runnable.name), []).append(use)
     return tuple(
@@ -158,51 +160,52 @@ class _Together(NamedTuple):
     """Functions and cycles in which several calls provide signals: one message has what one call writes."""
 
     @classmethod
-    def of(cls, uses: Iterable[SignalUse], providers: Iterable[SignalUse]) -> "_Together":
-        """Collect them from every use of the set, and the first provider of each signal."""
+    def of(cls, elements: Iterable[Element]) -> "_Together":
+        """Collect them from the signals of the set."""
         calls: dict[tuple[str, float | None], set[str]] = {}
-        for use in providers:
-            calls.setdefault((use.part.function_name, use.cycle), set()).add(f"{use.part.name}.{use.runnable.name}")
-        return cls(
-            frozenset(use.key for use in uses if use.queue_length),
-            frozenset(key for key, names in calls.items() if len(names) > 1),
-        )
+        queued = set()
+        for element in elements:
+            if element.is_queued:
+                queued.add(element.identity)
+            if (use := element.provider) is not None:
+                calls.setdefault((use.function, cycle_of(use)), set()).add(f"{use.part.name}.{use.runnable.name}")
+        return cls(frozenset(queued), frozenset(key for key, names in calls.items() if len(names) > 1))
 
 
-def _providers(uses: Iterable[SignalUse], findings: FindingCollector) -> dict[str, SignalUse]:
-    """The first provider of each signal."""
-    providers: dict[str, SignalUse] = {}
+def _report_uses(uses: Iterable[Side], exchange: Exchange, findings: FindingCollector) -> None:
+    """Report signals without a path, and further publishers of a signal."""
     for use in uses:
         if not use.path:
-            message = f"{use.interface} must have a path in the catalogue; without it only {use.part.function_name} can know its topic."
-            findings.report(
-                codes.SIGNAL_WITHOUT_PATH, message, use.interface, "Set it under `paths` in the deployment file."
+            message = (
+                f"{use.identity} must have a path in the catalogue; without it only {use.function} can know its topic."
             )
-        if use.is_provider:
-            first = providers.setdefault(use.key, use).part.function_name
-            if first != use.part.function_name:
-                message = f"{use.interface} must have one publisher, not {first} and {use.part.function_name}: subscribers get a mixture."
-                findings.report(
-                    codes.SEVERAL_PUBLISHERS, message, use.interface, "Let only one of them provide it.", key="Role"
-                )
-    return providers
+            findings.report(
+                codes.SIGNAL_WITHOUT_PATH, message, subject_of(use), "Set it under `paths` in the deployment file."
+            )
+        first = exchange.element(use).leading.function
+        if use.provides and first != use.function:
+            message = (
+                f"{use.identity} must have one publisher, not {first} and {use.function}: subscribers get a mixture."
+            )
+            findings.report(
+                codes.SEVERAL_PUBLISHERS, message, subject_of(use), "Let only one of them provide it.", key="Role"
+            )
 
 
-def _group(use: SignalUse, providing: SignalUse | None, together: _Together, settings: Ros2Settings) -> _Group:
-    provider = providing.part.function_name if providing else ""
-    if settings.topics == "cycle" and providing and providing.cycle and use.key not in together.queued:
-        is_shared = (provider, providing.cycle) in together.shared
+def _group(use: Side, providing: Side | None, together: _Together, settings: Ros2Settings) -> _Group:
+    provider = providing.function if providing else ""
+    cycle = cycle_of(providing) if providing else None
+    if settings.topics == "cycle" and providing and cycle and use.identity not in together.queued:
+        is_shared = (provider, cycle) in together.shared
         call = (f"{providing.part.name}_{providing.runnable.name}",) if is_shared else ()
-        names = (provider, *call, f"Cycle{time_in_a_name(providing.cycle)}")
-        title = f"What {' '.join((provider, *call))} provides every {providing.cycle} ms."
+        names = (provider, *call, f"Cycle{time_in_a_name(cycle)}")
+        title = f"What {' '.join((provider, *call))} provides every {cycle} ms."
         return _Group(names, "".join(map(camel_case, names)), title)
     if settings.topics == "function":
-        owner, way = (provider, "out") if provider else (use.part.function_name, "in")
+        owner, way = (provider, "out") if provider else (use.function, "in")
         return _Group((owner, way), camel_case(owner) + camel_case(way))
     if not use.path:
-        return _Group(
-            (use.part.function_name, use.data.name), camel_case(use.part.function_name) + camel_case(use.data.name)
-        )
+        return _Group((use.function, use.data.name), camel_case(use.function) + camel_case(use.data.name))
     path = parent_path(use.path) if settings.topics == "branch" else use.path
     steps = path.split(".")
     source = camel_case(provider) if settings.topics == "branch" else ""
@@ -210,14 +213,14 @@ def _group(use: SignalUse, providing: SignalUse | None, together: _Together, set
     return _Group(segments, "".join(map(camel_case, steps[1:] or steps)) + source)
 
 
-def _free(name: str, taken: dict[str, str], use: SignalUse, findings: FindingCollector) -> str:
+def _free(name: str, taken: dict[str, str], use: Side, findings: FindingCollector) -> str:
     free, number = name, 1
     while free in taken:
         number += 1
         free = f"{name}_{number}"
     reason = f"{name!r} is taken by {taken[name]}" if free != name else ""
-    report_renamed(Name(free, reason), name, use.interface, findings)
-    taken[free] = use.interface.name
+    report_renamed(Name(free, reason), name, subject_of(use), findings)
+    taken[free] = use.identity
     return free
 
 
@@ -228,7 +231,7 @@ def _topic(
     name: str,
     message: str,
     group: _Group,
-    uses: list[SignalUse],
+    uses: list[Side],
     settings: Ros2Settings,
     book: MessageBook,
     findings: FindingCollector,
@@ -236,11 +239,11 @@ def _topic(
     members: dict[str, Member] = {}
     fields: list[MessageField] = [STAMP]
     values: list[MessageConstant] = []
-    of_key: dict[str, list[SignalUse]] = {}
+    of_key: dict[str, list[Side]] = {}
     for use in uses:
-        of_key.setdefault(use.key, []).append(use)
+        of_key.setdefault(use.identity, []).append(use)
     for key, own in of_key.items():
-        own.sort(key=lambda use: not use.is_provider)
+        own.sort(key=lambda use: not use.provides)
         member = _member(own, {field.name for field in fields}, settings, book, findings)
         if member is None:
             continue
@@ -248,14 +251,14 @@ def _topic(
         fields.extend(_fields(member, own[0]))
         kind = number_of(member.kind) if member.number else member.kind
         taken = {value.name for value in values}
-        values.extend(constants(kind, _prefix(member, of_key), own[0].interface, findings, taken))
+        values.extend(constants(kind, _prefix(member, of_key), subject_of(own[0]), findings, taken))
     together = Text(group.title or f"Signals of {' '.join(group.segments)}.")
     what = uses[0].data.description if len(of_key) == 1 else together
     book.add(message, what, fields, values)
     return Topic(name, f"{book.package}/msg/{message}", members, tuple(uses))
 
 
-def _fields(member: Member, first: SignalUse) -> Iterable[MessageField]:
+def _fields(member: Member, first: Side) -> Iterable[MessageField]:
     yield MessageField(
         name=member.field,
         datatype=member.written,
@@ -270,33 +273,33 @@ def _fields(member: Member, first: SignalUse) -> Iterable[MessageField]:
         yield MessageField(name=member.number, datatype=kind.element.ros2 + kind.suffix, description=description)
 
 
-def _prefix(member: Member, of_key: dict[str, list[SignalUse]]) -> str:
+def _prefix(member: Member, of_key: dict[str, list[Side]]) -> str:
     return member.field.upper() if len(of_key) > 1 else ""
 
 
 def _member(
-    own: list[SignalUse], taken: set[str], settings: Ros2Settings, book: MessageBook, findings: FindingCollector
+    own: list[Side], taken: set[str], settings: Ros2Settings, book: MessageBook, findings: FindingCollector
 ) -> Member | None:
     """The field of a signal. All who use it have to mean the same."""
     first = own[0]
     resolved = [field_type(use.data.datatype, use.data.vss_datatype, book.table) for use in own]
     kind = resolved[0]
     if kind is None:
-        unresolved(findings, first.interface, first.data.datatype)
+        unresolved(findings, subject_of(first), first.data.datatype)
         return None
     for use, other in zip(own[1:], resolved[1:], strict=True):
         if _disagree(kind, other) or first.data.vss_unit != use.data.vss_unit:
-            message = f"{first.interface} must have one datatype and unit; {first.part.function_name} and {use.part.function_name} differ."
+            message = f"{first.identity} must have one datatype and unit; {first.function} and {use.function} differ."
             findings.report(
-                codes.MEANINGS_DIFFER, message, first.interface, "Build both functions from the same catalogue."
+                codes.MEANINGS_DIFFER, message, subject_of(first), "Build both functions from the same catalogue."
             )
     kind = sent(kind, first.data.vss_symbols, as_number=settings.enumerations == "number")
-    written = book.written(kind, first.interface)
+    written = book.written(kind, subject_of(first))
     if written is None:
         return None
     source = last_name(first.path) if first.path else first.data.name
     name = field_name(source, taken)
-    report_renamed(name, source, first.interface, findings)
+    report_renamed(name, source, subject_of(first), findings)
     if not (kind.is_text and kind.symbols and settings.enumerations == "both"):
         return Member(name.text, written, kind)
     return Member(name.text, written, kind, field_name(f"{name.text}_number", taken | {name.text}).text)
@@ -313,21 +316,21 @@ def _disagree(one: FieldType, other: FieldType | None) -> bool:
 
 
 def _ends(
-    own: Sequence[SignalUse],
+    own: Sequence[Side],
     by_key: dict[str, Topic],
     settings: Ros2Settings,
     book: MessageBook,
     findings: FindingCollector,
 ) -> Iterable[RosTopic]:
     """The publishers and subscriptions of one call."""
-    ends: dict[tuple[str, bool], list[SignalUse]] = {}
+    ends: dict[tuple[str, bool], list[Side]] = {}
     for use in own:
-        topic = by_key.get(use.key)
+        topic = by_key.get(use.identity)
         if topic is not None:
-            ends.setdefault((topic.name, use.is_provider), []).append(use)
+            ends.setdefault((topic.name, use.provides), []).append(use)
     taken: set[str] = set()
     for (_, is_provider), mine in ends.items():
-        topic = by_key[mine[0].key]
+        topic = by_key[mine[0].identity]
         _check_timeouts(mine, topic, findings)
         yield RosTopic(
             name=topic.name,
@@ -338,12 +341,12 @@ def _ends(
             stamp=topic.stamp,
             values=topic.values or None,
             node=mine[0].part.name,
-            providers=tuple(dict.fromkeys(use.part.function_name for use in topic.uses if use.is_provider)),
+            providers=tuple(dict.fromkeys(use.function for use in topic.uses if use.provides)),
             quality=quality(mine, topic.uses, topic.name, settings, is_existing=topic.name in settings.messages),
         )
 
 
-def _interface(mine: Sequence[SignalUse]) -> str:
+def _interface(mine: Sequence[Side]) -> str:
     """The signal's name, or for several the structure of the code that holds their variables."""
     if len(mine) == 1:
         return mine[0].data.name
@@ -356,23 +359,23 @@ def _interface(mine: Sequence[SignalUse]) -> str:
     return ".".join(common) or mine[0].runnable.name
 
 
-def _check_timeouts(mine: Sequence[SignalUse], topic: Topic, findings: FindingCollector) -> None:
+def _check_timeouts(mine: Sequence[Side], topic: Topic, findings: FindingCollector) -> None:
     slowest: dict[str, float] = {}
     for use in topic.uses:
-        if use.is_provider and use.cycle:
-            slowest[use.key] = max(use.cycle, slowest.get(use.key, 0))
+        if use.provides and (cycle := cycle_of(use)):
+            slowest[use.identity] = max(cycle, slowest.get(use.identity, 0))
     for use in mine:
-        cycle = slowest.get(use.key)
-        if use.timeout and not use.is_provider and cycle and use.timeout < 2 * cycle:
-            message = f"{use.interface}: the time-out must be at least two cycles of {cycle} ms, not {use.timeout} ms."
+        cycle, timeout = slowest.get(use.identity), timeout_of(use)
+        if timeout and not use.provides and cycle and timeout < 2 * cycle:
+            message = f"{use.identity}: the time-out must be at least two cycles of {cycle} ms, not {timeout} ms."
             fix = "Raise it, or one late value triggers it."
-            findings.report(codes.TIMEOUT_BELOW_TWO_CYCLES, message, use.interface, fix, key="Timeout")
+            findings.report(codes.TIMEOUT_BELOW_TWO_CYCLES, message, subject_of(use), fix, key="Timeout")
 
 
 def _data_map(
-    mine: Sequence[SignalUse], topic: Topic, taken: set[str], book: MessageBook, findings: FindingCollector
+    mine: Sequence[Side], topic: Topic, taken: set[str], book: MessageBook, findings: FindingCollector
 ) -> DataMap:
-    rows = [_row(use, topic.members[use.key], taken, book, findings) for use in mine]
+    rows = [_row(use, topic.members[use.identity], taken, book, findings) for use in mine]
     mappings = [mapping for mapping, _ in rows]
     conversions = tuple(made for _, made in rows if made is not None)
     return DataMap(
@@ -386,24 +389,24 @@ def _data_map(
 
 
 def _row(
-    use: SignalUse, member: Member, taken: set[str], book: MessageBook, findings: FindingCollector
+    use: Side, member: Member, taken: set[str], book: MessageBook, findings: FindingCollector
 ) -> tuple[FieldMapping, Conversion | None]:
     data = use.data
     if not data.variable:
-        message = f"{use.interface} must name the variable of the code; its own name, {data.name!r}, is used."
-        findings.report(codes.VARIABLE_ASSUMED, message, use.interface, "Set `variable` in the declaration.")
-    way = "to_topic" if use.is_provider else "from_topic"
-    name = package_name(f"{use.part.function_name}_{data.name}_{way}", taken).text
+        message = f"{use.identity} must name the variable of the code; its own name, {data.name!r}, is used."
+        findings.report(codes.VARIABLE_ASSUMED, message, subject_of(use), "Set `variable` in the declaration.")
+    way = "to_topic" if use.provides else "from_topic"
+    name = package_name(f"{use.function}_{data.name}_{way}", taken).text
     made = conversion(
-        name, member.field, data.datatype, member.kind, to_catalogue(data, use.interface, findings), book.table,
-        member.written, is_outgoing=use.is_provider, has_number=bool(member.number), is_named=member.way is not None,
+        name, member.field, data.datatype, member.kind, to_catalogue(data, subject_of(use), findings), book.table,
+        member.written, is_outgoing=use.provides, has_number=bool(member.number), is_named=member.way is not None,
     )  # fmt: skip
     if made is not None:
         taken.add(name)
     return _mapping(use, member, book, made), made
 
 
-def _mapping(use: SignalUse, member: Member, book: MessageBook, made: Conversion | None) -> FieldMapping:
+def _mapping(use: Side, member: Member, book: MessageBook, made: Conversion | None) -> FieldMapping:
     data, way = use.data, member.way or IDENTITY
     return FieldMapping(
         signal=data.name,
@@ -422,11 +425,11 @@ def _mapping(use: SignalUse, member: Member, book: MessageBook, made: Conversion
         default=data.default,
         init_value=data.init_value,
         range_error_action=data.range_error_action,
-        timeout=use.timeout,
+        timeout=timeout_of(use),
         timeout_error=data.timeout_error,
         access=data.access,
         queue_length=use.queue_length,
         external_provider=data.external_provider,
-        asil_level=use.asil,
+        asil_level=asil_of_side(use),
         vss_path=use.path or None,
     )

@@ -244,7 +244,7 @@ def _as_data(together: FunctionSet) -> dict[str, object]:
             }
             for link in wiring.links
         ],
-        "fromOutside": [{"path": end.path, "to": end.function} for end in wiring.from_outside],
-        "toOutside": [{"path": end.path, "from": end.function} for end in wiring.to_outside],
+        "fromOutside": [{"path": end.identity, "to": end.function} for end in wiring.from_outside],
+        "toOutside": [{"path": end.identity, "from": end.function} for end in wiring.to_outside],
         "rivals": [{"path": each.path, "providers": list(each.functions)} for each in wiring.rivals],
     }

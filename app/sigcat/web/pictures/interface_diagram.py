@@ -7,7 +7,7 @@ from typing import Literal, NamedTuple
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.function.sets.wiring import calls_of, data_of
+from sigcat.function.function_json.walk import calls_of, data_of
 from sigcat.web.template_filters import unit as typeset_unit
 
 BOX_LEFT, BOX_RIGHT = 380, 740

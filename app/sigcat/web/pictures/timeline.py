@@ -8,7 +8,7 @@ from typing import NamedTuple
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.function.sets.wiring import calls_of
+from sigcat.function.function_json.walk import calls_of
 from sigcat.web.template_filters import number
 
 LEFT, WIDTH = 230, 640

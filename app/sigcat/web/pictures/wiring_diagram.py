@@ -5,7 +5,7 @@ from itertools import zip_longest
 from math import ceil
 from typing import NamedTuple
 
-from sigcat.function.sets.ends import End
+from sigcat.function.exchange import Side
 from sigcat.function.sets.wiring import Link, Wiring
 
 _NARROWEST, _GAP, _MARGIN = 270, 130, 40
@@ -60,7 +60,7 @@ def wiring_diagram(wiring: Wiring) -> WiringDiagram:
     """The diagram of a wiring."""
     columns = _columns(wiring)
     linked = {
-        (end.function, end.path, end.is_provider) for link in wiring.links for end in (link.provider, link.consumer)
+        (end.function, end.identity, end.provides) for link in wiring.links for end in (link.provider, link.consumer)
     }
     boxes: list[Box] = []
     x = _MARGIN
@@ -93,29 +93,29 @@ def _columns(wiring: Wiring) -> list[list[str]]:
     return [[name for name, column in placed.items() if column == index] for index in range(columns)]
 
 
-def _ends_of(name: str, wiring: Wiring) -> list[End]:
+def _ends_of(name: str, wiring: Wiring) -> list[Side]:
     linked = [end for link in wiring.links for end in (link.provider, link.consumer)]
     ends = (end for end in (*wiring.from_outside, *linked, *wiring.to_outside) if end.function == name)
-    return list({(end.path, end.is_provider): end for end in ends}.values())
+    return list({(end.identity, end.provides): end for end in ends}.values())
 
 
-def _width(name: str, ends: Sequence[End]) -> int:
+def _width(name: str, ends: Sequence[Side]) -> int:
     """Width of a box in which the two names of each row are next to each other."""
-    taken, given = ([len(end.signal.name) for end in ends if end.is_provider is side] for side in (False, True))
+    taken, given = ([len(end.data.name) for end in ends if end.provides is side] for side in (False, True))
     rows = [sum(row) * _LETTER for row in zip_longest(taken, given, fillvalue=0)]
     return ceil(max(_NARROWEST, _AROUND + max(rows, default=0), _AROUND + len(name) * _TITLE_LETTER))
 
 
-def _box(name: str, x: int, y: int, width: int, ends: Sequence[End], linked: Iterable[tuple[str, str, bool]]) -> Box:
+def _box(name: str, x: int, y: int, width: int, ends: Sequence[Side], linked: Iterable[tuple[str, str, bool]]) -> Box:
     known = set(linked)
     pins: list[Pin] = []
     rows = [0, 0]
     for end in ends:
-        side = int(end.is_provider)
+        side = int(end.provides)
         at = y + _HEAD + _ROW * rows[side] + _ROW // 2
         rows[side] += 1
-        is_free = (end.function, end.path, end.is_provider) not in known
-        pins.append(Pin(x + width * side, at, end.is_provider, end.signal.name, end.path, is_free))
+        is_free = (end.function, end.identity, end.provides) not in known
+        pins.append(Pin(x + width * side, at, end.provides, end.data.name, end.identity, is_free))
     return Box(x, y, width, _HEAD + _ROW * max(*rows, 1) + 10, name, tuple(pins))
 
 

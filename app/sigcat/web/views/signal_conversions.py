@@ -2,8 +2,8 @@
 
 from fractions import Fraction
 
+from sigcat.function.exchange import Side
 from sigcat.function.function_json.conversion import IDENTITY, Linear, of_text
-from sigcat.function.sets.ends import End
 from sigcat.function.sets.wiring import Link
 from sigcat.web.template_filters import number, unit
 
@@ -13,31 +13,31 @@ def within(link: Link) -> str:
     given, wanted = _to_catalogue(link.provider), _to_catalogue(link.consumer)
     if given is None or wanted is None:
         return ""
-    return _text(link.provider.signal.units, link.consumer.signal.units, given.then(wanted.inverse))
+    return _text(link.provider.data.units, link.consumer.data.units, given.then(wanted.inverse))
 
 
-def from_outside(end: End) -> str:
+def from_outside(end: Side) -> str:
     """From the unit of the catalogue to that of the function."""
     linear = _to_catalogue(end)
-    return _text(end.signal.vss_unit, end.signal.units, linear.inverse) if linear else ""
+    return _text(end.data.vss_unit, end.data.units, linear.inverse) if linear else ""
 
 
-def to_outside(end: End) -> str:
+def to_outside(end: Side) -> str:
     """From the unit of the function to that of the catalogue."""
     linear = _to_catalogue(end)
-    return _text(end.signal.units, end.signal.vss_unit, linear) if linear else ""
+    return _text(end.data.units, end.data.vss_unit, linear) if linear else ""
 
 
-def stored(end: End) -> str:
+def stored(end: Side) -> str:
     """`value = EgoSpd × 0.01`: the scaling of the variable; empty if it holds the value itself."""
-    factor, offset = of_text(str(end.signal.factor or 1)), of_text(str(end.signal.offset or 0))
+    factor, offset = of_text(str(end.data.factor or 1)), of_text(str(end.data.offset or 0))
     linear = Linear(factor or Fraction(1), offset or Fraction(0))
-    return "" if linear == IDENTITY else f"value = {end.signal.name} {_formula(linear)}"
+    return "" if linear == IDENTITY else f"value = {end.data.name} {_formula(linear)}"
 
 
-def _to_catalogue(end: End) -> Linear | None:
+def _to_catalogue(end: Side) -> Linear | None:
     """None where a document has no number in its place."""
-    factor, offset = of_text(end.signal.conversion_factor or "1"), of_text(end.signal.conversion_offset or "0")
+    factor, offset = of_text(end.data.conversion_factor or "1"), of_text(end.data.conversion_offset or "0")
     return Linear(factor, offset) if factor and offset is not None else None
 
 
