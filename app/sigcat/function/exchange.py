@@ -73,6 +73,13 @@ class Side(NamedTuple):
         return self.part.function_name
 
     @property
+    def names(self) -> tuple[str, ...]:
+        """Names under which it is known outside of its function: of a status or a mode its name and its path."""
+        if self.kind in ("data", "method"):
+            return (self.identity,)
+        return tuple(dict.fromkeys(filter(None, (self.interface.name, self.path))))
+
+    @property
     def data(self) -> Signal | DataQueue:
         """The interface, if it is data."""
         assert isinstance(self.interface, Signal | DataQueue)

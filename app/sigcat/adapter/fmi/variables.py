@@ -10,10 +10,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.core.plan import Value
-from sigcat.adapter.host.connections import Connections, Entry, Exit, names_of, shape_of, structs_of
+from sigcat.adapter.host.connections import Connections, Entry, Exit, shape_of, structs_of
 from sigcat.adapter.host.shapes import Array, Number, Shape, packing
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
 from sigcat.function.document.field_types import FMI_VARIABLE
+from sigcat.function.function_json.walk import parameters
 from sigcat.integration.fmi.model import Causality, FmiType
 
 Start = tuple[int | float | bool, ...]
@@ -163,10 +164,11 @@ def _of_exit(index: int, each: Exit, connections: Connections) -> _Place:
 def _of_parameters(index: int, connections: Connections) -> Iterator[_Place]:
     member = connections.members[index]
     structs = structs_of(member)
-    names = names_of(member)
+    declared = {pointer: item for pointer, _, item in parameters(member.function.function)}
     for each in member.plan.settable:
-        (name,), unit = names[each.named.pointer].path_or_name, names[each.named.pointer].unit
+        item = declared[each.named.pointer]
         shape = shape_of(each.value.wire, structs)
+        name, unit = item.vss_path or item.name, item.vss_unit or ""
         yield _Place(name, shape, "parameter", index, 0, unit, each.named.comment, each.value)
 
 

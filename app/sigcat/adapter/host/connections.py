@@ -1,6 +1,6 @@
 """Connections of a set: received and sent values, joined by path, else by the name of the interface."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -15,9 +15,10 @@ from sigcat.adapter.host.shapes import Array, Number, Record, Shape
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from sigcat.function.document.document import Pointer
+from sigcat.function.exchange import Side, exchange_of, parts_of
 from sigcat.function.function_json.datatype import innermost
+from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction
-from sigcat.function.function_json.walk import parts
 
 Symbols = tuple[tuple[str, int], ...]
 """Names and numbers of an enumeration."""
@@ -137,7 +138,7 @@ def connect(members: Sequence[Member]) -> Connections:
     """The connections of functions. Raises InputRefused if both ends of one do not hold the same values."""
     entries = tuple(entry for index, member in enumerate(members) for entry in _entries(index, member))
     exits = tuple(each for index, member in enumerate(members) for each in _exits(index, member))
-    routes = tuple(tuple(_targets(each, entries)) for each in exits)
+    routes = tuple(_routes(exits, entries))
     servers = dict(_servers(members, entries))
     findings = (*_mismatches(members, entries, exits, routes), *_unlike_methods(members, entries, servers))
     if findings:
@@ -146,17 +147,14 @@ def connect(members: Sequence[Member]) -> Connections:
 
 
 def _servers(members: Sequence[Member], entries: Sequence[Entry]) -> Iterator[tuple[int, Server]]:
-    """The first function that offers what another one uses, by the name of the method."""
-    offered: dict[str, Server] = {}
-    for index, member in enumerate(members):
-        names = names_of(member)
-        for number, method in enumerate(member.plan.methods):
-            if method.is_offered:
-                offered.setdefault(names[method.named.pointer].name, Server(index, number))
-    for index, entry in enumerate(entries):
-        server = offered.get(entry.names[0]) if entry.is_answer else None
-        if server is not None and server.member != entry.member:
-            yield index, server
+    """The function that offers what another one uses, by the index of the entry of the answer."""
+    exchange = exchange_of(parts_of(member.function.function for member in members))
+    indexes = {member.function.name: index for index, member in enumerate(members)}
+    for number, entry in enumerate(entries):
+        provider = exchange.elements["method", entry.names[0]].provider if entry.is_answer else None
+        if provider is not None and (index := indexes[provider.function]) != entry.member:
+            pointers = [method.named.pointer for method in members[index].plan.methods]
+            yield number, Server(index, pointers.index(provider.pointer))
 
 
 def _unlike_methods(
@@ -187,9 +185,14 @@ def handed_over(member: Member) -> Iterator[Shape]:
             yield Record(tuple((each.name, shape_of(each.value.wire, structs)) for each in listed))
 
 
-def _targets(given: Exit, entries: Sequence[Entry]) -> Iterator[int]:
-    if given.is_shared:
-        yield from (index for index, entry in enumerate(entries) if set(entry.names) & set(given.names))
+def _routes(exits: Iterable[Exit], entries: Sequence[Entry]) -> Iterator[tuple[int, ...]]:
+    """For each exit the entries that have one of its names."""
+    named: dict[str, list[int]] = {}
+    for index, entry in enumerate(entries):
+        for name in entry.names:
+            named.setdefault(name, []).append(index)
+    for each in exits:
+        yield tuple(sorted({index for name in each.names if each.is_shared for index in named.get(name, ())}))
 
 
 def _mismatches(
@@ -214,21 +217,21 @@ def _mismatches(
 
 
 def _entries(index: int, member: Member) -> Iterator[Entry]:
-    plan, names, structs = member.plan, names_of(member), structs_of(member)
+    plan, sides, structs = member.plan, sides_of(member.function.function), structs_of(member)
     for port in plan.ports:
         (_, item), *_ = port.consumers
         at, shape = item.named.pointer, shape_of(port.wire, structs)
-        own = names[at]
-        held = range_of(own.least, own.greatest, shape)
-        yield Entry(index, port.name, own.path_or_name, port.wire, shape, at, own.unit, held)
+        data = sides[at].data
+        held = range_of(data.vss_min, data.vss_max, shape)
+        yield Entry(index, port.name, sides[at].names, port.wire, shape, at, data.vss_unit or "", held)
     for error in plan.foreign_errors:
         yield Entry(index, error.name, (error.name,), error.wire, shape_of(error.wire), None)
     for reaction in plan.reactions:
         at, shape = reaction.named.pointer, shape_of(reaction.wire)
-        yield Entry(index, reaction.named.name, names[at].both, reaction.wire, shape, at)
+        yield Entry(index, reaction.named.name, sides[at].names, reaction.wire, shape, at)
     if plan.mode_in:
         at, shape = plan.mode_in.named.pointer, _shape_of_mode(plan.mode_in)
-        yield Entry(index, plan.mode_in.named.name, names[at].both, plan.mode_in.wire, shape, at)
+        yield Entry(index, plan.mode_in.named.name, sides[at].names, plan.mode_in.wire, shape, at)
     yield from _answers(index, member)
 
 
@@ -248,7 +251,7 @@ def _struct(name: str, listed: Sequence[Argument]) -> WireStruct:
 
 
 def _answers(index: int, member: Member) -> Iterator[Entry]:
-    names, structs = names_of(member), structs_of(member)
+    sides, structs = sides_of(member.function.function), structs_of(member)
     for method in member.plan.methods:
         if method.is_offered:
             continue
@@ -257,60 +260,31 @@ def _answers(index: int, member: Member) -> Iterator[Entry]:
         wire = WireType(struct, is_struct=True) if fields else WireType("bool")
         shape: Shape = Record(fields) if fields else Number("boolean")
         at, name = method.named.pointer, method.named.name
-        yield Entry(index, name, (names[at].name,), wire, shape, at, is_answer=True)
+        yield Entry(index, name, sides[at].names, wire, shape, at, is_answer=True)
 
 
 def _exits(index: int, member: Member) -> Iterator[Exit]:
-    plan, names, structs = member.plan, names_of(member), structs_of(member)
+    plan, sides, structs = member.plan, sides_of(member.function.function), structs_of(member)
     for output in plan.outputs:
         wire = output.value.wire
-        own, shape = names[output.named.pointer], shape_of(wire, structs)
-        yield Exit(index, output.named.name, own.path_or_name, wire, shape, own.unit, output.queue is not None)
+        side, shape = sides[output.named.pointer], shape_of(wire, structs)
+        unit = side.data.vss_unit or ""
+        yield Exit(index, output.named.name, side.names, wire, shape, unit, output.queue is not None)
     for error in plan.errors:
-        yield Exit(index, error.named.name, names[error.named.pointer].both, error.wire, shape_of(error.wire))
+        yield Exit(index, error.named.name, sides[error.named.pointer].names, error.wire, shape_of(error.wire))
     for reaction in plan.reactions:
         shape = shape_of(reaction.wire)
-        known = names[reaction.named.pointer].both
+        known = sides[reaction.named.pointer].names
         yield Exit(index, reaction.named.name, known, reaction.wire, shape, is_shared=False)
     if plan.mode_out:
         named, shape = plan.mode_out.named, _shape_of_mode(plan.mode_out)
-        yield Exit(index, named.name, names[named.pointer].both, plan.mode_out.wire, shape)
+        yield Exit(index, named.name, sides[named.pointer].names, plan.mode_out.wire, shape)
 
 
-class Names(NamedTuple):
-    """Names of an interface, and the unit in which it is received or sent."""
-
-    name: str
-    path: str
-    unit: str
-    least: float | None = None
-    greatest: float | None = None
-    """The range of the catalogue, in that unit."""
-
-    @property
-    def path_or_name(self) -> tuple[str]:
-        """Name of a signal: its path, as its other name belongs to its function alone."""
-        return (self.path or self.name,)
-
-    @property
-    def both(self) -> tuple[str, ...]:
-        """Names of an error, a reaction or a mode, whose name is known everywhere."""
-        return tuple(dict.fromkeys(filter(None, (self.name, self.path))))
-
-
-def names_of(member: Member) -> Mapping[Pointer, Names]:
-    """Return the names of each interface of a function, by pointer."""
-    return {
-        pointer: Names(
-            item.name,
-            getattr(item, "vss_path", None) or "",
-            getattr(item, "vss_unit", None) or "",
-            getattr(item, "vss_min", None),
-            getattr(item, "vss_max", None),
-        )
-        for pointer, item in parts(member.function.function)
-        if hasattr(item, "name")
-    }
+def sides_of(function: FunctionJson) -> Mapping[Pointer, Side]:
+    """Sides of a function in the exchange, by pointer."""
+    sides = exchange_of(parts_of((function,))).sides
+    return {side.pointer: side for side in reversed(sides)}  # the first at a pointer is that of its own interface
 
 
 # -- shapes -------------------------------------------------------------------------------------------------------

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import Literal, NamedTuple
 
 from sigcat.adapter.core.stored_keys import stored_keys
-from sigcat.adapter.host.connections import Member, names_of, shape_of, structs_of
+from sigcat.adapter.host.connections import Member, shape_of, sides_of, structs_of
 from sigcat.adapter.host.shapes import Number, Record, Shape
 
 COUNTS = Record((
@@ -33,10 +33,10 @@ def kept_of(members: Sequence[Member]) -> tuple[Kept, ...]:
 
 
 def _kept(index: int, member: Member) -> Iterator[Kept]:
-    plan, names, structs = member.plan, names_of(member), structs_of(member)
+    plan, sides, structs = member.plan, sides_of(member.function.function), structs_of(member)
     yield Kept(index, "ignitionCycle", "", "ignition_cycle", Number("uint32"))
     for error in plan.errors:
-        yield Kept(index, "errors", names[error.named.pointer].name, error.named.name, COUNTS)
+        yield Kept(index, "errors", sides[error.named.pointer].identity, error.named.name, COUNTS)
     keys = stored_keys(member.function.function, plan)
     for parameter in plan.parameters:
         shape = shape_of(parameter.value.wire, structs)
