@@ -506,3 +506,10 @@ def test_a_field_that_nobody_knows_is_told_with_its_place():
         f for f in derive([function(signals=[at("Vehicle.Speed", Colour="red")])]).findings if f.rule == "K009"
     ]
     assert "Colour" in finding.message
+
+
+def test_several_providers_are_reported_at_the_second_component():
+    one = function("One", [at("Vehicle.Speed", "Provider"), at("Vehicle.Speed", "Provider")])
+    two = function("Two", [at("Vehicle.Speed", "Provider")])
+    (finding,) = (each for each in derive([one, two]).findings if each.rule == "K002")
+    assert (finding.file, "One, Two" in finding.message) == ("Two.json", True)
