@@ -59,9 +59,8 @@ def _disagreements(context: NodeContext) -> Iterator[tuple[str, str]]:
     for error in context.errors:
         if error not in diagnosed:
             yield f"`Diagnostics` must have the error {error}", "/Diagnostics"
-    methods = {context.name_of(method.named): method for method in context.core.methods}
     for service in (service for role in (SERVER, CLIENT) for service in context.services(role)):
-        method = methods.get(service.method)
+        method = context.methods.get(service.method)
         counts = (len(service.request), len(service.response))
         if method is None:
             yield f"The service {service.name} must be a method", ""

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
 from sigcat.adapter.core.places import CorePlaces
-from sigcat.adapter.core.plan import CorePlan, Output, Port
+from sigcat.adapter.core.plan import CorePlan, Port
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.ros2.model import Communication, FieldMapping, Message, RosNode, RosService, RosTopic
 from sigcat.integration.ros2.topics import SUBSCRIPTION
@@ -41,23 +41,15 @@ class NodeContext(CorePlaces):
                 if service.node == self.node.name and service.role == role:
                     yield service
 
-    def port(self, call: str, mapping: FieldMapping) -> Port | None:
-        """The place that takes a field, if a step has one."""
-        return self.ports.get(self.data_pointers.get((call, mapping.signal), ()))
-
     @cached_property
     def receiving_ports(self) -> Mapping[str, tuple[Port, ...]]:
         """Places that take each signal: another call of the function may send it."""
         found: dict[str, dict[str, Port]] = {}
         for call, topic in self.topics(SUBSCRIPTION):
             for mapping in topic.mappings:
-                if (port := self.port(call, mapping)) is not None:
+                if (port := self.port(call, mapping.signal)) is not None:
                     found.setdefault(signal_key(mapping), {})[port.name] = port
         return {key: tuple(ports.values()) for key, ports in found.items()}
-
-    def output(self, call: str, mapping: FieldMapping) -> Output | None:
-        """The place that a field is filled from."""
-        return self.outputs.get(self.data_pointers.get((call, mapping.signal), ()))
 
 
 def signal_key(mapping: FieldMapping) -> str:

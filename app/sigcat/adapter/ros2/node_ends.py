@@ -22,11 +22,6 @@ from sigcat.integration.ros2.model import ArgumentMap, FieldMapping, QualityOfSe
 from sigcat.integration.ros2.services import CLIENT, SERVER
 from sigcat.integration.ros2.topics import PUBLISHER, SUBSCRIPTION
 
-PASSED, FAILED = 0, 1
-"""Constants of ErrorStatus."""
-INACTIVE, ACTIVE = 0, 1
-"""Constants of SafetyReaction."""
-
 
 def interface_type(text: str) -> InterfaceType:
     """`eco_control_interfaces/msg/Speed`, taken apart."""
@@ -75,7 +70,7 @@ def _subscription(
     takes: dict[str, ReceivedField] = {}
     for call, topic in ends:
         for mapping in topic.mappings:
-            port = context.port(call, mapping)
+            port = context.port(call, mapping.signal)
             if port is not None:
                 takes[port.name] = _received_field(mapping, port)
     first = ends[0][1]
@@ -117,23 +112,16 @@ def _status_subscription(topic: StatusTopic, taken: ReceivedField, names: dict[s
 
 def _received_status(topic: StatusTopic, context: NodeContext) -> ReceivedField | None:
     """The input that receives an error of others, a safety reaction or the mode."""
-    core = context.core
-    for error in core.foreign_errors:
-        if error.name == identifier(topic.interface):
-            return ReceivedField(error.name, topic.field, error.wire, error.comment)
-    for reaction in core.reactions:
-        if context.name_of(reaction.named) == topic.interface:
-            numbers = _differing(((INACTIVE, reaction.inactive), (ACTIVE, reaction.active)))
-            return ReceivedField(
-                reaction.named.name, topic.field, reaction.wire, reaction.named.comment, numbers=numbers
-            )
-    mode = core.mode_in
-    if mode is not None and context.name_of(mode.named) == topic.interface:
-        return ReceivedField(mode.named.name, topic.field, mode.wire, mode.named.comment)
-    return None
+    place = context.received_status(topic.interface)
+    if place is None:
+        return None
+    return ReceivedField(
+        place.name, topic.field, place.wire, place.comment, numbers=_differing(tuple(enumerate(place.numbers)))
+    )
 
 
 def _differing(numbers: tuple[tuple[int, int], ...]) -> tuple[tuple[int, int], ...]:
+    """Pairs of numbers; none if the message has those of the core: 0 says that all is well, and 1 that it is not."""
     return () if all(one == other for one, other in numbers) else numbers
 
 
@@ -158,7 +146,7 @@ def _publisher(name: str, ends: list[tuple[str, RosTopic]], names: dict[str, str
     gives: dict[str, SentField] = {}
     for call, topic in ends:
         for mapping in topic.mappings:
-            output = context.output(call, mapping)
+            output = context.output(call, mapping.signal)
             if output is not None:
                 gives[output.named.name] = _sent_field(mapping, output, context)
     first = ends[0][1]
@@ -186,19 +174,11 @@ def _sent_field(mapping: FieldMapping, output: Output, context: NodeContext) -> 
 
 def _sent_status(topic: StatusTopic, context: NodeContext) -> SentField | None:
     """Sent status of an error, a safety reaction or the mode."""
-    core = context.core
-    error = context.errors.get(topic.interface)
-    if error is not None:
-        numbers = _differing(((error.passed, PASSED), (error.failed, FAILED)))
-        return SentField(error.named.name, topic.field, error.wire, error.named.comment, numbers=numbers)
-    for reaction in core.reactions:
-        if context.name_of(reaction.named) == topic.interface:
-            numbers = _differing(((reaction.inactive, INACTIVE), (reaction.active, ACTIVE)))
-            return SentField(reaction.named.name, topic.field, reaction.wire, reaction.named.comment, numbers=numbers)
-    mode = core.mode_out
-    if mode is not None and context.name_of(mode.named) == topic.interface:
-        return SentField(mode.named.name, topic.field, mode.wire, mode.named.comment)
-    return None
+    place = context.sent_status(topic.interface)
+    if place is None:
+        return None
+    numbers = _differing(tuple((number, index) for index, number in enumerate(place.numbers)))
+    return SentField(place.name, topic.field, place.wire, place.comment, numbers=numbers)
 
 
 class Mixed(NamedTuple):
@@ -222,11 +202,10 @@ def mixed_queues(context: NodeContext) -> Iterator[Mixed]:
 def services(context: NodeContext, role: str) -> tuple[MethodService, ...]:
     """Methods that the function offers (Server) or uses (Client)."""
     assert role in (SERVER, CLIENT)
-    known = {context.name_of(method.named): method for method in context.core.methods}
     names: dict[str, str] = {}
     found: dict[str, MethodService] = {}
     for service in context.services(role):
-        method = known.get(service.method)
+        method = context.methods.get(service.method)
         if method is not None and service.name not in found:
             found[service.name] = MethodService(
                 topic=service.name,

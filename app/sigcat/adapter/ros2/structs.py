@@ -32,13 +32,12 @@ def _uses(context: NodeContext) -> Iterator[tuple[str, WireType]]:
     for role in (SUBSCRIPTION, PUBLISHER):
         for call, topic in context.topics(role):
             for mapping in topic.mappings:
-                port, output = context.port(call, mapping), context.output(call, mapping)
+                port, output = context.port(call, mapping.signal), context.output(call, mapping.signal)
                 wire = port.wire if port else output.value.wire if output else None
                 if wire is not None:
                     yield mapping.field_type, wire
-    methods = {context.name_of(method.named): method for method in context.core.methods}
     for service in (*context.services(SERVER), *context.services(CLIENT)):
-        method = methods[service.method]
+        method = context.methods[service.method]
         for maps, arguments in ((service.request, method.arguments), (service.response, method.results)):
             yield from ((each.field_type, argument.value.wire) for each, argument in zip(maps, arguments, strict=True))
 

@@ -1,8 +1,7 @@
 """Services of a component, and what its core has for each of their elements."""
 
 from collections.abc import Callable, Iterator, Mapping
-from functools import cached_property
-from typing import NamedTuple, TypeVar
+from typing import TypeVar
 
 from sigcat.adapter.autosar_adaptive.application.plan import (
     CalledMethod,
@@ -13,25 +12,14 @@ from sigcat.adapter.autosar_adaptive.application.plan import (
     SentField,
 )
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, instance_specifier, member_name
-from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.places import CorePlaces
-from sigcat.adapter.core.plan import CorePlan, WireType
-from sigcat.function.document.document import Pointer
+from sigcat.adapter.core.plan import CorePlan
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.autosar_adaptive.model import Component, Event, MethodArgument, ServiceField, ServiceInterface
 
 T = TypeVar("T")
 SAMPLES = 16
 """Values of an event that wait while the handler runs."""
-
-
-class Taken(NamedTuple):
-    """A place of the core that takes values."""
-
-    function: str
-    wire: WireType
-    capacity: int
-    comment: str
 
 
 class ComponentContext(CorePlaces):
@@ -49,15 +37,6 @@ class ComponentContext(CorePlaces):
         self.component = component
         self.types = types
         self.names = names
-
-    @cached_property
-    def status(self) -> Mapping[str, Taken]:
-        """Places that take errors of others, safety reactions and the mode, by the name of the interface."""
-        core = self.core
-        found = {error.name: Taken(error.name, error.wire, SAMPLES, error.comment) for error in core.foreign_errors}
-        for each in (*core.reactions, *([core.mode_in] if core.mode_in else ())):
-            found[self.name_of(each.named)] = Taken(each.named.name, each.wire, SAMPLES, each.named.comment)
-        return found
 
 
 def required_services(context: ComponentContext) -> tuple[Required, ...]:
@@ -94,7 +73,7 @@ def provided_services(context: ComponentContext) -> tuple[Provided, ...]:
 def _receivers(interface: ServiceInterface, context: ComponentContext) -> Iterator[Receiver]:
     for services in interface.services:
         for event in services.events:
-            for port in _distinct(event, context, context.ports.get):
+            for port in _distinct(event, context.port):
                 capacity = max(SAMPLES, *(item.queue.length if item.queue else 0 for _, item in port.consumers))
                 type_ = context.types.type(event.datatype)
                 yield Receiver(
@@ -108,15 +87,15 @@ def _receivers(interface: ServiceInterface, context: ComponentContext) -> Iterat
                     event.protection is not None,
                 )
         for field in services.fields:
-            taken = context.status.get(_status_name(field)) or context.status.get(identifier(_status_name(field)))
+            taken = context.received_status(_status_name(field))
             if taken is not None:
                 type_ = context.types.type(field.word)
                 yield Receiver(
                     member_name(field.name),
-                    taken.function,
+                    taken.name,
                     type_,
                     taken.wire,
-                    taken.capacity,
+                    SAMPLES,
                     taken.comment,
                     is_protected=field.protection is not None,
                 )
@@ -125,35 +104,27 @@ def _receivers(interface: ServiceInterface, context: ComponentContext) -> Iterat
 def _sent_events(interface: ServiceInterface, context: ComponentContext) -> Iterator[SentEvent]:
     for services in interface.services:
         for event in services.events:
-            for output in _distinct(event, context, context.outputs.get):
+            for output in _distinct(event, context.output):
                 named = output.named
-                own = tuple(_distinct(event, context, context.ports.get))
+                own = tuple(_distinct(event, context.port))
                 yield SentEvent(member_name(event.name), named.name, output.queue is not None, named.comment, own)
 
 
-def _distinct(event: Event, context: ComponentContext, of: Callable[[Pointer], T | None]) -> list[T]:
+def _distinct(event: Event, of: Callable[[str, str], T | None]) -> list[T]:
     """Values of the core on both sides of an event, each once."""
-    pointers = [context.data_pointers.get((use.call, use.interface.name)) for use in event.uses or ()]
-    found = {id(each): each for pointer in pointers if pointer is not None and (each := of(pointer)) is not None}
+    found = {id(each): each for use in event.uses or () if (each := of(use.call, use.interface.name)) is not None}
     return list(found.values())
 
 
 def _sent_fields(interface: ServiceInterface, context: ComponentContext) -> Iterator[SentField]:
-    mode = context.core.mode_out
-    for services in interface.services:
-        for field in services.fields:
-            name, type_ = _status_name(field), context.types.type(field.word)
-            error = context.errors.get(name)
-            if error is not None:
-                named, again = error.named, _repeated_by(field, error.call, context)
-                yield SentField(
-                    member_name(field.name), named.name, type_, error.passed, error, named.comment, error.wire.c, again
-                )
-            elif mode is not None and context.name_of(mode.named) == name:
-                named, again = mode.named, _repeated_by(field, None, context)
-                yield SentField(
-                    member_name(field.name), named.name, type_, None, None, named.comment, mode.wire.c, again
-                )
+    for field in (field for services in interface.services for field in services.fields):
+        error, place = context.errors.get(_status_name(field)), context.sent_status(_status_name(field))
+        if place is not None:
+            again = _repeated_by(field, error.call if error else None, context)
+            yield SentField(
+                member_name(field.name), place.name, context.types.type(field.word), error.passed if error else None,
+                error, place.comment, place.wire.c, again,
+            )  # fmt: skip
 
 
 def _repeated_by(field: ServiceField, call: str | None, context: ComponentContext) -> str | None:
@@ -171,10 +142,12 @@ def _status_name(field: ServiceField) -> str:
 
 
 def _methods(interface: ServiceInterface, context: ComponentContext) -> Iterator[CalledMethod]:
-    known = {context.name_of(method.named): method for method in context.core.methods}
     for services in interface.services:
         for method in services.methods:
-            used = next((known[use.method.name] for use in method.uses or () if use.method.name in known), None)
+            used = next(
+                (context.methods[use.method.name] for use in method.uses or () if use.method.name in context.methods),
+                None,
+            )
             if used is not None:
                 arguments, results = _typed(method.inputs, context), _typed(method.outputs, context)
                 yield CalledMethod(member_name(method.name), used, arguments, results)

@@ -4,9 +4,9 @@ from collections.abc import Iterator, Mapping
 
 from sigcat.adapter.autosar_classic.code.plan import DataEnd, RteType
 from sigcat.adapter.autosar_classic.code.types import type_of
-from sigcat.adapter.core.identifiers import identifier
-from sigcat.adapter.core.places import CorePlaces
-from sigcat.adapter.core.plan import CorePlan, Error, Reaction, WireType
+from sigcat.adapter.core.places import CorePlaces, StatusPlace
+from sigcat.adapter.core.plan import CorePlan
+from sigcat.adapter.core.plan import Port as CorePort
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.autosar_classic.model import ClassicIntegration, Component, DataElement, Element, Port, Use
 
@@ -52,20 +52,15 @@ def received(context: SwcContext) -> Iterator[DataEnd]:
 
 
 def _received(port: Port, element: Element, data: DataElement, use: Use, context: SwcContext) -> DataEnd | None:
-    core = context.ports.get(context.data_pointers.get((use.call or "", use.interface), ()))
+    core = context.port(use.call, use.interface)
     if core is not None:
         immediate = frozenset(call for call, item in core.consumers if item.is_immediate)
-        end = _end(port, element, data, use, context, core.name, core.wire, core.comment)
+        end = _end(port, element, data, use, context, core)
         return end._replace(
             tells_of_rejection=core.tells_of_rejection, tells_of_loss=core.tells_of_loss, immediate_in=immediate
         )
-    for error in context.core.foreign_errors:
-        if error.name in (identifier(use.interface), identifier(port.interface)):
-            return _end(port, element, data, use, context, error.name, error.wire, error.comment)
-    for reaction in context.core.reactions:
-        if context.name_of(reaction.named) == use.interface:
-            return _end(port, element, data, use, context, reaction.named.name, reaction.wire, reaction.named.comment)
-    return None
+    status = context.received_status(use.interface) or context.received_status(port.interface)
+    return _end(port, element, data, use, context, status) if status else None
 
 
 def _end(
@@ -74,17 +69,15 @@ def _end(
     data: DataElement,
     use: Use,
     context: SwcContext,
-    place: str,
-    wire: WireType,
-    comment: str,
+    place: CorePort | StatusPlace,
 ) -> DataEnd:
     return DataEnd(
         port=port.name,
         element=element.name,
         type=type_of(data.type, context.model, context.types),
-        wire=wire,
-        place=place,
-        comment=comment,
+        wire=place.wire,
+        place=place.name,
+        comment=place.comment,
         columns=_columns(data, use),
         is_queue=bool(data.queued),
         room=element.queue_length or 1,
@@ -114,13 +107,11 @@ def sent(context: SwcContext) -> Iterator[DataEnd]:
 
 
 def _sent(port: Port, element: Element, data: DataElement, use: Use, context: SwcContext) -> DataEnd | None:
-    output = context.outputs.get(context.data_pointers.get((use.call or "", use.interface), ()))
+    output = context.output(use.call, use.interface)
     if output is not None:
         named, call = output.named, next(step.name for step in context.core.steps if output in step.outputs)
-        end = _end(port, element, data, use, context, named.name, output.value.wire, named.comment)
+        place = StatusPlace(named.name, output.value.wire, named.comment)
+        end = _end(port, element, data, use, context, place)
         return end._replace(has_count=output.queue is not None, call=call)
-    statuses: tuple[Error | Reaction, ...] = (*context.core.errors, *context.core.reactions)
-    for each in statuses:
-        if context.name_of(each.named) == use.interface:
-            return _end(port, element, data, use, context, each.named.name, each.wire, each.named.comment)
-    return None
+    status = context.sent_status(use.interface)
+    return _end(port, element, data, use, context, status) if status else None

@@ -13,11 +13,10 @@ from sigcat.integration.autosar_classic.model import ClientServerInterface, Oper
 def method_ends(context: SwcContext) -> Iterator[MethodEnd]:
     """Yield methods that the function offers, and those that it uses."""
     interfaces = {each.name: each for each in context.model.client_server_interfaces}
-    known = {context.name_of(method.named): method for method in context.core.methods}
     for port in context.component.ports:
         for element in port.elements if port.kind == "ClientServer" else ():
             for use in element.uses or ():
-                method = known.get(use.interface)
+                method = context.methods.get(use.interface)
                 if method is not None:
                     interface = interfaces[port.interface]
                     operation = next(each for each in interface.operations if each.name == element.name)
