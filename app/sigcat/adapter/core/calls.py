@@ -7,9 +7,9 @@ from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.interfaces import port_key
 from sigcat.adapter.core.modes import excluded_in
 from sigcat.adapter.core.plan import Alive, Call, Deadline, Input, Logical, Output
-from sigcat.adapter.core.planning import Context, ListedCall, Planning, nanoseconds
+from sigcat.adapter.core.planning import Context, ListedCall, nanoseconds
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Subject
 from sigcat.function.function_json.data_interfaces import DataQueue
 from sigcat.function.function_json.runnable import Runnable, WatchdogLimits
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
@@ -23,11 +23,11 @@ def short_name(call: str, function: str) -> str:
 def planned_call(
     listed: ListedCall, inputs: tuple[Input, ...], outputs: tuple[Output, ...], graph: Mapping[str, Logical],
     ports: Mapping[str, str], context: Context,
-) -> Planning[Call]:  # fmt: skip
+) -> Call:  # fmt: skip
     """A call with what it reads and writes. `ports` has the names under which signals are received."""
     call, at = listed.call, listed.at
     is_event = call.run_type == EVENT_TRIGGERED
-    cycle = None if is_event or not call.cycle_time else (yield from nanoseconds(call.cycle_time, (*at, "Cycletime")))
+    cycle = None if is_event or not call.cycle_time else nanoseconds(call.cycle_time, (*at, "Cycletime"), context)
     events = triggers(call) if is_event else ()
     queues = [item for item in events if isinstance(item, DataQueue)]
     previous = tuple(name.strip() for name in (call.previous_runnable or "").split(",") if name.strip())
@@ -42,8 +42,8 @@ def planned_call(
         after=call.post_processing or (),
         description=call.description,
         cycle=cycle,
-        offset=(yield from nanoseconds(call.execution_offset, (*at, "ExecOffset"))) or 0,
-        debounce=(yield from nanoseconds(call.debounce_delay, (*at, "DebounceDelay"))) or 0,
+        offset=nanoseconds(call.execution_offset, (*at, "ExecOffset"), context) or 0,
+        debounce=nanoseconds(call.debounce_delay, (*at, "DebounceDelay"), context) or 0,
         priority=call.priority_number or 0,
         previous=tuple(short_name(name, context.name) for name in previous),
         most_events=max((item.queue_length for item in queues), default=1),
@@ -54,13 +54,13 @@ def planned_call(
         inputs=inputs,
         outputs=outputs,
         overrun_error=call.overrun_error,
-        alive=(yield from _alive(call, at, cycle)),
-        deadline=(yield from _deadline(call, at)),
+        alive=_alive(call, at, cycle, context),
+        deadline=_deadline(call, at, context),
         logical=graph.get(call.name),
     )
 
 
-def _alive(call: Runnable, at: Pointer, cycle: int | None) -> Planning[Alive | None]:
+def _alive(call: Runnable, at: Pointer, cycle: int | None, context: Context) -> Alive | None:
     limits = call.watchdog.alive if call.watchdog else None
     if limits is None:
         return None
@@ -68,18 +68,18 @@ def _alive(call: Runnable, at: Pointer, cycle: int | None) -> Planning[Alive | N
         subject = Subject("scheduling", call.name)
         message = f"The alive supervision of {call.name} has no effect: the call has no cycle."
         at = (*at, "Watchdog", "AliveSupervision")
-        yield Problem(codes.SUPERVISION_WITHOUT_EFFECT, at, message, "Remove it, or give a cycle time.", subject)
+        context.report(codes.SUPERVISION_WITHOUT_EFFECT, at, message, "Remove it, or give a cycle time.", subject)
         return None
     return Alive(int(limits.min), int(limits.max), int(limits.reference) * cycle, limits.error_name)
 
 
-def _deadline(call: Runnable, at: Pointer) -> Planning[Deadline | None]:
+def _deadline(call: Runnable, at: Pointer, context: Context) -> Deadline | None:
     limits: WatchdogLimits | None = call.watchdog.deadline if call.watchdog else None
     if limits is None:
         return None
     at = (*at, "Watchdog", "DeadlineSupervision")
-    least = yield from nanoseconds(limits.min, (*at, "Min"))
-    most = yield from nanoseconds(limits.max, (*at, "Max"))
+    least = nanoseconds(limits.min, (*at, "Min"), context)
+    most = nanoseconds(limits.max, (*at, "Max"), context)
     return Deadline(least or 0, most or 0, limits.error_name)
 
 

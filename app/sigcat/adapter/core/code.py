@@ -6,9 +6,8 @@ from collections.abc import Iterator
 from sigcat import codes
 from sigcat.adapter.core.numbers import type_of_c
 from sigcat.adapter.core.plan import CLASS, GLOBALS, Code, CodeObject, Extern
-from sigcat.adapter.core.planning import Context, Planning
+from sigcat.adapter.core.planning import Context
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem
 from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.datatype import innermost
 from sigcat.function.function_json.variables import variables
@@ -17,20 +16,20 @@ _PLAIN = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 ADAPTER = "Adapter"
 
 
-def planned_code(context: Context) -> Planning[Code]:
+def planned_code(context: Context) -> Code:
     """Sources, headers and calls of the code. Without `Code`, calls are plain functions over globals."""
     declared = context.function.code or CodeInterface(signature=GLOBALS)
     objects = tuple(CodeObject(each.name, each.type, each.member, each.length) for each in declared.objects or ())
     if declared.signature == CLASS and not declared.class_name:
         message = "The class that has the calls as members must have a name."
-        yield Problem(codes.VARIABLE_MISSING, ("Code",), message, "Give `class`.")
+        context.report(codes.VARIABLE_MISSING, ("Code",), message, "Give `class`.")
     externs: dict[str, Extern] = {}
     for name, at, extern in _externs(declared, context):
         if extern is not None:
             externs.setdefault(name, extern)
         elif not declared.headers and declared.signature == GLOBALS:
             message = f"The type of {name} is not known: no header declares it."
-            yield Problem(codes.HEADER_MISSING, at, message, "Name the header under `code`, `headers`.")
+            context.report(codes.HEADER_MISSING, at, message, "Name the header under `code`, `headers`.")
     held = tuple(each for each in objects if declared.signature != GLOBALS or _is_defined_here(declared, each.name))
     return Code(
         signature=declared.signature,

@@ -1,6 +1,6 @@
 """From a resolved function to the plan of its core, and the obstacles."""
 
-from collections.abc import Generator, Iterator
+from collections.abc import Iterator
 from typing import NamedTuple, TypeVar
 
 from sigcat.adapter.core.calls import in_order_of_due, logical_graph, planned_call, short_name
@@ -20,11 +20,10 @@ from sigcat.adapter.core.methods import methods_of
 from sigcat.adapter.core.modes import mode_in, mode_out
 from sigcat.adapter.core.parameters import parameters_of
 from sigcat.adapter.core.plan import Call, CorePlan, Error, ModeIn, Parameter, Reaction
-from sigcat.adapter.core.planning import INIT, TERMINATE, Context, ListedCall, Planning, context_of
+from sigcat.adapter.core.planning import INIT, TERMINATE, Context, ListedCall, context_of
 from sigcat.adapter.core.structs import wire_structs
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, has_errors
-from sigcat.function.document.problem import Problem
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.walk import data, methods, parameters, runnables
@@ -41,38 +40,30 @@ class Planned(NamedTuple):
 
 def derive(function: ResolvedFunction) -> Planned:
     """The plan of the core. Raises InputRefused with all obstacles."""
-    plan, problems = _run(_planned(context_of(function.function)))
-    findings = function.findings(problems)
+    context = context_of(function.function)
+    plan = _planned(context)
+    findings = function.findings(context.problems)
     if has_errors(findings):
         raise InputRefused(f"The core of {function.name} cannot be generated.", findings)
     return Planned(plan, findings)
 
 
-def _run(planning: Generator[Problem, None, T]) -> tuple[T, list[Problem]]:
-    problems: list[Problem] = []
-    while True:
-        try:
-            problems.append(next(planning))
-        except StopIteration as end:
-            return end.value, problems
-
-
-def _planned(context: Context) -> Planning[CorePlan]:
+def _planned(context: Context) -> CorePlan:
     function = context.function
     listed = [ListedCall(short_name(each.runnable.name, context.name), each.pointer, each.runnable)
               for each in runnables(function)]  # fmt: skip
-    mode = yield from mode_in(context)
-    out = yield from mode_out(context)
-    values = yield from parameters_of(listed, context)
-    called = yield from methods_of(listed, context)
-    calls = yield from _calls(listed, context)
+    mode = mode_in(context)
+    out = mode_out(context)
+    values = parameters_of(listed, context)
+    called = methods_of(listed, context)
+    calls = _calls(listed, context)
     steps = tuple(call for call, each in zip(calls, listed, strict=True) if each.is_step)
-    status = yield from _status(listed, calls, mode, values, context)
+    status = _status(listed, calls, mode, values, context)
     return CorePlan(
         function=identifier(context.name),
         version=function.info.version,
         description=function.info.description,
-        code=(yield from planned_code(context)),
+        code=planned_code(context),
         structs=wire_structs(_references(function), context),
         ports=received(calls, frozenset(step.name for step in steps)),
         parameters=values,
@@ -102,7 +93,7 @@ class _Status(NamedTuple):
 
 def _status(
     listed: list[ListedCall], calls: list[Call], mode: ModeIn | None, values: tuple[Parameter, ...], context: Context
-) -> Planning[_Status]:
+) -> _Status:
     steps = [call for call, each in zip(calls, listed, strict=True) if each.is_step]
     declared, reacting = status_items(listed)
     taken = {output.named.name for step in steps for output in step.outputs} | {"Mode_In", "Mode_Out"}
@@ -110,8 +101,8 @@ def _status(
     own = short_names(declared, context.name, "_ErrorSts", taken)
     names = short_names(reacting, context.name, "_SftyCondSts", taken)
     causes = causes_of(steps, calls, mode, values)
-    errors = yield from errors_of(declared, causes, _resets(steps), own, context)
-    reactions = yield from reactions_of(reacting, own, names, context)
+    errors = errors_of(declared, causes, _resets(steps), own, context)
+    reactions = reactions_of(reacting, own, names, context)
     return _Status(errors, reactions)
 
 
@@ -125,7 +116,7 @@ def _resets(steps: list[Call]) -> Resets:
     return found
 
 
-def _calls(listed: list[ListedCall], context: Context) -> Planning[list[Call]]:
+def _calls(listed: list[ListedCall], context: Context) -> list[Call]:
     """The calls, in the order of the file."""
     ports = ports_of([(each.at, each.call) for each in listed])
     graph = logical_graph([each.call for each in listed])
@@ -134,9 +125,9 @@ def _calls(listed: list[ListedCall], context: Context) -> Planning[list[Call]]:
     taken: set[str] = set()
     made: list[Call] = []
     for each in listed:
-        inputs = yield from inputs_of(each.call, each.at, ports, resets, context)
-        outputs = yield from outputs_of(each.call, each.at, taken, context)
-        call = yield from planned_call(each, inputs, outputs, graph, ports, context)
+        inputs = inputs_of(each.call, each.at, ports, resets, context)
+        outputs = outputs_of(each.call, each.at, taken, context)
+        call = planned_call(each, inputs, outputs, graph, ports, context)
         made.append(call._replace(name=unique(call.name, [other.name for other in made])))
     return made
 

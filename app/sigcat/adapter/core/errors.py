@@ -18,7 +18,7 @@ from sigcat.adapter.core.plan import (
     Reaction,
     WireType,
 )
-from sigcat.adapter.core.planning import Context, ListedCall, Planning, expression, nanoseconds
+from sigcat.adapter.core.planning import Context, ListedCall, expression, nanoseconds
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.datatype import EnumerationValue
 from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
@@ -104,14 +104,14 @@ def _of_others(mode: ModeIn | None, parameters: Iterable[Parameter]) -> Iterator
 def errors_of(
     declared: Iterable[Declared], causes: Mapping[str, list[Cause]], resets: Resets, names: Names,
     context: Context,
-) -> Planning[tuple[Error, ...]]:  # fmt: skip
+) -> tuple[Error, ...]:  # fmt: skip
     """The errors, each after those that it depends on. `resets` are places of verdicts, by the names of signals."""
     items: dict[str, list[Declared]] = {}
     for each in declared:
         items.setdefault(each.item.name, []).append(each)
     made: dict[str, Error] = {}
     for name, listed in items.items():
-        made[name] = yield from _error(listed, causes.get(name, ()), resets, names, context)
+        made[name] = _error(listed, causes.get(name, ()), resets, names, context)
     return tuple(made[name] for name in _in_order(items))
 
 
@@ -128,16 +128,14 @@ def _in_order(items: Mapping[str, list[Declared]]) -> tuple[str, ...]:
         return tuple(items)
 
 
-def _error(
-    listed: list[Declared], causes: Iterable[Cause], resets: Resets, names: Names, context: Context
-) -> Planning[Error]:
+def _error(listed: list[Declared], causes: Iterable[Cause], resets: Resets, names: Names, context: Context) -> Error:
     _, at, item = listed[0]
     assert isinstance(item, ErrorInterface)
     name = Named(names[item.name], item.vss_path or item.name, at)
     steps = [each.call.name for each in listed if each.call.is_step]
     owner = steps[0] if steps else None
-    variable = yield from expression(item.variable, item.name, (*at, "Variable"))
-    status = yield from expression(item.status_variable, item.name, (*at, "StatusVariable"))
+    variable = expression(item.variable, item.name, (*at, "Variable"), context)
+    status = expression(item.status_variable, item.name, (*at, "StatusVariable"), context)
     written = (Cause(f"error.{name.name}.variable", owner, is_late=True),) if variable else ()
     others = [other for other in item.dependencies if other != item.name]
     wire, numbers = status_type(item.datatype, {"PASSED": 0, "FAILED": 1}, context)
@@ -153,8 +151,8 @@ def _error(
         causes=(*causes, *written),
         variable=variable,
         status_variable=status,
-        maturation=(yield from nanoseconds(item.maturation_time, (*at, "MaturationTime"))) or 0,
-        reset=(yield from nanoseconds(item.reset_time, (*at, "ResetTime"))) or 0,
+        maturation=nanoseconds(item.maturation_time, (*at, "MaturationTime"), context) or 0,
+        reset=nanoseconds(item.reset_time, (*at, "ResetTime"), context) or 0,
         waits_for_restart=item.reset is not None and place is None,
         reset_input=place,
         dependencies=tuple(names[other] for other in others if other in names),
@@ -185,25 +183,23 @@ def foreign_errors(errors: Iterable[Error], reactions: Iterable[Reaction]) -> tu
 # -- safety reactions ---------------------------------------------------------------------------------------------
 
 
-def reactions_of(
-    declared: Iterable[Declared], own: Names, names: Names, context: Context
-) -> Planning[tuple[Reaction, ...]]:
+def reactions_of(declared: Iterable[Declared], own: Names, names: Names, context: Context) -> tuple[Reaction, ...]:
     """The safety reactions, each once, with all calls that list it. `own` are names of errors, `names` its own."""
     items: dict[str, list[Declared]] = {}
     for each in declared:
         items.setdefault(each.item.name, []).append(each)
     made = []
     for listed in items.values():
-        reaction = yield from _reaction(listed, own, names, context)
+        reaction = _reaction(listed, own, names, context)
         made.append(reaction)
     return tuple(made)
 
 
-def _reaction(listed: list[Declared], own: Names, names: Names, context: Context) -> Planning[Reaction]:
+def _reaction(listed: list[Declared], own: Names, names: Names, context: Context) -> Reaction:
     _, at, item = listed[0]
     assert isinstance(item, SafetyReaction)
     wire, numbers = status_type(item.datatype, {"INACTIVE": 0, "ACTIVE": 1}, context)
-    variable = yield from expression(item.variable, item.name, (*at, "Variable"))
+    variable = expression(item.variable, item.name, (*at, "Variable"), context)
     return Reaction(
         named=Named(names[item.name], item.vss_path or item.name, at),
         wire=wire,
@@ -214,7 +210,7 @@ def _reaction(listed: list[Declared], own: Names, names: Names, context: Context
         errors=tuple(own[name] for name in item.errors if name in own),
         foreign=tuple(identifier(name) for name in item.errors if name not in own),
         variable=variable,
-        time_out=(yield from nanoseconds(item.timeout, (*at, "Timeout"))),
+        time_out=nanoseconds(item.timeout, (*at, "Timeout"), context),
     )
 
 

@@ -5,10 +5,10 @@ from collections.abc import Iterable, Mapping
 from sigcat import codes
 from sigcat.adapter.core.identifiers import identifier, unique
 from sigcat.adapter.core.plan import Call, Input, Named, Output, Port, Queue, TimeOut
-from sigcat.adapter.core.planning import Context, Planning, expression, nanoseconds
+from sigcat.adapter.core.planning import Context, expression, nanoseconds
 from sigcat.adapter.core.values import value_of
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Subject
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.role import CONSUMER
 from sigcat.function.function_json.runnable import Runnable
@@ -35,29 +35,29 @@ def named(item: Data | ParameterInterface, at: Pointer, taken: Mapping[str, obje
 
 def inputs_of(
     call: Runnable, at: Pointer, ports: Mapping[str, str], resets: frozenset[str], context: Context
-) -> Planning[tuple[Input, ...]]:
+) -> tuple[Input, ...]:
     """Inputs of a call. `ports` has the names under which signals are received, by path or name."""
     found: dict[str, Input] = {}
     for pointer, item in data_of(call, at):
         if item.role != CONSUMER:
             continue
-        made = yield from _input(item, pointer, ports[port_key(item)], found, context)
+        made = _input(item, pointer, ports[port_key(item)], found, context)
         if made is not None:
             found[made.named.name] = made._replace(is_reset=bool({item.name, item.vss_path} & resets))
     return tuple(found.values())
 
 
-def outputs_of(call: Runnable, at: Pointer, taken: set[str], context: Context) -> Planning[tuple[Output, ...]]:
+def outputs_of(call: Runnable, at: Pointer, taken: set[str], context: Context) -> tuple[Output, ...]:
     """Outputs of a call; `taken` are names of outputs of other calls."""
     found: dict[str, Output] = {}
     for pointer, item in data_of(call, at):
         if item.role == CONSUMER:
             continue
         name = named(item, pointer, dict.fromkeys([*taken, *found]))
-        variable = yield from _variable(item, pointer)
-        value = yield from value_of(item, pointer, context, to_code=False)
+        variable = _variable(item, pointer, context)
+        value = value_of(item, pointer, context, to_code=False)
         if variable is not None and value is not None:
-            queue = yield from _queue(item, pointer)
+            queue = _queue(item, pointer, context)
             found[name.name] = Output(name, variable, value, item.range_error, queue)
     taken.update(found)
     return tuple(found.values())
@@ -68,12 +68,12 @@ def port_key(item: Data) -> str:
     return item.vss_path or item.name
 
 
-def _input(item: Data, at: Pointer, port: str, taken: Mapping[str, object], context: Context) -> Planning[Input | None]:
+def _input(item: Data, at: Pointer, port: str, taken: Mapping[str, object], context: Context) -> Input | None:
     name = named(item, at, taken)
-    variable = yield from _variable(item, at)
-    value = yield from value_of(item, at, context, to_code=True)
-    time_out = yield from _time_out(item, at)
-    queue = yield from _queue(item, at)
+    variable = _variable(item, at, context)
+    value = value_of(item, at, context, to_code=True)
+    time_out = _time_out(item, at, context)
+    queue = _queue(item, at, context)
     if variable is None or value is None:
         return None
     return Input(
@@ -91,26 +91,26 @@ def _input(item: Data, at: Pointer, port: str, taken: Mapping[str, object], cont
     )
 
 
-def _variable(item: Data, at: Pointer) -> Planning[str | None]:
+def _variable(item: Data, at: Pointer, context: Context) -> str | None:
     if item.variable is None:
         subject = Subject("data", item.vss_path or item.name)
         message = f"{item.name} must have a variable of the C code."
-        yield Problem(codes.VARIABLE_MISSING, at, message, "Give `variable`, such as `bus.speed`.", subject)
+        context.report(codes.VARIABLE_MISSING, at, message, "Give `variable`, such as `bus.speed`.", subject)
         return None
-    return (yield from expression(item.variable, item.name, (*at, "Variable")))
+    return expression(item.variable, item.name, (*at, "Variable"), context)
 
 
-def _time_out(item: Data, at: Pointer) -> Planning[TimeOut | None]:
-    time = yield from nanoseconds(item.timeout, (*at, "Timeout"))
+def _time_out(item: Data, at: Pointer, context: Context) -> TimeOut | None:
+    time = nanoseconds(item.timeout, (*at, "Timeout"), context)
     if time is None:
         return None
     return TimeOut(time, item.timeout_start == "First", item.timeout_value or "Last", item.timeout_recovery or 1)
 
 
-def _queue(item: Data, at: Pointer) -> Planning[Queue | None]:
+def _queue(item: Data, at: Pointer, context: Context) -> Queue | None:
     if not isinstance(item, DataQueue):
         return None
-    count = yield from expression(item.count_variable, item.name, (*at, "CountVariable"))
+    count = expression(item.count_variable, item.name, (*at, "CountVariable"), context)
     per_step = min(item.values_per_step or 1, item.queue_length)
     return Queue(item.queue_length, item.overflow == "DropNewest", per_step, count, item.overflow_error)
 

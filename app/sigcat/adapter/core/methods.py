@@ -5,10 +5,10 @@ from collections.abc import Sequence
 from sigcat import codes
 from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.plan import Argument, Method, Named, Value
-from sigcat.adapter.core.planning import Context, ListedCall, Planning, expression, nanoseconds
+from sigcat.adapter.core.planning import Context, ListedCall, expression, nanoseconds
 from sigcat.adapter.core.values import value_of
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Subject
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.data_interfaces import Signal
 from sigcat.function.function_json.methods import Argument as DeclaredArgument
@@ -16,30 +16,30 @@ from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.role import CONSUMER
 
 
-def methods_of(calls: Sequence[ListedCall], context: Context) -> Planning[tuple[Method, ...]]:
+def methods_of(calls: Sequence[ListedCall], context: Context) -> tuple[Method, ...]:
     """The methods of all calls, which are given with their short names and pointers."""
     found: dict[str, Method] = {}
     for name, at, call in calls:
         for index, contract in enumerate(call.contracts or ()):
             for number, item in enumerate(contract.methods or ()):
                 where = (*at, "funcContractList", index, "MethodList", number)
-                made = yield from _method(item, where, name, context)
+                made = _method(item, where, name, context)
                 if made is not None:
                     found.setdefault(made.named.name, made)
     return tuple(found.values())
 
 
-def _method(item: MethodInterface, at: Pointer, call: str, context: Context) -> Planning[Method | None]:
+def _method(item: MethodInterface, at: Pointer, call: str, context: Context) -> Method | None:
     is_offered = item.role != CONSUMER
     missing = item.symbol is None if is_offered else item.request_variable is None
     if missing:
         wanted = "symbol" if is_offered else "requestVariable"
         message = f"The method {item.name} must have a {'function' if is_offered else 'variable'} of the C code."
-        yield Problem(codes.VARIABLE_MISSING, at, message, f"Give `{wanted}`.", Subject("method", item.name))
+        context.report(codes.VARIABLE_MISSING, at, message, f"Give `{wanted}`.", Subject("method", item.name))
         return None
     inputs, outputs = (*at, "InDataTypeList"), (*at, "OutDataTypeList")
-    arguments = yield from _arguments(item.inputs, inputs, context, to_code=is_offered, is_checked=is_offered)
-    results = yield from _arguments(item.outputs, outputs, context, to_code=not is_offered, is_checked=not is_offered)
+    arguments = _arguments(item.inputs, inputs, context, to_code=is_offered, is_checked=is_offered)
+    results = _arguments(item.outputs, outputs, context, to_code=not is_offered, is_checked=not is_offered)
     return Method(
         named=Named(identifier(item.name), item.name, at),
         call=call,
@@ -47,24 +47,24 @@ def _method(item: MethodInterface, at: Pointer, call: str, context: Context) -> 
         symbol=item.symbol,
         arguments=arguments,
         results=results,
-        time_out=(yield from nanoseconds(item.timeout, (*at, "Timeout"))),
-        request_variable=(yield from expression(item.request_variable, item.name, (*at, "RequestVariable"))),
-        status_variable=(yield from expression(item.status_variable, item.name, (*at, "StatusVariable"))),
+        time_out=nanoseconds(item.timeout, (*at, "Timeout"), context),
+        request_variable=expression(item.request_variable, item.name, (*at, "RequestVariable"), context),
+        status_variable=expression(item.status_variable, item.name, (*at, "StatusVariable"), context),
     )
 
 
 def _arguments(
     items: tuple[DeclaredArgument, ...], at: Pointer, context: Context, *, to_code: bool, is_checked: bool
-) -> Planning[tuple[Argument, ...]]:
+) -> tuple[Argument, ...]:
     made = []
     for index, item in enumerate(items):
         where = (*at, index)
         if item.variable is None:
             message = f"The argument {item.name} must have a variable of the C code."
-            yield Problem(codes.VARIABLE_MISSING, where, message, "Give `variable`.")
+            context.report(codes.VARIABLE_MISSING, where, message, "Give `variable`.")
             continue
-        variable = yield from expression(item.variable, item.name, (*where, "Variable"))
-        value = yield from value_of(_as_signal(item), where, context, to_code=to_code)
+        variable = expression(item.variable, item.name, (*where, "Variable"), context)
+        value = value_of(_as_signal(item), where, context, to_code=to_code)
         if variable is not None and value is not None:
             made.append(Argument(identifier(item.name), variable, value if is_checked else _unchecked(value)))
     return tuple(made)

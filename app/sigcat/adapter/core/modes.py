@@ -2,12 +2,12 @@
 
 from sigcat.adapter.core.errors import status_type
 from sigcat.adapter.core.plan import ModeIn, ModeOut, ModeValue, Named
-from sigcat.adapter.core.planning import Context, Planning, expression
+from sigcat.adapter.core.planning import Context, expression
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.status_interfaces import ModeInterface
 
 
-def mode_in(context: Context) -> Planning[ModeIn | None]:
+def mode_in(context: Context) -> ModeIn | None:
     """The mode that the function receives; None if it receives none."""
     found = _interface("In", context)
     if found is None:
@@ -19,19 +19,19 @@ def mode_in(context: Context) -> Planning[ModeIn | None]:
         wire=status_type(item.datatype, {}, context)[0],
         modes=modes,
         initial=next((mode for mode in modes if mode.name == item.initial), modes[0]),
-        variable=(yield from expression(item.variable, item.name, (*at, "Variable"))),
+        variable=expression(item.variable, item.name, (*at, "Variable"), context),
         goes_to_initial=item.unknown_action == "Initial",
         unknown_error=item.unknown_error,
     )
 
 
-def mode_out(context: Context) -> Planning[ModeOut | None]:
+def mode_out(context: Context) -> ModeOut | None:
     """The mode that the function reports; None if no variable holds it."""
     found = _interface("Out", context)
     if found is None:
         return None
     at, item = found
-    variable = yield from expression(item.variable, item.name, (*at, "Variable"))
+    variable = expression(item.variable, item.name, (*at, "Variable"), context)
     if variable is None:
         return None
     name = Named("Mode_Out", item.vss_path or item.name, at)

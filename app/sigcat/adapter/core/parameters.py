@@ -5,16 +5,16 @@ from collections.abc import Sequence
 from sigcat import codes
 from sigcat.adapter.core.interfaces import named
 from sigcat.adapter.core.plan import Parameter
-from sigcat.adapter.core.planning import Context, ListedCall, Planning, expression
+from sigcat.adapter.core.planning import Context, ListedCall, expression
 from sigcat.adapter.core.values import value_of
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Subject
 from sigcat.function.function_json.data_interfaces import ParameterInterface
 
 LEARNED = "LearningParameter"
 
 
-def parameters_of(calls: Sequence[ListedCall], context: Context) -> Planning[tuple[Parameter, ...]]:
+def parameters_of(calls: Sequence[ListedCall], context: Context) -> tuple[Parameter, ...]:
     """The parameters of all calls, which are given with their short names and pointers."""
     found: dict[str, Parameter] = {}
     by_variable: dict[str, str] = {}
@@ -23,7 +23,7 @@ def parameters_of(calls: Sequence[ListedCall], context: Context) -> Planning[tup
         if known is not None:
             found[known] = found[known]._replace(calls=(*found[known].calls, call))
             continue
-        made = yield from _parameter(item, at, call, found, context)
+        made = _parameter(item, at, call, found, context)
         if made is not None:
             found[made.named.name] = made
             by_variable[made.variable] = made.named.name
@@ -41,17 +41,17 @@ def _listed(calls: Sequence[ListedCall]) -> list[tuple[str, Pointer, ParameterIn
 
 def _parameter(
     item: ParameterInterface, at: Pointer, call: str, taken: dict[str, Parameter], context: Context
-) -> Planning[Parameter | None]:
+) -> Parameter | None:
     if item.variable is None:
         subject = Subject("data", item.vss_path or item.name)
         message = f"{item.name} must have a variable of the C code."
-        yield Problem(codes.VARIABLE_MISSING, at, message, "Give `variable`, such as `parameters.gain`.", subject)
+        context.report(codes.VARIABLE_MISSING, at, message, "Give `variable`, such as `parameters.gain`.", subject)
         return None
-    variable = yield from expression(item.variable, item.name, (*at, "Variable"))
-    value = yield from value_of(item, at, context, to_code=True)
+    variable = expression(item.variable, item.name, (*at, "Variable"), context)
+    value = value_of(item, at, context, to_code=True)
     if variable is None or value is None:
         return None
-    back = yield from value_of(item, at, context, to_code=False)
+    back = value_of(item, at, context, to_code=False)
     assert back is not None
     return Parameter(
         named=named(item, at, taken),

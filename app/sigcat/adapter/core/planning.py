@@ -1,20 +1,17 @@
 """Common knowledge of all parts of planning, and the report of obstacles."""
 
-from collections.abc import Generator, Mapping
-from typing import NamedTuple, TypeVar
+from collections.abc import Mapping
+from typing import NamedTuple
 
 from sigcat import codes
+from sigcat.findings import RuleCode
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.expression import may_hold_value
-from sigcat.function.document.problem import Problem
+from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.duration import LONGEST_MILLISECONDS, milliseconds, whole_nanoseconds
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.runnable import Runnable
-
-T = TypeVar("T")
-Planning = Generator[Problem, None, T]
-"""Returns a part of the plan, and yields its problems."""
 
 
 class Context(NamedTuple):
@@ -22,6 +19,12 @@ class Context(NamedTuple):
 
     function: FunctionJson
     datatypes: Mapping[str, Datatype]
+    problems: list[Problem]
+    """Obstacles, in the order in which they are reported."""
+
+    def report(self, rule: RuleCode, at: Pointer, message: str, fix: str = "", subject: Subject | None = None) -> None:
+        """Report an obstacle."""
+        self.problems.append(Problem(rule, at, message, fix, subject))
 
     @property
     def name(self) -> str:
@@ -49,31 +52,31 @@ INIT, TERMINATE = "Init", "Shutdown"
 
 def context_of(function: FunctionJson) -> Context:
     """The context of a function."""
-    return Context(function, {datatype.reference: datatype for datatype in function.datatypes})
+    return Context(function, {datatype.reference: datatype for datatype in function.datatypes}, [])
 
 
-def nanoseconds(value: str | float | None, at: Pointer) -> Planning[int | None]:
+def nanoseconds(value: str | float | None, at: Pointer, context: Context) -> int | None:
     """A duration of the wire format, in ms, as whole ns; None if there is none."""
     number = milliseconds(value) if isinstance(value, str) else value
     if number is None and value is not None:
-        yield Problem(codes.TIME_NOT_WHOLE, at, f"The time must be a number of milliseconds, not {value!r}.")
+        context.report(codes.TIME_NOT_WHOLE, at, f"The time must be a number of milliseconds, not {value!r}.")
     if number is None:
         return None
     if not 0 <= number <= LONGEST_MILLISECONDS:
         message = f"The time must be between 0 and {LONGEST_MILLISECONDS} ms, not {number!r} ms."
-        yield Problem(codes.TIME_NOT_WHOLE, at, message)
+        context.report(codes.TIME_NOT_WHOLE, at, message)
         return None
     exact = whole_nanoseconds(number)
     if exact is None:
         message = f"The time must be whole nanoseconds, not {number!r} ms."
-        yield Problem(codes.TIME_NOT_WHOLE, at, message)
+        context.report(codes.TIME_NOT_WHOLE, at, message)
     return exact
 
 
-def expression(text: str | None, what: str, at: Pointer) -> Planning[str | None]:
+def expression(text: str | None, what: str, at: Pointer, context: Context) -> str | None:
     """An expression of C that holds a value, as the declaration has it; None if there is none, or C has no such."""
     if text is None or may_hold_value(text):
         return text
     message = f"The variable of {what} must be an expression of C, not {text!r}."
-    yield Problem(codes.VARIABLE_MISSING, at, message, "Write it as in the code, such as bus.speed.")
+    context.report(codes.VARIABLE_MISSING, at, message, "Write it as in the code, such as bus.speed.")
     return None

@@ -17,9 +17,8 @@ from sigcat.adapter.core.numbers import (
     type_of_c,
 )
 from sigcat.adapter.core.plan import Element, Leaf, Value, WireType
-from sigcat.adapter.core.planning import Context, Planning
+from sigcat.adapter.core.planning import Context
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem
 from sigcat.function.document.text import json_of
 from sigcat.function.function_json.conversion import IDENTITY, Linear, of_text
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
@@ -81,24 +80,24 @@ def _shortest(physical: Fraction, scale: Linear) -> Fraction:
     return next((number for number in near if float(back(number)) == wanted), exact)
 
 
-def value_of(item: Interface, at: Pointer, context: Context, *, to_code: bool) -> Planning[Value | None]:
+def value_of(item: Interface, at: Pointer, context: Context, *, to_code: bool) -> Value | None:
     """The value of an interface, from the catalogue to the code or back. None if the core cannot carry it."""
     for key, text in (("Factor", getattr(item, "factor", None)), ("ConversionFactor", item.conversion_factor)):
         if text is not None and not _number(text):
             message = f"{key} of {item.name} must be a number other than 0, not {text!r}."
-            yield Problem(codes.VALUE_NOT_CARRIED, (*at, key), message)
+            context.report(codes.VALUE_NOT_CARRIED, (*at, key), message)
             return None
     members = {member.name: member.member for member in item.members or ()}
     parts, what = parts_of(item.datatype, members, context)
     if not parts:
         message = f"{item.name} cannot be carried: {what}."
-        yield Problem(codes.VALUE_NOT_CARRIED, (*at, "Datatype"), message, "Give it another datatype.")
+        context.report(codes.VALUE_NOT_CARRIED, (*at, "Datatype"), message, "Give it another datatype.")
         return None
     is_struct = any(part.keys for part in parts)
     leaves = tuple([_leaf(item, part, to_code=to_code, is_struct=is_struct) for part in parts])
     if any(_is_inexact(leaf.element) for leaf in leaves):
         message = f"{item.name} cannot be converted: a double does not hold 64-bit integers."
-        yield Problem(codes.VALUE_NOT_CARRIED, at, message, "Give both sides the same unit, or 32 bits.")
+        context.report(codes.VALUE_NOT_CARRIED, at, message, "Give both sides the same unit, or 32 bits.")
         return None
     wire = _wire_type(item, parts, leaves, context, to_code=to_code)
     return Value(wire, leaves, is_bare=len(parts) == 1 and not is_struct and parts[0].length is None)
