@@ -12,7 +12,7 @@ from sigcat.function.document.text import Text, optional
 from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.function_json.runnable import Runnable, Watchdog, WatchdogLimits
 from sigcat.function.resolving.code import checkpoint
-from sigcat.function.resolving.context import Context, Resolving
+from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.contracts import contract
 from sigcat.function.resolving.interfaces import (  # fmt: skip
     asil_of,
@@ -30,31 +30,31 @@ _ON_THE_WIRE = {"NonPreemptive": "Non-Preemptive"}
 """Spelling of the published documents where it differs from that of the attributes."""
 
 
-def call(item: RunnableItem, at: Pointer, context: Context) -> Resolving[Part[Runnable]]:
+def call(item: RunnableItem, at: Pointer, context: Context) -> Part[Runnable]:
     """A call. One that could not be resolved takes the errors with it that it would have declared."""
-    node = yield from interface_node(item.interface, "scheduling", at, context, own=True)
-    made = yield from contract(item, at, context)
+    node = interface_node(item.interface, "scheduling", at, context, own=True)
+    made = contract(item, at, context)
     origin = Origin(at, {**written(item, at), "funcContractList": Origin(at, {0: made.origin})})
     if node is None:
         errors = made.value.errors if made.value and made.value.errors else ()
         lost = (Subject("scheduling", item.interface), *(Subject("error", error.name) for error in errors))
         return Part(None, origin, (*made.missing, *lost))
     scheduling = text_of(node, "scheduling") or ""
-    supervision = yield from texts_of(node, "supervisionType", at)
+    supervision = texts_of(node, "supervisionType", at, context)
     runnable = Runnable(
         name=interface_name(node.path),
         description=Text(str(node.values.get("description") or "")),
         run_type=text_of(node, "runType") or "",
-        cycle_time=(yield from number_of(node, "cycleTime", at)),
-        stack_size=plain_text((yield from number_of(node, "stackSize", at))),
-        previous_runnable=", ".join((yield from texts_of(node, "previousRunnable", at))) or None,
-        execution_offset=plain_text((yield from number_of(node, "executionOffset", at))),
+        cycle_time=number_of(node, "cycleTime", at, context),
+        stack_size=plain_text(number_of(node, "stackSize", at, context)),
+        previous_runnable=", ".join(texts_of(node, "previousRunnable", at, context)) or None,
+        execution_offset=plain_text(number_of(node, "executionOffset", at, context)),
         parallel_processing=item.parallel,
-        asil_level=(yield from asil_of(node, at)),
-        watchdog=(yield from _watchdog(node, at)),
+        asil_level=asil_of(node, at, context),
+        watchdog=_watchdog(node, at, context),
         scheduling=_ON_THE_WIRE.get(scheduling, scheduling),
-        debounce_delay=plain_text((yield from number_of(node, "debounceTime", at))),
-        priority=plain_text((yield from number_of(node, "priority", at))) or "",
+        debounce_delay=plain_text(number_of(node, "debounceTime", at, context)),
+        priority=plain_text(number_of(node, "priority", at, context)) or "",
         events=", ".join(item.events) or None,
         contracts=(made.value,) if made.value else None,
         supervision_types=tuple(kind for kind in supervision if kind != "None") or None,
@@ -65,15 +65,15 @@ def call(item: RunnableItem, at: Pointer, context: Context) -> Resolving[Part[Ru
         pre_processing=tuple(item.before) or None,
         post_processing=tuple(item.after) or None,
         checkpoint=checkpoint(item.checkpoint, context),
-        overrun_error=(yield from error_name(item.overrun_error, (*at, "overrunError"), context)),
+        overrun_error=error_name(item.overrun_error, (*at, "overrunError"), context),
     )
     return Part(runnable, origin, made.missing)
 
 
-def _watchdog(node: Node, at: Pointer) -> Resolving[Watchdog | None]:
-    alive = yield from mapping_of(node, "aliveSupervision", at)
-    deadline = yield from mapping_of(node, "deadlineSupervision", at)
-    logical = yield from mapping_of(node, "logicalSupervision", at)
+def _watchdog(node: Node, at: Pointer, context: Context) -> Watchdog | None:
+    alive = mapping_of(node, "aliveSupervision", at, context)
+    deadline = mapping_of(node, "deadlineSupervision", at, context)
+    logical = mapping_of(node, "logicalSupervision", at, context)
     if alive is None and deadline is None and logical is None:
         return None
     return Watchdog(

@@ -10,20 +10,20 @@ from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.primitive_types import BY_VSS
 from sigcat.function.function_json.type_list import Symbols, smallest_integer, symbols_of
 from sigcat.function.resolving.code_value import Item
-from sigcat.function.resolving.context import Resolving
+from sigcat.function.resolving.context import Context
 from sigcat.names import did_you_mean
 
 
-def code_symbols(item: Item, at: Pointer, node: Node) -> Resolving[Symbols | None]:
+def code_symbols(item: Item, at: Pointer, node: Node, context: Context) -> Symbols | None:
     """Names and numbers of an enumeration, as the code has them."""
     symbols = symbols_of(node)
     if item.values is None:
         return symbols
     if symbols is None:
         message = f"{item.path!r} must be an enumeration to have `values`: the catalogue allows no named values."
-        yield Problem(codes.ENUMERATION_MISCODED, (*at, "values"), message, "Remove `values`.")
+        context.problems.append(Problem(codes.ENUMERATION_MISCODED, (*at, "values"), message, "Remove `values`."))
         return None
-    yield from _miscoded(item.values, symbols, (*at, "values"))
+    context.problems.extend(_miscoded(item.values, symbols, (*at, "values")))
     return item.values
 
 
@@ -41,14 +41,16 @@ def _miscoded(values: Mapping[str, int], symbols: Symbols, at: Pointer) -> Itera
         yield Problem(codes.ENUMERATION_MISCODED, at, "Two values have the same number.", fix)
 
 
-def code_datatype(item: Item, at: Pointer, node: Node, symbols: Symbols | None) -> Resolving[str | None]:
+def code_datatype(item: Item, at: Pointer, node: Node, symbols: Symbols | None, context: Context) -> str | None:
     """VSS datatype in which the code holds the value."""
     own, wanted = str(node.values["datatype"]), item.datatype
     if wanted is None or wanted == own:
         return _stored(own, symbols)
     message, fix = _other_datatype(own, wanted, symbols)
     if message:
-        yield Problem(codes.DATATYPE_UNFIT, (*at, "datatype"), message, fix, Subject("data", item.path))
+        context.problems.append(
+            Problem(codes.DATATYPE_UNFIT, (*at, "datatype"), message, fix, Subject("data", item.path))
+        )
         return None
     return wanted
 

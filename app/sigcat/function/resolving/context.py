@@ -1,9 +1,8 @@
 """Context in which every interface of a function is resolved: the catalogue, and its lookups."""
 
-from collections.abc import Generator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TypeVar
 
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.interfaces import Category, by_interface_name, category_of, function_of, interface_name
@@ -13,21 +12,6 @@ from sigcat.function.function_json.primitive_types import BY_VSS
 from sigcat.function.function_json.type_list import TypeList
 from sigcat.function.resolving.meant_signals import MeantSignals
 from sigcat.names import last_name
-
-T = TypeVar("T")
-Resolving = Generator[Problem, None, T]
-"""A resolver yields problems, and returns its result: `made = yield from resolver(…)`."""
-
-
-def gathered(resolving: Resolving[T]) -> tuple[T, tuple[Problem, ...]]:
-    """Return the result of a resolver, and its problems."""
-    problems: list[Problem] = []
-    while True:
-        try:
-            problems.append(next(resolving))
-        except StopIteration as end:
-            made: T = end.value
-            return made, tuple(problems)
 
 
 @dataclass(frozen=True)
@@ -41,6 +25,8 @@ class Context:
     """Definitions of the function."""
     signals: Mapping[str, str] = field(default_factory=dict)
     """Names of the signals that the function consumes, by their paths."""
+    problems: list[Problem] = field(default_factory=list)
+    """Problems of the declaration, in the order in which its parts are resolved."""
 
     @cached_property
     def meant(self) -> MeantSignals:

@@ -5,22 +5,22 @@ from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.function_json.runnable import Contract
-from sigcat.function.resolving.context import Context, Resolving
+from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.data_interfaces import data_interface, parameter
 from sigcat.function.resolving.methods import method
 from sigcat.function.resolving.part import Part, each, missing_in, origin_of, values_of
 from sigcat.function.resolving.status_interfaces import error, safety_reaction
 
 
-def contract(item: RunnableItem, at: Pointer, context: Context) -> Resolving[Part[Contract]]:
+def contract(item: RunnableItem, at: Pointer, context: Context) -> Part[Contract]:
     """The contract of a call; without a value if the call reads and writes nothing."""
-    data = yield from each(item.data, (*at, "data"), context, data_interface)
+    data = each(item.data, (*at, "data"), context, data_interface)
     signals = [Part(part.value, part.origin) for part in data if isinstance(part.value, Signal)]
     queues = [Part(part.value, part.origin) for part in data if isinstance(part.value, DataQueue)]
-    parameters = yield from each(item.parameters, (*at, "parameters"), context, parameter)
-    errors = yield from each(item.errors, (*at, "errors"), context, error)
-    reactions = yield from each(item.safety_reactions, (*at, "safetyReactions"), context, safety_reaction)
-    methods = yield from each(item.methods, (*at, "methods"), context, method)
+    parameters = each(item.parameters, (*at, "parameters"), context, parameter)
+    errors = each(item.errors, (*at, "errors"), context, error)
+    reactions = each(item.safety_reactions, (*at, "safetyReactions"), context, safety_reaction)
+    methods = each(item.methods, (*at, "methods"), context, method)
     made = Contract(
         type=item.contract,
         signals=values_of(signals) or None,

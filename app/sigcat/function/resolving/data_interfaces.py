@@ -20,7 +20,7 @@ from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.type_list import listed, symbols_of
 from sigcat.function.resolving.code import members, word
-from sigcat.function.resolving.context import Context, Resolving
+from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.elements import converted
 from sigcat.function.resolving.interfaces import asil_of, error_name
 from sigcat.function.resolving.numbers import fraction, plain_text
@@ -31,20 +31,18 @@ from sigcat.names import with_article
 ROLES = {"consumed": CONSUMER, "provided": PROVIDER}
 
 
-def data_interface(item: DataItem, at: Pointer, context: Context) -> Resolving[Part[Signal | DataQueue]]:
+def data_interface(item: DataItem, at: Pointer, context: Context) -> Part[Signal | DataQueue]:
     """A signal, or a queue where the declaration gives it a length."""
-    value = yield from value_of(item, at, context)
+    value = value_of(item, at, context)
     if value is None:
         return Part(None, Origin(at))
     if value.node.type == "attribute" and item.role == "provided":
         message = f"The role of {item.path!r} must be consumed: functions do not provide attributes."
         subject = Subject("data", item.path)
-        yield Problem(codes.ROLE_UNFIT_FOR_NODE_TYPE, (*at, "role"), message, subject=subject)
+        context.problems.append(Problem(codes.ROLE_UNFIT_FOR_NODE_TYPE, (*at, "role"), message, subject=subject))
     is_signal = item.queue_length is None
-    yield from _of_no_queue(item, at)
-    made = (
-        (yield from _signal(item, value, at, context)) if is_signal else (yield from _queue(item, value, at, context))
-    )
+    context.problems.extend(_of_no_queue(item, at))
+    made = _signal(item, value, at, context) if is_signal else _queue(item, value, at, context)
     return Part(made, _origin(item, at, "AsilLevel" if is_signal else "AsilInfo"))
 
 
@@ -111,27 +109,27 @@ def _also_known(item: DataItem, value: Value) -> dict[str, Any]:
     return {**known, "default_elements": value.default_elements, **_catalogue_range(value)}
 
 
-def _asil(item: DataItem | ParameterItem, value: Value, at: Pointer) -> Resolving[Level | None]:
-    return item.asil or (yield from asil_of(value.node, at))
+def _asil(item: DataItem | ParameterItem, value: Value, at: Pointer, context: Context) -> Level | None:
+    return item.asil or asil_of(value.node, at, context)
 
 
-def _time_out(item: DataItem, at: Pointer, context: Context) -> Resolving[dict[str, Any]]:
+def _time_out(item: DataItem, at: Pointer, context: Context) -> dict[str, Any]:
     return {
         "timeout": plain_text(item.timeout),
-        "timeout_error": (yield from error_name(item.timeout_error, (*at, "timeoutError"), context)),
+        "timeout_error": error_name(item.timeout_error, (*at, "timeoutError"), context),
         "timeout_start": item.timeout_start,
         "timeout_value": item.timeout_value,
         "timeout_recovery": item.timeout_recovery,
         "range_error_action": item.range_error_action,
-        "range_error": (yield from error_name(item.range_error, (*at, "rangeError"), context)),
-        "e2e_error": (yield from error_name(item.e2e_error, (*at, "e2eError"), context)),
+        "range_error": error_name(item.range_error, (*at, "rangeError"), context),
+        "e2e_error": error_name(item.e2e_error, (*at, "e2eError"), context),
     }
 
 
-def _signal(item: DataItem, value: Value, at: Pointer, context: Context) -> Resolving[Signal]:
+def _signal(item: DataItem, value: Value, at: Pointer, context: Context) -> Signal:
     return Signal(
         role=ROLES[item.role],
-        asil_level=(yield from _asil(item, value, at)),
+        asil_level=_asil(item, value, at, context),
         factor=plain_text(item.factor),
         offset=plain_text(item.offset),
         init_value=value.init,
@@ -140,15 +138,15 @@ def _signal(item: DataItem, value: Value, at: Pointer, context: Context) -> Reso
         external_provider=optional(item.provider),
         **_common(item, value),
         **_also_known(item, value),
-        **(yield from _time_out(item, at, context)),
+        **_time_out(item, at, context),
     )
 
 
-def _queue(item: DataItem, value: Value, at: Pointer, context: Context) -> Resolving[DataQueue]:
+def _queue(item: DataItem, value: Value, at: Pointer, context: Context) -> DataQueue:
     assert item.queue_length is not None
     return DataQueue(
         role=ROLES[item.role],
-        asil_level=(yield from _asil(item, value, at)) or "QM",
+        asil_level=_asil(item, value, at, context) or "QM",
         queue_length=item.queue_length,
         factor=1 if item.factor is None else item.factor,
         offset=item.offset or 0,
@@ -157,37 +155,39 @@ def _queue(item: DataItem, value: Value, at: Pointer, context: Context) -> Resol
         type=value.node.type,
         external_provider=optional(item.provider),
         overflow=item.overflow,
-        overflow_error=(yield from error_name(item.overflow_error, (*at, "overflowError"), context)),
+        overflow_error=error_name(item.overflow_error, (*at, "overflowError"), context),
         values_per_step=item.values_per_step,
         count_variable=item.count_variable,
         **_common(item, value),
         **_also_known(item, value),
-        **(yield from _time_out(item, at, context)),
+        **_time_out(item, at, context),
     )
 
 
 # -- parameters ---------------------------------------------------------------------------------------------------
 
 
-def parameter(item: ParameterItem, at: Pointer, context: Context) -> Resolving[Part[ParameterInterface]]:
+def parameter(item: ParameterItem, at: Pointer, context: Context) -> Part[ParameterInterface]:
     """A parameter; Function JSON requires limits and a start value."""
-    value = yield from value_of(item, at, context)
+    value = value_of(item, at, context)
     if value is None:
         return Part(None, Origin(at))
     subject = Subject("data", item.path)
     if value.node.type != "attribute":
         message = f"The parameter {item.path!r} must be an attribute, not {with_article(value.node.type)}."
         fix = "List it under `data`."
-        yield Problem(codes.ROLE_UNFIT_FOR_NODE_TYPE, (*at, "path"), message, fix, subject)
+        context.problems.append(Problem(codes.ROLE_UNFIT_FOR_NODE_TYPE, (*at, "path"), message, fix, subject))
     text = _default_text(value)
     start = value.init if value.default is None else value.default
     has_start = start is not None or text is not None or value.init_elements is not None
     if not has_start:
         fix = "Give `init`, or a default in the catalogue."
-        yield Problem(codes.PARAMETER_WITHOUT_START_VALUE, at, f"{item.path!r} has no default.", fix, subject)
+        context.problems.append(
+            Problem(codes.PARAMETER_WITHOUT_START_VALUE, at, f"{item.path!r} has no default.", fix, subject)
+        )
     low, high = _limits(value)
     made = ParameterInterface(
-        asil_level=(yield from _asil(item, value, at)) or "QM",
+        asil_level=_asil(item, value, at, context) or "QM",
         default=start or 0,
         init_value=value.init or 0,
         range_error_action=item.range_error_action,
@@ -199,7 +199,7 @@ def parameter(item: ParameterItem, at: Pointer, context: Context) -> Resolving[P
         offset=plain_text(item.offset),
         key=item.key,
         storage=item.storage,
-        range_error=(yield from error_name(item.range_error, (*at, "rangeError"), context)),
+        range_error=error_name(item.range_error, (*at, "rangeError"), context),
         **{**_common(item, value), "min": low, "max": high},
     )
     missing = () if has_start else (Subject("data", value.node.path, ("default",)),)

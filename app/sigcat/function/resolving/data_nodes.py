@@ -7,24 +7,26 @@ from sigcat.catalogue.model.interfaces import category_of
 from sigcat.catalogue.near_signals import is_to_be_chosen
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.resolving.context import Context, Resolving
+from sigcat.function.resolving.context import Context
 from sigcat.names import did_you_mean, last_name, parent_path, with_article
 
 
-def data_node(path: str, at: Pointer, context: Context) -> Resolving[Node | None]:
+def data_node(path: str, at: Pointer, context: Context) -> Node | None:
     """The signal or parameter at a path; None, with a problem, if there is none."""
     subject = Subject("data", path)
     node = context.data(path)
     if node is None:
-        yield _unknown(path, at, context)
+        context.problems.append(_unknown(path, at, context))
         return None
     if node.type not in SIGNALS or category_of(node.path) != "data":
         message, fix = f"{path!r} must be a data interface, not {_kind_of(node)}.", _instead(node)
-        yield Problem(codes.SIGNAL_HOLDS_NO_VALUE, at, message, fix, subject)
+        context.problems.append(Problem(codes.SIGNAL_HOLDS_NO_VALUE, at, message, fix, subject))
         return None
     deprecation = node.values.get("deprecation")
     if deprecation:
-        yield Problem(codes.SIGNAL_DEPRECATED, at, f"{path!r} is deprecated: {deprecation}", subject=subject)
+        context.problems.append(
+            Problem(codes.SIGNAL_DEPRECATED, at, f"{path!r} is deprecated: {deprecation}", subject=subject)
+        )
     return node
 
 

@@ -9,17 +9,17 @@ from sigcat.function.document.problem import Problem
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.methods import Argument, MethodInterface
 from sigcat.function.function_json.resolved_function import Origin
-from sigcat.function.resolving.context import Context, Resolving
+from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.data_interfaces import ROLES
 from sigcat.function.resolving.numbers import plain_text
 from sigcat.function.resolving.part import Part, each, origin_of, values_of, written
 from sigcat.names import did_you_mean
 
 
-def method(item: MethodItem, at: Pointer, context: Context) -> Resolving[Part[MethodInterface]]:
+def method(item: MethodItem, at: Pointer, context: Context) -> Part[MethodInterface]:
     """A method with its arguments; an argument of an unknown datatype is left out."""
-    inputs = yield from each(item.inputs, (*at, "inputs"), context, _argument)
-    outputs = yield from each(item.outputs, (*at, "outputs"), context, _argument)
+    inputs = each(item.inputs, (*at, "inputs"), context, _argument)
+    outputs = each(item.outputs, (*at, "outputs"), context, _argument)
     made = MethodInterface(
         name=item.name,
         description=Text(item.description),
@@ -38,15 +38,17 @@ def method(item: MethodItem, at: Pointer, context: Context) -> Resolving[Part[Me
     return Part(made, Origin(at, {**written(item, at), **lists}))
 
 
-def _argument(item: ArgumentItem, at: Pointer, context: Context) -> Resolving[Part[Argument]]:
+def _argument(item: ArgumentItem, at: Pointer, context: Context) -> Part[Argument]:
     if element_of(item.datatype) not in context.datatypes:
         fix = did_you_mean(item.datatype, context.datatypes)
-        yield Problem(codes.DATATYPE_UNFIT, (*at, "datatype"), f"Unknown datatype {item.datatype!r}.", fix)
+        context.problems.append(
+            Problem(codes.DATATYPE_UNFIT, (*at, "datatype"), f"Unknown datatype {item.datatype!r}.", fix)
+        )
         return Part(None, Origin(at))
     vocabulary = context.catalogue.vocabulary
     if item.unit is not None and vocabulary.is_unknown(item.unit):
         fix = advice(item.unit, vocabulary)
-        yield Problem(codes.UNIT_NOT_CONVERTIBLE, (*at, "unit"), f"Unknown unit {item.unit!r}.", fix)
+        context.problems.append(Problem(codes.UNIT_NOT_CONVERTIBLE, (*at, "unit"), f"Unknown unit {item.unit!r}.", fix))
     made = Argument(
         name=item.name,
         datatype=context.types.reference(item.datatype),

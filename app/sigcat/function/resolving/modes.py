@@ -13,7 +13,7 @@ from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.function_json.status_interfaces import ModeInterface
 from sigcat.function.function_json.type_list import listed, symbols_of
 from sigcat.function.resolving.code import word
-from sigcat.function.resolving.context import Context, Resolving
+from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.interfaces import error_name, interface_node
 from sigcat.function.resolving.part import Part, each, written
 
@@ -25,17 +25,21 @@ def mode(item: ActiveMode, at: Pointer, context: Context) -> Part[Mode]:
     return Part(made, Origin(at, written(item, at)))
 
 
-def mode_interfaces(item: ModesItem, at: Pointer, context: Context) -> Resolving[list[Part[ModeInterface]]]:
+def mode_interfaces(item: ModesItem, at: Pointer, context: Context) -> list[Part[ModeInterface]]:
     """The mode interfaces, each with what the declaration says of its side in the code."""
-    parts = yield from each(item.interfaces, (*at, "interfaces"), context, _mode_interface)
+    parts = each(item.interfaces, (*at, "interfaces"), context, _mode_interface)
     sides = {"In": (item.in_, (*at, "in")), "Out": (item.out, (*at, "out"))}
     made = []
     for part in parts:
         side, place = sides.get(part.value.direction, (None, at)) if part.value else (None, at)
-        made.append(part if side is None else (yield from _with_code(part, side, place, context)))
+        made.append(part if side is None else _with_code(part, side, place, context))
     listed = {part.value.direction for part in parts if part.value}
-    yield from (
-        _without_interface(name, place, context) for name, (side, place) in sides.items() if side and name not in listed
+    context.problems.extend(
+        (
+            _without_interface(name, place, context)
+            for name, (side, place) in sides.items()
+            if side and name not in listed
+        )
     )
     return made
 
@@ -46,9 +50,7 @@ def _without_interface(direction: str, at: Pointer, context: Context) -> Problem
     return Problem(codes.MODE_WITHOUT_INTERFACE, at, message, "Add it to `interfaces`.", Subject("mode", name))
 
 
-def _with_code(
-    part: Part[ModeInterface], item: ModeOutItem, at: Pointer, context: Context
-) -> Resolving[Part[ModeInterface]]:
+def _with_code(part: Part[ModeInterface], item: ModeOutItem, at: Pointer, context: Context) -> Part[ModeInterface]:
     assert part.value is not None
     fields: dict[str, Any] = {
         "variable": item.variable,
@@ -57,13 +59,13 @@ def _with_code(
         "values": listed(item.values) if item.values else None,
     }
     if isinstance(item, ModeInItem):
-        error = yield from error_name(item.unknown_error, (*at, "unknownError"), context)
+        error = error_name(item.unknown_error, (*at, "unknownError"), context)
         fields |= {"initial": item.initial, "unknown_action": word(item.unknown), "unknown_error": error}
     return Part(part.value.model_copy(update=fields), Origin(part.origin.pointer, written(item, at)))
 
 
-def _mode_interface(reference: str, at: Pointer, context: Context) -> Resolving[Part[ModeInterface]]:
-    node = yield from interface_node(reference, "mode", at, context, own=True)
+def _mode_interface(reference: str, at: Pointer, context: Context) -> Part[ModeInterface]:
+    node = interface_node(reference, "mode", at, context, own=True)
     if node is None:
         return Part(None, Origin(at))
     symbols = symbols_of(node)

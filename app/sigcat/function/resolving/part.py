@@ -8,7 +8,7 @@ from sigcat.function.declaration.form import DeclarationModel, key_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
 from sigcat.function.function_json.resolved_function import Origin
-from sigcat.function.resolving.context import Context, Resolving
+from sigcat.function.resolving.context import Context
 from sigcat.names import camel_case
 
 T = TypeVar("T")
@@ -33,15 +33,12 @@ class Part(NamedTuple, Generic[T]):
     """Parts that the function lacks because this one could not be resolved: this part, and those within it."""
 
 
-Resolver = Callable[[Item, Pointer, Context], Resolving[Part[T]]]
+Resolver = Callable[[Item, Pointer, Context], Part[T]]
 
 
-def each(items: Iterable[Item], at: Pointer, context: Context, resolver: Resolver[Item, T]) -> Resolving[list[Part[T]]]:
+def each(items: Iterable[Item], at: Pointer, context: Context, resolver: Resolver[Item, T]) -> list[Part[T]]:
     """Every item of a list, resolved."""
-    parts = []
-    for index, item in enumerate(items):
-        parts.append((yield from resolver(item, (*at, index), context)))
-    return parts
+    return [resolver(item, (*at, index), context) for index, item in enumerate(items)]
 
 
 def values_of(parts: Iterable[Part[T]]) -> tuple[T, ...]:

@@ -10,25 +10,25 @@ from sigcat.function.document.problem import Problem
 from sigcat.function.function_json.conversion import Linear
 from sigcat.function.function_json.primitive_types import value_range
 from sigcat.function.resolving.code_value import CodeValue
-from sigcat.function.resolving.context import Resolving
+from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.numbers import fraction, shown
 
 Range = tuple[Fraction, Fraction]
 OpenRange = tuple[Fraction | None, Fraction | None]
 
 
-def range_of(code: CodeValue) -> Resolving[OpenRange]:
+def range_of(code: CodeValue, context: Context) -> OpenRange:
     """Smallest and largest valid value, in the code's unit. Whether they are in order is checked with the result."""
     if not (is_numeric(code.datatype) or element_of(code.datatype) == "boolean"):
         return None, None
     own = _own_range(code)
     low = own[0] if code.item.min is None else fraction(code.item.min)
     high = own[1] if code.item.max is None else fraction(code.item.max)
-    yield from _widened(code, own)
+    context.problems.extend(_widened(code, own))
     if code.symbols is None and not is_upside_down(low, high):
-        yield from _lost(code, low, high)
-        yield from _digits_lost(code, low, high)
-    yield from _symbols_beyond(code)
+        context.problems.extend(_lost(code, low, high))
+        context.problems.extend(_digits_lost(code, low, high))
+    context.problems.extend(_symbols_beyond(code))
     return low, high
 
 

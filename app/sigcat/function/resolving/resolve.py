@@ -17,7 +17,7 @@ from sigcat.function.function_json.provenance import CatalogueLayer, DefinedInte
 from sigcat.function.function_json.resolved_function import Origin, ResolvedFunction
 from sigcat.function.resolving.calls import call
 from sigcat.function.resolving.code import code_interface
-from sigcat.function.resolving.context import Context, Resolving, gathered
+from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.modes import mode, mode_interfaces
 from sigcat.function.resolving.part import Part, each, missing_in, origin_of, values_of, written
 
@@ -36,16 +36,16 @@ class Resolution(NamedTuple):
 
 def resolve(declaration: Declaration, document: Document, context: Context) -> Resolution:
     """Resolve a declaration against the catalogue of a context."""
-    part, problems = gathered(_function(declaration, document, context))
+    part = _function(declaration, document, context)
     assert part.value is not None
-    return Resolution(ResolvedFunction(part.value, document, part.origin), problems, part.missing)
+    return Resolution(ResolvedFunction(part.value, document, part.origin), tuple(context.problems), part.missing)
 
 
-def _function(declaration: Declaration, document: Document, context: Context) -> Resolving[Part[FunctionJson]]:
-    components = yield from each(declaration.components, ("components",), context, _component)
+def _function(declaration: Declaration, document: Document, context: Context) -> Part[FunctionJson]:
+    components = each(declaration.components, ("components",), context, _component)
     item = declaration.modes or ModesItem.model_validate({})
     modes = [mode(active, ("modes", "active", index), context) for index, active in enumerate(item.active)]
-    interfaces = yield from mode_interfaces(item, ("modes",), context)
+    interfaces = mode_interfaces(item, ("modes",), context)
     code = code_interface(declaration.code, ("code",)) if declaration.code else None
     function = FunctionJson(
         meta=_meta(declaration),
@@ -87,8 +87,8 @@ def _info(declaration: Declaration) -> FunctionInfo:
     )
 
 
-def _component(item: ComponentItem, at: Pointer, context: Context) -> Resolving[Part[Component]]:
-    calls = yield from each(item.runnables, (*at, "runnables"), context, call)
+def _component(item: ComponentItem, at: Pointer, context: Context) -> Part[Component]:
+    calls = each(item.runnables, (*at, "runnables"), context, call)
     is_complete = all(part.value is not None for part in calls)
     missing = (*missing_in(calls), *(() if is_complete else (Subject("component", item.name),)))
     origin = Origin(at, {**written(item, at), "functionList": origin_of(calls, at)})

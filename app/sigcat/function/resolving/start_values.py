@@ -13,15 +13,15 @@ from sigcat.function.document.yaml_words import in_yaml
 from sigcat.function.function_json.conversion import as_number
 from sigcat.function.function_json.type_list import Symbols
 from sigcat.function.resolving.code_value import CodeValue
-from sigcat.function.resolving.context import Resolving
+from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.numbers import fraction, optional_number
 
 
-def start_value(code: CodeValue, low: Fraction | None, high: Fraction | None) -> Resolving[float | None]:
+def start_value(code: CodeValue, low: Fraction | None, high: Fraction | None, context: Context) -> float | None:
     """The start value as a number; the range is checked with the result."""
     given = code.item.init
-    yield from _not_carried(code)
-    yield from _boolean_default(code)
+    context.problems.extend(_not_carried(code))
+    context.problems.extend(_boolean_default(code))
     if given is None or _is_unheld(code, given):
         return default_of(code)
     is_boolean = _is_boolean(code)
@@ -31,7 +31,7 @@ def start_value(code: CodeValue, low: Fraction | None, high: Fraction | None) ->
     if number is None or (is_between and code.symbols and number not in code.symbols.values()):
         message = f"`init` of {code.item.path!r} must be {_wanted(code, is_boolean=is_boolean)}, not {in_yaml(given)}."
         fix = "Write one of these." if code.symbols or is_boolean else _number_advice(given)
-        yield code.problem(codes.START_VALUE_OUT_OF_RANGE, (*code.at, "init"), message, fix)
+        context.problems.append(code.problem(codes.START_VALUE_OUT_OF_RANGE, (*code.at, "init"), message, fix))
     return optional_number(number)
 
 

@@ -10,29 +10,29 @@ from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.function.function_json.type_list import symbols_of
 from sigcat.function.resolving.code import word
-from sigcat.function.resolving.context import Context, Resolving
+from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.interfaces import asil_of, interface_node, number_of, text_of, texts_of
 from sigcat.function.resolving.numbers import plain_text
 from sigcat.function.resolving.part import Part, written
 
 
-def error(item: ErrorItem, at: Pointer, context: Context) -> Resolving[Part[ErrorInterface]]:
+def error(item: ErrorItem, at: Pointer, context: Context) -> Part[ErrorInterface]:
     """An error of the function itself."""
-    node = yield from interface_node(item.interface, "error", at, context, own=True)
+    node = interface_node(item.interface, "error", at, context, own=True)
     if node is None:
         return Part(None, Origin(at), (Subject("error", item.interface),))
     made = ErrorInterface(
         name=interface_name(node.path),
         description=Text(str(node.values.get("description") or "")),
         datatype=_datatype(node, context),
-        dependencies=(yield from texts_of(node, "dependency", at)),
+        dependencies=texts_of(node, "dependency", at, context),
         occurrence_count_limit=item.occurrence_count_limit,
         ignition_count_limit=item.ignition_count_limit,
-        maturation_time=(yield from number_of(node, "maturationTime", at)) or 0,
+        maturation_time=number_of(node, "maturationTime", at, context) or 0,
         severity=Text(text_of(node, "severity") or ""),
-        reset_time=(yield from number_of(node, "resetTime", at)),
+        reset_time=number_of(node, "resetTime", at, context),
         reset_condition=optional(text_of(node, "resetCondition")),
-        asil_level=(yield from asil_of(node, at)),
+        asil_level=asil_of(node, at, context),
         vss_path=node.path,
         variable=item.variable,
         status_variable=item.status_variable,
@@ -48,17 +48,17 @@ def _reset(reference: str | None, context: Context) -> str | None:
     return word(reference) if reference == "restart" else context.signals.get(reference or "", reference)
 
 
-def safety_reaction(item: ReactionItem, at: Pointer, context: Context) -> Resolving[Part[SafetyReaction]]:
+def safety_reaction(item: ReactionItem, at: Pointer, context: Context) -> Part[SafetyReaction]:
     """A safety condition, of this function or of another."""
-    node = yield from interface_node(item.interface, "safety_reaction", at, context)
+    node = interface_node(item.interface, "safety_reaction", at, context)
     if node is None:
         return Part(None, Origin(at))
     made = SafetyReaction(
         name=interface_name(node.path),
         description=Text(str(node.values.get("description") or "")),
         datatype=_datatype(node, context),
-        errors=(yield from texts_of(node, "errorList", at)),
-        asil_level=(yield from asil_of(node, at)),
+        errors=texts_of(node, "errorList", at, context),
+        asil_level=asil_of(node, at, context),
         vss_path=node.path,
         variable=item.variable,
         defined_by=word(item.defined_by),

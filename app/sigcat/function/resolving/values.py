@@ -10,7 +10,7 @@ from sigcat.function.function_json.type_list import Symbols, symbols_of
 from sigcat.function.resolving.code_datatype import code_datatype, code_symbols
 from sigcat.function.resolving.code_unit import code_unit, scale_of
 from sigcat.function.resolving.code_value import CodeValue, Item
-from sigcat.function.resolving.context import Context, Resolving
+from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.data_nodes import data_node
 from sigcat.function.resolving.elements import default_elements, init_elements
 from sigcat.function.resolving.numbers import optional_number
@@ -37,26 +37,26 @@ class Value(NamedTuple):
     """Names and numbers of an enumeration in the catalogue; None where the code has the same."""
 
 
-def value_of(item: Item, at: Pointer, context: Context) -> Resolving[Value | None]:
+def value_of(item: Item, at: Pointer, context: Context) -> Value | None:
     """Everything that the catalogue knows about an item, as the code wants it; None, with problems, if unusable."""
-    code = yield from _code_value(item, at, context)
+    code = _code_value(item, at, context)
     if code is None:
         return None
-    low, high = yield from range_of(code)
-    init = None if is_upside_down(low, high) else (yield from start_value(code, low, high))
+    low, high = range_of(code, context)
+    init = None if is_upside_down(low, high) else start_value(code, low, high, context)
     return _value(code, low, high, init, context)
 
 
-def _code_value(item: Item, at: Pointer, context: Context) -> Resolving[CodeValue | None]:
-    node = yield from data_node(item.path, (*at, "path"), context)
+def _code_value(item: Item, at: Pointer, context: Context) -> CodeValue | None:
+    node = data_node(item.path, (*at, "path"), context)
     if node is None:
         return None
-    symbols = yield from code_symbols(item, at, node)
-    datatype = yield from code_datatype(item, at, node, symbols)
+    symbols = code_symbols(item, at, node, context)
+    datatype = code_datatype(item, at, node, symbols, context)
     if datatype is None:
         return None
-    unit, to_code = yield from code_unit(item, at, node, context)
-    return CodeValue(item, at, node, datatype, unit, symbols, to_code, (yield from scale_of(item, at)))
+    unit, to_code = code_unit(item, at, node, context)
+    return CodeValue(item, at, node, datatype, unit, symbols, to_code, scale_of(item, at, context))
 
 
 def _value(code: CodeValue, low: Fraction | None, high: Fraction | None, init: float | None, context: Context) -> Value:
