@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal, NamedTuple, TypeVar
 
+from sigcat.asil import Level, level_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.methods import MethodInterface
@@ -84,6 +85,11 @@ class Side(NamedTuple):
         """The interface, if it is data."""
         assert isinstance(self.interface, Signal | DataQueue)
         return self.interface
+
+    @property
+    def asil(self) -> Level | None:
+        """ASIL of the interface; None if it states none that is known."""
+        return level_of(getattr(self.interface, "asil_level", None))
 
     @property
     def queue_length(self) -> int | None:

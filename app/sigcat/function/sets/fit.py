@@ -5,7 +5,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from sigcat import codes
-from sigcat.asil import is_above, level_of
+from sigcat.asil import is_above
 from sigcat.findings import RuleCode
 from sigcat.function.exchange import Side
 from sigcat.function.function_json.conversion import of_text
@@ -166,7 +166,7 @@ def _timeout(provider: Side, consumer: Side) -> Mismatches:
 
 
 def _asil(provider: Side, consumer: Side) -> Mismatches:
-    given, wanted = level_of(provider.data.asil_level), level_of(consumer.data.asil_level)
+    given, wanted = provider.asil, consumer.asil
     if is_above(wanted, given):
         message = (
             f"{provider.function} must provide {consumer.identity!r} at ASIL {wanted}, as {consumer.function} needs it,"

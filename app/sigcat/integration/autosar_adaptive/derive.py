@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat import codes
-from sigcat.asil import is_above, level_of
+from sigcat.asil import is_above
 from sigcat.findings import Finding
 from sigcat.function.document.text import Text
 from sigcat.function.exchange import Part, Side, exchange_of
@@ -134,9 +134,8 @@ def _report_asil(all_services: Sequence[Service], context: Context) -> None:
 
 
 def _report_unprotected(side: Side, context: Context) -> None:
-    level = level_of(getattr(side.interface, "asil_level", None))
-    if is_above(level, "QM") and states_asil(side):
-        message = f"{side.identity} has ASIL {level}, and its service has no end-to-end protection."
+    if is_above(side.asil, "QM") and states_asil(side):
+        message = f"{side.identity} has ASIL {side.asil}, and its service has no end-to-end protection."
         fix = _PROTECT_METHOD if side.kind == "method" else _PROTECT
         subject = Subject(side.identity, side.interface)
         context.findings.report(codes.ASIL_NOT_PROTECTED, message, subject, fix, key="AsilLevel")

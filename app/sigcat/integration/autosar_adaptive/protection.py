@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 
 from sigcat import codes
-from sigcat.asil import is_above, level_of
+from sigcat.asil import is_above
 from sigcat.function.exchange import Side
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.e2e import E2eProtection, EventE2eSettings, Profile
@@ -106,7 +106,7 @@ def _profile(element: Element, key: str, context: Context) -> Profile | None:
     for stated in _stated(key, context):
         if stated.profile is not None:
             return None if stated.profile == "none" else stated.profile
-    levels = (level_of(getattr(each.interface, "asil_level", None)) for each in element.sides if states_asil(each))
+    levels = (each.asil for each in element.sides if states_asil(each))
     return context.settings.e2e.profile if any(is_above(level, "QM") for level in levels) else None
 
 

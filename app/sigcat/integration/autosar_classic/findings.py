@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 
 from sigcat import codes
-from sigcat.asil import is_above, level_of
+from sigcat.asil import is_above
 from sigcat.function.exchange import Side
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.runnable import Runnable
@@ -41,9 +41,8 @@ def report_asil(elements: Iterable[Element], composition: model.Composition, con
     crossing = {port.interface for port in composition.ports}
     for element in elements:
         for side in element.sides if element.kind == "data" and element.name in crossing else ():
-            level = level_of(side.data.asil_level)
-            if is_above(level, "QM"):
-                message = f"{element.identity} ({side.where}) is of ASIL {level}, and its way over a bus has to be protected end to end."
+            if is_above(side.asil, "QM"):
+                message = f"{element.identity} ({side.where}) is of ASIL {side.asil}, and its way over a bus has to be protected end to end."
                 fix = "Configure an end-to-end transformer for its system signal."
                 subject = Subject(element.identity, side.data)
                 context.findings.report(codes.ASIL_OVER_A_BUS, message, subject, fix, key="AsilLevel")
