@@ -23,8 +23,6 @@ Kind = Literal["data", "method", "error", "reaction", "mode in", "mode out"]
 _KINDS: Mapping[type, Kind] = {
     Signal: "data", DataQueue: "data", MethodInterface: "method", ErrorInterface: "error", SafetyReaction: "reaction",
 }  # fmt: skip
-
-
 _Status = TypeVar("_Status", ErrorInterface, SafetyReaction)
 
 
@@ -184,7 +182,9 @@ def exchange_of(parts: Sequence[Part], paths: Mapping[str, str] | None = None, *
 
 def parts_of(functions: Iterable[FunctionJson]) -> tuple[Part, ...]:
     """Every component under its own name."""
-    return tuple(Part(each.name, function, index) for function in functions for index, each in enumerate(function.components))  # fmt: skip
+    return tuple(
+        Part(each.name, function, number) for function in functions for number, each in enumerate(function.components)
+    )
 
 
 def contracts_of(part: Part) -> Iterator[Contract]:
@@ -209,7 +209,7 @@ def _once(items: Iterable[_Status]) -> tuple[_Status, ...]:
     return tuple(first.values())
 
 
-def kind_of(interface: Interface) -> Kind:
+def _kind_of(interface: Interface) -> Kind:
     """Return the kind of an interface."""
     if isinstance(interface, ModeInterface):
         return "mode out" if interface.direction == "Out" else "mode in"
@@ -225,7 +225,7 @@ def causes(interface: Interface) -> tuple[str, ...]:
 
 def _sides(part: Part, paths: Mapping[str, str], *, joins_names: bool) -> Iterator[Side]:
     for pointer, call, interface in _interfaces(part):
-        kind, name = kind_of(interface), f"{part.function_name}.{interface.name}"
+        kind, name = _kind_of(interface), f"{part.function_name}.{interface.name}"
         path = getattr(interface, "vss_path", None) or (paths.get(name, "") if kind == "data" else "")
         identity = (path or (interface.name if joins_names else name)) if kind == "data" else interface.name
         yield Side(part, call, interface, kind, path, identity, _provides(interface, kind), pointer)
