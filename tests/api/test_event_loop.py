@@ -109,6 +109,9 @@ COSTLY: dict[str, list[Costly]] = {
     "GET /api/v1/schemas/{name}.json": get("/api/v1/schemas/function.json", f"/api/v1/schemas/{'f' * 300}.json"),
     "GET /catalogues/{catalogue}": get("/catalogues/wide"),
     "GET /changes": get("/changes?old=interfaces&new=wide"),
+    "GET /compare": get(
+        f"/compare?catalogue=wide&path=Vehicle&with={MISSPELLED}", "/compare?catalogue=wide&path=Vehicle&other=interfaces"
+    ),
     "GET /docs": get("/docs"),
     "GET /docs/api/{chapter}": get("/docs/api/exports", "/docs/api/schemas"),
     "GET /docs/{chapter:path}": get("/docs/reference/command-line.md", f"/docs/{'x' * 300}"),

@@ -11,6 +11,7 @@ _IN_QUERY = {
     "try": "catalogue",
     "rules": "catalogue",
     "changes": "new",
+    "compare": "catalogue",
 }
 """Pages whose catalogue is named in the query, by the first part of their address."""
 

@@ -68,7 +68,7 @@ def node_view(catalogue: Catalogue, node: Node, field_units: Mapping[str, str], 
         detail,
         tuple(_crumbs(node.path)),
         range_bar(node.values),
-        _ordered(detail.attributes),
+        tuple(sorted(detail.attributes, key=lambda attribute: _rank(attribute.name))),
         values,
         _patterns([_names(each, detail, used) for each in _innermost(instances) or (node,)]),
         bool(instances),
@@ -101,10 +101,13 @@ def _crumbs(path: str) -> list[Crumb]:
     return [Crumb(name, ".".join(names[: position + 1])) for position, name in enumerate(names)]
 
 
-def _ordered(attributes: list[schemas.Attribute]) -> tuple[schemas.Attribute, ...]:
-    """Return identifying attributes first, then the rest in the order in which they were written."""
-    rank = {name: position for position, name in enumerate(_ORDER)}
-    return tuple(sorted(attributes, key=lambda attribute: rank.get(attribute.name, len(rank))))
+def ordered(names: Iterable[str]) -> tuple[str, ...]:
+    """Return names of identifying attributes first, then the rest in the order in which they were written."""
+    return tuple(sorted(names, key=_rank))
+
+
+def _rank(name: str) -> int:
+    return _ORDER.index(name) if name in _ORDER else len(_ORDER)
 
 
 def _names(node: Node, detail: schemas.Node, used: Sequence[NodeUse]) -> Names:

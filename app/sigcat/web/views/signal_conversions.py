@@ -3,7 +3,7 @@
 from fractions import Fraction
 
 from sigcat.function.exchange import Side
-from sigcat.function.function_json.conversion import IDENTITY, Linear, of_text
+from sigcat.function.function_json.conversion import IDENTITY, Linear, between, of_text
 from sigcat.function.sets.wiring import Link
 from sigcat.web.template_filters import number, unit
 
@@ -26,6 +26,12 @@ def to_outside(end: Side) -> str:
     """From the unit of the function to that of the catalogue."""
     linear = _to_catalogue(end)
     return _text(end.data.units, end.data.vss_unit, linear) if linear else ""
+
+
+def from_unit_to_unit(source: str, target: str) -> str:
+    """From values in one unit to values in another; empty if the value stays what it is, or no conversion is known."""
+    linear = between(source, target)
+    return _text(source, target, linear) if linear else ""
 
 
 def stored(end: Side) -> str:
