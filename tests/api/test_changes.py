@@ -1,6 +1,11 @@
 """Changes between hosted catalogues, and changes that an overlay would make."""
 
-from tests.api.conftest import Ask
+import pytest
+
+from sigcat.api.application import create_app
+from sigcat.catalogue.hosting.library import Library
+from tests.api.conftest import SETTINGS, SOURCES, Ask, asker
+from tests.migration.chained_releases import chained_sources
 
 BARE, SMALL = "/api/v1/catalogues/bare", "/api/v1/catalogues/small"
 
@@ -67,3 +72,41 @@ def test_a_trial_cannot_make_more_nodes_than_the_service_allows(ask: Ask) -> Non
     text = b"Vehicle.Seat:\n  type: branch\n  instances: ['A[1,900]', 'B[1,900]']\n  description: A seat.\n"
     trial = ask(f"{SMALL}/trial", "POST", content=text).json()
     assert [finding["rule"] for finding in trial["findings"]] == ["V025"]
+
+
+@pytest.fixture(scope="module")
+def releases(tmp_path_factory: pytest.TempPathFactory) -> Ask:
+    return asker(create_app(Library([*chained_sources(tmp_path_factory.mktemp("releases")), *SOURCES]), SETTINGS))
+
+
+def test_the_history_of_a_node_has_an_event_for_each_release_in_which_something_happened(releases: Ask) -> None:
+    history = releases("/api/v1/catalogues/v5.0/nodes/Vehicle.Speed/history").json()
+    assert [(each["kind"], each["release"], each["path"]) for each in history["events"]] == [
+        (None, "3.1", "Vehicle.Velocity"),
+        ("changed", "4.0", "Vehicle.Velocity"),
+        ("moved", "5.0", "Vehicle.Speed"),
+        ("removed", "6.0", None),
+    ]
+    assert history["events"][1]["attribute_changes"][0]["old_value"] == "km/h"
+    assert history["events"][2]["old_path"] == "Vehicle.Velocity"
+    assert history["releases"] == ["3.1", "4.0", "5.0", "6.0"]
+    assert history["missing_releases"] == ["3.0", "4.1", "4.2", "5.1"]
+    assert history["summary_text"].startswith("in 3.1 already; unit changed in 4.0; moved in 4.1 or 4.2 or 5.0 from")
+
+
+def test_a_catalogue_that_is_of_no_release_has_no_events(releases: Ask) -> None:
+    history = releases("/api/v1/catalogues/small/nodes/Vehicle.Speed/history").json()
+    assert (history["release"], history["events"]) == (None, [])
+
+
+def test_a_history_comes_as_yaml_and_an_unchanged_one_is_not_sent_twice(releases: Ask) -> None:
+    address = "/api/v1/catalogues/v5.0/nodes/Vehicle.Speed/history"
+    written = releases(address, headers={"Accept": "application/yaml"})
+    assert "kind: moved" in written.text
+    assert releases(address, headers={"If-None-Match": written.headers["etag"]}).status_code == 304
+    assert releases(f"{address}?colour=red").status_code == 422
+
+
+def test_the_history_of_a_node_that_does_not_exist_proposes_near_ones(releases: Ask) -> None:
+    answer = releases("/api/v1/catalogues/v5.0/nodes/Vehicle.Sped/history")
+    assert (answer.status_code, answer.json()["nearest"][:1]) == (404, ["Vehicle.Speed"])

@@ -90,6 +90,9 @@ COSTLY: dict[str, list[Costly]] = {
         *get(f"{WIDE}/nodes/Vehicle", f"{WIDE}/nodes/{MISSPELLED}", f"{WIDE}/nodes/Vehicle.S7000"),
         Costly(f"{WIDE}/nodes/Vehicle", YAML),
     ],
+    "GET /api/v1/catalogues/{catalogue}/nodes/{path}/history": get(
+        f"{WIDE}/nodes/Vehicle.S7000/history", f"{WIDE}/nodes/{MISSPELLED}/history", f"{SMALL}/nodes/Vehicle.Speed/history"
+    ),
     "GET /api/v1/catalogues/{catalogue}/quantities": [Costly("/api/v1/catalogues/interfaces/quantities", YAML)],
     "GET /api/v1/catalogues/{catalogue}/search": [
         *get(f"{WIDE}/search?q={WORDS}", f"{WIDE}/search?q=vehicl3+sped+desc", f"{WIDE}/search?limit=200&instances=true"),
@@ -132,6 +135,9 @@ COSTLY: dict[str, list[Costly]] = {
     "GET /health/live": get("/health/live"),
     "GET /health/ready": get("/health/ready"),
     "GET /healthz": get("/healthz"),
+    "GET /history/{catalogue}/{path}": get(
+        "/history/wide/Vehicle.S7000", f"/history/wide/{MISSPELLED}", "/history/interfaces/Vehicle.Speed"
+    ),
     "GET /metrics": get("/metrics"),
     "GET /openapi.json": get("/openapi.json"),
     "GET /problems/{kind}": get("/problems/busy", f"/problems/{'x' * 300}"),

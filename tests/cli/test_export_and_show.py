@@ -12,6 +12,7 @@ import pytest
 from scripts.command_line import command_parsers
 from sigcat.cli import main
 from tests.catalogue.trees import ROOT
+from tests.migration.chained_releases import chained_sources
 
 SPEED = "Vehicle.Speed:\n  type: sensor\n  datatype: float\n  description: Speed.\n"
 
@@ -253,3 +254,27 @@ def test_lint_and_export_take_the_tree_near_an_overlay(tmp_path, path, code, mes
     assert (lint.returncode, bool(export.returncode)) == (code, bool(code))
     assert message in lint.stdout
     assert message in export.stderr
+
+
+def test_the_history_of_a_node_is_that_of_the_pulled_releases(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr("sigcat.catalogue.hosting.sources.pulled_sources", lambda: chained_sources(tmp_path))
+    chained_sources(tmp_path)
+    assert main(["show", "Vehicle.Speed", "--history", "-s", str(tmp_path / "5.0.vspec")]) == 0
+    assert capsys.readouterr().out.splitlines() == [
+        "Vehicle.Speed",
+        "  in 3.1 already",
+        "  unit changed in 4.0",
+        "    unit           km/h -> m/s  [breaking]",
+        "  moved in 4.1 or 4.2 or 5.0 from Vehicle.Velocity",
+        "  removed in 5.1 or 6.0",
+        "  Not here: 3.0, 4.1, 4.2, 5.1. `sigcat pull v5.1` adds one.",
+    ]
+    assert main(["show", "Vehicle.Speed", "--history", "--format", "json", "-s", str(tmp_path / "5.0.vspec")]) == 0
+    assert [each["kind"] for each in json.loads(capsys.readouterr().out)["events"]] == [
+        None, "changed", "moved", "removed",
+    ]  # fmt: skip
+
+
+def test_a_tree_of_no_release_has_no_history(tree, capsys):
+    assert main(["show", "Vehicle.Speed", "--history", "-s", "tree.vspec"]) == 0
+    assert "does not say which release of VSS" in capsys.readouterr().out

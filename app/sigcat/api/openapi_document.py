@@ -75,7 +75,10 @@ LINKS: Mapping[str, Mapping[str, Mapping[str, Any]]] = {
         "get_node": {"parameters": {**_FROM_CATALOGUE, "path": "$response.body#/hits/0/path"}},
         "search_nodes": {"parameters": {**_FROM_CATALOGUE, "cursor": "$response.body#/next_cursor"}},
     },
-    "get_node": {"get_tree": {"parameters": {**_FROM_CATALOGUE, "path": "$response.body#/path"}}},
+    "get_node": {
+        name: {"parameters": {**_FROM_CATALOGUE, "path": "$response.body#/path"}}
+        for name in ("get_tree", "get_node_history")
+    },
     "list_rules": {"get_rule": {"parameters": {"rule_id": "$response.body#/rules/0/id"}}},
     "build_function_json": {
         "validate_function": {"requestBody": "$response.body"},

@@ -1,14 +1,15 @@
 """`sigcat show PATH`: a node with every attribute and where it was written."""
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
-    from sigcat.catalogue.model.catalogue import Node
+    from sigcat.catalogue.model.catalogue import Catalogue, Node
+    from sigcat.migration.node_history import NodeHistory
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -20,6 +21,10 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "the path without their names shows the definition and its instances.",
     )
     parser.add_argument("path", metavar="PATH", help="such as Vehicle.Speed")
+    parser.add_argument(
+        "--history", action="store_true",
+        help="show what happened to the node in the pulled releases: where it was added, changed, moved and removed",
+    )  # fmt: skip
     parser.add_argument("--format", choices=("text", "json"), default="text", help="default: %(default)s")
     add_tree_options(parser)
     parser.set_defaults(run=show)
@@ -29,8 +34,11 @@ def show(arguments: argparse.Namespace) -> int:
     """Print one node; as JSON it is that of the API. Raises NotFound with paths that may have been meant."""
     from sigcat.catalogue.find_node import find_node
 
-    node, catalogue, instances = find_node(arguments.path, read_tree(arguments))
-    if arguments.format == "json":
+    tree = read_tree(arguments)
+    node, catalogue, instances = find_node(arguments.path, tree)
+    if arguments.history:
+        _show_history(node.path, instances, tree, arguments.format)
+    elif arguments.format == "json":
         from sigcat.api.answers.serializers import node_detail
 
         print(node_detail(catalogue, node).model_dump_json(indent=2))
@@ -41,6 +49,45 @@ def show(arguments: argparse.Namespace) -> int:
 
 def _written(value: object) -> object:
     return "(empty)" if value is None else value
+
+
+def _show_history(path: str, instances: "Sequence[Node]", tree: "Catalogue", form: str) -> None:
+    from sigcat.catalogue.hosting.source import load
+    from sigcat.catalogue.hosting.sources import pulled_sources, shipped_sources
+    from sigcat.migration.node_history import instance_of, node_history, official_releases
+
+    sources = [source for source in (*pulled_sources(), *shipped_sources()) if not source.overlays]
+    history = node_history(
+        instance_of(path, instances), tree, official_releases((source, load(source)) for source in sources)
+    )
+    if form == "json":
+        from sigcat.api.answers.serializers import history_schema
+
+        print(history_schema(history).model_dump_json(indent=2))
+    else:
+        for line in _history_lines(history):
+            print(printable(line))
+
+
+def _history_lines(history: "NodeHistory") -> "Iterator[str]":
+    from sigcat.migration.node_history import event_text
+
+    yield history.path
+    if not history.release:
+        yield "  The tree does not say which release of VSS it is made of (Vehicle.VersionVSS): releases were not compared."
+    for event in history.events:
+        yield f"  {event_text(event, history)}"
+        for change in event.attributes:
+            yield f"    {change.name:14} {_said(change.old)} -> {_said(change.new)}  [{change.compatibility}]"
+        if event.note:
+            yield f"    {event.note}"
+    if history.release and history.missing:
+        missing = ", ".join(history.missing)
+        yield f"  Not here: {missing}. `sigcat pull v{history.missing[-1]}` adds one."
+
+
+def _said(value: object) -> str:
+    return "none" if value is None else str(value)
 
 
 def _print_text(node: "Node", instances: "Sequence[Node]" = ()) -> None:

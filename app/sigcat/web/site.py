@@ -62,6 +62,7 @@ def create_site(
         comparison_pages.__name__,
         function_pages.__name__,
         change_pages.__name__,
+        node_pages.__name__,
         set_pages.__name__,
         try_pages.__name__,
     ]

@@ -307,6 +307,32 @@ class Diff(Schema):
     changes: list[Change]
 
 
+class NodeEvent(Schema):
+    """A fact about a node in one release, compared with the release before it."""
+
+    kind: ChangeKind | None = Field(description="What happened; null: the oldest release has the node already.")
+    release: str | None = Field(description="Number of the release; null: the catalogue itself.")
+    path: str | None = Field(description="Path in this release; null if it was removed.")
+    old_path: str | None = Field(description="Where the node was before, if it moved or was removed.")
+    is_guess: bool = Field(description="Whether the node before is only probably the same.")
+    attribute_changes: list[AttributeChange]
+    note: str | None = Field(description="Why it moved or was removed, if that is known.")
+    skipped_releases: list[str] = Field(
+        description="Releases since the one before that are not hosted: it may have happened in one of them."
+    )
+
+
+class NodeHistory(Schema):
+    """A node over the hosted releases of VSS."""
+
+    path: str
+    release: str | None = Field(description="The release that the catalogue is made of; null if it does not say so.")
+    summary_text: str = Field(description="All events in one line.")
+    events: list[NodeEvent] = Field(description="Oldest first.")
+    releases: list[str] = Field(description="The releases that were compared, oldest first.")
+    missing_releases: list[str] = Field(description="Known releases that are not hosted.")
+
+
 class TrialNode(Schema):
     """A node as it would be."""
 

@@ -12,7 +12,7 @@ from sigcat import codes
 from sigcat.api.answers import schemas
 from sigcat.api.answers.versions import version_of
 from sigcat.catalogue.comparing.changes import Change
-from sigcat.catalogue.comparing.diff_report import diff_data
+from sigcat.catalogue.comparing.diff_report import attribute_data, diff_data
 from sigcat.catalogue.comparing.trial import Trial
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.model.catalogue import Catalogue, Node
@@ -25,6 +25,7 @@ from sigcat.catalogue.search import Hit, overlay_name
 from sigcat.data import VSPEC
 from sigcat.findings import Finding, has_errors
 from sigcat.limits import ANSWER_FINDINGS
+from sigcat.migration.node_history import Event, NodeHistory, history_summary
 from sigcat.rules.record import Rule
 
 _SHIPPED = f"{VSPEC.parent}{os.sep}"
@@ -281,6 +282,31 @@ def diff_schema(changes: Sequence[Change], old: str, new: str) -> schemas.Diff:
     """A comparison as `sigcat diff` prints it."""
     counts = schemas.ChangeCounts.model_validate(diff_data(changes)["summary"])
     return schemas.Diff(old=old, new=new, summary=counts, changes=changes_schema(changes))
+
+
+def history_schema(history: NodeHistory) -> schemas.NodeHistory:
+    """The history of a node as `sigcat show --history` prints it."""
+    return schemas.NodeHistory(
+        path=plain_text(history.path),
+        release=history.release or None,
+        summary_text=plain_text(history_summary(history)),
+        events=[_event_schema(event) for event in history.events],
+        releases=list(history.releases),
+        missing_releases=list(history.missing),
+    )
+
+
+def _event_schema(event: Event) -> schemas.NodeEvent:
+    return schemas.NodeEvent(
+        kind=None if event.kind == "oldest" else event.kind,
+        release=event.release or None,
+        path=plain_text(event.path) or None,
+        old_path=plain_text(event.former) or None,
+        is_guess=not event.is_certain,
+        attribute_changes=[schemas.AttributeChange.model_validate(plain(attribute_data(a))) for a in event.attributes],
+        note=plain_text(event.note) or None,
+        skipped_releases=list(event.skipped),
+    )
 
 
 def changes_schema(changes: Sequence[Change]) -> list[schemas.Change]:

@@ -14,10 +14,11 @@ from sigcat.api.answers.negotiation import (
     caching_headers,
     chosen_type,
     json_bytes,
+    offered,
     written,
 )
 from sigcat.api.answers.problems import problem_documentation
-from sigcat.api.answers.serializers import diff_schema, trial_schema
+from sigcat.api.answers.serializers import diff_schema, history_schema, trial_schema
 from sigcat.api.answers.versions import version_of
 from sigcat.api.requests.dependencies import (
     AnyCatalogue,
@@ -32,11 +33,16 @@ from sigcat.api.requests.dependencies import (
     mark_state,
     text_body,
 )
+from sigcat.api.routes.catalogues import NodePath, node_at
 from sigcat.catalogue.comparing.diff import compare
 from sigcat.catalogue.comparing.diff_report import markdown_report, text_report
 from sigcat.catalogue.comparing.trial import try_overlay as tried
+from sigcat.catalogue.hosting.library import Hosted, Library
+from sigcat.catalogue.hosting.variants import expanded_of, instances_of
 from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.digest import digest_of
 from sigcat.limits import NAME_CHARACTERS, PARAMETER_VALUES, Limits
+from sigcat.migration.node_history import NodeHistory, instance_of, node_history, official_releases
 
 router = APIRouter(prefix="/api/v1/catalogues/{catalogue}", tags=["changes"])
 
@@ -86,6 +92,23 @@ async def diff_catalogues(
     return Response(report, media_type=form, headers=caching_headers(request))
 
 
+@router.get(
+    "/nodes/{path}/history",
+    response_model=schemas.NodeHistory,
+    responses=offered() | problem_documentation(404, 406, 422, 503),
+)
+async def get_node_history(
+    request: Request, hosted: AnyCatalogue, path: NodePath, library: TheLibrary, queue: TheWorkQueue
+) -> Response:
+    """What happened to a node in the hosted releases of VSS: where it was added, changed, moved and removed."""
+    await node_at(request, hosted.catalogue, path)
+    mark_state(request, state_of_releases(hosted, library), is_fixed=False)
+    judge_conditions(request)
+    form = chosen_type(request.headers.get("accept", "*/*"), (JSON, YAML))
+    report = await queue.run(_history, hosted.catalogue, path, library, form)
+    return Response(report, media_type=form, headers=caching_headers(request))
+
+
 @router.post(
     "/trial",
     response_model=schemas.Trial,
@@ -117,6 +140,22 @@ def _report(
     if form == TEXT:
         return text_report(shown, hidden=hidden).encode("utf-8", "replace")
     return written(diff_schema(shown, *names), form)
+
+
+def state_of_releases(hosted: Hosted, library: Library) -> str:
+    """Return the state that the history of a node depends on: that of its catalogue, and of all releases."""
+    releases = digest_of("".join(version_of(each) for each in library).encode())
+    return f"{version_of(hosted)}-{releases[:24]}"
+
+
+def _history(catalogue: Catalogue, path: str, library: Library, form: str) -> bytes:
+    return written(history_schema(hosted_history(path, catalogue, library)), form)
+
+
+def hosted_history(path: str, catalogue: Catalogue, library: Library) -> NodeHistory:
+    """The history of a node over the hosted releases; of folded instances, that of the first one."""
+    releases = official_releases((each.source, each.catalogue) for each in library)
+    return node_history(instance_of(path, instances_of(catalogue, path)), expanded_of(catalogue), releases)
 
 
 def _trial(catalogue: Catalogue, text: bytes, name: str, limits: Limits, most_nodes: int) -> bytes:

@@ -16,7 +16,8 @@ from sigcat.catalogue.model.definition import CORE_ATTRIBUTES, STRUCT
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.names import parent_path
 
-_SAID_BY_THE_MOVE = frozenset(("fka", "deprecation"))
+SAID_BY_A_MOVE = frozenset(("fka", "deprecation"))
+"""Attributes that only say where a node moved."""
 
 
 def compare(old: Catalogue, new: Catalogue, ignored: frozenset[str] = frozenset()) -> tuple[Change, ...]:
@@ -134,7 +135,7 @@ class _Comparison:
 
     def _attributes_of_moved(self, path: str, move: Move) -> tuple[AttributeChange, ...]:
         attributes = self._attributes(self._old.nodes[path], self._new.nodes[move.target])
-        return tuple(attribute for attribute in attributes if attribute.name not in _SAID_BY_THE_MOVE)
+        return tuple(attribute for attribute in attributes if attribute.name not in SAID_BY_A_MOVE)
 
     def _went_along(self, path: str) -> bool:
         """Whether a node only followed the branch above it."""

@@ -249,14 +249,15 @@ def _change_data(change: Change) -> dict[str, Any]:
         "signal_count": change.leaves,
         "evidence": change.evidence or None,
         "is_guess": change.is_guess,
-        "attribute_changes": [_attribute_data(attribute) for attribute in change.attributes],
+        "attribute_changes": [attribute_data(attribute) for attribute in change.attributes],
         "instances_added": list(change.came),
         "instances_removed": list(change.went),
         "note": change.note or None,
     }
 
 
-def _attribute_data(attribute: AttributeChange) -> dict[str, Any]:
+def attribute_data(attribute: AttributeChange) -> dict[str, Any]:
+    """An attribute's change as plain data."""
     return {
         "name": attribute.name,
         "old_value": plain(attribute.old),

@@ -1,4 +1,4 @@
-"""Two nodes side by side."""
+"""Two nodes side by side, and the history of a node over releases."""
 
 from http import HTTPStatus
 from typing import Annotated, Literal
@@ -7,21 +7,26 @@ from fastapi import APIRouter, Depends, Query, Request
 from fastapi.responses import Response
 
 from sigcat.api.requests.dependencies import (
+    AnyCatalogue,
     NamedCatalogue,
+    TheWorkQueue,
     catalogue_at,
     functions_of,
     library_of,
     queue_of,
 )
 from sigcat.api.requests.thread_turns import in_thread
-from sigcat.api.routes.catalogues import find_node
+from sigcat.api.routes.catalogues import find_node, node_at
+from sigcat.api.routes.changes import hosted_history
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.errors import NotFound
 from sigcat.function.node_uses import uses_in
 from sigcat.limits import NAME_CHARACTERS, PARAMETER_CHARACTERS
-from sigcat.web.rendering import page
+from sigcat.web.rendering import page, page_for
+from sigcat.web.views.history_view import history_view
 from sigcat.web.views.node_comparison import Side, compare_nodes, same_name_elsewhere, same_path_elsewhere
 from sigcat.web.views.node_view import field_units_of
+from sigcat.web.visits import Visit, visit_of
 
 router = APIRouter()
 Path = Annotated[str, Query(max_length=PARAMETER_CHARACTERS)]
@@ -47,6 +52,18 @@ async def show_comparison(
 ) -> Response:
     """Two nodes of one or two catalogues, attribute by attribute."""
     return await in_thread(request, _comparison, request, hosted, other, path, second, only)
+
+
+@router.get("/history/{catalogue}/{path}")
+async def show_history(request: Request, hosted: AnyCatalogue, path: str, queue: TheWorkQueue) -> Response:
+    """What happened to a node in the hosted releases."""
+    await node_at(request, hosted.catalogue, path)
+    return await queue.run(_history, visit_of(request), hosted, path)
+
+
+def _history(visit: Visit, hosted: Hosted, path: str) -> Response:
+    history = hosted_history(path, hosted.catalogue, visit.library)
+    return page_for(visit, "history.html", hosted=hosted, path=path, **history_view(history, visit.library)._asdict())
 
 
 def _comparison(request: Request, hosted: Hosted, other: Hosted, path: str, second: str, only: str) -> Response:
