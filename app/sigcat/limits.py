@@ -190,6 +190,12 @@ NAME_CHARACTERS = 300
 PARAMETER_CHARACTERS = 2_000
 """Characters of one parameter of a request, such as the path of a node."""
 
+BASKET_CHARACTERS = 6_000
+"""Characters of all paths in the basket: they are in the address of every page."""
+
+BASKET_SIGNALS = 2_000
+"""Signals of a basket that are written as an overlay or a function."""
+
 PARAMETER_VALUES = 1_000
 """Values of a parameter that may be given several times."""
 

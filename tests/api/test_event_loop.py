@@ -110,6 +110,10 @@ COSTLY: dict[str, list[Costly]] = {
     "GET /api/v1/rules/{rule_id}": get("/api/v1/rules/V102", f"/api/v1/rules/{'V' * 300}"),
     "GET /api/v1/schemas": get("/api/v1/schemas"),
     "GET /api/v1/schemas/{name}.json": get("/api/v1/schemas/function.json", f"/api/v1/schemas/{'f' * 300}.json"),
+    "GET /basket/{catalogue}": get("/basket/wide?pick=Vehicle", f"/basket/wide?pick={','.join(f'Vehicle.Sn{n}' for n in range(400))}"),
+    "GET /basket/{catalogue}/{file}": get(
+        "/basket/wide/signals.csv?pick=Vehicle", "/basket/wide/overlay.vspec?pick=Vehicle", "/basket/interfaces/function.yaml?pick=Vehicle", "/basket/wide/x"
+    ),
     "GET /catalogues/{catalogue}": get("/catalogues/wide"),
     "GET /changes": get("/changes?old=interfaces&new=wide"),
     "GET /compare": get(

@@ -3,6 +3,8 @@
 from collections.abc import Iterable, Mapping, Sequence
 from urllib.parse import quote, urlencode
 
+from sigcat.web.basket import EMPTY, PICK, Basket
+
 _OF_ONE_CATALOGUE = ("cursor", "part", "change", "below")
 """Parameters that mean something in one catalogue only."""
 _IN_QUERY = {
@@ -19,8 +21,10 @@ _IN_QUERY = {
 class Addresses:
     """Builds addresses below the path under which the service is mounted."""
 
-    def __init__(self, base: str) -> None:
+    def __init__(self, base: str, basket: Basket = EMPTY) -> None:
         self.base = base.rstrip("/")
+        self.basket = basket
+        """The basket that addresses of trees and searches carry."""
 
     def static(self, name: str) -> str:
         """A file that comes with the pages."""
@@ -54,11 +58,21 @@ class Addresses:
 
     def tree(self, catalogue: str, path: str = "", opened: str = "", start: int = 0) -> str:
         """The tree with a node selected and branches open."""
-        query = {"open": opened, "from": str(start) if start else ""}
+        query = {"open": opened, "from": str(start) if start else "", PICK: self.basket.text}
         given = {name: value for name, value in query.items() if value}
         address = self.page("tree", catalogue, *([path] if path else []))
         return f"{address}?{urlencode(given, safe=',*')}" if given else address
 
     def search(self, catalogue: str, query: dict[str, str]) -> str:
         """Search results for a text and filters."""
-        return f"{self.page('search', catalogue)}?{urlencode({k: v for k, v in query.items() if v})}"
+        given = {name: value for name, value in {**query, PICK: self.basket.text}.items() if value}
+        return f"{self.page('search', catalogue)}?{urlencode(given, safe=',')}"
+
+    def basket_page(self, catalogue: str, *file: str) -> str:
+        """The page of the basket, or a file that is made of it."""
+        picked = urlencode({PICK: self.basket.text}, safe=",") if self.basket.paths else ""
+        return self.page("basket", catalogue, *file) + (f"?{picked}" if picked else "")
+
+    def toggling(self, path: str) -> "Addresses":
+        """Addresses with one path more in the basket, or one less."""
+        return Addresses(self.base, self.basket.toggled(path))

@@ -16,8 +16,10 @@ from sigcat.api.answers.serializers import finding_schema, plain_text, shown_fil
 from sigcat.api.requests.dependencies import library_of
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.hosting.variants import choice_of
+from sigcat.errors import UsageError
 from sigcat.findings import has_errors
 from sigcat.web.addresses import Addresses
+from sigcat.web.basket import EMPTY, Basket
 from sigcat.web.catalogue_titles import title_in
 from sigcat.web.template_filters import breakable, count, datatype, date, marked, number, scalar, unit, with_code
 from sigcat.web.visits import Visit, visit_of
@@ -33,7 +35,7 @@ CATEGORY_WORDS = {
 
 CHAPTER_OF = {
     "tree": "reference/interfaces.md", "functions": "reference/functions.md",
-    "compare": "how-to/work-in-the-browser.md", "history": "how-to/work-in-the-browser.md", "changes": "reference/compatibility.md", "try": "how-to/own-catalogue-and-rules.md", "rules": "reference/linting.md",
+    "basket": "how-to/work-in-the-browser.md", "compare": "how-to/work-in-the-browser.md", "history": "how-to/work-in-the-browser.md", "changes": "reference/compatibility.md", "try": "how-to/own-catalogue-and-rules.md", "rules": "reference/linting.md",
     "units": "how-to/define-a-unit.md", "docs": "reference/api.md", "catalogue": "how-to/own-catalogue-and-rules.md",
 }  # fmt: skip
 """The chapter of the documentation about a page; the index where there is none."""
@@ -77,7 +79,7 @@ def page_for(visit: Visit, template: str, status: int = 200, **context: Any) -> 
     part = template.replace(".html", ".part.html")
     name = part if visit.wants_part and part in _ENVIRONMENT.list_templates() else template
     context.setdefault("hosted", None)
-    to = Addresses(visit.below)
+    to = Addresses(visit.below, _basket_of(visit, is_problem=status >= HTTPStatus.BAD_REQUEST))
     text = _ENVIRONMENT.get_template(name).render(
         to=to,
         for_catalogue=_for_catalogue(visit, to, is_problem=status >= HTTPStatus.BAD_REQUEST),
@@ -89,6 +91,16 @@ def page_for(visit: Visit, template: str, status: int = 200, **context: Any) -> 
         **context,
     )
     return HTMLResponse(plain_text(text), status, headers={"Cache-Control": "no-cache"})
+
+
+def _basket_of(visit: Visit, *, is_problem: bool) -> Basket:
+    """The basket of the address; the page of a problem has none where the basket is the problem."""
+    try:
+        return visit.basket
+    except UsageError:
+        if is_problem:
+            return EMPTY
+        raise
 
 
 def _is_composed_with_errors(hosted: Hosted | None) -> bool:

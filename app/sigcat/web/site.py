@@ -21,6 +21,7 @@ from sigcat.function.hosted_files import HostedFiles
 from sigcat.function.hosting import FunctionLibrary
 from sigcat.web.pages import (
     api_reference,
+    basket_pages,
     catalogue_pages,
     change_pages,
     comparison_pages,
@@ -45,6 +46,7 @@ _PAGES = (
     try_pages,
     change_pages,
     node_pages,
+    basket_pages,
     catalogue_pages,
     rule_pages,
     api_reference,
@@ -63,6 +65,7 @@ def create_site(
         function_pages.__name__,
         change_pages.__name__,
         node_pages.__name__,
+        basket_pages.__name__,
         set_pages.__name__,
         try_pages.__name__,
     ]

@@ -8,9 +8,10 @@ from fastapi import Request
 from sigcat.api.requests.dependencies import library_of
 from sigcat.api.requests.query_parameters import refuse_unless_known
 from sigcat.catalogue.hosting.library import Library
+from sigcat.web.basket import PICK, Basket, read_basket
 
 _PART = "part"
-"""Parameter that every page takes."""
+"""Parameter that every page takes, besides the basket."""
 
 
 class Visit(NamedTuple):
@@ -32,10 +33,15 @@ class Visit(NamedTuple):
         """Whether only the part of the page is asked for that changes while one stays on it."""
         return any(name == _PART for name, _ in self.query)
 
+    @property
+    def basket(self) -> Basket:
+        """The chosen paths."""
+        return read_basket(next((value for name, value in self.query if name == PICK), ""))
+
 
 async def refuse_unknown(request: Request) -> None:
     """A dependency of every page: raises RequestValidationError for parameters that it does not have."""
-    refuse_unless_known(request, (_PART,))
+    refuse_unless_known(request, (_PART, PICK))
 
 
 def visit_of(request: Request) -> Visit:

@@ -39,10 +39,13 @@ from sigcat.web.rendering import page
 from sigcat.web.views.catalogue_findings import findings_over
 from sigcat.web.views.node_view import field_units_of, node_view
 from sigcat.web.views.tree_rows import OpenBranches, rows_below, visible_rows
+from sigcat.web.visits import visit_of
 
 router = APIRouter(route_class=InThread)
 _ROWS = 400
 """Rows of the tree on a page without JavaScript; more are a link away."""
+_LONG_BASKET, _FEWER_ROWS = 20, 100
+"""Each link of a row carries the basket: with a long one, a page has fewer rows."""
 _DEEPEST = 1_000
 _FACET_WORDS = {
     "type": "Type", "datatype": "Datatype", "unit": "Unit", "category": "Interface", "asil": "ASIL",
@@ -51,9 +54,10 @@ _FACET_WORDS = {
 
 
 class PageQuery(SearchQuery):
-    """A search of the browser: with `part`, only the changing part of the page is sent."""
+    """A search of the browser: with `part`, only the changing part of the page is sent; links keep the basket."""
 
     part: str | None = None
+    pick: str | None = None
 
 
 Opened = Annotated[str, Query(alias="open", description="Open branches, separated by commas; `*` opens all.")]
@@ -75,7 +79,9 @@ def show_node(
         node = find_node(hosted.catalogue, path.removesuffix(".json"))
         return JSONResponse(node_data(hosted.catalogue, node))
     if path not in hosted.catalogue.nodes and (other := stand_in(library, hosted, path)):
-        return RedirectResponse(Addresses(request.scope.get("root_path", "")).tree(hosted.source.id, other))
+        return RedirectResponse(
+            Addresses(request.scope.get("root_path", ""), visit_of(request).basket).tree(hosted.source.id, other)
+        )
     return _tree(request, hosted, path, opened, start)
 
 
@@ -188,7 +194,8 @@ def _tree(request: Request, hosted: Hosted, path: str, opened: str, start: int) 
     first = selected or (catalogue.roots[0] if catalogue.roots else None)
     named = opened.split(",") if opened else [root.path for root in catalogue.roots if path in ("", root.path)]
     branches = OpenBranches(named, path)
-    rows, total = visible_rows(catalogue, branches, start, _ROWS)
+    most_rows = _ROWS if len(visit_of(request).basket.paths) < _LONG_BASKET else _FEWER_ROWS
+    rows, total = visible_rows(catalogue, branches, start, most_rows)
     uses = uses_in(functions_of(request).files, catalogue)
     return page(
         request,
@@ -202,7 +209,7 @@ def _tree(request: Request, hosted: Hosted, path: str, opened: str, start: int) 
         rows=rows,
         total=total,
         start=start,
-        most_rows=_ROWS,
+        most_rows=most_rows,
         branches=branches,
         opened=opened,
         state=_state(hosted, functions_of(request)),

@@ -1,5 +1,6 @@
 // What every page has: search as you type, copying, menus that close. A page works without any of it.
 import { askPart, attempt, begin, say } from "./asking.js";
+import { mountBasket, withBasket } from "./basket.js";
 import { mountCalls } from "./call.js";
 import { mountRun } from "./run.js";
 import { mountTree } from "./tree.js";
@@ -18,7 +19,8 @@ const textOf = (shown) => {
 
 const copied = async (button) => {
   const from = button.dataset.copyFrom;
-  const text = from ? textOf(document.getElementById(from)) : button.dataset.copy;
+  const address = button.dataset.copyAddress;
+  const text = from ? textOf(document.getElementById(from)) : address ? new URL(address, location.href).href : button.dataset.copy;
   try {
     await navigator.clipboard.writeText(text);
   } catch { // not allowed, or not a secure address: the old way
@@ -34,7 +36,7 @@ const copied = async (button) => {
 };
 
 document.addEventListener("click", (event) => {
-  const button = event.target.closest("[data-copy], [data-copy-from]");
+  const button = event.target.closest("[data-copy], [data-copy-from], [data-copy-address]");
   if (button) copied(button);
   for (const menu of document.querySelectorAll("details.menu[open]")) {
     if (!menu.contains(event.target)) menu.open = false;
@@ -56,6 +58,7 @@ document.addEventListener("click", (event) => {
 
 const field = document.querySelector("[data-search]");
 const main = document.getElementById("main");
+mountBasket();
 let leave = mountTree();
 mountTry();
 mountRun();
@@ -82,10 +85,11 @@ const searched = async () => {
   const current = new URL(location.href);
   if (isSearch()) for (const [name, value] of current.searchParams) if (!["q", "cursor"].includes(name)) address.searchParams.set(name, value);
   if (field.value) address.searchParams.set("q", field.value);
-  if (isSearch()) history.replaceState({}, "", address);
-  else if (field.value.trim()) history.pushState({}, "", address);
+  const picked = withBasket(address.href);
+  if (isSearch()) history.replaceState({}, "", picked);
+  else if (field.value.trim()) history.pushState({}, "", picked);
   else return;
-  await showSearch(address.href);
+  await showSearch(picked);
 };
 
 if (field) {

@@ -1,4 +1,5 @@
 // The tree: all rows in memory, only those in sight in the document. Keyboard: the tree pattern of the W3C's ARIA guide.
+import { isPicked, onBasket, picks, toggle as togglePick } from "./basket.js";
 import { askJson, askPart, attempt, say } from "./asking.js";
 
 const MOST_ROWS = 100;
@@ -124,7 +125,9 @@ export const mountTree = () => {
 
   const addressOf = (path, open = openPaths()) => {
     const page = [base, "tree", encodeURIComponent(catalogue), ...(path ? [encodeURIComponent(path)] : [])].join("/");
-    return open ? `${page}?open=${encodeURIComponent(open).replaceAll("%2C", ",").replaceAll("%2A", "*")}` : page;
+    const given = [["open", open], ["pick", picks()]].filter(([, value]) => value);
+    const query = given.map(([name, value]) => `${name}=${encodeURIComponent(value).replaceAll("%2C", ",").replaceAll("%2A", "*")}`);
+    return query.length ? `${page}?${query.join("&")}` : page;
   };
 
   const remember = () => history.replaceState({ tree: true, scroll: scroller().scrollTop }, "", addressOf(selected));
@@ -190,6 +193,13 @@ export const mountTree = () => {
 
   const pool = new Map();
 
+  /** The mark at the end of a row, which puts its node into the basket. */
+  const pickOf = () => {
+    const mark = Object.assign(document.createElement("span"), { className: "pick", title: "Add to basket, or remove from it (+)" });
+    mark.append(Object.assign(document.createElement("span"), { className: "unseen" }));
+    return mark;
+  };
+
   const rowOf = (index) => {
     const entry = visible[index];
     let row = pool.get(entry);
@@ -206,7 +216,7 @@ export const mountTree = () => {
       const name = Object.assign(document.createElement("a"), { className: "name", textContent: entry.name, tabIndex: -1 });
       const hint = Object.assign(document.createElement("span"), { className: "hint", textContent: datatype });
       if (unit) hint.append(" ", Object.assign(document.createElement("i"), { textContent: unit }));
-      row.append(mark, name, ...(entry.users ? [usersOf(entry.users)] : []), ...(datatype ? [hint] : []));
+      row.append(mark, name, ...(entry.users ? [usersOf(entry.users)] : []), ...(datatype ? [hint] : []), pickOf());
       row.title = `${entry.path}${entry.count ? "" : ` (${[type, datatype, unit].filter(Boolean).join(" ")})`}`;
       row.setAttribute("aria-level", entry.level);
       row.setAttribute("aria-posinset", entry.position);
@@ -219,6 +229,8 @@ export const mountTree = () => {
     const isSelected = entry.path === (wanted ?? selected);
     row.classList.toggle("selected", isSelected);
     row.classList.toggle("active", index === active);
+    row.lastChild.classList.toggle("picked", isPicked(entry.path));
+    row.lastChild.firstChild.textContent = isPicked(entry.path) ? ", in the basket" : "";
     row.setAttribute("aria-selected", isSelected);
     if (entry.count) {
       row.setAttribute("aria-expanded", entry.open);
@@ -368,6 +380,7 @@ export const mountTree = () => {
     Enter: (entry) => select(entry.path).then(() => selected === entry.path && article.focus({ preventScroll: true })),
     " ": (entry) => select(entry.path),
     "*": (entry) => openBeside(entry),
+    "+": (entry) => togglePick(entry.path),
   };
 
   view.addEventListener("keydown", (event) => {
@@ -396,7 +409,7 @@ export const mountTree = () => {
     if (!row?.entry || event.ctrlKey || event.metaKey || event.shiftKey) return;
     event.preventDefault();
     active = visible.indexOf(row.entry);
-    if (event.target.classList.contains("chevron")) toggle(row.entry);
+    if (event.target.classList.contains("pick")) { togglePick(row.entry.path); paint(); } else if (event.target.classList.contains("chevron")) toggle(row.entry);
     else attempt(async () => { await change(row.entry.path); await turn(row.entry, true); });
     view.focus({ preventScroll: true });
   }, { signal });
@@ -405,6 +418,8 @@ export const mountTree = () => {
     const row = event.target.closest(".row");
     if (row?.entry?.count && !event.target.classList.contains("chevron")) toggle(row.entry, false);
   }, { signal });
+
+  onBasket(() => paint(), { signal });
 
   let painting = 0;
   view.addEventListener("scroll", () => {
@@ -486,7 +501,7 @@ export const mountTree = () => {
     const entry = selected ? await reveal(selected) : null;
     view.setAttribute("role", "tree");
     view.setAttribute("aria-label", "Nodes");
-    view.setAttribute("aria-description", "Space shows a node, Enter goes to it, Escape returns to the tree.");
+    view.setAttribute("aria-description", "Space shows a node, Enter goes to it, Escape returns to the tree, plus adds it to the basket.");
     view.tabIndex = 0;
     view.replaceChildren(extent);
     measure();
