@@ -125,7 +125,7 @@ PAGES = (
     Picture("changes-dark", "/changes?old=vss&new=interfaces", "dark"),
     Picture("changes-narrow", "/changes?old=vss&new=interfaces", width=360, height=780),
     Picture("try", "/try"),
-    Picture("try-change", "/try?change=Vehicle.Chassis.Brake.CylP", "dark", 1600, 1000),
+    Picture("propose", "/propose?change=Vehicle.Chassis.Brake.CylP", "dark", 1600, 1000),
     Picture("try-completion", "/try", prepare=complete_path),
     Picture("try-function", "/try?kind=function"),
     Picture("try-function-dark", "/try?kind=function", "dark", 2560, 1440),

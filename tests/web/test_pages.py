@@ -15,7 +15,7 @@ from tests.api.conftest import SETTINGS, SOURCES, TREE, Ask, asker
 
 PAGES = (
     "/", "/tree/small", "/tree/small/Vehicle.Speed", "/tree/small?open=*", "/tree/broken", "/search/small?q=speed",
-    "/search/small", "/compare?path=Vehicle.Speed&with=Vehicle.OldSpeed", "/history/small/Vehicle.Speed", "/basket/small?pick=Vehicle.Speed,Vehicle.Door", "/units/small", "/rules", "/rules/I201", "/catalogues/broken", "/docs", "/docs/api/exports", "/docs/api/schemas", "/docs/reference/functions.md", "/problems/not-found",
+    "/search/small", "/compare?path=Vehicle.Speed&with=Vehicle.OldSpeed", "/history/small/Vehicle.Speed", "/basket/small?pick=Vehicle.Speed,Vehicle.Door", "/propose?change=Vehicle.Speed", "/propose?below=Vehicle.Door&as=text", "/units/small", "/rules", "/rules/I201", "/catalogues/broken", "/docs", "/docs/api/exports", "/docs/api/schemas", "/docs/reference/functions.md", "/problems/not-found",
 )  # fmt: skip
 
 

@@ -109,47 +109,6 @@ def test_the_commands_do_the_same(
     assert main(["lint", str(tmp_path / "overlay.vspec"), *options.split()]) == 0
 
 
-@pytest.mark.parametrize("path", ["Vehicle.Speed", "Vehicle.Cabin", "Vehicle.Cabin.Door.Row1.DriverSide.IsOpen"])
-def test_a_node_can_be_changed_from_its_page(site: Ask, path: str) -> None:
-    page = site(f"/tree/interfaces/{path}").text
-    (link,) = re.findall(r'href="([^"]+)">Change</a>', page)
-    shown = site(link.replace("&amp;", "&")).text
-    assert "No findings." in shown
-    text = shown.partition("data-lines>")[2].partition("</textarea>")[0]
-    assert f"\n{path}:\n  type: " in text
-    assert "changes nothing" in tried(site, text)
-
-
-@pytest.mark.parametrize(
-    ("path", "word", "added"),
-    [
-        ("Vehicle.Cabin", "Add below", "Vehicle.Cabin.New"),
-        ("Vehicle.Speed", "Add beside", "Vehicle.New"),
-        ("Vehicle.Cabin.Door.Row1.DriverSide", "Add below", "Vehicle.Cabin.Door.New"),
-    ],
-)
-def test_a_signal_is_added_below_a_branch(site: Ask, path: str, word: str, added: str) -> None:
-    page = site(f"/tree/interfaces/{path}").text
-    (link,) = re.findall(rf'href="([^"]+)">{word}</a>', page)
-    shown = site(link.replace("&amp;", "&")).text
-    assert f"\n{added}:\n" in shown
-    assert "No findings." in shown
-
-
-def test_an_interface_is_added_with_the_attributes_that_one_of_its_kind_needs(site: Ask) -> None:
-    text = site("/try?below=Vehicle.Function.CoreAcc.Error").text
-    assert "\nVehicle.Function.CoreAcc.Error.New:\n" in text
-    assert "\n  resetCondition: " in text
-
-
-def test_the_menu_leads_to_the_page_of_other_catalogues_without_the_node_of_this_one(site: Ask) -> None:
-    for address in ("/try?change=Vehicle.Speed", "/try?below=Vehicle"):
-        menu = site(address).text.partition('class="menu"')[2].partition("</details>")[0]
-        assert "/try?catalogue=" in menu
-        assert "change=" not in menu
-        assert "below=" not in menu
-
-
 def test_the_example_is_about_the_root_of_the_catalogue(tmp_path: Path) -> None:
     tree = tmp_path / "crane.vspec"
     tree.write_text(
@@ -158,12 +117,6 @@ def test_the_example_is_about_the_root_of_the_catalogue(tmp_path: Path) -> None:
     page = asker(create_site(Library([Source("crane", "Crane", tree)])))("/try").text
     assert "Crane.Speed:" in page
     assert "V022" not in page
-
-
-def test_what_is_not_there_cannot_be_changed(site: Ask) -> None:
-    answer = site("/try?change=Vehicle.Sped")
-    assert answer.status_code == 404
-    assert "Vehicle.Speed" in answer.text
 
 
 def test_what_the_service_rehearses_is_what_the_page_does() -> None:

@@ -14,6 +14,7 @@ _IN_QUERY = {
     "rules": "catalogue",
     "changes": "new",
     "compare": "catalogue",
+    "propose": "catalogue",
 }
 """Pages whose catalogue is named in the query, by the first part of their address."""
 

@@ -18,7 +18,7 @@ PAGES = (
     "/functions/core_acc?catalogue=interfaces", "/functions/core_acc?view=source&catalogue=interfaces",
     "/functions/wheel_speed_calculation?view=run&catalogue=interfaces",
     "/functions/sets/ecocontrol/compare", "/wiring?catalogue=interfaces", "/changes",
-    "/changes?old=vss&new=interfaces", "/compare?path=Vehicle.Speed&other=bare", "/history/interfaces/Vehicle.Speed", "/basket/interfaces?pick=Vehicle.Speed,Vehicle.Cabin.Door,Vehicle.Sped", "/try", "/try?kind=function&catalogue=interfaces", "/try?change=Vehicle.Chassis.Brake.CylP&catalogue=interfaces", "/rules", "/rules/I201",
+    "/changes?old=vss&new=interfaces", "/compare?path=Vehicle.Speed&other=bare", "/history/interfaces/Vehicle.Speed", "/basket/interfaces?pick=Vehicle.Speed,Vehicle.Cabin.Door,Vehicle.Sped", "/try", "/try?kind=function&catalogue=interfaces", "/propose?change=Vehicle.Chassis.Brake.CylP&catalogue=interfaces", "/rules", "/rules/I201",
     "/units/interfaces", "/catalogues/interfaces", "/docs", "/docs/api/integration", "/docs/api/schemas", "/problems/busy", "/tree/small/Vehicle.Sped",
 )  # fmt: skip
 """One page of each kind."""
@@ -27,7 +27,7 @@ VARIANTS = (
     "/functions/core_acc?view=function-json&catalogue=interfaces", "/functions/core_acc?view=run&catalogue=interfaces",
     "/functions/core_acc?view=arxml&catalogue=interfaces", "/functions/core_acc?catalogue=small",
     "/wiring?catalogue=small", "/changes?old=bare&new=small", "/changes?old=small&new=small", "/try?kind=tree",
-    "/compare?path=Vehicle", "/basket/small", "/tree/small/Vehicle.Speed?pick=Vehicle.Speed", "/compare?path=Vehicle.Sped&with=Vehicle.Speed", "/compare?path=Vehicle.Door&with=Vehicle", "/rules/V101", "/rules/I201?catalogue=small", "/catalogues/broken", "/problems/not-found", "/tree/nope",
+    "/compare?path=Vehicle", "/propose?below=Vehicle.Cabin&catalogue=interfaces", "/propose?change=Vehicle.Speed&as=text", "/basket/small", "/tree/small/Vehicle.Speed?pick=Vehicle.Speed", "/compare?path=Vehicle.Sped&with=Vehicle.Speed", "/compare?path=Vehicle.Door&with=Vehicle", "/rules/V101", "/rules/I201?catalogue=small", "/catalogues/broken", "/problems/not-found", "/tree/nope",
     "/rules/nope", "/functions/core", "/functions/core_acc?view=ros2&catalogue=interfaces", "/tree/lost",
     "/catalogues/lost", "/nothing", "/tree/small?from=-1",
 )  # fmt: skip
@@ -91,7 +91,7 @@ def test_axe_finds_nothing_in_a_text_that_was_checked_without_javascript(open_pa
 
 @checked_with("axe", "No page has a violation, on a laptop and a phone, in light and in dark")
 def test_axe_finds_nothing_in_completions(open_page: Opener) -> None:
-    page = open_page("/try?change=Vehicle.Chassis.Brake.CylP&catalogue=interfaces")
+    page = open_page("/propose?change=Vehicle.Chassis.Brake.CylP&catalogue=interfaces&as=text")
     field = page.get_by_role("textbox", name="Overlay")
     field.fill("")
     with page.expect_response(lambda answer: ["Vehicle."] in parse_qs(answer.request.post_data or "").values()):

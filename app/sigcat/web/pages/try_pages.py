@@ -15,7 +15,6 @@ from sigcat.api.requests.dependencies import (
     TheWorkQueue,
     settings_of,
 )
-from sigcat.api.routes.catalogues import find_node
 from sigcat.api.service_rules import ServiceRules
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.hosting.variants import choice_of, expanded_of
@@ -40,7 +39,6 @@ from sigcat.web.views.change_trees import SIGNS
 from sigcat.web.views.command_lines import overlay_commands
 from sigcat.web.views.document_tabs import TABS, chosen_tab, download, open_tab
 from sigcat.web.views.generated_documents import documents_of
-from sigcat.web.views.overlay_draft import adding_draft, changing_draft
 from sigcat.web.views.overlay_outcome import OverlayOutcome, overlay_outcome
 from sigcat.web.views.source_view import shown_text, source_view
 from sigcat.web.visits import Visit, visit_of
@@ -50,8 +48,6 @@ Kind = Literal["overlay", "function", "tree"]
 KINDS: dict[Kind, str] = {"overlay": "Overlay", "function": "Function", "tree": "Tree"}
 _TITLES = {"interfaces": "Interfaces", **{name: tab.title for name, tab in TABS.items()}}
 _EXAMPLE = "core_acc"
-_NO_EFFECT = "overlay-no-effect"
-"""The check of rules that report an overlay which repeats the tree."""
 _OVERLAY = """\
 # An overlay changes or adds nodes. Findings appear as you type.
 Vehicle.Speed:
@@ -109,13 +105,11 @@ async def show_try(
     queue: TheWorkQueue,
     kind: Kind = "overlay",
     example: Annotated[str, Query(max_length=100)] = "",
-    change: Annotated[str, Query(max_length=1000, description="Path of a node to change.")] = "",
-    below: Annotated[str, Query(max_length=1000, description="Path of a node to add one to.")] = "",
 ) -> Response:
-    """The page with a text to begin with: a hosted function, a shipped overlay, what a node says, or a few lines."""
+    """The page with a text to begin with: a hosted function, a shipped overlay, or a few lines."""
 
     asked = Asked(visit_of(request), hosted, rules, functions.files, settings_of(request).limits)
-    return await queue.run(_begun, asked, kind, example, change, below)
+    return await queue.run(_begun, asked, kind, example)
 
 
 @router.post("/try")
@@ -128,13 +122,9 @@ async def try_text(
     return await queue.run(_tried_form, visit_of(request), posted, rules, functions.files, limits)
 
 
-def _begun(asked: Asked, kind: Kind, example: str, change: str, below: str) -> Response:
-    text = _draft(asked.hosted.catalogue, change, below) if change or below else _beginning(kind, example, asked)
-    result = _judged(asked, kind, text.encode("utf-8", "replace"))
-    if change:  # the draft repeats the node until it is edited
-        unfit = {rule.id for rule in asked.rules.active.rules if rule.check == _NO_EFFECT}
-        result = result._replace(findings=tuple(each for each in result.findings if each.rule not in unfit))
-    return _page(asked, kind, text, result)
+def _begun(asked: Asked, kind: Kind, example: str) -> Response:
+    text = _beginning(kind, example, asked)
+    return _page(asked, kind, text, _judged(asked, kind, text.encode("utf-8", "replace")))
 
 
 def _tried_form(visit: Visit, posted: PostedForm, rules: ServiceRules, files: HostedFiles, limits: Limits) -> Response:
@@ -221,11 +211,6 @@ def _page(asked: Asked, kind: Kind, text: str, result: Tried, view: str = "inter
         completed_from=choice_of(hosted.source.id).folded(kind != "function").id,
         datatypes=sorted(PRIMITIVES | {f"{each}[]" for each in PRIMITIVES}),
     )
-
-
-def _draft(catalogue: Catalogue, change: str, below: str) -> str:
-    node = find_node(catalogue, change or below)
-    return changing_draft(node) if change else adding_draft(catalogue, node)
 
 
 def _beginning(kind: Kind, example: str, asked: Asked) -> str:

@@ -2,6 +2,7 @@
 import { askPart, attempt, begin, say } from "./asking.js";
 import { mountBasket, withBasket } from "./basket.js";
 import { mountCalls } from "./call.js";
+import { mountProposal } from "./propose.js";
 import { mountRun } from "./run.js";
 import { mountTree } from "./tree.js";
 import { mountTry } from "./try.js";
@@ -61,6 +62,7 @@ const main = document.getElementById("main");
 mountBasket();
 let leave = mountTree();
 mountTry();
+mountProposal();
 mountRun();
 mountCalls();
 let timer = 0;

@@ -82,7 +82,7 @@ export const mountTry = () => {
     if (event.submitter?.name === "view") show(event.submitter.value);
     else check();
   });
-  form.querySelector("[data-file]").addEventListener("change", async (event) => {
+  form.querySelector("[data-file]")?.addEventListener("change", async (event) => {
     const [file] = event.target.files;
     if (!file) return;
     text.value = await file.text();

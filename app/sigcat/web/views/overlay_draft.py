@@ -1,4 +1,4 @@
-"""An overlay to begin with: one that changes a node, or adds one below a branch."""
+"""Where an overlay can change a node, or add one, and the values of a new one."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -6,7 +6,6 @@ from typing import Any
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.definition import BRANCH
 from sigcat.catalogue.model.interfaces import category_of
-from sigcat.function.extension.overlay import statement_text
 
 _NEW: Mapping[str, Any] = {
     "type": "sensor",
@@ -21,18 +20,12 @@ def may_be_overlaid(catalogue: Catalogue, node: Node) -> bool:
     return node.path.partition(".")[0] == catalogue.roots[0].name
 
 
-def changing_draft(node: Node) -> str:
-    """An overlay with all that a node says now, to be edited."""
-    return f"# Change the attributes you need and delete the others.\n{statement_text(node.path, node.values)}"
-
-
-def adding_draft(catalogue: Catalogue, node: Node) -> str:
-    """An overlay that adds a signal below a branch, or beside a signal; of instances, below their definition."""
+def new_node(catalogue: Catalogue, node: Node) -> tuple[str, Mapping[str, Any]]:
+    """A free path below a branch, or beside a signal, and values to begin with; of instances, below their definition."""
     branch = node if node.type == BRANCH else catalogue.parent(node) or node
     names = {child.name for child in branch.children}
     name = next(f"New{n or ''}" for n in range(len(names) + 1) if f"New{n or ''}" not in names)
-    text = statement_text(f"{branch.template}.{name}", _values_beside(node, branch))
-    return f"# Give it its name, and say what it is.\n{text}"
+    return f"{branch.template}.{name}", _values_beside(node, branch)
 
 
 def _values_beside(node: Node, branch: Node) -> Mapping[str, Any]:

@@ -1,0 +1,157 @@
+"""A change that is proposed from the page of a node: in a form or as text, with its findings and effects, as overlay or patch."""
+
+from http import HTTPStatus
+from typing import Annotated, Literal, NamedTuple
+
+from fastapi import APIRouter, Query, Request
+from fastapi.responses import RedirectResponse, Response
+
+from sigcat.api.answers.serializers import finding_counts
+from sigcat.api.requests.dependencies import (
+    NamedCatalogue,
+    PostedBody,
+    TheFunctions,
+    TheRules,
+    TheWorkQueue,
+    settings_of,
+)
+from sigcat.api.routes.catalogues import find_node
+from sigcat.api.service_rules import ServiceRules
+from sigcat.catalogue.hosting.library import Hosted
+from sigcat.catalogue.hosting.variants import choice_of, expanded_of
+from sigcat.catalogue.model.datatypes import PRIMITIVES
+from sigcat.errors import UsageError
+from sigcat.function.hosted_files import HostedFiles
+from sigcat.function.node_uses import uses_in
+from sigcat.limits import PARAMETER_CHARACTERS, Limits
+from sigcat.rules.linting.posted import lint_text
+from sigcat.web.addresses import Addresses
+from sigcat.web.forms import Form, PostedForm, form_catalogue, posted_form, read_form
+from sigcat.web.rendering import page_for
+from sigcat.web.views.change_trees import SIGNS
+from sigcat.web.views.command_lines import overlay_commands
+from sigcat.web.views.overlay_outcome import overlay_outcome
+from sigcat.web.views.proposal import Proposal, adding, changing, posted_fields, types_for
+from sigcat.web.views.proposal_patch import proposal_patch
+from sigcat.web.views.source_view import source_view
+from sigcat.web.visits import Visit, visit_of
+
+router = APIRouter()
+Mode = Literal["form", "text"]
+Path = Annotated[str, Query(max_length=PARAMETER_CHARACTERS)]
+_NO_EFFECT = "overlay-no-effect"
+"""The check of rules that report an overlay without a change: here nothing is changed at first."""
+
+
+class Asked(NamedTuple):
+    """Inputs of the page beside its fields."""
+
+    visit: Visit
+    hosted: Hosted
+    rules: ServiceRules
+    files: HostedFiles
+    limits: Limits
+
+
+@router.get("/propose")
+async def show_proposal(
+    request: Request,
+    hosted: NamedCatalogue,
+    rules: TheRules,
+    functions: TheFunctions,
+    queue: TheWorkQueue,
+    change: Path = "",
+    below: Path = "",
+    mode: Annotated[Mode, Query(alias="as")] = "form",
+) -> Response:
+    """The page for a node to change, or to add one below or beside; without a node, the page to try any overlay."""
+    visit = visit_of(request)
+    if not (change or below):
+        to = Addresses(visit.below)
+        return RedirectResponse(to.page("try") + to.query({"catalogue": hosted.source.id}), HTTPStatus.SEE_OTHER)
+    asked = Asked(visit, hosted, rules, functions.files, settings_of(request).limits)
+    return await queue.run(_begun, asked, Form((("change", change), ("below", below), ("as", mode))))
+
+
+@router.post("/propose")
+async def propose(
+    request: Request, rules: TheRules, functions: TheFunctions, queue: TheWorkQueue, body: PostedBody
+) -> Response:
+    """The page with the findings and effects of what was entered, or a file of it. Nothing is stored."""
+    posted = posted_form(body, request.headers.get("content-type", ""))
+    return await queue.run(_posted, visit_of(request), posted, rules, functions.files, settings_of(request).limits)
+
+
+def _posted(visit: Visit, posted: PostedForm, rules: ServiceRules, files: HostedFiles, limits: Limits) -> Response:
+    form = read_form(posted)
+    return _begun(Asked(visit, form_catalogue(form, visit.library), rules, files, limits), form)
+
+
+def _begun(asked: Asked, form: Form) -> Response:
+    proposal = _proposal(asked.hosted, form)
+    is_text = form.last("as") == "text"
+    text = form.text("text") if is_text and form.every("text") else _begun_text(proposal, form, is_text=is_text)
+    data = text.encode("utf-8", "replace")
+    match form.last("download"):
+        case "overlay":
+            return _file(f"# Proposed change of {asked.hosted.source.title}\n{text}", "overlay.vspec", "text/plain")
+        case "patch":
+            patch = proposal_patch(asked.hosted.catalogue, data, asked.limits)
+            if not patch:
+                raise UsageError("Nothing is changed yet: a patch would be empty.")
+            return _file(patch, "proposal.patch", "text/x-patch")
+    return _page(asked, form, proposal, text, "text" if is_text else "form")
+
+
+def _begun_text(proposal: Proposal, form: Form, *, is_text: bool) -> str:
+    """The text of the fields; as text to begin with, all that the node says."""
+    return (
+        proposal.whole_text if is_text and not any(name.startswith("a.") for name, _ in form.fields) else proposal.text
+    )
+
+
+def _proposal(hosted: Hosted, form: Form) -> Proposal:
+    change, below = form.last("change"), form.last("below")
+    if not (change or below):
+        raise UsageError("The form must name a node to change, or one to add a node below.")
+    node = find_node(hosted.catalogue, change or below)
+    given = posted_fields(dict(form.fields))
+    return changing(node, given) if change else adding(hosted.catalogue, node, form.last("name").strip(), given)
+
+
+def _page(asked: Asked, form: Form, proposal: Proposal, text: str, mode: Mode) -> Response:
+    hosted, data = asked.hosted, text.encode("utf-8", "replace")
+    without_effect = {rule.id for rule in asked.rules.active.rules if rule.check == _NO_EFFECT}
+    found = lint_text(data, "posted.vspec", hosted.catalogue, asked.rules.active, limits=asked.limits)
+    findings = tuple(each for each in found if each.rule not in without_effect)
+    source = source_view(text, findings)
+    return page_for(
+        asked.visit,
+        "propose.html",
+        hosted=hosted,
+        change=form.last("change"),
+        below=form.last("below"),
+        mode=mode,
+        proposal=proposal,
+        name=proposal.path.rpartition(".")[2],
+        types=types_for(proposal),
+        units=[unit.key for unit in hosted.catalogue.vocabulary.distinct_units],
+        uses=uses_in(asked.files, hosted.catalogue).of_node.get(form.last("change"), ()),
+        posted=text,
+        findings=findings,
+        counts=finding_counts(findings),
+        source=source,
+        function=None,
+        outcome=overlay_outcome(data, expanded_of(hosted.catalogue), asked.files, asked.limits),
+        commands=overlay_commands(hosted),
+        old=hosted,
+        new=hosted,
+        signs=SIGNS,
+        completed_from=choice_of(hosted.source.id).folded(is_folded=True).id,
+        datatypes=sorted(PRIMITIVES | {f"{each}[]" for each in PRIMITIVES}),
+    )
+
+
+def _file(text: str, name: str, media_type: str) -> Response:
+    headers = {"Content-Disposition": f'attachment; filename="{name}"', "Cache-Control": "no-cache"}
+    return Response(text.encode("utf-8", "replace"), media_type=f"{media_type}; charset=utf-8", headers=headers)
