@@ -276,3 +276,28 @@ def test_a_file_that_has_changed_meanwhile_is_not_patched(tmp_path: Path) -> Non
     repository.overlay.write_text(OVERLAY + "# Changed.\n")
     answer = repository.ask("/propose", "POST", data={"change": "Vehicle.Speed", "a.max": "1", "download": "patch"})
     assert (answer.status_code, "has changed since the service read it" in answer.text) == (422, True)
+
+
+def test_a_file_that_is_gone_is_not_patched(tmp_path: Path) -> None:
+    repository = Repository(tmp_path)
+    repository.overlay.unlink()
+    answer = repository.ask("/propose", "POST", data={"change": "Vehicle.Speed", "a.max": "1", "download": "patch"})
+    assert answer.status_code == 422
+
+
+def test_an_overlay_that_is_included_below_a_branch_gets_the_statement_at_its_end(tmp_path: Path) -> None:
+    repository = Repository(tmp_path, b"#include part.vspec Vehicle\nVehicle.Own: {type: branch, description: Own.}\n")
+    (repository.overlay.parent / "part.vspec").write_text("Speed: {type: sensor, datatype: float, max: 250}\n")
+    repository.ask = asker(create_site(Library([repository.source])))
+    text = repository.proposed(change="Vehicle.Speed", **{"a.max": "200"})
+    assert text.endswith("\n\nVehicle.Speed:\n  type: sensor\n  datatype: float\n  max: 200\n")
+
+
+def test_a_long_text_is_checked_and_not_repeated(site: Ask) -> None:
+    text = "Vehicle.Speed: {type: sensor, datatype: float, max: 3}\n" + "# <<<<<<<<\n" * 30_000
+    page = site(
+        "/propose", "POST", data={"catalogue": "interfaces", "change": "Vehicle.Speed", "as": "text", "text": text}
+    )
+    assert page.status_code == 200
+    assert len(page.text) < 50_000
+    assert "too long" in page.text

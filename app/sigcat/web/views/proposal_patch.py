@@ -65,8 +65,7 @@ def _change(catalogue: Catalogue, posted: Statement, files: Mapping[str, SourceF
 
 def _is_written_so(statement: Statement) -> bool:
     """Whether its file has the whole path as a key: one that is included below a branch has only the end of it."""
-    root = read_document(read_bytes(Path(statement.file.name)), statement.file.name).root
-    return statement.path in entries_of(root)
+    return statement.path in entries_of(read_document(_read(statement.file), statement.file.name).root)
 
 
 def _home(catalogue: Catalogue, path: str) -> str:
@@ -88,12 +87,20 @@ def _file_patch(file: SourceFile | None, changes: Sequence[_Change]) -> str:
     if file is None:
         text = "\n".join(statement_text(each.path, each.values) for each in changes)
         return f"diff --git a/{NEW_FILE} b/{NEW_FILE}\nnew file mode 100644\n{_diff('', text, '/dev/null', f'b/{NEW_FILE}')}"
-    data = read_bytes(Path(file.name))
-    if digest_of(data) != file.digest:
-        raise UsageError(f"{Path(file.name).name} has changed since the service read it. Reload the catalogue.")
-    before = data.decode("utf-8")
+    before = _read(file).decode("utf-8")
     name = _path_in_repository(file.name)
     return _diff(before, _changed(before, file.name, changes), f"a/{name}", f"b/{name}")
+
+
+def _read(file: SourceFile) -> bytes:
+    """The bytes of a file of the catalogue. Raises UsageError unless they are those that the service read."""
+    try:
+        data = read_bytes(Path(file.name))
+    except OSError:
+        data = b""
+    if digest_of(data) != file.digest:
+        raise UsageError(f"{Path(file.name).name} has changed since the service read it. Reload the catalogue.")
+    return data
 
 
 def _changed(before: str, name: str, changes: Sequence[_Change]) -> str:
