@@ -140,3 +140,17 @@ def test_a_catalogue_without_a_tree_has_nothing_to_compare(tmp_path: Path) -> No
 def test_the_menu_keeps_the_nodes_for_another_catalogue(site: Ask) -> None:
     menu = site("/compare?path=Vehicle.Speed&with=Vehicle.OldSpeed").text.partition('class="menu"')[2]
     assert "/compare?path=Vehicle.Speed&amp;with=Vehicle.OldSpeed&amp;catalogue=bare" in menu.partition("</details>")[0]
+
+
+def test_instances_of_two_branches_are_compared_as_they_are_written(tmp_path: Path) -> None:
+    tree = tmp_path / "tree.vspec"
+    tree.write_text(
+        "Vehicle: {type: branch, description: A vehicle.}\n"
+        "Vehicle.Door: {type: branch, instances: [Left, Right], description: A door.}\n"
+        "Vehicle.Seat: {type: branch, instances: [Front, Rear], description: A seat.}\n"
+    )
+    site = asker(create_site(Library([Source("two", "Two", tree)])))
+    page = site("/compare?path=Vehicle.Door&with=Vehicle.Seat").text
+    assert re.match(
+        r"≠ instances differs Left Right .*tree\.vspec :2 Front Rear .*tree\.vspec :3", row(page, "instances")
+    )

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 from sigcat.api.answers.serializers import shown_file
 from sigcat.catalogue.comparing.changes import CLASSES, AttributeChange, same
 from sigcat.catalogue.comparing.compatibility import Vocabularies, attribute_changes
+from sigcat.catalogue.comparing.instance_changes import instances_as_written
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.definition import CORE_ATTRIBUTES
@@ -129,7 +130,7 @@ def _vocabularies(left: Side, right: Side) -> Vocabularies:
 
 def _rows(left: Node, right: Node, vocabularies: Vocabularies) -> Iterator[Row]:
     changes = {change.name: change for change in attribute_changes(left.values, right.values, vocabularies)}
-    for name in ordered({**left.values, **right.values}):
+    for name in ordered({**_values(left), **_values(right)}):
         first, second = _cell(left, name), _cell(right, name)
         differs = first is None or second is None or not same(first.value, second.value)
         yield Row(name, first, second, differs, _class(changes, name, differs), name not in CORE_ATTRIBUTES)
@@ -140,10 +141,17 @@ def _class(changes: Mapping[str, AttributeChange], name: str, differs: bool) -> 
 
 
 def _cell(node: Node, name: str) -> Cell | None:
-    if name not in node.values:
+    values = _values(node)
+    if name not in values:
         return None
     origin = node.definition.origin(name)
-    return Cell(node.values[name], origin._replace(file=shown_file(origin.file), overlay=overlay_name(origin.overlay)))
+    return Cell(values[name], origin._replace(file=shown_file(origin.file), overlay=overlay_name(origin.overlay)))
+
+
+def _values(node: Node) -> Mapping[str, Any]:
+    """Attributes of a node. Those of a branch have no `instances` once they are expanded."""
+    written = None if node.is_leaf or node.definition.is_instance else instances_as_written(node)
+    return node.values if written is None else {**node.values, "instances": written}
 
 
 def _conversion(left: Node, right: Node) -> str:
