@@ -2,7 +2,7 @@
 
 import sys
 
-from sigcat.__main__ import main
+from sigcat.cli import main
 
 if __name__ == "__main__":
     sys.exit(main())
