@@ -69,6 +69,19 @@ CoreAcc_Adapter CoreAcc_Adapter_Instance;
 #define CORE_ACC_ADAPTER_WHOLE(variable) \
     CORE_ACC_ADAPTER_CHECK(CORE_ACC_ADAPTER_KIND(variable) != 3, \
         variable_must_be_an_integer, #variable " must be an integer, not a floating-point number")
+/* Numbers that an integer of this kind and size holds. A type of unknown kind is only asked for its size. */
+#define CORE_ACC_ADAPTER_ALL(variable) \
+    ((CORE_ACC_ADAPTER_SIZE_OF(variable) > 2U) ? 0xFFFFFFFFLL : (CORE_ACC_ADAPTER_SIZE_OF(variable) > 1U) ? 0xFFFFLL : 0xFFLL)
+#define CORE_ACC_ADAPTER_LEAST(variable) \
+    (((CORE_ACC_ADAPTER_KIND(variable) == 1) || (CORE_ACC_ADAPTER_KIND(variable) == 4)) ? 0LL : (-(CORE_ACC_ADAPTER_ALL(variable) / 2) - 1))
+#define CORE_ACC_ADAPTER_GREATEST(variable) \
+    ((CORE_ACC_ADAPTER_KIND(variable) == 4) ? 1LL : (CORE_ACC_ADAPTER_KIND(variable) == 2) ? (CORE_ACC_ADAPTER_ALL(variable) / 2) : CORE_ACC_ADAPTER_ALL(variable))
+#define CORE_ACC_ADAPTER_NUMBERS(variable, least, greatest) \
+    CORE_ACC_ADAPTER_CHECK((CORE_ACC_ADAPTER_KIND(variable) != 3) && \
+        (((least) >= CORE_ACC_ADAPTER_LEAST(variable)) || ((CORE_ACC_ADAPTER_SIZE_OF(variable) > 4U) && (CORE_ACC_ADAPTER_KIND(variable) != 1))) && \
+        (((greatest) <= CORE_ACC_ADAPTER_GREATEST(variable)) || (CORE_ACC_ADAPTER_SIZE_OF(variable) > 4U)), \
+        variable_must_be_an_integer_that_holds_its_numbers, \
+        #variable " must be an integer that holds " #least " to " #greatest)
 #define CORE_ACC_ADAPTER_HOLDS(variable, type) \
     CORE_ACC_ADAPTER_CHECK((CORE_ACC_ADAPTER_SIZE_OF(variable) >= sizeof(type)) && \
         CORE_ACC_ADAPTER_AGREES((type)0, variable, CORE_ACC_ADAPTER_SIZE_OF(variable) > sizeof(type)), \
@@ -83,7 +96,7 @@ CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Veh.BrkCylP, double);
 CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Veh.SteerWhlAg, double);
 CORE_ACC_ADAPTER_WHOLE(core_inputs.bus_ACCIn.Bus_Cust.EnaGACC);
 CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Cust.EgoVehMass, double);
-CORE_ACC_ADAPTER_WHOLE(core_inputs.bus_ACCIn.Bus_Cust.EgoVehDshbSpdUnit);
+CORE_ACC_ADAPTER_NUMBERS(core_inputs.bus_ACCIn.Bus_Cust.EgoVehDshbSpdUnit, 0, 3);
 CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Veh.EgoVehALgt, double);
 CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Veh.EgoVehSpd, double);
 CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Cust.SetSpd, float);
@@ -92,6 +105,8 @@ CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_MPCOut.EcoAccProp, float);
 CORE_ACC_ADAPTER_FITS(AsmAcc_AccIntSts, uint8_t);
 CORE_ACC_ADAPTER_FITS(core_outputs.bus_ACCOut.AccReq, float);
 CORE_ACC_ADAPTER_HOLDS(core_params.ALatMax, float);
+CORE_ACC_ADAPTER_NUMBERS(core_inputs.bus_ACCIn.Bus_Sts.ModeReq, 0, 2);
+CORE_ACC_ADAPTER_NUMBERS(core_outputs.bus_ACCOut.ModeSts, 0, 3);
 
 /* The time: one before the last one counts as the last one. */
 static inline uint64_t CoreAcc_Adapter_Now(CoreAcc_Adapter *self, uint64_t t)

@@ -68,6 +68,19 @@
 #define ECO_CONTROL_MPC_ADAPTER_WHOLE(variable) \
     ECO_CONTROL_MPC_ADAPTER_CHECK(ECO_CONTROL_MPC_ADAPTER_KIND(variable) != 3, \
         variable_must_be_an_integer, #variable " must be an integer, not a floating-point number")
+/* Numbers that an integer of this kind and size holds. A type of unknown kind is only asked for its size. */
+#define ECO_CONTROL_MPC_ADAPTER_ALL(variable) \
+    ((ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) > 2U) ? 0xFFFFFFFFLL : (ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) > 1U) ? 0xFFFFLL : 0xFFLL)
+#define ECO_CONTROL_MPC_ADAPTER_LEAST(variable) \
+    (((ECO_CONTROL_MPC_ADAPTER_KIND(variable) == 1) || (ECO_CONTROL_MPC_ADAPTER_KIND(variable) == 4)) ? 0LL : (-(ECO_CONTROL_MPC_ADAPTER_ALL(variable) / 2) - 1))
+#define ECO_CONTROL_MPC_ADAPTER_GREATEST(variable) \
+    ((ECO_CONTROL_MPC_ADAPTER_KIND(variable) == 4) ? 1LL : (ECO_CONTROL_MPC_ADAPTER_KIND(variable) == 2) ? (ECO_CONTROL_MPC_ADAPTER_ALL(variable) / 2) : ECO_CONTROL_MPC_ADAPTER_ALL(variable))
+#define ECO_CONTROL_MPC_ADAPTER_NUMBERS(variable, least, greatest) \
+    ECO_CONTROL_MPC_ADAPTER_CHECK((ECO_CONTROL_MPC_ADAPTER_KIND(variable) != 3) && \
+        (((least) >= ECO_CONTROL_MPC_ADAPTER_LEAST(variable)) || ((ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) > 4U) && (ECO_CONTROL_MPC_ADAPTER_KIND(variable) != 1))) && \
+        (((greatest) <= ECO_CONTROL_MPC_ADAPTER_GREATEST(variable)) || (ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) > 4U)), \
+        variable_must_be_an_integer_that_holds_its_numbers, \
+        #variable " must be an integer that holds " #least " to " #greatest)
 #define ECO_CONTROL_MPC_ADAPTER_HOLDS(variable, type) \
     ECO_CONTROL_MPC_ADAPTER_CHECK((ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) >= sizeof(type)) && \
         ECO_CONTROL_MPC_ADAPTER_AGREES((type)0, variable, ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) > sizeof(type)), \
@@ -90,6 +103,8 @@ ECO_CONTROL_MPC_ADAPTER_FITS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_outputs.EcoA
 ECO_CONTROL_MPC_ADAPTER_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_params.VehM, float);
 ECO_CONTROL_MPC_ADAPTER_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_params.HorizonStep, float);
 ECO_CONTROL_MPC_ADAPTER_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_params.EnergyWeight, float);
+ECO_CONTROL_MPC_ADAPTER_NUMBERS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.ModeReq, 0, 2);
+ECO_CONTROL_MPC_ADAPTER_NUMBERS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_outputs.ModeSts, 0, 3);
 
 /* The time: one before the last one counts as the last one. */
 static inline uint64_t EcoControlMpc_Adapter_Now(EcoControlMpc_Adapter *self, uint64_t t)

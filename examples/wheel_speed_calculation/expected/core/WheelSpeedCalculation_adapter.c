@@ -66,6 +66,19 @@ WheelSpeedCalculation_Adapter WheelSpeedCalculation_Adapter_Instance;
      (WHEEL_SPEED_CALCULATION_ADAPTER_KIND(from) == WHEEL_SPEED_CALCULATION_ADAPTER_KIND(to)) || \
      ((WHEEL_SPEED_CALCULATION_ADAPTER_KIND(from) == 1) && (WHEEL_SPEED_CALCULATION_ADAPTER_KIND(to) == 2) && (is_wider)))
 
+/* Numbers that an integer of this kind and size holds. A type of unknown kind is only asked for its size. */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_ALL(variable) \
+    ((WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) > 2U) ? 0xFFFFFFFFLL : (WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) > 1U) ? 0xFFFFLL : 0xFFLL)
+#define WHEEL_SPEED_CALCULATION_ADAPTER_LEAST(variable) \
+    (((WHEEL_SPEED_CALCULATION_ADAPTER_KIND(variable) == 1) || (WHEEL_SPEED_CALCULATION_ADAPTER_KIND(variable) == 4)) ? 0LL : (-(WHEEL_SPEED_CALCULATION_ADAPTER_ALL(variable) / 2) - 1))
+#define WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST(variable) \
+    ((WHEEL_SPEED_CALCULATION_ADAPTER_KIND(variable) == 4) ? 1LL : (WHEEL_SPEED_CALCULATION_ADAPTER_KIND(variable) == 2) ? (WHEEL_SPEED_CALCULATION_ADAPTER_ALL(variable) / 2) : WHEEL_SPEED_CALCULATION_ADAPTER_ALL(variable))
+#define WHEEL_SPEED_CALCULATION_ADAPTER_NUMBERS(variable, least, greatest) \
+    WHEEL_SPEED_CALCULATION_ADAPTER_CHECK((WHEEL_SPEED_CALCULATION_ADAPTER_KIND(variable) != 3) && \
+        (((least) >= WHEEL_SPEED_CALCULATION_ADAPTER_LEAST(variable)) || ((WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) > 4U) && (WHEEL_SPEED_CALCULATION_ADAPTER_KIND(variable) != 1))) && \
+        (((greatest) <= WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST(variable)) || (WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) > 4U)), \
+        variable_must_be_an_integer_that_holds_its_numbers, \
+        #variable " must be an integer that holds " #least " to " #greatest)
 #define WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(variable, type) \
     WHEEL_SPEED_CALCULATION_ADAPTER_CHECK((WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) >= sizeof(type)) && \
         WHEEL_SPEED_CALCULATION_ADAPTER_AGREES((type)0, variable, WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) > sizeof(type)), \
@@ -89,6 +102,8 @@ WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_par.TireDiaRear, float);
 WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_par.SpdMax, float);
 WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_par.RangeErrCnt, uint32_t);
 WHEEL_SPEED_CALCULATION_ADAPTER_FITS(whl_par.RangeErrCnt, uint32_t);
+WHEEL_SPEED_CALCULATION_ADAPTER_NUMBERS(whl_in.ModeReq, 0, 2);
+WHEEL_SPEED_CALCULATION_ADAPTER_NUMBERS(whl_out.ModeSts, 0, 2);
 
 /* The time: one before the last one counts as the last one. */
 static inline uint64_t WheelSpeedCalculation_Adapter_Now(WheelSpeedCalculation_Adapter *self, uint64_t t)
