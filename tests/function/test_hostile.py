@@ -9,12 +9,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from sigcat.catalogue.composing.compose import read_catalogue
+from sigcat.data import ROOT_FILE
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_file import build_function, check_function, check_function_json
 from sigcat.function.function_json.model import to_json
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from tests.function.shipped import FUNCTIONS, interfaces
 from tests.growth import LINEAR, growth, ratio
+from tests.overlays.test_overlays import UNITS
 from tests.properties import examples
 
 LEAVES = st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=8)
@@ -215,3 +218,31 @@ def test_a_name_that_is_none_is_a_finding(name):
     assert {finding.rule for finding in check_function(text.encode(), "f.yaml", interfaces())} == {"F113"}
     text = DECLARATION.decode().replace("function: CoreAcc", f"function: {json.dumps(name)}")
     assert check_function(text.encode(), "f.yaml", interfaces())
+
+
+DEMO = """\
+function: Demo
+description: A demonstration.
+responsible: Demo team
+define:
+  scheduling:
+    Init: {asil: QM, description: Prepares.}
+    Step: {cycleTime: 20, asil: QM, description: Works.}
+components:
+  - name: Demo
+    runnables: [Init, {interface: Step, data: [{path: PATH, role: consumed, asil: QM}]}]
+"""
+
+
+def test_a_faulty_allowed_value_of_the_catalogue_is_reported_at_the_signal(tmp_path):
+    overlay = tmp_path / "o.vspec"
+    overlay.write_text(
+        "Vehicle.Gear:\n  type: sensor\n  datatype: string\n  description: A gear.\n  allowed: [P, '*/']\n"
+    )
+    catalogue = read_catalogue(ROOT_FILE, [overlay], units=UNITS)
+    text = DEMO.replace("PATH", "Vehicle.Gear")
+    found = [each for each in check_function(text.encode(), "f.yaml", catalogue) if each.rule == "F113"]
+    assert [each.message for each in found] == [
+        "An allowed value of 'Vehicle.Gear' must be a name of letters, digits, spaces and the signs _ - . : , /, not '*/'."
+    ]
+    assert "Vehicle.Gear" in text.splitlines()[found[0].line - 1]

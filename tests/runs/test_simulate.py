@@ -95,6 +95,8 @@ def test_what_functions_keep_is_in_a_file_that_the_next_run_reads(case):
         ("[]", "stored.json must be a JSON object"),
         ("null", "stored.json must be a JSON object"),
         ('{"Filter": {"parameters": {"Gian": 2}}}', "stored.json: Filter/parameters/Gian is not kept by the function"),
+        ('{"Filter": 5}', "stored.json: Filter must be an object, as a run with --stored writes it"),
+        ('{"Filter": {"ignitionCycle": null}}', "stored.json: Filter/ignitionCycle must be a whole number from 0 to"),
         ('{"Filter": {"faults": 3}}', "stored.json: Filter/faults is not kept by the function"),
         ('{"Filter": {"ignitionCycle": -1}}', "stored.json: Filter/ignitionCycle must be a whole number from 0 to"),
         ('{"Filter": {"errors": {"Filter_Standstill_ErrorSts": 3}}}', "must be a mapping with occurrences"),

@@ -48,6 +48,7 @@ class StoredFile(NamedTuple):
     """Values of all other functions, unchanged."""
 
 
+_MISSING = object()
 EMPTY = StoredFile({}, {})
 """A file that is not there yet."""
 
@@ -70,6 +71,8 @@ def _refuse_unknown(document: Mapping[str, Any], name: str, kept: Sequence[Kept]
     known = {(members[each.member].name, each.section, *([each.name] if each.name else [])) for each in kept}
     for member in members:
         for path in _paths(document.get(member.name, {}), (member.name,)):
+            if len(path) == 1 and not isinstance(document.get(member.name, {}), Mapping):
+                raise UsageError(f"{name}: {member.name} must be an object, as a run with --stored writes it")
             if path not in known:
                 raise UsageError(
                     f"{name}: {'/'.join(path)} is not kept by the function. Remove it, or correct its name"
@@ -89,7 +92,7 @@ def _values(document: Any, name: str, kept: Sequence[Kept], members: Sequence[Me
     for each in kept:
         path = [members[each.member].name, each.section, *([each.name] if each.name else [])]
         given = _at(document, path)
-        if given is None:
+        if given is _MISSING:
             continue
         try:
             yield each, fitted(given, each.shape)
@@ -99,5 +102,5 @@ def _values(document: Any, name: str, kept: Sequence[Kept], members: Sequence[Me
 
 def _at(document: Any, path: Sequence[str]) -> Any:
     for key in path:
-        document = document.get(key) if isinstance(document, Mapping) else None
+        document = document.get(key, _MISSING) if isinstance(document, Mapping) else _MISSING
     return document

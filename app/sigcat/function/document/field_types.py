@@ -143,7 +143,12 @@ CppNamespace = Annotated[str, CPP_NAMESPACE]
 
 # -- the catalogue ------------------------------------------------------------------------------------------------
 
-VSS_PATH = _matching("a VSS path such as Vehicle.Speed", _PATH, "Separate names by points.", 2_000)
+VSS_PATH = _matching(
+    "a VSS path such as Vehicle.Speed",
+    _PATH,
+    "Separate names by points, and write them with letters, digits and underscores.",
+    2_000,
+)
 VssPath = Annotated[str, VSS_PATH]
 VSS_DATATYPE = _matching("a datatype of VSS such as uint8 or float[]", rf"(?:{_PATH})(?:\[[0-9]{{0,9}}\])?", "", 2_000)
 VssDatatype = Annotated[str, VSS_DATATYPE]
