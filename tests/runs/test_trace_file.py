@@ -138,7 +138,7 @@ ROWS = {
     '0,,,,"[1, ""2""]",,,': "2:6: error T005 Vehicle.Levels must have a valid element 1: it must be a number, not '\"2\"'.",
     "0,,,,[1,,,": "2:6: error T005 Vehicle.Levels must be a JSON list, not '[1'.",
     '0,,,,,"{""X"": 1}",,': "2:7: error T005 Vehicle.Point must be a mapping with X, Kind, not '{\"X\": 1}'.",
-    '0,,,,,"{""X"": 1, ""Kind"": ""C""}",,': "2:7: error T005 Vehicle.Point must have a valid Kind: it must be A or B, not 'C'.",
+    '0,,,,,"{""X"": 1, ""Kind"": ""C""}",,': "2:7: error T005 Vehicle.Point must have a valid Kind: it must be CAR or TRUCK, not 'C'.",
     '0,,,,,"{""X"": 1, ""Kind"": ""A"", ""X"": 2}",,': "2:7: error T005 Vehicle.Point must have each member once, and 'X' is given twice.",
     '0,,,,"[1, 2]",,ONN,': "2:16: error T005 Demo_Mode_In must be OFF or ON, not 'ONN'. Did you mean 'ON'?",
     "0,,,,,,,-1": "2:9: error T005 Demo_Step must be a time in seconds, from 0 to 9,223,372,036, not '-1'.",

@@ -43,8 +43,9 @@ def check_against(function: FunctionJson, catalogue: Catalogue) -> Problems:
 
 
 def _item(pointer: Pointer, item: Item, node: Node, catalogue: Catalogue) -> Problems:
-    if node.type not in SIGNALS or category_of(node.path) != "data":
-        what = f"a {node.type}" if node.type not in SIGNALS else f"the interface {interface_name(node.path)}"
+    if not node.is_leaf or node.type not in SIGNALS or category_of(node.path) != "data":
+        is_interface = node.is_leaf and node.type in SIGNALS
+        what = f"the interface {interface_name(node.path)}" if is_interface else f"a {node.type}"
         message = f"{node.path!r} must be a data interface, not {what}."
         yield Problem(codes.SIGNAL_HOLDS_NO_VALUE, (*pointer, "VssPath"), message, subject=Subject("data", item.name))
         return

@@ -2,7 +2,7 @@
 
 from sigcat import codes
 from sigcat.catalogue.model.catalogue import Node
-from sigcat.catalogue.model.definition import BRANCH, PROPERTY, SIGNALS, STRUCT
+from sigcat.catalogue.model.definition import PROPERTY, SIGNALS, STRUCT
 from sigcat.catalogue.model.interfaces import category_of
 from sigcat.catalogue.near_signals import is_to_be_chosen
 from sigcat.function.document.document import Pointer
@@ -18,7 +18,7 @@ def data_node(path: str, at: Pointer, context: Context) -> Node | None:
     if node is None:
         context.problems.append(_unknown(path, at, context))
         return None
-    if node.type not in SIGNALS or category_of(node.path) != "data":
+    if not node.is_leaf or node.type not in SIGNALS or category_of(node.path) != "data":
         message, fix = f"{path!r} must be a data interface, not {_kind_of(node)}.", _instead(node)
         context.problems.append(Problem(codes.SIGNAL_HOLDS_NO_VALUE, at, message, fix, subject))
         return None
@@ -56,10 +56,10 @@ def _defined(name: str, context: Context) -> str:
 
 
 def _kind_of(node: Node) -> str:
-    if node.type in (BRANCH, STRUCT):
-        return f"a {node.type}"
     if node.type == PROPERTY:
         return "a property of a struct"
+    if not node.is_leaf:
+        return "a struct" if node.type == STRUCT else "a branch"
     return with_article(f"{category_of(node.path)} interface".replace("_", " "))
 
 

@@ -71,11 +71,11 @@ CoreAcc_Adapter CoreAcc_Adapter_Instance;
         variable_must_be_an_integer, #variable " must be an integer, not a floating-point number")
 /* Numbers that an integer of this kind and size holds. A type of unknown kind is only asked for its size. */
 #define CORE_ACC_ADAPTER_ALL(variable) \
-    ((CORE_ACC_ADAPTER_SIZE_OF(variable) > 2U) ? 0xFFFFFFFFLL : (CORE_ACC_ADAPTER_SIZE_OF(variable) > 1U) ? 0xFFFFLL : 0xFFLL)
+    ((CORE_ACC_ADAPTER_SIZE_OF(variable) > 2U) ? INT64_C(0xFFFFFFFF) : (CORE_ACC_ADAPTER_SIZE_OF(variable) > 1U) ? INT64_C(0xFFFF) : INT64_C(0xFF))
 #define CORE_ACC_ADAPTER_LEAST(variable) \
-    (((CORE_ACC_ADAPTER_KIND(variable) == 1) || (CORE_ACC_ADAPTER_KIND(variable) == 4)) ? 0LL : (-(CORE_ACC_ADAPTER_ALL(variable) / 2) - 1))
+    (((CORE_ACC_ADAPTER_KIND(variable) == 1) || (CORE_ACC_ADAPTER_KIND(variable) == 4)) ? INT64_C(0) : (-(CORE_ACC_ADAPTER_ALL(variable) / 2) - 1))
 #define CORE_ACC_ADAPTER_GREATEST(variable) \
-    ((CORE_ACC_ADAPTER_KIND(variable) == 4) ? 1LL : (CORE_ACC_ADAPTER_KIND(variable) == 2) ? (CORE_ACC_ADAPTER_ALL(variable) / 2) : CORE_ACC_ADAPTER_ALL(variable))
+    ((CORE_ACC_ADAPTER_KIND(variable) == 4) ? INT64_C(1) : (CORE_ACC_ADAPTER_KIND(variable) == 2) ? (CORE_ACC_ADAPTER_ALL(variable) / 2) : CORE_ACC_ADAPTER_ALL(variable))
 #define CORE_ACC_ADAPTER_NUMBERS(variable, least, greatest) \
     CORE_ACC_ADAPTER_CHECK((CORE_ACC_ADAPTER_KIND(variable) != 3) && \
         (((least) >= CORE_ACC_ADAPTER_LEAST(variable)) || ((CORE_ACC_ADAPTER_SIZE_OF(variable) > 4U) && (CORE_ACC_ADAPTER_KIND(variable) != 1))) && \

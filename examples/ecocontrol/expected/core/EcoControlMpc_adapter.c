@@ -70,11 +70,11 @@
         variable_must_be_an_integer, #variable " must be an integer, not a floating-point number")
 /* Numbers that an integer of this kind and size holds. A type of unknown kind is only asked for its size. */
 #define ECO_CONTROL_MPC_ADAPTER_ALL(variable) \
-    ((ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) > 2U) ? 0xFFFFFFFFLL : (ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) > 1U) ? 0xFFFFLL : 0xFFLL)
+    ((ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) > 2U) ? INT64_C(0xFFFFFFFF) : (ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) > 1U) ? INT64_C(0xFFFF) : INT64_C(0xFF))
 #define ECO_CONTROL_MPC_ADAPTER_LEAST(variable) \
-    (((ECO_CONTROL_MPC_ADAPTER_KIND(variable) == 1) || (ECO_CONTROL_MPC_ADAPTER_KIND(variable) == 4)) ? 0LL : (-(ECO_CONTROL_MPC_ADAPTER_ALL(variable) / 2) - 1))
+    (((ECO_CONTROL_MPC_ADAPTER_KIND(variable) == 1) || (ECO_CONTROL_MPC_ADAPTER_KIND(variable) == 4)) ? INT64_C(0) : (-(ECO_CONTROL_MPC_ADAPTER_ALL(variable) / 2) - 1))
 #define ECO_CONTROL_MPC_ADAPTER_GREATEST(variable) \
-    ((ECO_CONTROL_MPC_ADAPTER_KIND(variable) == 4) ? 1LL : (ECO_CONTROL_MPC_ADAPTER_KIND(variable) == 2) ? (ECO_CONTROL_MPC_ADAPTER_ALL(variable) / 2) : ECO_CONTROL_MPC_ADAPTER_ALL(variable))
+    ((ECO_CONTROL_MPC_ADAPTER_KIND(variable) == 4) ? INT64_C(1) : (ECO_CONTROL_MPC_ADAPTER_KIND(variable) == 2) ? (ECO_CONTROL_MPC_ADAPTER_ALL(variable) / 2) : ECO_CONTROL_MPC_ADAPTER_ALL(variable))
 #define ECO_CONTROL_MPC_ADAPTER_NUMBERS(variable, least, greatest) \
     ECO_CONTROL_MPC_ADAPTER_CHECK((ECO_CONTROL_MPC_ADAPTER_KIND(variable) != 3) && \
         (((least) >= ECO_CONTROL_MPC_ADAPTER_LEAST(variable)) || ((ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) > 4U) && (ECO_CONTROL_MPC_ADAPTER_KIND(variable) != 1))) && \
