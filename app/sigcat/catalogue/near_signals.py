@@ -149,7 +149,9 @@ def _bits(nodes: Sequence[Node]) -> Bits:
 
 def _may_be_meant(node: Node) -> bool:
     """Signals that last, without the parameters of functions."""
-    is_signal = node.is_leaf and node.type in SIGNALS and category_of(node.path) == "data" and not function_of(node.path)
+    is_signal = (
+        node.is_leaf and node.type in SIGNALS and category_of(node.path) == "data" and not function_of(node.path)
+    )
     return is_signal and not node.values.get("deprecation")
 
 
