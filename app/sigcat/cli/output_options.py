@@ -111,7 +111,7 @@ def _project_files(path: Path) -> Iterator[Path]:
     if file is None:
         return
     yield file
-    with suppress(InputRefused, UsageError):  # what is wrong with it is reported where it is used
+    with suppress(InputRefused, UsageError):  # its faults are reported where it is used
         project = read_project(file)
         yield from project.files
         for source in project.catalogues:

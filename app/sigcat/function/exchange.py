@@ -140,7 +140,7 @@ class Element:
 
     @property
     def is_reported(self) -> bool:
-        """Whether it is no error, or a function of the set reports it."""
+        """Whether it is not an error, or a function of the set reports it."""
         return self.kind != "error" or self.provider is not None
 
     @property

@@ -43,7 +43,7 @@ class Program(NamedTuple):
     player: Path
     environment: Mapping[str, str]
     received: Mapping[str, Shape]
-    """What the functions receive from outside, by name."""
+    """Shapes of the values that the functions receive from outside, by name."""
 
     def command(self, mode: Mode) -> tuple[str, ...]:
         """Return the command that starts it."""
@@ -103,7 +103,7 @@ def _of_ros2(data: bytes, name: str, folder: Path) -> Program:
 
 
 _PLAYERS: Mapping[str, Callable[[bytes, str, Path], Program]] = {"autosar-adaptive": _of_autosar, "ros2": _of_ros2}
-"""How the player of a platform is built, by the platform's name."""
+"""Builders of players by the names of platforms."""
 
 
 def _of_package(name: str, files: tuple[GeneratedFile, ...]) -> tuple[GeneratedFile, ...]:

@@ -11,7 +11,7 @@ PICK = "pick"
 
 
 class Basket(NamedTuple):
-    """Paths in the order in which they were chosen, each once. The path of a branch stands for all signals below it."""
+    """Paths in the order in which they were chosen, each once. The path of a branch adds all signals below it."""
 
     paths: tuple[str, ...] = ()
 

@@ -35,7 +35,7 @@ class Variable(NamedTuple):
     owner: int
     """Number of the entry or the exit, or the function whose parameter it is."""
     offset: int
-    """Of its first byte among the values of an instance."""
+    """Offset of its first byte among the values of an instance."""
     start: Start
     unit: str = ""
     least: int | float | None = None
@@ -71,7 +71,7 @@ class Input(NamedTuple):
     """Something that a function receives."""
 
     offset: int
-    """Of its value; 0 where another function of the FMU sends it."""
+    """Offset of its value; 0 where another function of the FMU sends it."""
     variable: int
     """The first entry of its name: all of them are one variable."""
 

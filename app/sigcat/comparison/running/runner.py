@@ -58,7 +58,7 @@ class Runner(NamedTuple):
     play: Callable[[Built, Subject, Drive], Recording]
     """Play and record. A process that dies ends the run: the recording has its last words."""
     shared_folder: str = ""
-    """Folder of what is built, if other platforms share it; if empty that of its name."""
+    """Folder of the build, if other platforms share it; empty: its name is that of the folder."""
     paper_platform: str = ""
     """Platform of the paper whose figures it is compared with, as in the keys of the figures; empty for none."""
     is_interpreted: bool = False

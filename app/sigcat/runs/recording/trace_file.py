@@ -38,7 +38,7 @@ class Known(NamedTuple):
     unused: str = "the functions do not receive it, or one of them provides it"
     """Why one of the others is left out."""
     kinds: str = "neither a signal of the catalogue nor an interface of the functions"
-    """What an unknown column is not."""
+    """Kinds of columns that are known, in messages about another one."""
 
 
 class Moment(NamedTuple):

@@ -56,7 +56,7 @@ async def show_comparison(
 
 @router.get("/history/{catalogue}/{path}")
 async def show_history(request: Request, hosted: AnyCatalogue, path: str, queue: TheWorkQueue) -> Response:
-    """What happened to a node in the hosted releases."""
+    """Changes of a node in the hosted releases."""
     await node_at(request, hosted.catalogue, path)
     return await queue.run(_history, visit_of(request), hosted, path)
 

@@ -1,4 +1,4 @@
-"""What a basket stands for in a catalogue: its entries with their signals, and files made of them."""
+"""Signals of a basket in a catalogue: its entries with their signals, and files made of them."""
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -48,7 +48,7 @@ class ChosenSignals(NamedTuple):
 
 
 def chosen_signals(shown: Catalogue, paths: Iterable[str]) -> ChosenSignals:
-    """Return what the paths of a basket stand for: nodes, or definitions of instances for all of them."""
+    """Return the nodes of the paths of a basket, or definitions of instances for all of them."""
     catalogue = expanded_of(shown)
     entries = tuple(_entry(catalogue, path) for path in paths)
     signals = tuple({node.path: node for entry in entries for node in entry.signals}.values())

@@ -1,4 +1,4 @@
-"""Where an overlay can change a node, or add one, and the values of a new one."""
+"""Nodes that an overlay can change or add, and the values of a new one."""
 
 from collections.abc import Mapping
 from typing import Any

@@ -14,9 +14,9 @@ class CopyRow(NamedTuple):
     """Loops around it."""
     target: str = ""
     number: str = ""
-    """Of an assignment, what the target gets."""
+    """Value that the target of an assignment gets."""
     counter: str = ""
-    """Of a loop, its variable."""
+    """Variable of a loop."""
     length: int | None = None
 
 
