@@ -42,6 +42,11 @@ def test_a_node_is_added_and_removed_by_links(site: Ask) -> None:
     assert re.search(r'href="/basket/small\?pick=Vehicle.Speed" data-basket>Basket <span[^>]*>1<', added)
 
 
+def test_an_address_may_give_its_paths_one_by_one(site: Ask) -> None:
+    page = site("/basket/small?pick=Vehicle.Speed&pick=Vehicle.Cabin").text
+    assert "2 entries" in text_of(page)
+
+
 def test_links_of_the_tree_and_of_searches_keep_the_basket(site: Ask) -> None:
     for address in (
         "/tree/small/Vehicle.Speed?open=Vehicle&pick=Vehicle.Door",

@@ -36,7 +36,7 @@ class Visit(NamedTuple):
     @property
     def basket(self) -> Basket:
         """The chosen paths."""
-        return read_basket(next((value for name, value in self.query if name == PICK), ""))
+        return read_basket(",".join(value for name, value in self.query if name == PICK))
 
 
 async def refuse_unknown(request: Request) -> None:
