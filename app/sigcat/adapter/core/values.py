@@ -180,7 +180,6 @@ def _leaf(item: Interface, part: Part, *, to_code: bool, is_struct: bool) -> Lea
         source=source.type,
         target=target.type,
         conversion=IDENTITY if part.symbols else source.scale.inverse.then(target.scale),
-        is_enumeration=part.symbols is not None,
         names=_names(source, target),
         coded=_coded(code),
         is_checked=is_checked and not part.symbols,
@@ -199,7 +198,7 @@ def _leaf(item: Interface, part: Part, *, to_code: bool, is_struct: bool) -> Lea
 
 def _coded(code: Side) -> tuple[int, int] | None:
     numbers = [each.value for each in code.numbers or ()]
-    return (min(numbers), max(numbers)) if numbers else None
+    return (min(numbers, default=0), max(numbers, default=0)) if code.numbers is not None else None
 
 
 def _code_side(item: Interface, part: Part, *, is_struct: bool) -> Side:

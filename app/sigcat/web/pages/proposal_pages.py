@@ -1,12 +1,11 @@
 """A change that is proposed from the page of a node: in a form or as text, with its findings and effects, as overlay or patch."""
 
 from http import HTTPStatus
-from typing import Annotated, Literal, NamedTuple
+from typing import Annotated, Literal
 
 from fastapi import APIRouter, Query, Request
 from fastapi.responses import RedirectResponse, Response
 
-from sigcat.api.answers.serializers import finding_counts
 from sigcat.api.requests.dependencies import (
     NamedCatalogue,
     PostedBody,
@@ -18,8 +17,7 @@ from sigcat.api.requests.dependencies import (
 from sigcat.api.routes.catalogues import find_node
 from sigcat.api.service_rules import ServiceRules
 from sigcat.catalogue.hosting.library import Hosted
-from sigcat.catalogue.hosting.variants import choice_of, expanded_of
-from sigcat.catalogue.model.datatypes import PRIMITIVES
+from sigcat.catalogue.hosting.variants import expanded_of
 from sigcat.errors import UsageError
 from sigcat.function.hosted_files import HostedFiles
 from sigcat.function.node_uses import uses_in
@@ -27,13 +25,12 @@ from sigcat.limits import PARAMETER_CHARACTERS, Limits
 from sigcat.rules.linting.posted import lint_text
 from sigcat.web.addresses import Addresses
 from sigcat.web.forms import Form, PostedForm, form_catalogue, posted_form, read_form
+from sigcat.web.pages.checked_text import Asked, text_values
 from sigcat.web.rendering import page_for
-from sigcat.web.views.change_trees import SIGNS
 from sigcat.web.views.command_lines import overlay_commands
 from sigcat.web.views.overlay_outcome import overlay_outcome
 from sigcat.web.views.proposal import Proposal, adding, changing, posted_fields, types_for
 from sigcat.web.views.proposal_patch import proposal_patch
-from sigcat.web.views.source_view import source_view
 from sigcat.web.visits import Visit, visit_of
 
 router = APIRouter()
@@ -41,16 +38,6 @@ Mode = Literal["form", "text"]
 Path = Annotated[str, Query(max_length=PARAMETER_CHARACTERS)]
 _NO_EFFECT = "overlay-no-effect"
 """The check of rules that report an overlay without a change: here nothing is changed at first."""
-
-
-class Asked(NamedTuple):
-    """Inputs of the page beside its fields."""
-
-    visit: Visit
-    hosted: Hosted
-    rules: ServiceRules
-    files: HostedFiles
-    limits: Limits
 
 
 @router.get("/propose")
@@ -124,11 +111,11 @@ def _page(asked: Asked, form: Form, proposal: Proposal, text: str, mode: Mode) -
     without_effect = {rule.id for rule in asked.rules.active.rules if rule.check == _NO_EFFECT}
     found = lint_text(data, "posted.vspec", hosted.catalogue, asked.rules.active, limits=asked.limits)
     findings = tuple(each for each in found if each.rule not in without_effect)
-    source = source_view(text, findings)
+    outcome = overlay_outcome(data, expanded_of(hosted.catalogue), asked.files, asked.limits)
     return page_for(
         asked.visit,
         "propose.html",
-        hosted=hosted,
+        **text_values(hosted, text, findings, outcome, is_folded=True),
         change=form.last("change"),
         below=form.last("below"),
         mode=mode,
@@ -137,18 +124,8 @@ def _page(asked: Asked, form: Form, proposal: Proposal, text: str, mode: Mode) -
         types=types_for(proposal),
         units=[unit.key for unit in hosted.catalogue.vocabulary.distinct_units],
         uses=uses_in(asked.files, hosted.catalogue).of_node.get(form.last("change"), ()),
-        posted=text,
-        findings=findings,
-        counts=finding_counts(findings),
-        source=source,
         function=None,
-        outcome=overlay_outcome(data, expanded_of(hosted.catalogue), asked.files, asked.limits),
         commands=overlay_commands(hosted),
-        old=hosted,
-        new=hosted,
-        signs=SIGNS,
-        completed_from=choice_of(hosted.source.id).folded(is_folded=True).id,
-        datatypes=sorted(PRIMITIVES | {f"{each}[]" for each in PRIMITIVES}),
     )
 
 

@@ -6,7 +6,6 @@ from typing import Annotated, Literal, NamedTuple
 from fastapi import APIRouter, Query, Request
 from fastapi.responses import Response
 
-from sigcat.api.answers.serializers import finding_counts
 from sigcat.api.requests.dependencies import (
     NamedCatalogue,
     PostedBody,
@@ -16,10 +15,8 @@ from sigcat.api.requests.dependencies import (
     settings_of,
 )
 from sigcat.api.service_rules import ServiceRules
-from sigcat.catalogue.hosting.library import Hosted
-from sigcat.catalogue.hosting.variants import choice_of, expanded_of
+from sigcat.catalogue.hosting.variants import expanded_of
 from sigcat.catalogue.model.catalogue import Catalogue
-from sigcat.catalogue.model.datatypes import PRIMITIVES
 from sigcat.data import OVERLAYS
 from sigcat.errors import NotFound, UsageError
 from sigcat.file_kind import holds_function, is_json
@@ -32,15 +29,15 @@ from sigcat.function.hosting import file_of
 from sigcat.limits import Limits
 from sigcat.rules.linting.posted import lint_text
 from sigcat.web.forms import Form, PostedForm, form_catalogue, posted_form, read_form
+from sigcat.web.pages.checked_text import Asked, text_values
 from sigcat.web.pictures.interface_diagram import interface_diagram
 from sigcat.web.pictures.timeline import time_line
 from sigcat.web.rendering import page_for
-from sigcat.web.views.change_trees import SIGNS
 from sigcat.web.views.command_lines import overlay_commands
 from sigcat.web.views.document_tabs import TABS, chosen_tab, download, open_tab
 from sigcat.web.views.generated_documents import documents_of
 from sigcat.web.views.overlay_outcome import OverlayOutcome, overlay_outcome
-from sigcat.web.views.source_view import shown_text, source_view
+from sigcat.web.views.source_view import shown_text
 from sigcat.web.visits import Visit, visit_of
 
 router = APIRouter()
@@ -76,16 +73,6 @@ Vehicle.Speed:
   unit: km/h
   description: Speed of the vehicle along its direction of travel.
 """
-
-
-class Asked(NamedTuple):
-    """Inputs of the page beside the text."""
-
-    visit: Visit
-    hosted: Hosted
-    rules: ServiceRules
-    files: HostedFiles
-    limits: Limits
 
 
 class Tried(NamedTuple):
@@ -189,13 +176,9 @@ def _page(asked: Asked, kind: Kind, text: str, result: Tried, view: str = "inter
     return page_for(
         asked.visit,
         "try.html",
-        hosted=hosted,
+        **text_values(hosted, text, result.findings, result.outcome, is_folded=kind != "function"),
         kind=kind,
         kinds=KINDS,
-        posted=text,
-        findings=result.findings,
-        counts=finding_counts(result.findings),
-        source=source_view(text, result.findings),
         function=function,
         diagram=interface_diagram(function) if function else None,
         timeline=time_line([function]) if function else None,
@@ -203,13 +186,7 @@ def _page(asked: Asked, kind: Kind, text: str, result: Tried, view: str = "inter
         tab=shown,
         view=view,
         opened=open_tab(view, TABS[shown], partial(documents_of, resolved)) if resolved and shown in TABS else None,
-        outcome=result.outcome,
         commands=overlay_commands(hosted) if result.outcome else (),
-        old=hosted,
-        new=hosted,
-        signs=SIGNS,
-        completed_from=choice_of(hosted.source.id).folded(kind != "function").id,
-        datatypes=sorted(PRIMITIVES | {f"{each}[]" for each in PRIMITIVES}),
     )
 
 

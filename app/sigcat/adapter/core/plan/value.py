@@ -16,17 +16,20 @@ class Element(NamedTuple):
     target: NumberType
     conversion: Linear = IDENTITY
     """From the number in the source to that in the target."""
-    is_enumeration: bool = False
-    """Whether the code may have an enumeration for it."""
     names: Mapping[int, int] | None = None
     """Numbers of an enumeration in the source, and their numbers in the target."""
     coded: tuple[int, int] | None = None
-    """Smallest and greatest number of an enumeration in the code."""
+    """Smallest and greatest number in the code, if the code may have an enumeration for it."""
     least: Number | None = None
     """Smallest number of the source within the range; None if there is none below it."""
     greatest: Number | None = None
     is_checked: bool = False
     """Whether there is a check of the range, so that NaN and infinities are outside of it."""
+
+    @property
+    def is_enumeration(self) -> bool:
+        """Whether the code may have an enumeration for it."""
+        return self.coded is not None
 
 
 class Leaf(NamedTuple):
