@@ -7,6 +7,7 @@ from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.definition import BRANCH, SIGNALS
 from sigcat.function.extension.overlay import statement_text
 from sigcat.function.importing.yaml_edits import inline
+from sigcat.function.importing.yaml_text import scalar
 from sigcat.web.views.node_view import ordered
 from sigcat.web.views.overlay_draft import new_node
 
@@ -49,8 +50,8 @@ class Proposal(NamedTuple):
     def text(self) -> str:
         """The overlay: of a known node what differs, with type and datatype."""
         fields = [each for each in self.fields if each.is_changed or (each.value and each.name in _ALWAYS)]
-        lines = "".join(f"{_line(each)}" for each in fields)
-        return f"{statement_text(self.path, {}).rpartition(':')[0]}:\n{lines}"
+        lines = "".join(map(_line, fields))
+        return f"{scalar(self.path)}:\n{lines}"
 
     @property
     def cleared(self) -> tuple[str, ...]:
