@@ -358,6 +358,10 @@ def test_the_document_holds_no_date_that_the_author_did_not_write():
             ("F023", "min", "`min` of 'Speed' must be at most `max` (70), not 80. Exchange `min` and `max`."),
         ),
         (
+            "{path: Vehicle.Speed, role: consumed, min: 80, max: 70, init: 0, timeout: 200, timeoutValue: Init}",
+            ("F023", "min", "`min` of 'Speed' must be at most `max` (70), not 80. Exchange `min` and `max`."),
+        ),
+        (
             "{path: Vehicle.Speed, role: consumed, unit: km/hour}",
             ("F021", "unit", "Unknown unit 'km/hour'. Use 'km/h' or one that it converts to: m/s."),
         ),

@@ -43,7 +43,7 @@ def value_of(item: Item, at: Pointer, context: Context) -> Value | None:
     if code is None:
         return None
     low, high = range_of(code, context)
-    init = None if is_upside_down(low, high) else start_value(code, low, high, context)
+    init = start_value(code, *((None, None) if is_upside_down(low, high) else (low, high)), context)
     return _value(code, low, high, init, context)
 
 
