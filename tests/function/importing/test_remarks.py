@@ -33,6 +33,8 @@ from tests.function.shipped import interfaces
         ("longitudinal acceleration, m/s^2", Remark(units=("m/s^2",), text="longitudinal acceleration, m/s^2")),
         ("speed over ground km/h", Remark(units=("km/h",), text="speed over ground km/h")),
         ("from 2019-02-01 to 2020-01-01", Remark(text="from 2019-02-01 to 2020-01-01")),
+        ("see chapter [3,4] of the manual", Remark(text="see chapter [3,4] of the manual")),
+        ("Oil pressure of section 3 to 4, range 0 to 10", Remark(min=0, max=10, text="Oil pressure of section 3 to 4")),
         ("Range: 5..1", Remark()),
         ("(1, 2)", Remark()),
         ("sfix16_En8", Remark(factor=0.00390625)),

@@ -1,7 +1,7 @@
 """Code whose calls take nothing: inputs, outputs and parameters are global variables."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from sigcat import codes
 from sigcat.findings import Finding
@@ -26,8 +26,9 @@ def global_interface(group: Group, code: Code, linked: frozenset[str]) -> Interf
     found: dict[Role, list[Value]] = {"input": [], "output": [], "parameter": []}
     unknown: list[Value] = []
     objects: dict[str, CodeObject] = {}
+    shared = tuple(_shared(declarations, linked))
     defined = {each.name for each in declarations.variables if each.is_defined and each.place.file in linked}
-    for variable in _shared(declarations, linked):
+    for variable in shared:
         is_imported = bool(linked) and variable.name not in defined
         is_object = is_imported and _element(variable).kind == "record"
         defined_by, c_type = ("adapter", variable.written) if is_imported and not is_object else ("function", "")
@@ -44,7 +45,7 @@ def global_interface(group: Group, code: Code, linked: frozenset[str]) -> Interf
         tuple(found["output"]),
         tuple(found["parameter"]),
         objects=tuple(objects.values()),
-        findings=tuple(_direction_unknown(unknown)),
+        findings=(*_direction_unknown(unknown), *_constant(shared, use)),
     )
 
 
@@ -91,7 +92,9 @@ def _with_roles(variable: Variable, code: Code, use: Use) -> Iterator[tuple[Role
 def _told(variable: Variable, heading: str, use: Use) -> Role:
     """The role that names and comments tell; internal if it is not part of the interface."""
     kind = variable.type.kind
-    if is_of_the_generator(variable.name) or kind in ("pointer", "other") or (variable.is_const and kind != "record"):
+    if is_of_the_generator(variable.name) or (kind in ("pointer", "other") and not _is_seen(variable, use)):
+        return "internal"
+    if variable.is_const and kind != "record":
         return "internal"
     if kind == "record" or role_of("", "", heading):
         told = role_of(variable.name, variable.type.name, heading)
@@ -121,6 +124,24 @@ def _role_of_headings(comment: str, heading: str) -> Role:
     if _IMPORTED.search(heading) and "<Root>/" in comment:
         return "input"
     return "output" if _EXPORTED.search(heading) and _WITHIN.search(comment) else ""
+
+
+def _constant(shared: Iterable[Variable], use: Use) -> Iterator[Finding]:
+    """One finding, at the first constant that the steps read."""
+    found = [
+        each
+        for each in shared
+        if each.is_const and _element(each).kind != "record" and _is_seen(each, use) and not is_of_the_generator(each.name)
+    ]
+    if found:
+        more = f" and {len(found) - 1:,} more" if len(found) > 1 else ""
+        message = f"{found[0].name!r}{more} must not be const to be a parameter; left out."
+        fix = "Remove 'const' if it is a parameter; a constant of the code needs no entry."
+        yield codes.VALUE_LEFT_OUT.finding(message, *found[0].place, fix=fix)
+
+
+def _is_seen(variable: Variable, use: Use) -> bool:
+    return use.is_known and variable.name in use.used
 
 
 def _direction_unknown(values: list[Value]) -> Iterator[Finding]:

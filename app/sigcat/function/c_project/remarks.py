@@ -38,6 +38,14 @@ _RANGE = re.compile(
     rf"|(?<![\w.-])(?P<min_4>{_NUMBER})\s*(?:\.\.\.?|…|\bto\b)\s*(?P<max_4>{_NUMBER})(?![\w.-]*\w)",
     re.IGNORECASE,
 )
+_REFERENCE = re.compile(
+    r"\b(?:chapters?|sections?|figures?|fig\.|pages?|equations?|eq\.|references?|ref\.|versions?)\s*"
+    r"(?:[\[(][^\[\]()]*[\])]|\d[\d.]*(?:\s*(?:,|-|–|\.\.\.?|\bto\b|\band\b)\s*\d[\d.]*)*)",
+    re.IGNORECASE,
+)
+"""A place in a document, as `chapter [3, 4]`: its numbers are no range."""
+_HIDDEN = {ord("0") + digit: 0xE000 + digit for digit in range(10)}
+_SHOWN = {hidden: shown for shown, hidden in _HIDDEN.items()}
 _MIN = re.compile(rf"\bmin(?:imum)?\b\s*[:=]?\s*(?P<min>{_NUMBER})", re.IGNORECASE)
 _MAX = re.compile(rf"\bmax(?:imum)?\b\s*[:=]?\s*(?P<max>{_NUMBER})", re.IGNORECASE)
 _FACTOR = re.compile(
@@ -83,6 +91,7 @@ def remark_of(comment: str) -> Remark:
     comment = comment[:_CHARACTERS]
     port = _PORT.search(comment)
     said = _ORIGINS.sub(" ", _BLOCKS.sub(" ", comment))
+    said = _REFERENCE.sub(lambda found: found[0].translate(_HIDDEN), said)
     smallest, largest = _range(said)
     factor, offset = _scale(said)
     named = _UNIT.search(said) or _SQUARE.search(said)
@@ -177,7 +186,7 @@ _SAID = (_FIXDT, _UNIT, _RANGE, _MIN, _MAX, _FACTOR, _BARE_POWER, _BINARY, _OFFS
 def _description(said: str) -> str:
     """Return the rest of a comment without the parts that are understood, if it has a word."""
     rest = _rest(said)
-    return rest if re.search(r"[^\W\d_]{2}", rest) else ""
+    return rest.translate(_SHOWN) if re.search(r"[^\W\d_]{2}", rest) else ""
 
 
 def _rest(said: str) -> str:
