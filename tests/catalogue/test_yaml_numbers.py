@@ -33,3 +33,13 @@ def test_a_number_in_quotes_is_written_without(text):
 @pytest.mark.parametrize("text", ["abc", "", "1e400", "9" * 6000, "0x10", "1 ms", "nan", "-", "e5"])
 def test_other_texts_have_no_advice(text):
     assert number_advice(text) == ""
+
+
+@pytest.mark.parametrize("text", ["1e-400", "-2.5E-330", "0.1e-350"])
+def test_a_number_that_a_double_rounds_to_0_is_not_advised_as_0(text):
+    assert number_advice(text) == "Write a number of at least 5.0e-324: a double has none between it and 0."
+
+
+@pytest.mark.parametrize("text", ["0e5", "0.0e-400"])
+def test_a_zero_stays_one(text):
+    assert number_advice(text).startswith("Write 0.0")

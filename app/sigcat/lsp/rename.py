@@ -57,7 +57,9 @@ def _new_name(node: Definition, name: str, tree: Tree) -> str:
     new = last_name(name)
     above = parent_path(name)
     if above and above != parent_path(node.path):
-        raise UsageError(f"A rename changes the last name of a path. Write {last_name(node.path)!r} in another way.")
+        raise UsageError(
+            f"A rename changes only the name {last_name(node.path)!r} at the end of the path. Keep the rest of the path."
+        )
     if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", new):
         raise UsageError(f"{new!r} is not a name. Use letters and digits, as in `IsOpen`.")
     if tree.resolve(".".join(filter(None, (parent_path(node.path), new)))) is not None:

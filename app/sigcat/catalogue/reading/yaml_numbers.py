@@ -6,6 +6,9 @@ from math import isfinite
 _WRITTEN = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?P<exponent>[eE][-+]?\d+)?", re.ASCII)
 _WITH_EXPONENT = re.compile(r"[-+]?\d*\.\d*[eE][-+]\d+", re.ASCII)
 
+_SMALLEST = "5.0e-324"
+"""The least positive number that a double has."""
+
 
 def yaml_number(value: float) -> str:
     """A number as YAML 1.1 reads it: with a point where it has an exponent."""
@@ -20,6 +23,8 @@ def number_advice(text: str) -> str:
     value = float(text) if written else None
     if written is None or value is None or not isfinite(value):
         return ""
+    if value == 0 and re.search(r"[1-9]", text.lower().partition("e")[0]):
+        return f"Write a number of at least {_SMALLEST}: a double has none between it and 0."
     number = yaml_number(int(text) if text.lstrip("+-").isdecimal() else value)
     if written["exponent"] and not _WITH_EXPONENT.fullmatch(text):
         return f"Write {number}: YAML reads {text[:40]} as a text, as it has no point or no sign in its exponent."

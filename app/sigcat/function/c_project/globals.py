@@ -131,7 +131,10 @@ def _constant(shared: Iterable[Variable], use: Use) -> Iterator[Finding]:
     found = [
         each
         for each in shared
-        if each.is_const and _element(each).kind != "record" and _is_seen(each, use) and not is_of_the_generator(each.name)
+        if each.is_const
+        and _element(each).kind != "record"
+        and _is_seen(each, use)
+        and not is_of_the_generator(each.name)
     ]
     if found:
         more = f" and {len(found) - 1:,} more" if len(found) > 1 else ""

@@ -189,7 +189,7 @@ def _time_out(pointer: Pointer, runnable: Runnable, item: Signal | DataQueue, su
         yield Problem(codes.TIMEOUT_OF_PROVIDED, (*pointer, "Timeout"), message, fix, subject)
     elif duration is not None and runnable.cycle_time and duration < runnable.cycle_time:
         message = f"The timeout of {item.name!r} must not be shorter than the cycle, {runnable.cycle_time} ms; got {duration:g} ms."
-        fix = "Make it at least the cycle time: it would pass before the value can be looked at twice."
+        fix = "Make it at least the cycle time. The call reads once in each cycle, so a shorter timeout always expires."
         yield Problem(codes.TIMEOUT_SHORTER_THAN_CYCLE, (*pointer, "Timeout"), message, fix, subject)
     elif duration is not None and _is_only_trigger(item, runnable):
         message = (
