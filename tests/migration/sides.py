@@ -16,6 +16,8 @@ Vehicle.Coolant:
   description: Temperature of the coolant.
   deprecation: V1.1 moved to Engine.Coolant
 Vehicle.Mode: {type: actuator, datatype: string, allowed: [A, B], description: Mode.}
+Vehicle.Profile: {type: actuator, datatype: string, allowed: [SLOW, 'FAST 1', OLD], description: Profile.}
+Vehicle.Gear: {type: actuator, datatype: uint8, enum: {PARK: 0, DRIVE: 1, LOW: 2}, description: Gear.}
 Vehicle.Level: {type: sensor, datatype: uint8, unit: percent, description: Level.}
 Vehicle.Gone: {type: sensor, datatype: uint8, description: Gone.}
 Vehicle.Lamp: {type: branch, description: Lamps.}
@@ -31,6 +33,9 @@ Vehicle.Trip: {type: actuator, datatype: uint32, unit: m, description: Distance 
 Vehicle.Engine: {type: branch, description: Engine.}
 Vehicle.Engine.Coolant: {type: sensor, datatype: float, unit: celsius, description: Coolant temperature.}
 Vehicle.Mode: {type: actuator, datatype: string, allowed: [A, B, C], description: Mode.}
+Vehicle.Drive: {type: branch, description: Drive.}
+Vehicle.Drive.Profile: {type: actuator, datatype: string, allowed: [ECO, SPORT], description: Profile of the drive.}
+Vehicle.Gear: {type: actuator, datatype: uint8, enum: {P: 0, DRIVE: 1}, description: Gear.}
 Vehicle.Level: {type: sensor, datatype: uint8, unit: l, description: Level.}
 Vehicle.Light: {type: branch, description: Lights.}
 Vehicle.Light.IsOn: {type: actuator, datatype: boolean, description: Whether it is on.}
@@ -44,11 +49,14 @@ to: '2'
 moves:
   Vehicle.Coolant: Vehicle.Engine.Coolant
   Vehicle.Lamp: Vehicle.Light
+  Vehicle.Profile: Vehicle.Drive.Profile
   Vehicle.Gone: {to: [], why: Nobody measures it.}
 labels:
   Vehicle.Door:
     Left: {to: [DriverSide, PassengerSide], confidence: 0.9, why: Most drivers sit on the left.}
     Right: PassengerSide
+values:
+  Vehicle.Profile: {SLOW: ECO, 'FAST 1': SPORT}
 """
 
 

@@ -1,8 +1,10 @@
 """Overlays and functions between official releases: every certain change is right, by what both sides resolve to."""
 
 import random
+import shutil
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -13,6 +15,8 @@ from sigcat.catalogue.hosting.sources import source_of_tree
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.reading.yaml_document import read_document
 from sigcat.cli import main
+from sigcat.data import EXAMPLES
+from sigcat.data import OVERLAYS as OVERLAYS_FOLDER
 from sigcat.function.function_json.conversion import between
 from sigcat.migration.changed_text import Migrated, migrated
 from sigcat.migration.migration import Migration
@@ -163,3 +167,46 @@ def test_a_migrated_function_gives_the_same_bits(tmp_path, monkeypatch):
     assert (folder / "trip.c").read_text() == CODE
     assert main([*run, "-s", new, "-o", str(runs[1])]) == 0
     assert runs[0].read_bytes() == runs[1].read_bytes()
+
+
+EXAMPLE_FUNCTIONS = ("core_acc", "eco_control_mpc", "wheel_speed_calculation")
+NOT_IN_5 = "Vehicle.ADAS.ObstacleDetection.Front.Center.Distance"
+OWN_IN_5 = "Vehicle.ADAS.EcoControl.ObstacleDistance"
+"""The distance, which the tree of 5.0 does not have, as a signal of the project."""
+SHOWN_ROWS = 2_000
+
+
+def _ecocontrol_for_5(folder: Path) -> list[str]:
+    """Write the examples as they are for 5.0, and return the arguments that simulate them but for the tree."""
+    for name in EXAMPLE_FUNCTIONS:
+        shutil.copytree(EXAMPLES / name, folder / name, ignore=shutil.ignore_patterns("expected", "build"))
+    function = folder / "core_acc" / "function.yaml"
+    function.write_text(function.read_text().replace(NOT_IN_5, OWN_IN_5))
+    rows = (EXAMPLES / "ecocontrol" / "drive.csv").read_text().replace(NOT_IN_5, OWN_IN_5).splitlines(keepends=True)
+    (folder / "drive.csv").write_text("".join(rows[:SHOWN_ROWS]))
+    shutil.copytree(OVERLAYS_FOLDER, folder / "overlays")
+    (folder / "overlays" / "own.vspec").write_text(
+        f"{OWN_IN_5}: {{type: sensor, datatype: float, unit: m, description: Distance to the obstacle.}}\n"
+    )
+    functions = [str(folder / name / "function.yaml") for name in EXAMPLE_FUNCTIONS]
+    layers = [word for file in sorted((folder / "overlays").glob("*.vspec")) for word in ("-l", str(file))]
+    units = ["-u", str(folder / "overlays" / "units.yaml")]
+    return [*functions, "--trace", str(folder / "drive.csv"), "--isolated", *layers, *units]
+
+
+@official_releases
+@c_compiler
+@pytest.mark.real
+def test_the_example_functions_give_the_same_bits_in_each_release(tmp_path):
+    folder = tmp_path / "project"
+    arguments = _ecocontrol_for_5(folder)
+    trees = [tree for name in ("v5.0", "v6.0", "master") if (tree := OFFICIAL / name / "spec").is_dir()]
+    runs = []
+    for number, tree in enumerate(trees):
+        if number:
+            assert main(["migrate", "--isolated", str(trees[number - 1]), str(tree), str(folder)]) == 0
+        assert main(["simulate", *arguments, "-s", str(tree), "-o", str(tmp_path / "run.csv")]) == 0
+        runs.append((tmp_path / "run.csv").read_bytes())
+    assert len(runs) > 1
+    assert runs[0].count(b"\n") > 10_000
+    assert len(set(runs)) == 1

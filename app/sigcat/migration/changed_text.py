@@ -122,6 +122,27 @@ class Place(NamedTuple):
         return cls(file, line_of(node), int(node.start_mark.column) + 1)
 
 
+def value_changes(
+    file: str, text: str, nodes: Iterable[Node | None], move: tuple[str, str], migration: Migration, note: str
+) -> Iterator[Outcome]:
+    """Yield the changes of scalars that are named values of a signal: the new name, or the finding that it is gone.
+
+    `move` is the old and the new path of the signal.
+    """
+    names, removed = migration.value_names(*move), migration.removed_values(*move)
+    for node in nodes:
+        if isinstance(node, ScalarNode) and node.value in names:
+            yield replaced(text, node, names[node.value], f"{note}: {node.value} → {names[node.value]}")
+        elif isinstance(node, ScalarNode) and node.value in removed:
+            yield value_removed(move[0], node.value, Place.of(file, node))
+
+
+def value_removed(path: str, value: str, place: Place) -> Finding:
+    """The finding about a value that the new catalogue does not have."""
+    fix = "Choose another value, or name it in `values` of a table."
+    return not_convertible(path, place, f"the new tree does not have the value {value!r}.", fix)
+
+
 def undecided(path: str, fate: Fate, place: Place, migration: Migration) -> Iterator[Finding]:
     """Yield the finding about a path whose new path is not certain."""
     if fate.status == "guess":

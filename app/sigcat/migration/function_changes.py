@@ -10,7 +10,16 @@ from yaml.nodes import MappingNode, Node, ScalarNode
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES, element_of, is_array, is_numeric
 from sigcat.function.function_json.conversion import IDENTITY
 from sigcat.function.importing.yaml_edits import Edit, entries_of, inline, items_of, value_at
-from sigcat.migration.changed_text import Outcome, Place, Replacement, end_of, line_of, not_convertible, replaced
+from sigcat.migration.changed_text import (
+    Outcome,
+    Place,
+    Replacement,
+    end_of,
+    line_of,
+    not_convertible,
+    replaced,
+    value_changes,
+)
 from sigcat.migration.migration import Migration
 from sigcat.migration.path_changes import changed_path, path_changes
 from sigcat.names import last_name, parent_path
@@ -66,6 +75,7 @@ def _entry(entry: Node, function: FunctionFile) -> Iterator[Outcome]:
     both = migration.definitions(path, fate.path)
     if both is None:
         return
+    yield from _names(path, fate.path, entries, function)
     added = dict(_kept(path, fate.path, *both, entries, migration))
     if "unit" in added and added["unit"] is None:
         old, new = (values.get("unit") or "none" for values in both)
@@ -77,6 +87,15 @@ def _entry(entry: Node, function: FunctionFile) -> Iterator[Outcome]:
         yield not_convertible(path, Place.of(function.file, node), reason, "Adapt the code.")
     elif added:
         yield _with_keys(entry, key, node, added, function.text)
+
+
+def _names(path: str, target: str, entries: Mapping[str, Any], function: FunctionFile) -> Iterator[Outcome]:
+    """Yield the changes of values that have another name; the numbers of the code stay."""
+    for key in ("values", "init"):
+        node = entries.get(key, (None, None))[1]
+        nodes = [node, *items_of(node), *(name for name, _ in entries_of(node).values())]
+        note = f"`{key}` of `{target}`"
+        yield from value_changes(function.file, function.text, nodes, (path, target), function.migration, note)
 
 
 def _own(node: ScalarNode, function: FunctionFile) -> Iterator[Outcome]:

@@ -3,11 +3,11 @@
 from collections.abc import Iterator
 from fractions import Fraction
 
-from yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
+from yaml.nodes import MappingNode, Node, ScalarNode
 
 from sigcat.catalogue.network.mapping import KUKSA_TARGET
 from sigcat.function.function_json.conversion import Linear, as_text
-from sigcat.function.importing.yaml_edits import Edit, entries_of, text_of, value_at
+from sigcat.function.importing.yaml_edits import Edit, entries_of, items_of, text_of, value_at
 from sigcat.migration.changed_text import Replacement, end_of, line_of, number_replaced, replaced
 from sigcat.migration.numbers import converted_value
 
@@ -25,7 +25,7 @@ def mapping_changes(
         new = _formula(formula.value, attribute, conversion)
         yield replaced(text, formula, new, f"`math`: {formula.value} → {new}")
     elif isinstance(transform, MappingNode):
-        yield from _values(attribute, transform, conversion, text)
+        yield from _values(attribute, node, conversion, text)
     elif isinstance(node, MappingNode) and node.value:
         yield _added(attribute, key, node, conversion, text)
 
@@ -63,13 +63,20 @@ def _term(number: Fraction) -> str:
     return f"({text})" if "/" in text else text
 
 
-def _values(attribute: str, transform: MappingNode, conversion: Linear, text: str) -> Iterator[Replacement]:
-    for _, items in transform.value:
-        for item in items.value if isinstance(items, SequenceNode) else ():
-            node = entries_of(item).get(_PHYSICAL.get(attribute, "to"), (None, None))[1]
-            number = converted_value(text_of(node) or "", conversion)
-            if node is not None and number is not None:
-                yield number_replaced(text, node, number, f"`{attribute}`: {text_of(node)} → {number}")
+def physical_values(attribute: str, node: Node) -> Iterator[Node]:
+    """Yield the values of the signal in the lists of a mapping."""
+    for _, items in entries_of(value_at(node, "transform")).values():
+        for item in items_of(items):
+            value = value_at(item, _PHYSICAL.get(attribute, "to"))
+            if value is not None:
+                yield value
+
+
+def _values(attribute: str, node: Node, conversion: Linear, text: str) -> Iterator[Replacement]:
+    for value in physical_values(attribute, node):
+        number = converted_value(text_of(value) or "", conversion)
+        if number is not None:
+            yield number_replaced(text, value, number, f"`{attribute}`: {text_of(value)} → {number}")
 
 
 def _added(attribute: str, key: ScalarNode, node: MappingNode, conversion: Linear, text: str) -> Replacement:

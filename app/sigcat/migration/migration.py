@@ -11,7 +11,7 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.definition import Definition
 from sigcat.function.function_json.conversion import IDENTITY, Linear, between
 from sigcat.migration.labelled_path import LabelledPath, bracketed, labelled, parsed, plain, template
-from sigcat.migration.table import CERTAIN, Entry, Step, Table, applied
+from sigcat.migration.table import CERTAIN, Entry, Step, Table, applied, value_names
 from sigcat.names import nearest, parent_path
 
 Status = Literal["same", "moved", "guess", "choice", "gone"]
@@ -195,6 +195,25 @@ class Migration:
         after = new.definition if new is not None else self.new.definitions.get(target)
         return (before.values, after.values) if before is not None and after is not None else None
 
+    def value_names(self, path: str, target: str) -> Mapping[str, str]:
+        """Return the new names of values of a signal, by old name: of the same numbers, or by the tables."""
+        both = self.definitions(path, target)
+        if both is None:
+            return {}
+        old, new = (values.get("enum") for values in both)
+        if isinstance(old, Mapping) and isinstance(new, Mapping):
+            added = {number: name for name, number in new.items() if name not in old}
+            return {name: added[number] for name, number in old.items() if name not in new and number in added}
+        allowed = both[1].get("allowed") or ()
+        names = value_names(labelled(path, self.old)[0], self._tables)
+        return {name: to for name, to in names.items() if to in allowed and name not in allowed}
+
+    def removed_values(self, path: str, target: str) -> frozenset[str]:
+        """Return the names of values of a signal that the new catalogue has no more."""
+        old, new = self.definitions(path, target) or ({}, {})
+        before, after = (frozenset(filter(_is_text, v.get("enum") or v.get("allowed") or ())) for v in (old, new))
+        return before - after - self.value_names(path, target).keys() if after else frozenset()
+
     def unit_change(self, old: Any, new: Any) -> UnitChange:
         """Return how values change from one unit to another; units that are not texts count as absent."""
         before, after = (unit if isinstance(unit, str) else "" for unit in (old, new))
@@ -236,6 +255,10 @@ def _through(path: LabelledPath, tables: Iterable[Table]) -> Step:
             choices = [_through(parts, waiting) for each in step.choices if (parts := parsed(each)) is not None]
             return step._replace(choices=tuple(bracketed(each.path) for each in choices if each.path is not None))
     return step
+
+
+def _is_text(value: Any) -> bool:
+    return isinstance(value, str)
 
 
 def _undecided(step: Step, choices: tuple[str, ...]) -> Fate:

@@ -16,7 +16,7 @@ from sigcat.catalogue.network.mapping import ATTRIBUTES
 from sigcat.catalogue.reading.yaml_document import Builder, Unbuildable
 from sigcat.findings import Finding
 from sigcat.function.function_json.conversion import IDENTITY, Linear
-from sigcat.function.importing.yaml_edits import Edit, entries_of, inline
+from sigcat.function.importing.yaml_edits import Edit, entries_of, inline, items_of
 from sigcat.migration.changed_text import (
     Outcome,
     Place,
@@ -27,16 +27,19 @@ from sigcat.migration.changed_text import (
     number_replaced,
     replaced,
     undecided,
+    value_changes,
 )
-from sigcat.migration.mapping_changes import mapping_changes
+from sigcat.migration.mapping_changes import mapping_changes, physical_values
 from sigcat.migration.migration import Fate, Migration, UnitChange
 from sigcat.migration.numbers import converted, is_whole
 from sigcat.migration.path_changes import path_changes
 from sigcat.names import parent_path
 
 _NUMBERS = ("min", "max", "default", "resolution")
-_REPEATED = ("datatype", "type", "instances", "allowed", "arraysize", "pattern")
+_REPEATED = ("datatype", "type", "instances", "allowed", "enum", "arraysize", "pattern")
 """Attributes that follow the new catalogue if they repeat the old one."""
+_NAMED = ("default", "allowed")
+"""Attributes with names of values."""
 _NO_PATHS = frozenset(("description", "comment", "fka", "deprecation", "unit", "type", "min", "max", *ATTRIBUTES))
 """Attributes that name no node, or former ones only."""
 _FULL = frozenset(("type", "datatype"))
@@ -191,6 +194,7 @@ def _attributes(
         return
     for name in _REPEATED:
         yield from _repeated(statement, name, old.get(name), new.get(name), overlay)
+    yield from _names(statement, overlay)
     change = _unit_of_values(statement, old, new, overlay.migration)
     if change is None:
         yield from _own_unit(statement, overlay)
@@ -208,6 +212,16 @@ def _repeated(statement: Statement, name: str, old: Any, new: Any, overlay: Over
     else:
         edit = Edit(int(node.start_mark.index), end_of(overlay.text, node), inline(new))
         yield Replacement(edit, line_of(node), note)
+
+
+def _names(statement: Statement, overlay: OverlayFile) -> Iterator[Outcome]:
+    """Yield the changes of values that have another name."""
+    move = (statement.path, statement.fate.path)
+    for attribute, (_, node) in statement.entries.items():
+        nodes = [node, *items_of(node)] if attribute in _NAMED else []
+        nodes += physical_values(attribute, node) if attribute in ATTRIBUTES else []
+        note = f"`{attribute}` of `{statement.fate.path}`"
+        yield from value_changes(overlay.file, overlay.text, nodes, move, overlay.migration, note)
 
 
 def _datatype(statement: Statement, old: Mapping[str, Any], new: Mapping[str, Any]) -> str:

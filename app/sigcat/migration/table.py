@@ -3,7 +3,7 @@
 Its format is documented in docs/reference/migration-tables.md.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -18,7 +18,7 @@ from sigcat.migration.labelled_path import LabelledPath, bracketed, moved, parse
 from sigcat.open_files import read_bytes
 
 _TABLES = Path(__file__).parent / "tables"
-_KEYS = ("from", "to", "moves", "labels")
+_KEYS = ("from", "to", "moves", "labels", "values")
 CERTAIN = 1.0
 
 
@@ -40,6 +40,8 @@ class Table(NamedTuple):
     """By path, with labels in brackets."""
     labels: Mapping[str, Mapping[str, Entry]]
     """Labels of instances that changed, by the path of their branch as it was, without labels."""
+    values: Mapping[str, Mapping[str, str]] = {}
+    """New names of allowed values, by the path of their signal as it was, without labels."""
 
     @property
     def by_plain_path(self) -> Mapping[str, Entry]:
@@ -54,7 +56,15 @@ class Table(NamedTuple):
             self.old,
             _inverted(self.moves),
             {path: _inverted(entries) for path, entries in self.labels.items()},
+            dict(map(self._inverted_values, self.values)),
         )
+
+    def _inverted_values(self, path: str) -> tuple[str, Mapping[str, str]]:
+        """Return the way back of the names of values, by the new path of their signal."""
+        parts = parsed(path)
+        step = applied(parts, self) if parts is not None else Step(None)
+        names = {new: old for old, new in self.values[path].items()}
+        return (template(step.path) if step.path is not None else path), names
 
 
 NO_TABLE = Table("", "", {}, {})
@@ -76,6 +86,21 @@ def applied(path: LabelledPath, table: Table) -> Step:
         if entry is not None:
             return _moved(path[:count], path[count:], entry)
     return _relabelled(path, table)
+
+
+def value_names(path: LabelledPath, tables: Iterable[Table]) -> dict[str, str]:
+    """Return the new names of allowed values after several tables, by old name."""
+    names: dict[str, str] = {}
+    at: LabelledPath | None = path
+    for table in tables:
+        if at is None:
+            break
+        renamed = table.values.get(template(at), {})
+        names = {
+            old: renamed.get(new, new) for old, new in {**dict(zip(renamed, renamed, strict=True)), **names}.items()
+        }
+        at = applied(at, table).path
+    return {old: new for old, new in names.items() if old != new}
 
 
 def _entry_of(path: LabelledPath, table: Table) -> Entry | None:
@@ -180,6 +205,7 @@ def read_table(path: Path) -> Table:
         str(data["to"]),
         _entries(data.get("moves") or {}),
         {path: _entries(entries) for path, entries in labels.items()},
+        data.get("values") or {},
     )
 
 
@@ -208,6 +234,20 @@ def _faults(data: Any) -> Iterator[tuple[str, str]]:
     labels = data.get("labels") or {}
     for path, entries in labels.items() if isinstance(labels, dict) else (("labels", labels),):
         yield from _faults_of_entries(entries, str(path))
+    yield from _faults_of_values(data.get("values"))
+
+
+def _faults_of_values(values: Any) -> Iterator[tuple[str, str]]:
+    if values is not None and not isinstance(values, dict):
+        yield "values", "`values` must be a mapping."
+        return
+    for path, names in (values or {}).items():
+        if not isinstance(path, str) or parsed(path) is None:
+            yield str(path), f"{str(path)!r} is not a path."
+        if not isinstance(names, dict) or not all(isinstance(each, str) for pair in names.items() for each in pair):
+            yield str(path), f"{str(path)!r} must have the new name of each value by its old name, as texts."
+        elif len(set(names.values())) < len(names):
+            yield str(path), f"{str(path)!r} must not have one new name for two values."
 
 
 def _faults_of_entries(entries: Any, key: str) -> Iterator[tuple[str, str]]:

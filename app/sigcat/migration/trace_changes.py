@@ -11,12 +11,15 @@ from sigcat import codes
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES, element_of
 from sigcat.findings import Finding
 from sigcat.function.function_json.conversion import IDENTITY, Linear
-from sigcat.migration.changed_text import Migrated, Place, not_convertible, undecided
+from sigcat.migration.changed_text import Migrated, Place, not_convertible, undecided, value_removed
 from sigcat.migration.migration import Fate, Migration
 from sigcat.migration.numbers import converted_value, is_whole, rounded
 
 _CELL = re.compile(r'[ \t]*"[^"]*(?:""[^"]*)*"[ \t]*(?=,|$)|[^,]*(?=,|$)')
 _NUMBER = re.compile(r"(?<![\w.])[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?(?![\w.])")
+
+_WORD = re.compile(r"[^\s,\"\[\]](?:[^,\"\[\]]*[^\s,\"\[\]])?")
+"""A value in a cell, or in a list of values."""
 
 
 class Conversion(NamedTuple):
@@ -26,6 +29,15 @@ class Conversion(NamedTuple):
     linear: Linear
     is_whole: bool
     """Whether the new datatype holds whole numbers only."""
+    names: Mapping[str, str]
+    """New names of values, by old name."""
+    removed: frozenset[str] = frozenset()
+    """Values that the new datatype does not have."""
+
+    @property
+    def is_change(self) -> bool:
+        """Whether values change."""
+        return self.linear != IDENTITY or bool(self.names)
 
 
 class Column(NamedTuple):
@@ -68,7 +80,7 @@ def migrated_trace(file: str, data: bytes, migration: Migration, current: Collec
     findings = [finding for column in columns for finding in column.findings]
     lines = [_joined([column.name for column in columns], first), *_converted(rows, conversions, file, findings)]
     changes = tuple((1, note) for column in columns for note in column.notes)
-    values = tuple(columns[index].path for index in conversions)
+    values = tuple(columns[index].path for index, conversion in conversions.items() if conversion.is_change)
     return Migrated(file, data, "".join(lines).encode(), changes, tuple(findings), values)
 
 
@@ -76,11 +88,14 @@ def _converted(
     rows: Sequence[str], conversions: Mapping[int, Conversion], file: str, findings: list[Finding]
 ) -> Iterator[str]:
     """Yield the rows in new units, and add findings about rounded columns."""
-    rounded_paths: set[str] = set()
+    rounded_paths, reported = set[str](), set[str]()
     for number, row in enumerate(rows, 2):
         cells = _cells(row) if conversions else []
         for index, conversion in conversions.items():
             if index < len(cells) and cells[index]:
+                gone = conversion.removed.intersection(_WORD.findall(cells[index])) - reported
+                findings += [value_removed(conversion.path, each, _place(file, number, cells, index)) for each in gone]
+                reported |= gone
                 cell, is_rounded = _value(cells[index], conversion)
                 if is_rounded and conversion.path not in rounded_paths:
                     rounded_paths.add(conversion.path)
@@ -133,8 +148,10 @@ def _column(header: _Header, index: int) -> Column:
     conversion = _conversion(path, fate.path, migration) if path not in header.current else None
     if isinstance(conversion, str):
         return moved._replace(notes=notes, findings=(not_convertible(path, place, conversion),))
-    in_new_unit = (f"values of `{fate.path}` in a new unit",) if conversion is not None else ()
-    return moved._replace(conversion=conversion, notes=(*notes, *in_new_unit))
+    if conversion is not None and conversion.is_change:
+        how = "with new names" if conversion.names else "in a new unit"
+        notes = (*notes, f"values of `{fate.path}` {how}")
+    return moved._replace(conversion=conversion, notes=notes)
 
 
 def _met(header: _Header, path: str, fate: Fate, place: Place) -> Iterator[Finding]:
@@ -156,9 +173,11 @@ def _conversion(path: str, target: str, migration: Migration) -> Conversion | st
     change = migration.unit_change(old.get("unit"), new.get("unit"))
     if change.conversion is None and change.old and change.new:
         return f"the unit changed from {change.old} to {change.new}, without a conversion."
-    if change.conversion in (None, IDENTITY):
+    names, removed = migration.value_names(path, target), migration.removed_values(path, target)
+    if change.conversion in (None, IDENTITY) and not names and not removed:
         return None
-    return Conversion(path, change.conversion, element_of(str(new.get("datatype"))) in INTEGER_RANGES)
+    is_whole = element_of(str(new.get("datatype"))) in INTEGER_RANGES
+    return Conversion(path, change.conversion or IDENTITY, is_whole, names, removed)
 
 
 def _rounded(conversion: Conversion, place: Place) -> Finding:
@@ -168,6 +187,8 @@ def _rounded(conversion: Conversion, place: Place) -> Finding:
 
 def _value(cell: str, conversion: Conversion) -> tuple[str, bool]:
     """Return a cell in the new unit, number by number, and whether it was rounded."""
+    if conversion.names or conversion.removed:
+        return _WORD.sub(lambda match: conversion.names.get(match[0], match[0]), cell), False
     is_rounded = False
 
     def converted(match: re.Match[str]) -> str:
