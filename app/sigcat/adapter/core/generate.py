@@ -5,7 +5,7 @@ from typing import NamedTuple
 from sigcat.adapter.core.c.header import header
 from sigcat.adapter.core.c.lines import Lines, wrapped
 from sigcat.adapter.core.c.scope import Scope, in_adapter
-from sigcat.adapter.core.c.shadowing import renamed, shadowed
+from sigcat.adapter.core.c.shadowing import distinct
 from sigcat.adapter.core.c.source import source
 from sigcat.adapter.core.plan import CorePlan
 from sigcat.adapter.files import GeneratedFile
@@ -29,7 +29,7 @@ class CoreFiles(NamedTuple):
 def core_files(plan: CorePlan) -> CoreFiles:
     """The files of a core. The same plan gives the same bytes."""
     names = plan.header_file, plan.source_file
-    parts = wrapped(header(Scope(plan))), wrapped(_source(plan))
+    parts = wrapped(header(Scope(plan))), wrapped(distinct(plan, source(in_adapter(plan))))
     origins = {
         (name, number): line.source
         for name, part in zip(names, parts, strict=True)
@@ -38,12 +38,6 @@ def core_files(plan: CorePlan) -> CoreFiles:
     }
     made = [GeneratedFile(name, _text(part)) for name, part in zip(names, parts, strict=True)]
     return CoreFiles(made[0], made[1], origins)
-
-
-def _source(plan: CorePlan) -> Lines:
-    part = source(in_adapter(plan))
-    names = shadowed(plan, part)
-    return renamed(source(in_adapter(plan, names)), names) if names else part
 
 
 def _text(part: Lines) -> bytes:

@@ -9,7 +9,7 @@ from sigcat.adapter.autosar_classic.code.names import core_object, section_of
 from sigcat.adapter.autosar_classic.code.plan import DataEnd, SwcPlan
 from sigcat.adapter.autosar_classic.code.runnables import runnable
 from sigcat.adapter.core.c.lines import Lines
-from sigcat.adapter.core.c.shadowing import renamed, shadowed
+from sigcat.adapter.core.c.shadowing import distinct
 from sigcat.adapter.core.plan import GLOBALS
 from sigcat.function.document.text import Text, composed
 
@@ -38,9 +38,7 @@ class _Source(NamedTuple):
 
 def swc_source(swc: SwcPlan) -> Lines:
     """The whole file. A variable of the code may be called as one of these functions calls something: that is renamed."""
-    part = c_lines("code/swc.c.j2", _source(swc))
-    names = shadowed(swc.core, part)
-    return renamed(part, names) if names else part
+    return distinct(swc.core, c_lines("code/swc.c.j2", _source(swc)))
 
 
 def _source(swc: SwcPlan) -> _Source:

@@ -10,7 +10,7 @@ from sigcat.adapter.autosar_classic.test_rte.operations import Request, Service,
 from sigcat.adapter.autosar_classic.test_rte.plan import TestRte, received_at
 from sigcat.adapter.autosar_classic.test_rte.shapes import initializer
 from sigcat.adapter.core.c.lines import Lines
-from sigcat.adapter.core.c.shadowing import renamed, shadowed
+from sigcat.adapter.core.c.shadowing import distinct
 from sigcat.integration.autosar_classic.model import ModeNumber, Port
 
 
@@ -90,14 +90,8 @@ def component_source(swc: SwcPlan, rte: TestRte) -> Lines:
     modes = [_modes(port, swc, rte) for port in swc.required_modes]
     functions = [_function(each, swc, rte) for each in rte.calls(swc)]
     part = c_lines("test_rte/Rte_component.c.j2", _Source(swc, rte.index(swc), received, modes, functions))
-    names = shadowed(swc.core, part)
-    return _renamed_in_functions(part, names) if names else part
-
-
-def _renamed_in_functions(part: Lines, names: frozenset[str]) -> Lines:
-    """Members of the structs before the functions keep their names."""
-    first = next(number for number, line in enumerate(part) if line.text == "{")
-    return (*part[: first - 1], *renamed(part[first - 1 :], names))
+    first = next((number for number, line in enumerate(part) if line.text == "{"), 1) - 1
+    return (*part[:first], *distinct(swc.core, part[first:]))  # members of the structs before keep their names
 
 
 def _modes(port: Port, swc: SwcPlan, rte: TestRte) -> _Modes:

@@ -8,7 +8,9 @@ from sigcat.adapter.core.variables import with_variables
 from sigcat.names import screaming_snake_case
 
 MARK = "\x02"
-"""Stands before a name of the code that functions of the adapter have for something else, until that is renamed."""
+"""Stands before each name of the code, until variables of the adapter with such a name are renamed."""
+NAME = re.compile(r"(?<![\w.>])[A-Za-z_]\w*")
+"""A name in an expression that is not one of a member."""
 
 
 class Scope(NamedTuple):
@@ -57,9 +59,10 @@ class Scope(NamedTuple):
         return f"self->object.{expression}" if code.is_cpp else expression
 
 
-def in_adapter(plan: CorePlan, shadowed: frozenset[str] = frozenset()) -> Scope:
-    """A plan whose variables are expressions in functions of the adapter; `shadowed` names of the code are marked."""
-    if not shadowed:
-        return Scope(with_variables(plan, Scope(plan).variable))
-    name = re.compile(rf"(?<![\w.>])({'|'.join(sorted(shadowed))})\b")
-    return Scope(with_variables(plan, lambda expression: name.sub(rf"{MARK}\1", expression)))
+def in_adapter(plan: CorePlan) -> Scope:
+    """A plan whose variables are expressions in functions of the adapter; the global ones are marked."""
+    return Scope(with_variables(plan, _marked if plan.code.signature == GLOBALS else Scope(plan).variable))
+
+
+def _marked(expression: str) -> str:
+    return NAME.sub(rf"{MARK}\g<0>", expression)
