@@ -2,13 +2,16 @@
 
 import json
 from collections.abc import Iterable, Mapping
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from pydantic import BaseModel
 
 from sigcat.function.document.text_filters import markdown
+from sigcat.integration.source_functions import SOURCE_FUNCTIONS
 
 NOT_CARRIED = "not carried"
+_NOWHERE_BELOW = (NOT_CARRIED, "none", SOURCE_FUNCTIONS)
 
 
 class Entry(NamedTuple):
@@ -33,22 +36,35 @@ class FieldTarget(NamedTuple):
     note: str = ""
 
 
+Targets = Mapping[str, FieldTarget | str]
+"""By field. A place may have words such as `{port}`."""
+
+
 def entries(
     function: str,
     interface: str,
     kind: str,
     model: BaseModel,
-    targets: "Mapping[str, FieldTarget] | Mapping[str, FieldTarget | str]",
+    targets: Targets,
+    names: Mapping[str, str] = MappingProxyType({}),
+    below: str = "",
 ) -> list[Entry]:
-    """An entry for each field that has a value. A field that no target is known for is listed as not carried."""
+    """An entry for each field that has a value. A field that no target is known for is listed as not carried.
+
+    `names` replace the words of targets, which are `below` a place unless the functions as a whole have them.
+    """
     made = []
     named = [(str(field.alias or name), getattr(model, name)) for name, field in type(model).model_fields.items()]
     for field, value in (*named, *(model.model_extra or {}).items()):
         if value is None or value in ((), [], {}):
             continue
         known = targets.get(field, FieldTarget(NOT_CARRIED, "no field of Function JSON that sigcat knows"))
-        target = FieldTarget(known) if isinstance(known, str) else known
-        made.append(Entry(function, interface, kind, field, target.target, target.note))
+        place, note = (known, "") if isinstance(known, str) else known
+        for word, name in names.items():
+            place = place.replace(f"{{{word}}}", name)
+        if below and place not in _NOWHERE_BELOW:
+            place = f"{below}/{place}"
+        made.append(Entry(function, interface, kind, field, place, note))
     return made
 
 

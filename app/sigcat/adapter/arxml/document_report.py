@@ -5,9 +5,8 @@ from collections.abc import Iterator, Mapping
 from pydantic import BaseModel
 
 from sigcat.function.document.text_filters import comment
-from sigcat.integration.report import Entry, FieldTarget, entries
+from sigcat.integration.report import Entry, FieldTarget, Targets, entries
 
-Targets = Mapping[str, FieldTarget | str]
 Tables = Mapping[type[BaseModel], tuple[str, Targets]]
 """Kind and targets of each part of a document, without the fields that hold other parts."""
 

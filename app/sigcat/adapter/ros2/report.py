@@ -5,13 +5,11 @@ from collections.abc import Iterator, Mapping
 from pydantic import BaseModel
 
 from sigcat.adapter.core.plan import CLASS
-from sigcat.integration.report import Entry, FieldTarget, entries
+from sigcat.integration.report import Entry, FieldTarget, Targets, entries
 from sigcat.integration.ros2.document import read_integration
 from sigcat.integration.ros2.model import Communication, Ros2Integration, RosNode, RosTopic
 from sigcat.integration.ros2.topics import PUBLISHER
 from sigcat.limits import Limits
-
-Targets = Mapping[str, FieldTarget | str]
 
 _CORE = FieldTarget("{core}", "decided there, as on every platform")
 _DOCUMENT = FieldTarget("{interfaces}", "in a comment of the field")
@@ -125,19 +123,11 @@ def _of_communication(communication: Communication, node: RosNode, places: Mappi
 def _of_topic(topic: RosTopic, node: RosNode, places: Mapping[str, str]) -> Iterator[Entry]:
     known = {**places, "interfaces": f"{topic.message}.msg"}
     way = "publisher" if topic.role == PUBLISHER else "subscription"
-    yield from entries(node.function, topic.name, way, topic, _filled("topic", known))
+    yield from entries(node.function, topic.name, way, topic, TABLES["topic"], known)
     for mapping in topic.mappings:
-        yield from entries(node.function, mapping.signal, "signal", mapping, _filled("signal", known))
+        yield from entries(node.function, mapping.signal, "signal", mapping, TABLES["signal"], known)
 
 
 def _entries(node: RosNode, kind: str, part: BaseModel, places: Mapping[str, str]) -> list[Entry]:
     first = next(iter(type(part).model_fields))
-    return entries(node.function, str(getattr(part, first)), kind, part, _filled(kind, places))
-
-
-def _filled(kind: str, places: Mapping[str, str]) -> dict[str, FieldTarget]:
-    found = {}
-    for field, known in TABLES[kind].items():
-        target = FieldTarget(known) if isinstance(known, str) else known
-        found[field] = target._replace(target=target.target.format(**places))
-    return found
+    return entries(node.function, str(getattr(part, first)), kind, part, TABLES[kind], places)

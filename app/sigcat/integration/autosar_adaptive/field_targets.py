@@ -12,7 +12,7 @@ from sigcat.function.function_json.status_interfaces import ErrorInterface, Mode
 from sigcat.integration.autosar_adaptive.code import CallCode, ParameterCode
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.elements import Service, element_paths
-from sigcat.integration.report import Entry, FieldTarget, entries
+from sigcat.integration.report import Entry, FieldTarget, Targets, entries
 
 _CATALOGUE = "sent in the catalogue's datatype and unit; its use has those of the code"
 _RANGE = "the event has the catalogue's range, or else the provider's"
@@ -25,7 +25,7 @@ def _kept(place: str, *models: type[BaseModel]) -> dict[str, FieldTarget | str]:
     return {str(field.alias): f"{place}/{field.alias}" for model in models for field in model.model_fields.values()}
 
 
-_DATA: dict[str, FieldTarget | str] = {
+_DATA: Targets = {
     "Name": "Uses/{of}/Name", "Description": "Description", "Role": FieldTarget("Role", _PLACE),
     "Datatype": FieldTarget("DataType and Uses/CodeDatatype", _CATALOGUE),
     "Units": FieldTarget("Unit and Uses/{of}/Units", _CATALOGUE),
@@ -39,18 +39,18 @@ _DATA: dict[str, FieldTarget | str] = {
     "Offset": FieldTarget("Uses/{of}/Offset", "scaling inside the code; also Offset where no catalogue is known"),
 }  # fmt: skip
 _SIGNAL = {**_kept("Uses/{of}", Signal, DataQueue), **_DATA}
-_METHOD: dict[str, FieldTarget | str] = {
+_METHOD: Targets = {
     **_kept("Uses/Method", MethodInterface),
     "Name": "Name", "Description": "Description", "Role": FieldTarget("Role", _PLACE),
     "InDataTypeList": "InArguments", "OutDataTypeList": "OutArguments",
 }  # fmt: skip
-_STATUS_HEAD: dict[str, FieldTarget | str] = {
+_STATUS_HEAD: Targets = {
     "Name": "Name", "Description": "Description", "Datatype": "DataType", "VssPath": "VssPath",
 }  # fmt: skip
 _ERROR = {**_kept("Error", ErrorInterface), **_STATUS_HEAD}
 _REACTION = {**_kept("SafetyReaction", SafetyReaction), **_STATUS_HEAD}
 _MODE = {**_kept("Mode", ModeInterface), **_STATUS_HEAD, "Direction": FieldTarget("Role", _PLACE)}
-_CALL: dict[str, FieldTarget | str] = {
+_CALL: Targets = {
     "Runtype": "RunType", "Cycletime": "CycleTime", "CycletimeNanoseconds": "CycleTime", "Scheduling": FieldTarget("Scheduling", _PROCESS),
     "Priority": FieldTarget("Priority", _PROCESS), "SupervisionType": "SupervisionType",
     "funcContractList": FieldTarget("ServiceInterfaceList and ParameterList", "each interface has its own entries"),
@@ -64,7 +64,7 @@ _CALL: dict[str, FieldTarget | str] = {
     "EventList": FieldTarget("EventList and Triggers", "each event as the event of a service"),
     **{str(field.alias): f"Code/{field.alias}" for field in CallCode.model_fields.values()},
 }  # fmt: skip
-_PARAMETER: dict[str, FieldTarget | str] = {
+_PARAMETER: Targets = {
     "Datatype": "Datatype and CodeDatatype", "Asillevel": "AsilLevel", "Min": "Datatype/MinValue",
     "Max": "Datatype/MaxValue", "Default": "Datatype/Default", "InitValue": "Datatype/InitValue",
     "Units": "Datatype/Unit", "DefaultText": "Datatype/Default",
@@ -80,25 +80,24 @@ _PARAMETER: dict[str, FieldTarget | str] = {
     "Factor": "Code/Factor and Datatype/Scaling", "Offset": "Code/Offset and Datatype/Offset",
     "InitElements": "Code/InitElements and Datatype/InitValue",
 }  # fmt: skip
-_NO_RANGE = FieldTarget(
-    "none", "a boolean or a text has no range, unit or number; the published schema has no place for it"
+_NO_RANGE: Targets = dict.fromkeys(
+    ("Min", "Max", "Units"),
+    FieldTarget("none", "a boolean or a text has no range, unit or number; the published schema has no place for it"),
 )
-_FUNCTION: dict[str, FieldTarget | str] = {
+_FUNCTION: Targets = {
     "FunctionName": "FunctionInformation/Functions, Component/Function",
     "FunctionResponsible": "FunctionInformation/Responsible", "Description": "Component/Description",
     "Version": FieldTarget("Component/Version", "the version of the document is that of the deployment"),
 }  # fmt: skip
-_META: dict[str, FieldTarget | str] = {
+_META: Targets = {
     "Authority": "MetaInformation/Authority", "SchemaAuthor": "MetaInformation/Author", "Date": "MetaInformation/Date",
     **dict.fromkeys(
         ("SchemaVersion", "SchemaDescription"), FieldTarget("none", "each format has its own version and description"),
     ),
 }  # fmt: skip
-_CODE: dict[str, FieldTarget | str] = {
-    str(field.alias): f"Code/{field.alias}" for field in CodeInterface.model_fields.values()
-}
-_COMPONENT: dict[str, FieldTarget | str] = {"Name": "Name", "functionList": "FunctionList"}
-_CONTRACT: dict[str, FieldTarget | str] = {
+_CODE: Targets = {str(field.alias): f"Code/{field.alias}" for field in CodeInterface.model_fields.values()}
+_COMPONENT: Targets = {"Name": "Name", "functionList": "FunctionList"}
+_CONTRACT: Targets = {
     "Type": "ContractTypes",
     **dict.fromkeys(
         ("SignalList", "DataQList", "MethodList", "ErrorList", "SafetyReactionList"),
@@ -106,9 +105,9 @@ _CONTRACT: dict[str, FieldTarget | str] = {
     ),
     "ParameterList": FieldTarget("ParameterList", "each interface has its own entries"),
 }
-_MODES: dict[str, FieldTarget | str] = {"Name": "Name", "Description": "Description", "RunnablesList": "Calls"}
+_MODES: Targets = {"Name": "Name", "Description": "Description", "RunnablesList": "Calls"}
 
-TABLES: Mapping[type, tuple[str, Mapping[str, FieldTarget | str]]] = {
+TABLES: Mapping[type, tuple[str, Targets]] = {
     Signal: ("signal", _SIGNAL),
     DataQueue: ("queue", _SIGNAL),
     MethodInterface: ("method", _METHOD),
@@ -122,8 +121,8 @@ _INSIDE: Mapping[type, str] = {
     ModeInterface: "Mode",
 }  # fmt: skip
 """Targets of interfaces that are kept whole, with all of their fields."""
-CALL_TARGETS: Mapping[str, FieldTarget | str] = _CALL
-PARAMETER_TARGETS: Mapping[str, FieldTarget | str] = _PARAMETER
+CALL_TARGETS: Targets = _CALL
+PARAMETER_TARGETS: Targets = _PARAMETER
 
 
 def field_targets(context: Context, all_services: Sequence[Service]) -> tuple[Entry, ...]:
@@ -139,44 +138,36 @@ def field_targets(context: Context, all_services: Sequence[Service]) -> tuple[En
 
 
 def _of_interface(side: Side, element: str) -> list[Entry]:
-    kind, table = TABLES[type(side.interface)]
-    of = "Queue" if isinstance(side.interface, DataQueue) else "Signal"
-    prefix = f"{side.part.name}/{element}"
-    below = _below(prefix, table, of)
-    if type(side.interface) in _INSIDE:
-        inside = _INSIDE[type(side.interface)]
-        for field in side.interface.model_extra or ():
-            below[field] = FieldTarget(f"{prefix}/{inside}/{field}", "no field that sigcat knows; carried as it is")
-    return entries(side.function, side.interface.name, kind, side.interface, below)
-
-
-def _below(prefix: str, table: Mapping[str, FieldTarget | str], of: str = "") -> dict[str, FieldTarget | str]:
-    placed: dict[str, FieldTarget | str] = {}
-    for field, known in table.items():
-        target = FieldTarget(known) if isinstance(known, str) else known
-        placed[field] = FieldTarget(f"{prefix}/{target.target.replace('{of}', of)}", target.note)
-    return placed
+    part = side.interface
+    kind, table = TABLES[type(part)]
+    inside = _INSIDE.get(type(part))
+    unknown = {
+        field: FieldTarget(f"{inside}/{field}", "no field that sigcat knows; carried as it is")
+        for field in (part.model_extra or () if inside else ())
+    }
+    names = {"of": "Queue" if isinstance(part, DataQueue) else "Signal"}
+    return entries(side.function, part.name, kind, part, {**table, **unknown}, names, f"{side.part.name}/{element}")
 
 
 def _of_part(part: Part) -> Iterator[Entry]:
-    function = part.function
+    function, name = part.function, part.function_name
     if part.is_first:
-        yield from entries(part.function_name, part.function_name, "document", function.meta, _META)
-        yield from entries(part.function_name, part.function_name, "function", function.info, _FUNCTION)
+        yield from entries(name, name, "document", function.meta, _META)
+        yield from entries(name, name, "function", function.info, _FUNCTION)
         if function.code is not None:
-            below = _below(part.name, _CODE)
-            yield from entries(part.function_name, part.function_name, "code", function.code, below)
+            yield from entries(name, name, "code", function.code, _CODE, below=part.name)
         for mode in function.modes or ():
-            prefix = f"{part.name}/FunctionModes/{mode.name}"
-            yield from entries(part.function_name, mode.name, "active mode", mode, _below(prefix, _MODES))
-    yield from entries(part.function_name, part.name, "component", part.component, _below(part.name, _COMPONENT))
+            yield from entries(
+                name, mode.name, "active mode", mode, _MODES, below=f"{part.name}/FunctionModes/{mode.name}"
+            )
+    yield from entries(name, part.name, "component", part.component, _COMPONENT, below=part.name)
     for call in part.component.runnables:
-        prefix = f"{part.name}/FunctionList/{call.name}"
-        yield from entries(part.function_name, call.name, "call", call, _below(prefix, _CALL))
+        place = f"{part.name}/FunctionList/{call.name}"
+        yield from entries(name, call.name, "call", call, _CALL, below=place)
         for contract in call.contracts or ():
-            yield from entries(part.function_name, call.name, "contract", contract, _below(prefix, _CONTRACT))
+            yield from entries(name, call.name, "contract", contract, _CONTRACT, below=place)
             for parameter in contract.parameters or ():
-                below = _below(f"{part.name}/ParameterList/{parameter.name}", _PARAMETER)
-                if parameter.datatype in ("DT_Bool", "DT_String"):
-                    below.update(dict.fromkeys(("Min", "Max", "Units"), _NO_RANGE))
-                yield from entries(part.function_name, parameter.name, "parameter", parameter, below)
+                has_range = parameter.datatype not in ("DT_Bool", "DT_String")
+                targets = _PARAMETER if has_range else {**_PARAMETER, **_NO_RANGE}
+                place_of = f"{part.name}/ParameterList/{parameter.name}"
+                yield from entries(name, parameter.name, "parameter", parameter, targets, below=place_of)

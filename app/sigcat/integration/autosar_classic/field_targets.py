@@ -18,11 +18,10 @@ from sigcat.function.function_json.wire import own_fields
 from sigcat.integration.autosar_classic.context import Context, named_calls
 from sigcat.integration.autosar_classic.elements import Element
 from sigcat.integration.autosar_classic.parameters import Parameter, parameters_of
-from sigcat.integration.report import Entry, FieldTarget, entries
+from sigcat.integration.report import Entry, FieldTarget, Targets, entries
 
 _CORE = FieldTarget("SourceFunctionList", "the core decides it, from the function that the document carries")
 _SENT = "values are sent in the catalogue's datatype and unit; the core converts"
-_Targets = Mapping[str, FieldTarget | str]
 
 
 def _of_core(*models: type[BaseModel]) -> dict[str, FieldTarget | str]:
@@ -30,7 +29,7 @@ def _of_core(*models: type[BaseModel]) -> dict[str, FieldTarget | str]:
     return dict.fromkeys(own_fields(*models), _CORE)
 
 
-_DATA: _Targets = {
+_DATA: Targets = {
     **_of_core(Signal, DataQueue),
     "Name": "{port}/Elements/Uses/Interface", "Description": "{interface}/Description",
     "Role": FieldTarget("{port}/Direction", "and which accesses the runnable has"),
@@ -48,18 +47,18 @@ _DATA: _Targets = {
     "E2eError": FieldTarget("{port}/Elements/TransformerErrors", "the core gets what the transformer rejects"),
     **dict.fromkeys(("Min", "Max", "Factor", "Offset", "Type"), _CORE),
 }  # fmt: skip
-_METHOD: _Targets = {
+_METHOD: Targets = {
     **_of_core(MethodInterface),
     "Name": "{interface}/Operations/Name", "Description": "{interface}/Operations/Description",
     "Role": "{port}/Direction", "InDataTypeList": "{interface}/Operations/Arguments",
     "OutDataTypeList": "{interface}/Operations/Arguments",
     "Timeout": FieldTarget("{port}/Elements/Uses/Timeout", "the core checks it"),
 }  # fmt: skip
-_HEAD: _Targets = {
+_HEAD: Targets = {
     "Name": "{interface}/Name", "Description": "{interface}/Description", "Datatype": "{interface}/Elements/Type",
     "VssPath": "{interface}/Elements/VssPath", "AsilLevel": "AsilLevel and MemorySections",
 }  # fmt: skip
-_ERROR: _Targets = {
+_ERROR: Targets = {
     **_of_core(ErrorInterface), **_HEAD, "ResetTime": _CORE, "ResetCondition": _CORE,
     "Severity": "DiagnosticEvents/Severity", "OccurenceCountLimit": "DiagnosticEvents/OccurrenceCountLimit",
     "IgnitionCountLimit": "DiagnosticEvents/IgnitionCountLimit",
@@ -67,16 +66,16 @@ _ERROR: _Targets = {
     "MaturationTimeNanoseconds": FieldTarget("SourceFunctionList", "the core matures the error: DEM debounces nothing"),
     "Dependancy": FieldTarget("Ports", "a required port for each error of another component; the core decides"),
 }  # fmt: skip
-_REACTION: _Targets = {
+_REACTION: Targets = {
     **_of_core(SafetyReaction), **_HEAD, "ErrorList": "Inhibitions/Events", "Initial": "{port}/Elements/InitValue",
     "Timeout": FieldTarget("{port}/Elements/Uses/Timeout", "the core checks it"),
 }  # fmt: skip
-_MODE: _Targets = {
+_MODE: Targets = {
     **_of_core(ModeInterface), **_HEAD, "Datatype": "ModeGroups/Type", "VssPath": FieldTarget("SourceFunctionList", "modes are named by their interface"),
     "Description": "{port}/Description", "Direction": "{port}/Direction", "Modes": "ModeGroups/Modes",
     "Initial": "ModeGroups/InitialMode",
 }  # fmt: skip
-_CALL: _Targets = {
+_CALL: Targets = {
     **_of_core(Runnable),
     "Name": "{runnable}/Call", "Description": "{runnable}/Description", "Runtype": "{runnable}/Role",
     "Cycletime": "Events/Period", "CycletimeNanoseconds": "Events/Period", "ExecOffset": "Events/Offset",
@@ -91,7 +90,7 @@ _CALL: _Targets = {
     "funcContractList": FieldTarget("Ports and {runnable}/Accesses", "each interface has its own entries"),
     "VssPath": FieldTarget("SourceFunctionList", "a call is not a port"),
 }  # fmt: skip
-_PARAMETER: _Targets = {
+_PARAMETER: Targets = {
     **_of_core(ParameterInterface),
     "Name": "{parameter}/Name", "Description": "{parameter}/Description", "Datatype": "{parameter}/Type",
     "Min": FieldTarget("DataConstraints", "in the catalogue's unit"), "Max": FieldTarget("DataConstraints", "in the catalogue's unit"),
@@ -103,20 +102,20 @@ _PARAMETER: _Targets = {
     "Attribute": FieldTarget("NvBlocks/Parameters", "what is learned is kept"),
     "Default": _CORE, "RangeErrorAction": _CORE,
 }  # fmt: skip
-_FUNCTION: _Targets = {
+_FUNCTION: Targets = {
     "FunctionName": "ApplicationInformation/Functions, Components/Function",
     "FunctionResponsible": "ApplicationInformation/Responsible", "Description": "Components/Description",
     "Version": FieldTarget("Components/Version", "the version of the document is that of the deployment"),
 }  # fmt: skip
-_META: _Targets = {
+_META: Targets = {
     "Authority": "MetaInformation/Authority", "SchemaAuthor": "MetaInformation/Author", "Date": "MetaInformation/Date",
     **dict.fromkeys(
         ("SchemaVersion", "SchemaDescription"), FieldTarget("none", "each format has its own version and description"),
     ),
 }  # fmt: skip
-_CODE: _Targets = {str(field.alias): f"Code/{field.alias}" for field in CodeInterface.model_fields.values()}
-_COMPONENT: _Targets = {"Name": "Name", "functionList": "Runnables"}
-_CONTRACT: _Targets = {
+_CODE: Targets = {str(field.alias): f"Code/{field.alias}" for field in CodeInterface.model_fields.values()}
+_COMPONENT: Targets = {"Name": "Name", "functionList": "Runnables"}
+_CONTRACT: Targets = {
     "Type": _CORE,
     **dict.fromkeys(
         ("SignalList", "DataQList", "MethodList", "ErrorList", "SafetyReactionList"),
@@ -124,9 +123,9 @@ _CONTRACT: _Targets = {
     ),
     "ParameterList": FieldTarget("Ports or InternalParameters", "each interface has its own entries"),
 }
-_MODES: _Targets = {"Name": "ModeGroups/Modes", "Description": _CORE, "RunnablesList": _CORE}
+_MODES: Targets = {"Name": "ModeGroups/Modes", "Description": _CORE, "RunnablesList": _CORE}
 
-TABLES: Mapping[type, tuple[str, _Targets]] = {
+TABLES: Mapping[type, tuple[str, Targets]] = {
     Signal: ("signal", _DATA),
     DataQueue: ("queue", _DATA),
     MethodInterface: ("method", _METHOD),
@@ -157,23 +156,11 @@ def _of_interface(side: Side, element: Element) -> list[Entry]:
     kind, table = TABLES[type(side.interface)]
     lists = {"method": "ClientServerInterfaces", "mode": "ModeSwitchInterfaces"}
     names = {
-        "{port}": f"{side.part.name}/Ports/{element.name}",
-        "{interface}": f"{lists.get(kind, 'SenderReceiverInterfaces')}/{element.name}",
-        "{element}": element.name,
+        "port": f"{side.part.name}/Ports/{element.name}",
+        "interface": f"{lists.get(kind, 'SenderReceiverInterfaces')}/{element.name}",
+        "element": element.name,
     }
-    return entries(side.function, side.interface.name, kind, side.interface, _named(table, names))
-
-
-def _named(table: _Targets, names: Mapping[str, str]) -> dict[str, FieldTarget | str]:
-    """Targets with the names of their parents."""
-    made: dict[str, FieldTarget | str] = {}
-    for field, known in table.items():
-        target = FieldTarget(known) if isinstance(known, str) else known
-        text = target.target
-        for word, name in names.items():
-            text = text.replace(word, name)
-        made[field] = FieldTarget(text, target.note)
-    return made
+    return entries(side.function, side.interface.name, kind, side.interface, table, names)
 
 
 def _of_part(part: Part) -> Iterator[Entry]:
@@ -182,31 +169,20 @@ def _of_part(part: Part) -> Iterator[Entry]:
         yield from entries(name, name, "document", function.meta, _META)
         yield from entries(name, name, "function", function.info, _FUNCTION)
         if function.code is not None:
-            yield from entries(name, name, "code", function.code, _below(part, _CODE))
+            yield from entries(name, name, "code", function.code, _CODE, below=part.name)
         for mode in function.modes or ():
             yield from entries(name, mode.name, "active mode", mode, _MODES)
-    yield from entries(name, part.name, "component", part.component, _below(part, _COMPONENT))
-    parameters = parameters_of(part)
+    yield from entries(name, part.name, "component", part.component, _COMPONENT, below=part.name)
+    parameters = {each.interface.name: each for each in reversed(parameters_of(part))}
     for each in named_calls(part):
-        runnable = each.name if each.role == "Step" else each.role
-        yield from entries(
-            name, each.call.name, "call", each.call, _below(part, _CALL, runnable=f"Runnables/{runnable}")
-        )
+        runnable = {"runnable": f"Runnables/{each.name if each.role == 'Step' else each.role}"}
+        yield from entries(name, each.call.name, "call", each.call, _CALL, runnable, part.name)
         for contract in each.call.contracts or ():
-            yield from entries(name, each.call.name, "contract", contract, _below(part, _CONTRACT))
+            yield from entries(name, each.call.name, "contract", contract, _CONTRACT, runnable, part.name)
             for parameter in contract.parameters or ():
-                known = next(p for p in parameters if p.interface.name == parameter.name)
-                table = _below(part, _PARAMETER, parameter=_place(known))
-                yield from entries(name, parameter.name, "parameter", parameter, table)
+                place = {"parameter": _place(parameters[parameter.name])}
+                yield from entries(name, parameter.name, "parameter", parameter, _PARAMETER, place, part.name)
 
 
 def _place(parameter: Parameter) -> str:
     return f"{'NvBlocks' if parameter.is_stored else 'Parameters'}/{parameter.name}"
-
-
-def _below(part: Part, table: _Targets, **names: str) -> dict[str, FieldTarget | str]:
-    made = _named(table, {f"{{{word}}}": name for word, name in names.items()})
-    return {
-        field: target if isinstance(target, str) or target.target == _CORE.target else FieldTarget(f"{part.name}/{target.target}", target.note)
-        for field, target in made.items()
-    }  # fmt: skip

@@ -13,13 +13,11 @@ from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.wire import own_fields
-from sigcat.integration.report import NOT_CARRIED, Entry, FieldTarget, entries
+from sigcat.integration.report import NOT_CARRIED, Entry, FieldTarget, Targets, entries
 from sigcat.integration.ros2.model import Communication, FieldMapping, RosNode, RosService, RosTopic
 from sigcat.integration.ros2.services import SERVER
 from sigcat.integration.ros2.signal_uses import INIT, SHUTDOWN, run_kind
 from sigcat.integration.ros2.topics import PUBLISHER
-
-Targets = Mapping[str, FieldTarget | str]
 
 _VERBATIM = FieldTarget("ComponentList", "kept as it was declared; nothing of ROS 2 depends on it")
 _CORE = FieldTarget("SourceFunctionList", "the core of the adapter has it from there, on every platform")
@@ -249,22 +247,7 @@ def _exchanged(communications: Iterable[Communication]) -> _Exchanged:
 
 
 def _entries(part: Part, interface: str, kind: str, model: BaseModel, **names: str) -> list[Entry]:
-    table = TABLES[kind]
-    fields = {field.alias: name for name, field in type(model).model_fields.items()}
-    targets = {
-        alias: _filled(target, names)
-        for alias, target in table.items()
-        if alias in fields and getattr(model, fields[alias]) is not None
-    }
-    return entries(part.function_name, interface, "call" if kind == "transition" else kind, model, targets)
-
-
-def _filled(target: FieldTarget | str, names: Mapping[str, str]) -> FieldTarget | str:
-    text, note = (target, "") if isinstance(target, str) else target
-    if "{" in text:
-        for name, value in names.items():
-            text = text.replace(f"{{{name}}}", value)
-    return FieldTarget(text, note)
+    return entries(part.function_name, interface, "call" if kind == "transition" else kind, model, TABLES[kind], names)
 
 
 def _left_out(part: Part, interface: str, kind: str, model: BaseModel) -> list[Entry]:
