@@ -11,7 +11,7 @@ from sigcat.function.document.field_types import (
     Signature,
     SourceFile,
 )
-from sigcat.function.function_json.wire import OWN, Integer, WireModel, described, own
+from sigcat.function.function_json.wire import Integer, WireModel, always, own
 
 GLOBALS = "Globals"
 POINTERS = "Pointers"
@@ -31,7 +31,7 @@ MEMBERS = "Members of the struct in C, where their names are not those of the ca
 class Macro(WireModel):
     """A macro of the preprocessor that the sources are compiled with."""
 
-    name: CIdentifier = described("Name", "Name of the macro.", source=OWN)
+    name: CIdentifier = always("Name", "Name of the macro.")
     value: MacroValue | None = own("Replacement", "Its value; absent if it has none.")
 
     @property
@@ -43,10 +43,8 @@ class Macro(WireModel):
 class CodeObject(WireModel):
     """An object that calls take a pointer to, or a global variable that is neither a signal nor a parameter."""
 
-    name: CIdentifier = described(
-        "Name", "Name of the object; the expressions of its members begin with it.", source=OWN
-    )
-    type: CType = described("Type", "Type in C, such as ExtU_EcoControlMpc_T.", source=OWN)
+    name: CIdentifier = always("Name", "Name of the object; the expressions of its members begin with it.")
+    type: CType = always("Type", "Type in C, such as ExtU_EcoControlMpc_T.")
     length: Integer | None = own("Length", "Elements of an array; absent if the object is not an array.")
     member: CMember | None = own("Member", "Member of the first object that is set to point to this one.")
     defined_by: Definer | None = own("DefinedBy", f"{DEFINED_BY} With pointers always the adapter.")
@@ -65,11 +63,10 @@ class CodeObject(WireModel):
 class CodeInterface(WireModel):
     """Compilation and calls of the code."""
 
-    signature: Signature = described(
+    signature: Signature = always(
         "Signature",
         "Globals: calls take nothing and read and write global variables. Pointers: calls take pointers to objects that the "
         "adapter holds for each instance. Class: calls are members of a C++ class.",
-        source=OWN,
     )
     sources: tuple[SourceFile, ...] | None = own(
         "Sources", "Files to compile, relative to the declaration.", strict=False
@@ -92,10 +89,8 @@ class CodeInterface(WireModel):
 class Member(WireModel):
     """A member of a struct."""
 
-    name: Name = described(
-        "Name", "Name in the catalogue; of a struct within the struct, with points between.", source=OWN
-    )
-    member: CIdentifier = described("Member", "Name in C.", source=OWN)
+    name: Name = always("Name", "Name in the catalogue; of a struct within the struct, with points between.")
+    member: CIdentifier = always("Member", "Name in C.")
 
 
 class Checkpoint(WireModel):

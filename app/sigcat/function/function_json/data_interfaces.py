@@ -18,7 +18,6 @@ from sigcat.function.function_json.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.code import DEFINED_BY, MEMBERS, Member
 from sigcat.function.function_json.datatype import EnumerationValue
 from sigcat.function.function_json.wire import (
-    OWN,
     PHYSICAL,
     TABLE,
     Integer,
@@ -26,6 +25,7 @@ from sigcat.function.function_json.wire import (
     TypeReference,
     WireModel,
     described,
+    optional,
     own,
 )
 
@@ -36,27 +36,19 @@ class Signal(WireModel):
     name: Name = described("Name", "Name of the signal inside the function.")
     description: Text = described("Description", "What the value means.")
     role: Name = described("Role", "Consumer or Provider.")
-    asil_level: Name | None = described("AsilLevel", "ASIL: QM, A, B, C or D.", default=None)
-    timeout: Quantity | None = described(
-        "Timeout", "Longest time between two values, as a number in a text.", default=None, unit="ms"
-    )
-    access: Name | None = described("Access", "Immediate, or buffered for the length of a call.", default=None)
+    asil_level: Name | None = optional("AsilLevel", "ASIL: QM, A, B, C or D.")
+    timeout: Quantity | None = optional("Timeout", "Longest time between two values, as a number in a text.", unit="ms")
+    access: Name | None = optional("Access", "Immediate, or buffered for the length of a call.")
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.")
-    factor: NumberText | None = described(
-        "Factor", "Scaling: physical value = stored value × factor + offset.", default=None
-    )
-    offset: NumberText | None = described(
-        "Offset", "Offset of the scaling, in the unit of the signal.", default=None, unit=PHYSICAL
-    )
-    min: Number | None = described("Min", "Smallest valid value, after scaling.", default=None, unit=PHYSICAL)
-    max: Number | None = described("Max", "Largest valid value, after scaling.", default=None, unit=PHYSICAL)
-    default: Number | None = described("Default", "Value that replaces a missing one.", default=None, unit=PHYSICAL)
-    init_value: Number | None = described(
-        "InitValue", "Value before the first one arrives.", default=None, unit=PHYSICAL
-    )
-    units: UnitKey | None = described("Units", "Unit of the physical value, by its key in the catalogue.", default=None)
-    range_error_action: Name | None = described(
-        "RangeErrorAction", "What replaces a value out of range: Default or Init.", default=None
+    factor: NumberText | None = optional("Factor", "Scaling: physical value = stored value × factor + offset.")
+    offset: NumberText | None = optional("Offset", "Offset of the scaling, in the unit of the signal.", unit=PHYSICAL)
+    min: Number | None = optional("Min", "Smallest valid value, after scaling.", unit=PHYSICAL)
+    max: Number | None = optional("Max", "Largest valid value, after scaling.", unit=PHYSICAL)
+    default: Number | None = optional("Default", "Value that replaces a missing one.", unit=PHYSICAL)
+    init_value: Number | None = optional("InitValue", "Value before the first one arrives.", unit=PHYSICAL)
+    units: UnitKey | None = optional("Units", "Unit of the physical value, by its key in the catalogue.")
+    range_error_action: Name | None = optional(
+        "RangeErrorAction", "What replaces a value out of range: Default or Init."
     )
     timeout_error: Name | None = described(
         "TimeoutError", "Error interface that is set when the time-out passes.", default=None, source="paper, figure 7"
@@ -64,45 +56,29 @@ class Signal(WireModel):
     type: Name | None = described(
         "Type", "Kind of the interface: sensor, actuator or attribute.", default=None, source=TABLE
     )
-    resolution: Number | None = described(
-        "Resolution", "Smallest step between two values.", default=None, source=OWN, unit=PHYSICAL
-    )
-    vss_path: VssPath | None = described("VssPath", "Path of the signal in the catalogue.", default=None, source=OWN)
-    vss_datatype: VssDatatype | None = described("VssDatatype", "Datatype in the catalogue.", default=None, source=OWN)
-    vss_unit: UnitKey | None = described("VssUnit", "Unit in the catalogue.", default=None, source=OWN)
-    vss_min: Number | None = described(
-        "VssMin", "Smallest value in the catalogue.", default=None, source=OWN, unit="that of `VssUnit`"
-    )
-    vss_max: Number | None = described(
-        "VssMax", "Largest value in the catalogue.", default=None, source=OWN, unit="that of `VssUnit`"
-    )
-    vss_symbols: tuple[EnumerationValue, ...] | None = described(
+    resolution: Number | None = own("Resolution", "Smallest step between two values.", unit=PHYSICAL)
+    vss_path: VssPath | None = own("VssPath", "Path of the signal in the catalogue.")
+    vss_datatype: VssDatatype | None = own("VssDatatype", "Datatype in the catalogue.")
+    vss_unit: UnitKey | None = own("VssUnit", "Unit in the catalogue.")
+    vss_min: Number | None = own("VssMin", "Smallest value in the catalogue.", unit="that of `VssUnit`")
+    vss_max: Number | None = own("VssMax", "Largest value in the catalogue.", unit="that of `VssUnit`")
+    vss_symbols: tuple[EnumerationValue, ...] | None = own(
         "VssSymbols",
         "Values of an enumeration with the numbers of the catalogue, where the code has others.",
-        default=None,
-        source=OWN,
         strict=False,
     )
-    conversion_factor: NumberText | None = described(
+    conversion_factor: NumberText | None = own(
         "ConversionFactor",
         "Value in the catalogue's unit = physical value × factor + offset; absent where the units are the same. Exact: a "
         "decimal number, or where that has no end a fraction, 5/18.",
-        default=None,
-        source=OWN,
     )
-    conversion_offset: NumberText | None = described(
-        "ConversionOffset",
-        "Offset of the conversion, in the catalogue's unit; exact, too.",
-        default=None,
-        source=OWN,
-        unit="that of `VssUnit`",
+    conversion_offset: NumberText | None = own(
+        "ConversionOffset", "Offset of the conversion, in the catalogue's unit; exact, too.", unit="that of `VssUnit`"
     )
-    external_provider: Text | None = described(
-        "ExternalProvider", "Who provides a consumed signal, where no other function does.", default=None, source=OWN
+    external_provider: Text | None = own(
+        "ExternalProvider", "Who provides a consumed signal, where no other function does."
     )
-    variable: CExpression | None = described(
-        "Variable", "Expression of the C code that holds the value.", default=None, source=OWN
-    )
+    variable: CExpression | None = own("Variable", "Expression of the C code that holds the value.")
     defined_by: Definer | None = own("DefinedBy", DEFINED_BY)
     c_type: CTypeName | None = own("CType", C_TYPE)
     members: tuple[Member, ...] | None = own("Members", MEMBERS, strict=False)
@@ -149,45 +125,25 @@ class DataQueue(WireModel):
     max: Number | None = described(
         "Max", "Largest valid value, after scaling.", default=None, source=TABLE, unit=PHYSICAL
     )
-    default: Number | None = described(
-        "Default", "Value that replaces a missing one.", default=None, source=OWN, unit=PHYSICAL
-    )
-    resolution: Number | None = described(
-        "Resolution", "Smallest step between two values.", default=None, source=OWN, unit=PHYSICAL
-    )
-    access: Name | None = described("Access", "As in a signal.", default=None, source=OWN)
-    timeout: Quantity | None = described(
-        "Timeout", "Longest time between two values, as a number in a text.", default=None, unit="ms", source=OWN
-    )
-    timeout_error: Name | None = described(
-        "TimeoutError", "Error interface that is set when the time-out passes.", default=None, source=OWN
-    )
-    range_error_action: Name | None = described(
-        "RangeErrorAction", "What replaces a value out of range: Default or Init.", default=None, source=OWN
-    )
+    default: Number | None = own("Default", "Value that replaces a missing one.", unit=PHYSICAL)
+    resolution: Number | None = own("Resolution", "Smallest step between two values.", unit=PHYSICAL)
+    access: Name | None = own("Access", "As in a signal.")
+    timeout: Quantity | None = own("Timeout", "Longest time between two values, as a number in a text.", unit="ms")
+    timeout_error: Name | None = own("TimeoutError", "Error interface that is set when the time-out passes.")
+    range_error_action: Name | None = own("RangeErrorAction", "What replaces a value out of range: Default or Init.")
     type: Name | None = described(
         "Type", "Kind of the interface: sensor, actuator or attribute.", default=None, source=TABLE
     )
-    vss_path: VssPath | None = described("VssPath", "Path of the signal in the catalogue.", default=None, source=OWN)
-    vss_datatype: VssDatatype | None = described("VssDatatype", "Datatype in the catalogue.", default=None, source=OWN)
-    vss_unit: UnitKey | None = described("VssUnit", "Unit in the catalogue.", default=None, source=OWN)
-    vss_min: Number | None = described(
-        "VssMin", "Smallest value in the catalogue.", default=None, source=OWN, unit="that of `VssUnit`"
-    )
-    vss_max: Number | None = described(
-        "VssMax", "Largest value in the catalogue.", default=None, source=OWN, unit="that of `VssUnit`"
-    )
-    vss_symbols: tuple[EnumerationValue, ...] | None = described(
-        "VssSymbols", "As in a signal.", default=None, source=OWN, strict=False
-    )
-    conversion_factor: NumberText | None = described("ConversionFactor", "As in a signal.", default=None, source=OWN)
-    conversion_offset: NumberText | None = described(
-        "ConversionOffset", "As in a signal.", default=None, source=OWN, unit="that of `VssUnit`"
-    )
-    external_provider: Text | None = described("ExternalProvider", "As in a signal.", default=None, source=OWN)
-    variable: CExpression | None = described(
-        "Variable", "Expression of the C code that holds the queue.", default=None, source=OWN
-    )
+    vss_path: VssPath | None = own("VssPath", "Path of the signal in the catalogue.")
+    vss_datatype: VssDatatype | None = own("VssDatatype", "Datatype in the catalogue.")
+    vss_unit: UnitKey | None = own("VssUnit", "Unit in the catalogue.")
+    vss_min: Number | None = own("VssMin", "Smallest value in the catalogue.", unit="that of `VssUnit`")
+    vss_max: Number | None = own("VssMax", "Largest value in the catalogue.", unit="that of `VssUnit`")
+    vss_symbols: tuple[EnumerationValue, ...] | None = own("VssSymbols", "As in a signal.", strict=False)
+    conversion_factor: NumberText | None = own("ConversionFactor", "As in a signal.")
+    conversion_offset: NumberText | None = own("ConversionOffset", "As in a signal.", unit="that of `VssUnit`")
+    external_provider: Text | None = own("ExternalProvider", "As in a signal.")
+    variable: CExpression | None = own("Variable", "Expression of the C code that holds the queue.")
     defined_by: Definer | None = own("DefinedBy", DEFINED_BY)
     c_type: CTypeName | None = own("CType", C_TYPE)
     members: tuple[Member, ...] | None = own("Members", MEMBERS, strict=False)
@@ -227,22 +183,14 @@ class ParameterInterface(WireModel):
     interface_type: Name = described("Interfacetype", "Calibration, Measurement or PersistenceMemory.")
     attribute: Name = described("Attribute", "Normal, LearningParameter or NA.")
     units: UnitKey = described("Units", "Unit of the value; empty if it has none.")
-    default_text: Text | None = described(
-        "DefaultText", "Default of a text; of an array its elements, as JSON.", default=None, source=OWN
-    )
-    vss_path: VssPath | None = described("VssPath", "Path of the parameter in the catalogue.", default=None, source=OWN)
-    vss_datatype: VssDatatype | None = described("VssDatatype", "Datatype in the catalogue.", default=None, source=OWN)
-    vss_unit: UnitKey | None = described("VssUnit", "Unit in the catalogue.", default=None, source=OWN)
-    vss_symbols: tuple[EnumerationValue, ...] | None = described(
-        "VssSymbols", "As in a signal.", default=None, source=OWN, strict=False
-    )
-    conversion_factor: NumberText | None = described("ConversionFactor", "As in a signal.", default=None, source=OWN)
-    conversion_offset: NumberText | None = described(
-        "ConversionOffset", "As in a signal.", default=None, source=OWN, unit="that of `VssUnit`"
-    )
-    variable: CExpression | None = described(
-        "Variable", "Expression of the C code that holds the value.", default=None, source=OWN
-    )
+    default_text: Text | None = own("DefaultText", "Default of a text; of an array its elements, as JSON.")
+    vss_path: VssPath | None = own("VssPath", "Path of the parameter in the catalogue.")
+    vss_datatype: VssDatatype | None = own("VssDatatype", "Datatype in the catalogue.")
+    vss_unit: UnitKey | None = own("VssUnit", "Unit in the catalogue.")
+    vss_symbols: tuple[EnumerationValue, ...] | None = own("VssSymbols", "As in a signal.", strict=False)
+    conversion_factor: NumberText | None = own("ConversionFactor", "As in a signal.")
+    conversion_offset: NumberText | None = own("ConversionOffset", "As in a signal.", unit="that of `VssUnit`")
+    variable: CExpression | None = own("Variable", "Expression of the C code that holds the value.")
     factor: NumberText | None = own("Factor", "As in a signal.")
     offset: NumberText | None = own("Offset", "As in a signal.", unit=PHYSICAL)
     defined_by: Definer | None = own("DefinedBy", DEFINED_BY)

@@ -16,21 +16,21 @@ from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.provenance import Provenance
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.status_interfaces import ModeInterface
-from sigcat.function.function_json.wire import OWN, TABLE, WireModel, described, own, written
+from sigcat.function.function_json.wire import TABLE, WireModel, described, optional, own, written
 
 
 class MetaInfo(WireModel):
     """Responsible team of the document, and its version."""
 
-    authority: Text | None = described("Authority", "Organization that the document belongs to.", default=None)
-    schema_author: Text | None = described("SchemaAuthor", "Author of the document.", default=None)
-    date: Annotated[str, Field(pattern=r"^\d{2}.\d{2}.\d{4}$"), DATE] | None = described(
-        "Date", "Date of the document, as DD.MM.YYYY.", default=None
+    authority: Text | None = optional("Authority", "Organization that the document belongs to.")
+    schema_author: Text | None = optional("SchemaAuthor", "Author of the document.")
+    date: Annotated[str, Field(pattern=r"^\d{2}.\d{2}.\d{4}$"), DATE] | None = optional(
+        "Date", "Date of the document, as DD.MM.YYYY."
     )
-    schema_version: Annotated[str, Field(pattern=r"^\d+\.\d+\.\d+$"), VERSION] | None = described(
-        "SchemaVersion", "Version of the document's format, as three numbers.", default=None
+    schema_version: Annotated[str, Field(pattern=r"^\d+\.\d+\.\d+$"), VERSION] | None = optional(
+        "SchemaVersion", "Version of the document's format, as three numbers."
     )
-    schema_description: Text | None = described("SchemaDescription", "What the document is.", default=None)
+    schema_description: Text | None = optional("SchemaDescription", "What the document is.")
 
 
 class FunctionInfo(WireModel):
@@ -39,7 +39,7 @@ class FunctionInfo(WireModel):
     function_name: Name = described("FunctionName", "Name of the function.")
     function_responsible: Text = described("FunctionResponsible", "Team that answers for the function.")
     description: Text = described("Description", "What the function does.")
-    version: Version | None = described("Version", "Version of the function.", default=None, source=OWN)
+    version: Version | None = own("Version", "Version of the function.")
 
 
 class Component(WireModel):
@@ -71,9 +71,7 @@ class FunctionJson(WireModel):
         "ModeInterfaceList", "Mode management interfaces.", default=None, source=TABLE, strict=False
     )
     code: CodeInterface | None = own("Code", "How the code of the function is compiled and called.")
-    provenance: Provenance | None = described(
-        "Provenance", "What the document was made from.", default=None, source=OWN
-    )
+    provenance: Provenance | None = own("Provenance", "What the document was made from.")
 
 
 def to_json(function: FunctionJson) -> bytes:

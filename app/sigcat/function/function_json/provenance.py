@@ -7,7 +7,7 @@ from typing_extensions import TypeAliasType
 
 from sigcat.function.document.field_types import Carried, Digest, Name, VssPath
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.wire import OWN, WireModel, described
+from sigcat.function.function_json.wire import WireModel, always, own
 
 VspecAttributes = TypeAliasType(
     "VspecAttributes", Annotated[dict[Name, Carried], Field(description="Attributes by name, as in a vspec file.")]
@@ -17,34 +17,32 @@ VspecAttributes = TypeAliasType(
 class CatalogueLayer(WireModel):
     """A tree or an overlay that took part."""
 
-    name: Text = described("Name", "Name of its file.", source=OWN)
-    digest: Digest = described("Digest", "SHA-256 over its files.", source=OWN)
+    name: Text = always("Name", "Name of its file.")
+    digest: Digest = always("Digest", "SHA-256 over its files.")
 
 
 class DefinedInterface(WireModel):
     """An interface that the declaration itself defines, as an overlay would have it."""
 
-    path: VssPath = described("Path", "Path of the interface in the catalogue.", source=OWN)
-    attributes: VspecAttributes = described("Attributes", "Its attributes, as in a vspec file.", source=OWN)
+    path: VssPath = always("Path", "Path of the interface in the catalogue.")
+    attributes: VspecAttributes = always("Attributes", "Its attributes, as in a vspec file.")
 
 
 class Provenance(WireModel):
     """Sources of the document: from the same, it can be made again, byte for byte."""
 
-    generator: Text = described("Generator", "Program and version.", source=OWN)
-    declaration: Text = described("Declaration", "Name of the file that declares the function.", source=OWN)
-    declaration_digest: Digest = described("DeclarationDigest", "SHA-256 of its bytes.", source=OWN)
-    catalogue: Text = described("Catalogue", "Name of the catalogue.", source=OWN)
-    catalogue_digest: Digest = described(
-        "CatalogueDigest", "SHA-256 of its content, however split into files.", source=OWN
+    generator: Text = always("Generator", "Program and version.")
+    declaration: Text = always("Declaration", "Name of the file that declares the function.")
+    declaration_digest: Digest = always("DeclarationDigest", "SHA-256 of its bytes.")
+    catalogue: Text = always("Catalogue", "Name of the catalogue.")
+    catalogue_digest: Digest = always("CatalogueDigest", "SHA-256 of its content, however split into files.")
+    release: Text | None = own("Release", "Release of VSS, if the tree states it.")
+    layers: tuple[CatalogueLayer, ...] = always(
+        "Layers", "The tree and its overlays, in the order in which they apply.", strict=False
     )
-    release: Text | None = described("Release", "Release of VSS, if the tree states it.", default=None, source=OWN)
-    layers: tuple[CatalogueLayer, ...] = described(
-        "Layers", "The tree and its overlays, in the order in which they apply.", source=OWN, strict=False
+    definitions: tuple[DefinedInterface, ...] | None = own(
+        "Definitions", "Interfaces that the declaration defines itself.", strict=False
     )
-    definitions: tuple[DefinedInterface, ...] | None = described(
-        "Definitions", "Interfaces that the declaration defines itself.", default=None, source=OWN, strict=False
-    )
-    type_definitions: tuple[DefinedInterface, ...] | None = described(
-        "TypeDefinitions", "Struct types that it defines itself.", default=None, source=OWN, strict=False
+    type_definitions: tuple[DefinedInterface, ...] | None = own(
+        "TypeDefinitions", "Struct types that it defines itself.", strict=False
     )

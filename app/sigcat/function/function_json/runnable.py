@@ -12,7 +12,7 @@ from sigcat.function.function_json.data_interfaces import DataQueue, ParameterIn
 from sigcat.function.function_json.duration import exact_time
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
-from sigcat.function.function_json.wire import OWN, TABLE, Integer, Number, WireModel, WrittenWhole, described, own
+from sigcat.function.function_json.wire import TABLE, Integer, Number, WireModel, WrittenWhole, described, optional, own
 
 
 class WatchdogLimits(WireModel):
@@ -39,7 +39,7 @@ class Watchdog(WireModel):
 class Contract(WireModel):
     """Interfaces that a call reads and writes."""
 
-    type: Name | None = described("Type", "How data is handed over: global variables or C calls.", default=None)
+    type: Name | None = optional("Type", "How data is handed over: global variables or C calls.")
     signals: tuple[Signal, ...] | None = described("SignalList", "Data interfaces.", strict=False)
     queues: tuple[DataQueue, ...] | None = described("DataQList", "Queued data interfaces.", strict=False)
     methods: tuple[MethodInterface, ...] | None = described("MethodList", "Methods.", strict=False)
@@ -56,41 +56,37 @@ class Runnable(WireModel):
     name: Name = described("Name", "Name of the call: <FunctionName>_Init, _Step or _Terminate.")
     description: Text = described("Description", "What the call does.")
     run_type: Name = described("Runtype", "Init, Cyclic, EventTriggered or Shutdown.")
-    cycle_time: WrittenWhole | None = described("Cycletime", "Time from one call to the next.", default=None, unit="ms")
+    cycle_time: WrittenWhole | None = optional("Cycletime", "Time from one call to the next.", unit="ms")
     cycle_time_nanoseconds: Integer | None = own(
         "CycletimeNanoseconds",
         "The cycle time, where it is not whole milliseconds; `Cycletime` is absent then.",
         unit="ns",
     )
-    stack_size: Quantity | None = described(
-        "StackSize", "Stack that the call needs, as a number in a text.", default=None, unit="bytes"
+    stack_size: Quantity | None = optional(
+        "StackSize", "Stack that the call needs, as a number in a text.", unit="bytes"
     )
-    previous_runnable: Name | None = described("PrevRunnable", "Call after which this one runs.", default=None)
-    execution_offset: Quantity | None = described(
-        "ExecOffset", "Offset of the first call, as a number in a text.", default=None, unit="ms"
+    previous_runnable: Name | None = optional("PrevRunnable", "Call after which this one runs.")
+    execution_offset: Quantity | None = optional(
+        "ExecOffset", "Offset of the first call, as a number in a text.", unit="ms"
     )
-    parallel_processing: bool | None = described(
-        "ParallelProcessing", "Whether calls may run at the same time.", default=None
-    )
-    asil_level: Name | None = described("AsilLevel", "ASIL that the call is implemented to.", default=None)
+    parallel_processing: bool | None = optional("ParallelProcessing", "Whether calls may run at the same time.")
+    asil_level: Name | None = optional("AsilLevel", "ASIL that the call is implemented to.")
     watchdog: Watchdog | None = described("Watchdog", "Supervision; null if there is none.")
     scheduling: Name = described("Scheduling", "Preemptive or Non-Preemptive.")
-    debounce_delay: Quantity | None = described(
-        "DebounceDelay", "Shortest time between two calls, as a number in a text.", default=None, unit="ms"
+    debounce_delay: Quantity | None = optional(
+        "DebounceDelay", "Shortest time between two calls, as a number in a text.", unit="ms"
     )
     priority: Words = described("Priority", "Priority relative to other calls; a higher number runs first.")
-    events: Name | None = described(
-        "EventList",
-        "Events that trigger the call: names or paths of signals that it consumes, separated by commas.",
-        default=None,
+    events: Name | None = optional(
+        "EventList", "Events that trigger the call: names or paths of signals that it consumes, separated by commas."
     )
-    contracts: tuple[Contract, ...] | None = described(
-        "funcContractList", "What the call reads and writes.", default=None, strict=False
+    contracts: tuple[Contract, ...] | None = optional(
+        "funcContractList", "What the call reads and writes.", strict=False
     )
     supervision_types: tuple[Name, ...] | None = described(
         "SupervisionType", "Alive, Deadline, Logical; empty if unsupervised.", default=None, source=TABLE, strict=False
     )
-    vss_path: VssPath | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
+    vss_path: VssPath | None = own("VssPath", "Path of the interface in the catalogue.")
     symbol: CIdentifier | None = own("Symbol", "Function or member function in C; the name of the call if absent.")
     arguments: tuple[CIdentifier, ...] | None = own(
         "Arguments", "Names of the objects that it takes pointers to, in order.", strict=False

@@ -12,7 +12,6 @@ from sigcat.function.function_json.code import DEFINED_BY
 from sigcat.function.function_json.datatype import EnumerationValue
 from sigcat.function.function_json.duration import exact_time
 from sigcat.function.function_json.wire import (
-    OWN,
     TABLE,
     Count,
     Integer,
@@ -20,6 +19,7 @@ from sigcat.function.function_json.wire import (
     TypeReference,
     WireModel,
     WrittenWhole,
+    always,
     described,
     own,
 )
@@ -58,8 +58,8 @@ class ErrorInterface(WireModel):
     reset_condition: Text | None = described(
         "ResetCondition", "Condition that resets the error.", default=None, source=TABLE
     )
-    asil_level: Name | None = described("AsilLevel", "ASIL: QM, A, B, C or D.", default=None, source=OWN)
-    vss_path: VssPath | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
+    asil_level: Name | None = own("AsilLevel", "ASIL: QM, A, B, C or D.")
+    vss_path: VssPath | None = own("VssPath", "Path of the interface in the catalogue.")
     variable: CExpression | None = own(
         "Variable", "Expression of the C code in which the function says whether the error is present: not 0."
     )
@@ -94,8 +94,8 @@ class SafetyReaction(WireModel):
     errors: tuple[Name, ...] = described(
         "ErrorList", "Error interfaces, any of which sets the condition.", strict=False
     )
-    asil_level: Name | None = described("AsilLevel", "ASIL: QM, A, B, C or D.", default=None, source=OWN)
-    vss_path: VssPath | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
+    asil_level: Name | None = own("AsilLevel", "ASIL: QM, A, B, C or D.")
+    vss_path: VssPath | None = own("VssPath", "Path of the interface in the catalogue.")
     variable: CExpression | None = own(
         "Variable", "Expression of the C code that holds the condition, written before a call."
     )
@@ -114,8 +114,8 @@ class ModeInterface(WireModel):
     description: Text = described("Description", "What the interface says.", source=TABLE)
     direction: Name = described("Direction", "In or Out.", source=TABLE)
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.", source=TABLE)
-    modes: tuple[Name, ...] = described("Modes", "Names of the modes.", source=OWN, strict=False)
-    vss_path: VssPath | None = described("VssPath", "Path of the interface in the catalogue.", default=None, source=OWN)
+    modes: tuple[Name, ...] = always("Modes", "Names of the modes.", strict=False)
+    vss_path: VssPath | None = own("VssPath", "Path of the interface in the catalogue.")
     variable: CExpression | None = own("Variable", "Expression of the C code that holds the mode.")
     defined_by: Definer | None = own("DefinedBy", DEFINED_BY)
     c_type: CTypeName | None = own("CType", C_TYPE)

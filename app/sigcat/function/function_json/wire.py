@@ -33,9 +33,19 @@ def described(alias: str, description: str, *, default: Any = ..., unit: str = "
     return Field(default, alias=alias, description=description, json_schema_extra=extra, **more)
 
 
+def optional(alias: str, description: str, **more: Any) -> Any:
+    """A field that may be absent."""
+    return described(alias, description, default=None, **more)
+
+
 def own(alias: str, description: str, **more: Any) -> Any:
     """An optional field that the published schema lacks."""
-    return described(alias, description, source=OWN, default=None, **more)
+    return optional(alias, description, source=OWN, **more)
+
+
+def always(alias: str, description: str, **more: Any) -> Any:
+    """A field that the published schema lacks and that is wherever its model is."""
+    return described(alias, description, source=OWN, **more)
 
 
 def own_fields(*models: type[BaseModel]) -> tuple[str, ...]:

@@ -17,7 +17,7 @@ from sigcat.function.document.text import Text
 from sigcat.function.function_json.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.code import Checkpoint, Member
 from sigcat.function.function_json.methods import MethodInterface
-from sigcat.function.function_json.wire import OWN, Integer, WireModel, described, own
+from sigcat.function.function_json.wire import Integer, WireModel, always, own
 
 
 class CallCode(WireModel):
@@ -55,10 +55,10 @@ class ParameterCode(WireModel):
 class MethodUse(WireModel):
     """One call's side of a method."""
 
-    function: FunctionName = described("Function", "Name of the function.", source=OWN)
-    component: Name = described("Component", "Name of the component.", source=OWN)
-    call: CallName = described("Call", "Name of the call.", source=OWN)
-    method: MethodInterface = described("Method", "The method as it is in Function JSON.", source=OWN)
+    function: FunctionName = always("Function", "Name of the function.")
+    component: Name = always("Component", "Name of the component.")
+    call: CallName = always("Call", "Name of the call.")
+    method: MethodInterface = always("Method", "The method as it is in Function JSON.")
 
 
 Code = TypeVar("Code", CallCode, ParameterCode)

@@ -6,7 +6,7 @@ from pydantic import Field
 
 from sigcat.function.declaration.form import DeclarationModel
 from sigcat.function.document.field_types import ElementKey
-from sigcat.function.function_json.wire import OWN, Integer, WireModel, described
+from sigcat.function.function_json.wire import Integer, WireModel, always
 
 Profile = Literal[4, 5, 6, 7]
 """Number of a profile of AUTOSAR's E2E protocol."""
@@ -46,10 +46,8 @@ NO_E2E = E2eSettings.model_validate({})
 class E2eProtection(WireModel):
     """Protection of an event, or of the notifier of a field."""
 
-    profile: Profile = described("Profile", "Number of the profile: 4, 5, 6 or 7.", source=OWN)
-    data_id: Annotated[Integer, Field(ge=0, le=0xFFFFFFFF)] = described(
-        "DataID", "What tells the event from every other one.", source=OWN
+    profile: Profile = always("Profile", "Number of the profile: 4, 5, 6 or 7.")
+    data_id: Annotated[Integer, Field(ge=0, le=0xFFFFFFFF)] = always(
+        "DataID", "What tells the event from every other one."
     )
-    max_delta_counter: Step = described(
-        "MaxDeltaCounter", "Largest step from one counter to the next that passes.", source=OWN
-    )
+    max_delta_counter: Step = always("MaxDeltaCounter", "Largest step from one counter to the next that passes.")

@@ -36,7 +36,7 @@ from sigcat.function.function_json.methods import Argument
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.runnable import Watchdog
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
-from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, own, written
+from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, always, described, own, written
 from sigcat.integration.autosar_adaptive.code import CallCode, MethodUse, ParameterCode
 from sigcat.integration.autosar_adaptive.e2e import E2eProtection
 from sigcat.integration.autosar_adaptive.namespaces import DEFAULT_HEADER_FOLDERS, HeaderFolders, Namespace
@@ -58,11 +58,6 @@ ADAPTIVE = "published integration schema for AUTOSAR adaptive"
 def published(alias: str, description: str, **more: Any) -> Any:
     """A field of the published schema."""
     return described(alias, description, source=ADAPTIVE, **more)
-
-
-def always(alias: str, description: str, **more: Any) -> Any:
-    """A field that the published schema lacks and that stands wherever its model does."""
-    return described(alias, description, source=OWN, **more)
 
 
 class MetaInformation(WireModel):

@@ -7,7 +7,7 @@ from pydantic import Field
 from sigcat.function.document.field_types import CIdentifier, FmiVariableName, FunctionName, Name, UnitKey
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.model import FunctionInfo, FunctionJson, MetaInfo
-from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, described, own, written
+from sigcat.function.function_json.wire import Integer, Number, WireModel, always, own, written
 from sigcat.integration.source_functions import source_functions
 
 Causality = Literal["independent", "input", "output", "parameter"]
@@ -19,67 +19,61 @@ FmiType = Literal[
 class EnumerationItem(WireModel):
     """A value of an enumeration."""
 
-    name: Name = described("Name", "Name of the value.", source=OWN)
-    value: Integer = described("Value", "Its number.", source=OWN)
+    name: Name = always("Name", "Name of the value.")
+    value: Integer = always("Value", "Its number.")
 
 
 class FmuVariable(WireModel):
     """A variable of an FMU."""
 
-    name: FmiVariableName = described(
-        "Name", "Name of the variable: the path in the catalogue, with the members of structs.", source=OWN
+    name: FmiVariableName = always(
+        "Name", "Name of the variable: the path in the catalogue, with the members of structs."
     )
-    reference: Annotated[Integer, Field(ge=0, le=2**32 - 1)] = described(
-        "ValueReference", "Number by which importers set and get it.", source=OWN
+    reference: Annotated[Integer, Field(ge=0, le=2**32 - 1)] = always(
+        "ValueReference", "Number by which importers set and get it."
     )
-    causality: Causality = described("Causality", "independent, input, output or parameter.", source=OWN)
-    type: FmiType = described("Type", "Datatype of FMI.", source=OWN)
+    causality: Causality = always("Causality", "independent, input, output or parameter.")
+    type: FmiType = always("Type", "Datatype of FMI.")
     length: Annotated[Integer, Field(ge=1)] | None = own("Dimension", "Number of elements of an array.")
     unit: UnitKey | None = own("Unit", "Unit, by its key in the catalogue.")
     min: Number | None = own("Min", "Smallest valid value.")
     max: Number | None = own("Max", "Largest valid value.")
-    start: tuple[Number | bool, ...] = described(
-        "Start", "Value in the beginning, of each element.", source=OWN, strict=False
-    )
+    start: tuple[Number | bool, ...] = always("Start", "Value in the beginning, of each element.", strict=False)
     items: tuple[EnumerationItem, ...] | None = own("Items", "Values of an enumeration.", strict=False)
-    description: Text = described("Description", "What it means.", source=OWN)
+    description: Text = always("Description", "What it means.")
 
 
 class Fmu(WireModel):
     """A functional mock-up unit."""
 
-    name: CIdentifier = described("Name", "Name of the model, its file and its library.", source=OWN)
-    description: Text = described("Description", "What it does.", source=OWN)
-    functions: tuple[FunctionName, ...] = described(
-        "FunctionNames", "Functions in it, in the order of their turns.", source=OWN, strict=False
+    name: CIdentifier = always("Name", "Name of the model, its file and its library.")
+    description: Text = always("Description", "What it does.")
+    functions: tuple[FunctionName, ...] = always(
+        "FunctionNames", "Functions in it, in the order of their turns.", strict=False
     )
-    token: CIdentifier = described("InstantiationToken", "Digest of the functions and of the variables.", source=OWN)
-    step_size: Annotated[Number, Field(gt=0)] = described("StepSize", "Proposed step.", unit="ms", source=OWN)
-    variables: tuple[FmuVariable, ...] = described(
-        "VariableList", "Variables, by value reference.", source=OWN, strict=False
-    )
+    token: CIdentifier = always("InstantiationToken", "Digest of the functions and of the variables.")
+    step_size: Annotated[Number, Field(gt=0)] = always("StepSize", "Proposed step.", unit="ms")
+    variables: tuple[FmuVariable, ...] = always("VariableList", "Variables, by value reference.", strict=False)
 
 
 class FmuConnection(WireModel):
     """An output of one FMU that is an input of another one."""
 
-    start_fmu: CIdentifier = described("StartFmu", "FMU that has the output.", source=OWN)
-    start_variable: FmiVariableName = described("StartVariable", "Name of the output.", source=OWN)
-    end_fmu: CIdentifier = described("EndFmu", "FMU that has the input.", source=OWN)
-    end_variable: FmiVariableName = described("EndVariable", "Name of the input.", source=OWN)
+    start_fmu: CIdentifier = always("StartFmu", "FMU that has the output.")
+    start_variable: FmiVariableName = always("StartVariable", "Name of the output.")
+    end_fmu: CIdentifier = always("EndFmu", "FMU that has the input.")
+    end_variable: FmiVariableName = always("EndVariable", "Name of the input.")
 
 
 class FmiIntegration(WireModel):
     """The whole document."""
 
-    meta: MetaInfo = described("MetaInfo", "Who is responsible for the document, and its version.", source=OWN)
-    info: FunctionInfo = described("FmiInformation", "Name, description and responsible team of the set.", source=OWN)
-    license: Text = described("License", "License of the FMUs.", source=OWN)
+    meta: MetaInfo = always("MetaInfo", "Who is responsible for the document, and its version.")
+    info: FunctionInfo = always("FmiInformation", "Name, description and responsible team of the set.")
+    license: Text = always("License", "License of the FMUs.")
     copyright: Text | None = own("Copyright", "Copyright notice of the FMUs.")
-    fmus: tuple[Fmu, ...] = described("FmuList", "The FMUs.", source=OWN, strict=False)
-    connections: tuple[FmuConnection, ...] = described(
-        "ConnectionList", "What an importer connects.", source=OWN, strict=False
-    )
+    fmus: tuple[Fmu, ...] = always("FmuList", "The FMUs.", strict=False)
+    connections: tuple[FmuConnection, ...] = always("ConnectionList", "What an importer connects.", strict=False)
     functions: tuple[FunctionJson, ...] | None = source_functions()
 
 

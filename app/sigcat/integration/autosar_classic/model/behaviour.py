@@ -12,8 +12,7 @@ from sigcat.function.document.field_types import (
     SourceFile,
 )
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.wire import Integer, Number, WireModel
-from sigcat.integration.autosar_classic.model.fields import always, own
+from sigcat.function.function_json.wire import Integer, Number, WireModel, always, own
 
 AccessKind = Literal[
     "ImplicitRead",

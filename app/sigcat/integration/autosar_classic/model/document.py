@@ -8,7 +8,7 @@ from sigcat.function.document.field_types import DATE, VERSION, Carried, Functio
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.wire import Integer, WireModel, written
+from sigcat.function.function_json.wire import Integer, WireModel, always, own, written
 from sigcat.integration.autosar_classic.model.behaviour import (
     Event,
     ExclusiveArea,
@@ -17,7 +17,6 @@ from sigcat.integration.autosar_classic.model.behaviour import (
     PerInstanceMemory,
     Runnable,
 )
-from sigcat.integration.autosar_classic.model.fields import always, own
 from sigcat.integration.autosar_classic.model.interfaces import (
     ClientServerInterface,
     ModeSwitchInterface,

@@ -4,8 +4,7 @@ from typing import Literal
 
 from sigcat.function.document.field_types import Name, ShortName, UnitKey, VssPath
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.wire import Integer, WireModel
-from sigcat.integration.autosar_classic.model.fields import always, own
+from sigcat.function.function_json.wire import Integer, WireModel, always, own
 
 Kind = Literal["SenderReceiver", "ClientServer", "ModeSwitch", "Parameter"]
 """Kind of a port interface."""

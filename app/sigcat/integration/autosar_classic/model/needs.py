@@ -4,8 +4,7 @@ from typing import Literal
 
 from sigcat.function.document.field_types import CallName, ErrorName, Name, ParameterName, ShortName
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.wire import Integer, Number, WireModel
-from sigcat.integration.autosar_classic.model.fields import always, own
+from sigcat.function.function_json.wire import Integer, Number, WireModel, always, own
 
 
 class NvBlock(WireModel):

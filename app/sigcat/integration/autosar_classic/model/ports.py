@@ -6,8 +6,7 @@ from pydantic import Field
 
 from sigcat.function.document.field_types import CallName, FunctionName, InterfaceName, Name, ShortName
 from sigcat.function.document.text import AnyValue, Text
-from sigcat.function.function_json.wire import Integer, Number, WireModel
-from sigcat.integration.autosar_classic.model.fields import always, own
+from sigcat.function.function_json.wire import Integer, Number, WireModel, always, own
 from sigcat.integration.autosar_classic.model.interfaces import Kind
 
 

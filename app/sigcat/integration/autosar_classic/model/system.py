@@ -4,8 +4,7 @@ from typing import Literal
 
 from sigcat.function.document.field_types import ShortName
 from sigcat.function.document.text import AnyValue, Text
-from sigcat.function.function_json.wire import Integer, Number, WireModel
-from sigcat.integration.autosar_classic.model.fields import always, own
+from sigcat.function.function_json.wire import Integer, Number, WireModel, always, own
 from sigcat.integration.autosar_classic.model.interfaces import Kind
 
 
