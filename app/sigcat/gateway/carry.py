@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class Outputs(NamedTuple):
-    """Where results go while a run lasts."""
+    """Targets of results while a run lasts."""
 
     write: Callable[[Iterable[str], Path | None], None]
     """Writes the lines of a trace; None is standard output."""
@@ -49,10 +49,10 @@ class ToFunctions(NamedTuple):
 
     integration: Path
     folder: Path
-    """Where their player is built."""
+    """Folder in which their player is built."""
     mode: "Mode"
     recorded: Path | None
-    """The trace of what they send."""
+    """The trace of the values that they send."""
     to_can: ToCan | None
 
 

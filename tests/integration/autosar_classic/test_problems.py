@@ -1,12 +1,15 @@
 """Errors that an RTE generator would report are findings first, at their place in the document."""
 
 import json
+from itertools import pairwise
 
 import pytest
 
 from sigcat.errors import InputRefused
 from sigcat.integration.autosar_classic.document import read_integration
 from sigcat.integration.autosar_classic.model import to_json
+from sigcat.integration.autosar_classic.names_table import NAMESPACES, REFERENCES
+from sigcat.integration.references import places
 from tests.integration.autosar_adaptive.sets import examples
 from tests.integration.autosar_classic.classic import derive
 
@@ -331,3 +334,33 @@ def test_windows_of_end_to_end_protection_that_a_release_does_not_have_are_refus
 
     (found,) = problems(written, change)
     assert found[1].endswith(f"/Elements/0/E2eWindows{below}")
+
+
+# -- names and references, by their table -----------------------------------------------------------------------------
+
+
+def _put(document, pointer, value):
+    for key in pointer[:-1]:
+        document = document[key]
+    document[pointer[-1]] = value
+
+
+def _at(pointer):
+    return "/" + "/".join(map(str, pointer))
+
+
+@pytest.mark.parametrize("reference", REFERENCES, ids=lambda each: each.at)
+def test_a_reference_to_nothing_is_found_at_its_field_with_a_near_name(written, reference):
+    (pointer, name), *_ = places(read_integration(written, "i.json"), reference.at)
+    findings = problems(written, lambda document: _put(document, pointer, f"{name}X"))
+    assert name in findings["K011", _at(pointer)].fix
+
+
+@pytest.mark.parametrize("space", NAMESPACES, ids=lambda each: each[0])
+def test_two_names_of_one_space_differ_in_more_than_case(written, space):
+    model = read_integration(written, "i.json")
+    found = [place for path in space for place in places(model, f"{path}/*/Name")]
+    twins = [(one, other) for one, other in pairwise(found) if one[0][:-3] == other[0][:-3]]
+    for (_, name), (pointer, _) in twins[:1]:
+        findings = problems(written, lambda document: _put(document, pointer, name.swapcase()))  # noqa: B023
+        assert "must be the name of one thing here" in findings["K011", _at(pointer)].message

@@ -1,12 +1,12 @@
 """Parts of a component that an RTE generator would refuse: its ports, runnables and events."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 
 from sigcat.asil import is_above, level_of, rank
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.model import Component, Event, Port, Runnable
-from sigcat.integration.autosar_classic.problem import Named, names, names_of, unknown
 from sigcat.integration.checked_document import Problem
+from sigcat.integration.references import unknown
 
 Interfaces = Mapping[str, tuple[str, frozenset[str]]]
 """Kind and elements of each interface."""
@@ -16,15 +16,6 @@ LONGEST_QUEUE = 65_535
 
 def component_problems(component: Component, at: Pointer, known: Interfaces) -> Iterator[Problem]:
     yield from ports_problems(component.ports, at, known)
-    inner: dict[str, Sequence[Named]] = {
-        "Runnables": component.runnables,
-        "Events": component.events,
-        "ExclusiveAreas": component.exclusive_areas,
-        "PerInstanceMemories": component.memories,
-        "InternalParameters": component.parameters,
-    }
-    yield from names_of(at, inner)
-    yield from names((*at, "MemorySections"), (each.name for each in component.sections))
     yield from _served(component, at)
     ports = {port.name: port for port in component.ports}
     runnables = {each.name: each for each in component.runnables}
@@ -49,9 +40,7 @@ def _served(component: Component, at: Pointer) -> Iterator[Problem]:
 
 
 def ports_problems(ports: Iterable[Port], at: Pointer, known: Interfaces) -> Iterator[Problem]:
-    listed = tuple(ports)
-    yield from names((*at, "Ports"), (port.name for port in listed))
-    for index, port in enumerate(listed):
+    for index, port in enumerate(ports):
         here: Pointer = (*at, "Ports", index)
         kind, elements = known.get(port.interface, ("", frozenset()))
         if kind != port.kind:
@@ -83,11 +72,6 @@ _DIRECTIONS = {
 
 
 def _accesses(runnable: Runnable, at: Pointer, ports: Mapping[str, Port], component: Component) -> Iterator[Problem]:
-    yield from names((*at, "Accesses"), (access.name for access in runnable.accesses))
-    areas = {area.name for area in component.exclusive_areas}
-    for area in runnable.exclusive_areas:
-        if area not in areas:
-            yield unknown((*at, "ExclusiveAreas"), "exclusive area", area)
     yield from _asil(runnable, at, component)
     if runnable.section not in {section.name for section in component.sections if section.kind == "CODE"}:
         yield unknown((*at, "Section"), "memory section of code", runnable.section)
@@ -118,8 +102,6 @@ def _asil(runnable: Runnable, at: Pointer, component: Component) -> Iterator[Pro
 def _event(
     event: Event, at: Pointer, ports: Mapping[str, Port], runnables: Mapping[str, Runnable]
 ) -> Iterator[Problem]:
-    if event.runnable not in runnables:
-        yield unknown((*at, "Runnable"), "runnable", event.runnable)
     if event.kind == "Timing" and not (event.period and event.period > 0):
         yield Problem((*at, "Period"), f"{event.name} must have a period above 0.", "Correct it.")
     if event.kind in ("DataReceived", "ModeSwitch", "OperationInvoked", "CallReturns"):

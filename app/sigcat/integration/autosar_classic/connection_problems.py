@@ -4,9 +4,10 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.model import ClassicIntegration, Event, InitBatch, Port, Task, TaskEvent
-from sigcat.integration.autosar_classic.problem import Named, name, names, names_of, unknown
+from sigcat.integration.autosar_classic.problem import name
 from sigcat.integration.autosar_classic.signal_lengths import needs_of
 from sigcat.integration.checked_document import Problem
+from sigcat.integration.references import unknown
 
 LONGEST_SIGNAL = 512
 """Bits of a frame of CAN FD."""
@@ -21,16 +22,6 @@ def connection_problems(model: ClassicIntegration) -> Iterator[Problem]:
     ports = {(each.name, port.name): port for each in model.composition.prototypes for port in types.get(each.type, ())}
     outer = {port.name: port for port in model.composition.ports}
     at: Pointer = ("Composition",)
-    for index, each in enumerate(model.composition.prototypes):
-        if each.type not in types:
-            yield unknown((*at, "Components", index), "component type", each.type)
-    inside: dict[str, Sequence[Named]] = {
-        "Components": model.composition.prototypes,
-        "Ports": model.composition.ports,
-        "Assemblies": model.composition.assemblies,
-        "Delegations": model.composition.delegations,
-    }
-    yield from names_of(at, inside)
     writers: dict[tuple[str, str], str] = {}
     for index, assembly in enumerate(model.composition.assemblies):
         here: Pointer = (*at, "Assemblies", index)
@@ -76,8 +67,6 @@ def task_problems(model: ClassicIntegration) -> Iterator[Problem]:
         for each in model.composition.prototypes
         for event in (types[each.type].events if each.type in types else ())
     }
-    yield from names(("Ecu", "Tasks"), (task.name for task in model.ecu.tasks))
-    yield from names(("Ecu", "InitBatches"), (batch.name for batch in model.ecu.init_batches))
     mapped: dict[tuple[str, str], str] = {}
     homes: dict[tuple[str, str], str] = {}
     for at, entry, (place, position_of) in _mappings(model):

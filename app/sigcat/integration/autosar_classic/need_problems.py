@@ -1,6 +1,6 @@
 """Service needs that the base software would refuse: memory, diagnosis, inhibition, supervision."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.model import (
@@ -9,12 +9,11 @@ from sigcat.integration.autosar_classic.model import (
     Component,
     DeadlineSupervision,
     DiagnosticEvent,
-    NvBlock,
     Port,
     SupervisedEntity,
 )
-from sigcat.integration.autosar_classic.problem import names, unknown
 from sigcat.integration.checked_document import Problem
+from sigcat.integration.references import unknown
 
 _LARGEST = {"byte": 255, "word": 65_535}
 """Largest values of counters of the base software."""
@@ -42,16 +41,8 @@ def _reported(model: ClassicIntegration) -> frozenset[str]:
 
 def _of_component(component: Component, at: Pointer, errors: frozenset[str]) -> Iterator[Problem]:
     ports = {port.name: port for port in component.ports}
-    listed: tuple[tuple[str, Iterable[str]], ...] = (
-        ("NvBlocks", (each.name for each in component.nv_blocks)),
-        ("DiagnosticEvents", (each.name for each in component.diagnostic_events)),
-        ("SupervisedEntities", (each.name for each in component.supervised_entities)),
-        ("Inhibitions", (each.name for each in component.inhibitions)),
-    )
-    for key, given in listed:
-        yield from names((*at, key), given)
     for index, block in enumerate(component.nv_blocks):
-        yield from _block(block, (*at, "NvBlocks", index), component, ports)
+        yield from _service_port(block.port, "NvRamManager", (*at, "NvBlocks", index, "Port"), ports)
     for index, event in enumerate(component.diagnostic_events):
         yield from _event(event, (*at, "DiagnosticEvents", index), ports)
     for index, entity in enumerate(component.supervised_entities):
@@ -61,16 +52,6 @@ def _of_component(component: Component, at: Pointer, errors: frozenset[str]) -> 
             if error not in errors:
                 here: Pointer = (*at, "Inhibitions", index, "Events", number)
                 yield unknown(here, "error, of a component or a port", error)
-
-
-def _block(block: NvBlock, at: Pointer, component: Component, ports: Mapping[str, Port]) -> Iterator[Problem]:
-    if block.memory not in {memory.name for memory in component.memories}:
-        yield unknown((*at, "PerInstanceMemory"), "per-instance memory", block.memory)
-    yield from _service_port(block.port, "NvRamManager", (*at, "Port"), ports)
-    counted = {event.error for event in component.diagnostic_events}
-    for index, error in enumerate(block.errors):
-        if error not in counted:
-            yield unknown((*at, "Errors", index), "error of a diagnostic event of the component", error)
 
 
 def _event(event: DiagnosticEvent, at: Pointer, ports: Mapping[str, Port]) -> Iterator[Problem]:
@@ -89,23 +70,17 @@ def _service_port(name: str, service: str, at: Pointer, ports: Mapping[str, Port
 def _entity(
     entity: SupervisedEntity, at: Pointer, ports: Mapping[str, Port], errors: frozenset[str]
 ) -> Iterator[Problem]:
-    points = {point.name for point in entity.checkpoints}
-    yield from names((*at, "Checkpoints"), (point.name for point in entity.checkpoints))
     yield from _numbers(entity, at)
     for index, point in enumerate(entity.checkpoints):
         yield from _service_port(point.port, "WatchdogManager", (*at, "Checkpoints", index, "Port"), ports)
     for index, alive in enumerate(entity.alive):
         here: Pointer = (*at, "Alive", index)
-        yield from _known({"Checkpoint": alive.checkpoint}, points, here)
         yield from _error(alive.error, errors, here)
         yield from _alive(alive, here)
     for index, deadline in enumerate(entity.deadlines):
         here = (*at, "Deadline", index)
-        yield from _known({"Start": deadline.start, "End": deadline.end}, points, here)
         yield from _error(deadline.error, errors, here)
         yield from _deadline(deadline, here)
-    for index, step in enumerate(entity.transitions):
-        yield from _known({"Source": step.source, "Target": step.target}, points, (*at, "Logical", index))
 
 
 def _numbers(entity: SupervisedEntity, at: Pointer) -> Iterator[Problem]:
@@ -116,12 +91,6 @@ def _numbers(entity: SupervisedEntity, at: Pointer) -> Iterator[Problem]:
         if point.number in seen:
             yield Problem(here, f"{point.number} must be the number of one checkpoint, and is that of two.", "Number them.")  # fmt: skip
         seen.add(point.number)
-
-
-def _known(used: Mapping[str, str], points: set[str], at: Pointer) -> Iterator[Problem]:
-    for key, name in used.items():
-        if name not in points:
-            yield unknown((*at, key), "checkpoint", name)
 
 
 def _error(name: str, errors: frozenset[str], at: Pointer) -> Iterator[Problem]:

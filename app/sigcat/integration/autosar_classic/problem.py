@@ -1,35 +1,33 @@
 """Problems of an Integration JSON, with their places; and problems of names."""
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
-from typing import Protocol
+from collections.abc import Iterable, Iterator
+
+from pydantic import BaseModel
 
 from sigcat.function.document.document import Pointer
+from sigcat.integration.autosar_classic.names_table import NAMESPACES, REFERENCES, SINGLE_NAMES
 from sigcat.integration.autosar_names import LONGEST_SHORT_NAME
 from sigcat.integration.checked_document import Problem
+from sigcat.integration.references import places, unknown_names
 from sigcat.names import IDENTIFIER
 from sigcat.reserved_words import is_reserved
 
 _C_IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,127}")
 
 
-class Named(Protocol):
-    """An element of the document that has a name."""
-
-    @property
-    def name(self) -> str: ...
-
-
-def names(at: Pointer, listed: Iterable[str]) -> Iterator[Problem]:
-    """Names of one list, which is a namespace."""
-    yield from _distinct(((*at, index, "Name"), each) for index, each in enumerate(listed))
-
-
-def names_of(at: Pointer, lists: Mapping[str, Iterable[Named]]) -> Iterator[Problem]:
-    """Names of elements of one namespace, in several lists."""
-    yield from _distinct(
-        ((*at, key, index, "Name"), each.name) for key, listed in lists.items() for index, each in enumerate(listed)
-    )
+def names_of(model: BaseModel) -> Iterator[Problem]:
+    """Problems of all names: each is a short name, no two of a space differ in case alone, and each reference leads to one."""
+    for path in SINGLE_NAMES:
+        for at, given in places(model, path):
+            yield from name(at, given)
+    for space in NAMESPACES:
+        found: dict[Pointer, list[tuple[Pointer, str]]] = {}
+        for at, given in (place for path in space for place in places(model, f"{path}/*/Name")):
+            found.setdefault(at[:-3], []).append((at, given))
+        for within in found.values():
+            yield from _distinct(within)
+    yield from unknown_names(model, REFERENCES)
 
 
 def _distinct(places: Iterable[tuple[Pointer, str]]) -> Iterator[Problem]:
@@ -56,8 +54,3 @@ def identifier(at: Pointer, given: str) -> Iterator[Problem]:
     """Text that becomes a word of C, though it is not a short name."""
     if not _C_IDENTIFIER.fullmatch(given) or is_reserved(given):
         yield Problem(at, f"It must be an identifier of C, and not a keyword, not {given[:60]!r}.", "Rename it.")
-
-
-def unknown(at: Pointer, what: str, given: str) -> Problem:
-    """A reference to nothing."""
-    return Problem(at, f"{given[:80]!r} must be a known {what}, and is not.", "Correct the name, or add it.")

@@ -1,6 +1,6 @@
 """Parts of an Integration JSON that an RTE generator would refuse, each with its place."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 
 from sigcat.integration.autosar_classic.component_problems import component_problems, ports_problems
 from sigcat.integration.autosar_classic.connection_problems import connection_problems, signal_problems, task_problems
@@ -8,7 +8,7 @@ from sigcat.integration.autosar_classic.interface_problems import interface_prob
 from sigcat.integration.autosar_classic.literal_problems import literal_problems
 from sigcat.integration.autosar_classic.model import ClassicIntegration
 from sigcat.integration.autosar_classic.need_problems import need_problems
-from sigcat.integration.autosar_classic.problem import Named, name, names_of
+from sigcat.integration.autosar_classic.problem import names_of
 from sigcat.integration.autosar_classic.symbol_problems import symbol_problems
 from sigcat.integration.autosar_classic.type_problems import type_problems
 from sigcat.integration.autosar_classic.use_problems import use_problems
@@ -19,7 +19,7 @@ from sigcat.integration.checked_document import Problem
 
 def problems_of(model: ClassicIntegration) -> Iterator[Problem]:
     """Everything that is wrong: names, references, ports, behaviour, connections, tasks."""
-    yield from _all_names(model)
+    yield from names_of(model)
     if model.deployment.tick < 1:
         message = f"A tick must be at least 1 µs, not {model.deployment.tick}."
         yield Problem(
@@ -56,26 +56,3 @@ def interfaces_of(model: ClassicIntegration) -> Mapping[str, tuple[str, frozense
     for parameters in model.parameter_interfaces:
         found[parameters.name] = "Parameter", frozenset(each.name for each in parameters.elements)
     return found
-
-
-def _all_names(model: ClassicIntegration) -> Iterator[Problem]:
-    yield from name(("ClassicDeployment", "Package"), model.deployment.package)
-    yield from name(("Composition", "Name"), model.composition.name)
-    yield from name(("Ecu", "Name"), model.ecu.name)
-    spaces: tuple[dict[str, Sequence[Named]], ...] = (
-        {"ImplementationTypes": model.implementation_types},
-        {"ApplicationTypes": model.application_types},
-        {"ModeGroups": model.mode_groups},
-        {"Components": model.components, "ParameterComponents": model.parameter_components},
-        {"CompuMethods": model.compu_methods},
-        {"Units": model.units},
-        {"DataConstraints": model.constraints},
-        {
-            "SenderReceiverInterfaces": model.sender_receiver_interfaces,
-            "ClientServerInterfaces": model.client_server_interfaces,
-            "ModeSwitchInterfaces": model.mode_switch_interfaces,
-            "ParameterInterfaces": model.parameter_interfaces,
-        },
-    )
-    for space in spaces:
-        yield from names_of((), space)

@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.model import ApplicationType, ClassicIntegration, ImplementationType
 from sigcat.integration.autosar_classic.platform_types import FLOATS, WHOLE_NUMBERS
-from sigcat.integration.autosar_classic.problem import names, unknown
 from sigcat.integration.checked_document import Problem
+from sigcat.integration.references import unknown
 
 PLATFORM_TYPES = (*WHOLE_NUMBERS, *FLOATS)
 """Types that every platform has (AUTOSAR_SWS_PlatformTypes)."""
@@ -16,27 +16,15 @@ def type_problems(model: ClassicIntegration) -> Iterator[Problem]:
     """Datatypes that refer to others: these stand before them, so that nothing contains itself."""
     yield from _implementation(model)
     yield from _application(model)
-    units = {each.name for each in model.units}
-    for index, method in enumerate(model.compu_methods):
-        if method.unit is not None and method.unit not in units:
-            yield unknown(("CompuMethods", index, "Unit"), "unit", method.unit)
-    groups = {group.name for group in model.mode_groups}
-    for index, modes in enumerate(model.mode_switch_interfaces):
-        if modes.group not in groups:
-            yield unknown(("ModeSwitchInterfaces", index), "mode group", modes.group)
 
 
 def _implementation(model: ClassicIntegration) -> Iterator[Problem]:
     seen: set[str] = set()
-    methods = {each.name for each in model.compu_methods}
     for index, each in enumerate(model.implementation_types):
         at = ("ImplementationTypes", index)
-        yield from names((*at, "Members"), (member.name for member in each.members or ()))
         yield from _whole(each, at)
         if each.category == "VALUE" and each.base not in PLATFORM_TYPES:
             yield unknown((*at, "Base"), "platform type", str(each.base))
-        if each.compu_method is not None and each.compu_method not in methods:
-            yield unknown((*at, "CompuMethod"), "compu method", each.compu_method)
         base = each.base if each.category == "TYPE_REFERENCE" else None
         for used in filter(None, [base, each.element, *(member.type for member in each.members or ())]):
             if used not in seen:
@@ -47,25 +35,13 @@ def _implementation(model: ClassicIntegration) -> Iterator[Problem]:
 def _application(model: ClassicIntegration) -> Iterator[Problem]:
     seen: set[str] = set()
     codes = {each.name: each for each in model.implementation_types}
-    methods = {each.name for each in model.compu_methods}
-    ranges = {each.name for each in model.constraints}
-    units = {each.name for each in model.units}
     for index, each in enumerate(model.application_types):
         at = ("ApplicationTypes", index)
         code = codes.get(each.implementation)
-        if code is None:
-            yield unknown(at, "implementation type", each.implementation)
-        elif _form(each) != _form(code):
+        if code is not None and _form(each) != _form(code):
             message = f"{each.name} must be {_words(code)}, as {code.name} is in the code, not {_words(each)}."
             yield Problem(at, message, "Give both the same form.")
-        if each.compu_method is not None and each.compu_method not in methods:
-            yield unknown(at, "compu method", each.compu_method)
-        yield from names((*at, "Members"), (member.name for member in each.members or ()))
         yield from _whole(each, at)
-        if each.unit is not None and each.unit not in units:
-            yield unknown((*at, "Unit"), "unit", each.unit)
-        if each.constraint is not None and each.constraint not in ranges:
-            yield unknown(at, "data constraint", each.constraint)
         for used in filter(None, [each.element, *(member.type for member in each.members or ())]):
             if used not in seen:
                 yield unknown(at, "application type before it", used)
