@@ -42,11 +42,6 @@ class UnitChange(NamedTuple):
     new: str
     conversion: Linear | None
 
-    @property
-    def is_respelled(self) -> bool:
-        """Whether the unit has another key, and the values mean the same."""
-        return self.conversion == IDENTITY and self.old != self.new
-
 
 class Migration:
     """Paths and values of an old catalogue in a new one. Frozen."""

@@ -67,9 +67,6 @@ class Table(NamedTuple):
         return (template(step.path) if step.path is not None else path), names
 
 
-NO_TABLE = Table("", "", {}, {})
-
-
 class Step(NamedTuple):
     """A path after a table, with the entries that decided it. `targets` are the other possibilities."""
 

@@ -5,6 +5,7 @@ from decimal import Decimal
 from typing import NamedTuple
 
 from autosar_data import AutosarModel, AutosarVersion, Element
+from pydantic import BaseModel
 
 from sigcat.function.document.text import Text
 from sigcat.function.document.text_filters import AnyText, arxml_text
@@ -63,6 +64,21 @@ def description(text: Text | None) -> Tag | None:
     if not text:
         return None
     return tag("DESC", Tag("L-2", (), text, None, (("L", "EN"),)))
+
+
+def definition_properties(*content: Tag | None) -> Tag | None:
+    """SW-DATA-DEF-PROPS with the properties that are there; None without any."""
+    kept = [item for item in content if item is not None]
+    if not kept:
+        return None
+    return tag("SW-DATA-DEF-PROPS", tag("SW-DATA-DEF-PROPS-VARIANTS", tag("SW-DATA-DEF-PROPS-CONDITIONAL", *kept)))
+
+
+def document_trace(meta: BaseModel, info: BaseModel, provenance: object) -> Tag | None:
+    """Admin data about a document: its author, and its sources."""
+    parts = (meta.model_dump(mode="json"), info.model_dump(mode="json", exclude_none=True))
+    facts = [fact for part in parts for fact in part.items()]
+    return trace([*facts, ("Provenance", provenance)] if provenance else facts)
 
 
 def trace(values: Sequence[tuple[str, object]]) -> Tag | None:

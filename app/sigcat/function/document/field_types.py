@@ -139,7 +139,6 @@ MACRO_VALUE = _matching(
 )
 MacroValue = Annotated[str, MACRO_VALUE]
 CPP_NAMESPACE = _matching("C++ namespaces such as eco::control", r"[A-Za-z][A-Za-z0-9_]*(?:::[A-Za-z][A-Za-z0-9_]*)*")
-CppNamespace = Annotated[str, CPP_NAMESPACE]
 
 # -- the catalogue ------------------------------------------------------------------------------------------------
 

@@ -40,7 +40,7 @@ def added(text: str, draft: Draft) -> str:
 
 def _listed(text: str, step: Call, kind: str, new: Sequence[Signal] | Sequence[ParameterEntry], draft: Draft) -> str:
     for each in new:
-        runnable = _runnable(_root(text), step)
+        runnable = _runnable(root_of(text), step)
         if isinstance(each, Signal):
             _, *lines = data_lines([each], draft)
             keys: dict[str, Any] = {"path": each.path, **each.keys}
@@ -51,7 +51,8 @@ def _listed(text: str, step: Call, kind: str, new: Sequence[Signal] | Sequence[P
     return text
 
 
-def _root(text: str) -> Node | None:
+def root_of(text: str) -> Node | None:
+    """The outermost node of a function file."""
     return read_document(text.encode(), "function.yaml").root
 
 
@@ -85,7 +86,7 @@ def _with_item(text: str, runnable: Node, kind: str, lines: Sequence[str], keys:
 
 def _defined(text: str, kind: str, name: str, lines: Sequence[str], definition: Any) -> str:
     """A definition, at the end of those of its kind; one that is there stays."""
-    root, whole = _root(text), Text(text)
+    root, whole = root_of(text), Text(text)
     define, known = value_at(root, "define"), value_at(root, "define", kind)
     if name in entries_of(known):
         return text

@@ -9,14 +9,13 @@ from typing import Any, NamedTuple
 from yaml.nodes import MappingNode, Node, SequenceNode
 
 from sigcat.catalogue.model.catalogue import Catalogue
-from sigcat.catalogue.reading.yaml_document import read_document
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from sigcat.function.c_project.project import Call, CodeProject
 from sigcat.function.c_project.read_project import read_project
 from sigcat.function.c_project.values import Value
 from sigcat.function.declaration.declaration import Declaration, read_declaration
-from sigcat.function.importing.added_entries import added
+from sigcat.function.importing.added_entries import added, root_of
 from sigcat.function.importing.function_text import Draft, said_of
 from sigcat.function.importing.import_code import below, draft_of, shown
 from sigcat.function.importing.own_signals import checked_branch
@@ -157,10 +156,6 @@ def _taken(declaration: Declaration) -> tuple[frozenset[str], frozenset[str]]:
 # -- entries ------------------------------------------------------------------------------------------------------
 
 
-def _root(text: str) -> Node | None:
-    return read_document(text.encode(), "function.yaml").root
-
-
 def _entries(root: Node | None) -> Iterator[_Entry]:
     for component in items_of(value_at(root, "components")):
         for runnable in items_of(value_at(component, "runnables")):
@@ -175,7 +170,7 @@ def _entries(root: Node | None) -> Iterator[_Entry]:
 def _without_gone(text: str, known: _Known) -> tuple[str, tuple[str, ...]]:
     """Without the entries of variables that are gone, one after the other: each moves those behind it."""
     report: list[str] = []
-    while found := next((each for each in _entries(_root(text)) if known.is_gone(each.variable)), None):
+    while found := next((each for each in _entries(root_of(text)) if known.is_gone(each.variable)), None):
         path = text_of(value_at(found.node, "path")) or ""
         report.append(f"gone: {found.variable} ({path})")
         text = _without(text, found, path)
@@ -183,14 +178,14 @@ def _without_gone(text: str, known: _Known) -> tuple[str, tuple[str, ...]]:
 
 
 def _without(text: str, entry: _Entry, path: str) -> str:
-    whole, root = Text(text), _root(text)
+    whole, root = Text(text), root_of(text)
     if len(entry.listed.value) > 1 or entry.listed.flow_style:
         text = edited(text, [whole.without_item(entry.listed, entry.number)])
     else:  # the key goes with its only item
         owner = _owner(root, entry.listed, entry.kind)
         text = edited(text, [whole.without_key(owner, entry.kind)])
     defined = value_at(root, "define", entry.kind)
-    is_used = any(text_of(value_at(each.node, "path")) == path for each in _entries(_root(text)))
+    is_used = any(text_of(value_at(each.node, "path")) == path for each in _entries(root_of(text)))
     return _without_definition(text, entry.kind, path) if path in entries_of(defined) and not is_used else text
 
 
@@ -206,7 +201,7 @@ def _owner(root: Node | None, listed: SequenceNode, kind: str) -> Node:
 
 def _without_definition(text: str, kind: str, name: str) -> str:
     """Remove a definition that nothing refers to any more."""
-    root = _root(text)
+    root = root_of(text)
     define = value_at(root, "define")
     definitions = value_at(define, kind)
     assert root is not None
@@ -224,7 +219,7 @@ def _without_definition(text: str, kind: str, name: str) -> str:
 
 
 def _with_changes(text: str, known: _Known, catalogue: Catalogue, folder: str) -> tuple[str, tuple[str, ...]]:
-    root, whole = _root(text), Text(text)
+    root, whole = root_of(text), Text(text)
     edits: list[Edit] = []
     report: list[str] = []
     for entry in _entries(root):

@@ -36,8 +36,6 @@ class Version(NamedTuple):
 
 FIRST = Version(1, 0)
 """Version of a service that has no other."""
-LARGEST_MAJOR, LARGEST_MINOR = 0xFE, 0xFFFFFFFE
-"""The numbers above mean any version in service discovery."""
 
 
 class Change(NamedTuple):

@@ -109,3 +109,8 @@ def _reserved(text: str) -> str:
     if text in GENERATED:
         return "rosidl"
     return "IDL" if text in IDL_KEYWORDS else ""
+
+
+def shortened(text: str) -> str:
+    """A text as messages have it: 60 characters at most."""
+    return text if len(text) <= 60 else text[:57] + "..."

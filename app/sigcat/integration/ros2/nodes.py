@@ -22,7 +22,7 @@ from sigcat.integration.ros2.model import (
     StatusTopic,
     Transition,
 )
-from sigcat.integration.ros2.names import topic_name
+from sigcat.integration.ros2.names import shortened, topic_name
 from sigcat.integration.ros2.parameters import parameters_of
 from sigcat.integration.ros2.quality import MODE
 from sigcat.integration.ros2.settings import SchedulingPolicy
@@ -165,7 +165,7 @@ def _priority(call: Runnable, findings: FindingCollector) -> int | None:
     if number is not None and number in _PRIORITIES:
         return number
     if call.priority.strip():
-        message = f"The priority of {call.name} must be from 1 to 99, not {_short(call.priority.strip())!r}."
+        message = f"The priority of {call.name} must be from 1 to 99, not {shortened(call.priority.strip())!r}."
         fix = "Use a number; higher ones run first."
         findings.report(codes.PRIORITY_NOT_A_NUMBER, message, Subject(call.name, call), fix, key="Priority")
     return None
@@ -183,10 +183,6 @@ def _policy(
     fix = "Give the call a `priority` from 1 to 99."
     context.findings.report(codes.POLICY_WITHOUT_PRIORITY, message, Subject(running[0].name, running[0]), fix)
     return None
-
-
-def _short(text: str) -> str:
-    return text if len(text) <= 60 else text[:57] + "..."
 
 
 def _active_modes(call: Runnable, part: Part) -> tuple[str, ...] | None:
@@ -217,9 +213,7 @@ def report_calls(part: Part, findings: FindingCollector) -> None:
 
 def _unexpressed(call: Runnable, findings: FindingCollector) -> None:
     if call.stack_size:
-        message = (
-            f"{call.name}: ROS 2 has no setting for the stack size of {_short(call.stack_size)} bytes; it is left out."
-        )
+        message = f"{call.name}: ROS 2 has no setting for the stack size of {shortened(call.stack_size)} bytes; it is left out."
         fix = "Set it for the process, for instance with `ulimit -s`."
         findings.report(codes.STACK_SIZE_NOT_CARRIED, message, Subject(call.name, call), fix, key="StackSize")
     if call.watchdog and call.watchdog.logical and call.checkpoint is None:

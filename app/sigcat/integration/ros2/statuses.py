@@ -15,7 +15,7 @@ from sigcat.function.function_json.status_interfaces import ErrorInterface, Safe
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.common_types import ERROR_STATUS, SAFETY_REACTION
 from sigcat.integration.ros2.model import ConditionMonitor, Diagnostic, StatusTopic
-from sigcat.integration.ros2.names import Name, report_renamed, topic_name
+from sigcat.integration.ros2.names import Name, report_renamed, shortened, topic_name
 from sigcat.integration.ros2.quality import STATUS
 from sigcat.integration.ros2.topics import PUBLISHER, SUBSCRIPTION
 from sigcat.integration.ros2.types import c_definition
@@ -183,12 +183,8 @@ def _dependencies(
     made = []
     for error in errors:
         if error not in statuses.reporters:
-            message = f"{subject} depends on {_cut(error)}, which no function in the set reports."
-            fix = f"The node that reports it must publish it on the topic {_cut(statuses.topic(error))!r}, or be remapped."
+            message = f"{subject} depends on {shortened(error)}, which no function in the set reports."
+            fix = f"The node that reports it must publish it on the topic {shortened(statuses.topic(error))!r}, or be remapped."
             findings.report(codes.ERROR_FROM_OUTSIDE, message, subject, fix, key=key)
         made.append(statuses.status(error))
     return tuple(made)
-
-
-def _cut(text: str) -> str:
-    return text if len(text) <= 60 else text[:57] + "..."

@@ -21,7 +21,7 @@ from sigcat.limits import TRACE_FINDINGS
 from sigcat.names import did_you_mean
 from sigcat.runs.recording.cells import Unfit, exact_float, fitted, value_of
 from sigcat.runs.recording.times import LATEST, seconds
-from sigcat.runs.recording.trace_file import TIME, Known, Moment, Trace, missing_inputs
+from sigcat.runs.recording.trace_file import TIME, Known, Moment, Trace, missing_inputs, refused, refused_trace
 
 SUFFIX = ".mcap"
 _MAGIC = b"\x89MCAP0\r\n"
@@ -119,7 +119,7 @@ class McapFile:
 
     def damaged(self) -> InputRefused:
         """Say that the file is damaged."""
-        return _refused(
+        return refused_trace(
             self.path, f"The file must be in MCAP: {_why(self.path)}.", "Record it again, or try `mcap recover`."
         )
 
@@ -230,7 +230,7 @@ def open_mcap(path: Path, known: Known) -> Trace:
     file = McapFile(path)
     names = tuple(dict.fromkeys(name for name in file.topics.values() if name))
     if not names:
-        raise _refused(path, "The file must have messages in JSON with `value`, and has none.", _FIX)
+        raise refused_trace(path, "The file must have messages in JSON with `value`, and has none.", _FIX)
     findings = tuple(missing_inputs(known, names, str(path)))
     shapes = tuple(known.received.get(name) for name in names)
     return Trace(path, names, shapes, findings, (), None, ends_rows=False, known=known)
@@ -269,9 +269,9 @@ class Topics:
     def check(self) -> tuple[Finding, ...]:
         """Notes about topics. Raises InputRefused if something is wrong."""
         if not self.values:
-            raise _refused(self._path, "The file must have messages in JSON with `value`, and has none.", _FIX)
+            raise refused_trace(self._path, "The file must have messages in JSON with `value`, and has none.", _FIX)
         if has_errors(self._findings):
-            raise InputRefused(f"{self._path} cannot be used as a trace.", tuple(self._findings))
+            raise refused(self._path, tuple(self._findings))
         return tuple(self._findings)
 
     def _note(self, name: str) -> None:
@@ -314,7 +314,7 @@ def _value(path: Path, message: Message) -> Any:
         found = json.loads(message.data, parse_float=exact_float)
     except (ValueError, RecursionError):
         text = f"A message of {shown(f'/{message.name}')} must be JSON, at {seconds(message.time)} s."
-        raise _refused(path, text, _FIX) from None
+        raise refused_trace(path, text, _FIX) from None
     if not isinstance(found, dict) or "value" not in found:
         return None
     symbol = found.get("symbol")
@@ -337,12 +337,6 @@ def _cell(path: Path, message: Message) -> str | None:
     return value if value is None or isinstance(value, str) else json.dumps(value)
 
 
-def _refused(path: Path, message: str, fix: str) -> InputRefused:
-    return InputRefused(
-        f"{path} cannot be used as a trace.", (codes.TRACE_MALFORMED.finding(message, str(path), fix=fix),)
-    )
-
-
 # -- as CSV -------------------------------------------------------------------------------------------------------
 
 
@@ -352,7 +346,7 @@ def as_csv(path: Path, folder: Path) -> Path:
         return path
     names = dict.fromkeys(name for _, name, _ in _cells(path))
     if not names:
-        raise _refused(path, "The file must have messages in JSON with `value`, and has none.", _FIX)
+        raise refused_trace(path, "The file must have messages in JSON with `value`, and has none.", _FIX)
     target = folder / f"{path.name}.csv"
     with target.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")

@@ -22,7 +22,7 @@ from sigcat.function.function_json.conversion import IDENTITY, Linear
 from sigcat.names import snake_case
 from sigcat.runs.recording.cells import Unfit, cell_of, fitted
 from sigcat.runs.recording.times import seconds
-from sigcat.runs.recording.trace_file import TIME, Known
+from sigcat.runs.recording.trace_file import TIME, Known, refused, refused_trace
 
 METADATA = "metadata.yaml"
 _SUFFIX = ".mcap"
@@ -82,7 +82,7 @@ def bag_as_csv(path: Path, target: Path, known: Known, mapped: BagColumns) -> tu
     names = dict.fromkeys(column.name for topic in topics.values() for column in topic.columns)
     if not names:
         message = f"The bag must have a topic with signals of the functions, and has {', '.join(unused) or 'no topic'}."
-        raise _refused(
+        raise refused_trace(
             path, message, "Record topics of generated nodes, whose definitions name the VSS path of each field."
         )
     with target.open("w", newline="", encoding="utf-8") as out:
@@ -103,7 +103,7 @@ def _files(path: Path) -> tuple[Path, ...]:
         described = yaml.safe_load((path / METADATA).read_bytes())["rosbag2_bagfile_information"]
         storage, names = str(described["storage_identifier"]), list(map(str, described["relative_file_paths"]))
     except (yaml.YAMLError, UnicodeDecodeError, KeyError, TypeError, RecursionError):
-        raise _refused(
+        raise refused_trace(
             path / METADATA, f"{METADATA} must be that of a bag of ROS 2.", "Run `ros2 bag reindex`."
         ) from None
     if storage != "mcap":
@@ -136,7 +136,7 @@ def _damages(path: Path) -> Iterator[None]:
         zstandard.ZstdError,
     ) as error:
         message = f"The bag cannot be read: {str(error) or type(error).__name__}."
-        raise _refused(path, message, "Record it again, or try `mcap recover`.") from None
+        raise refused_trace(path, message, "Record it again, or try `mcap recover`.") from None
 
 
 def _has_cdr(path: Path) -> bool:
@@ -156,7 +156,7 @@ def _channels(path: Path) -> Iterator[tuple[str, str, str]]:
     with path.open("rb") as file, _damages(path):
         summary = make_reader(file).get_summary()
         if summary is None:
-            raise _refused(path, "The bag has no summary: its recording was cut off.", "Run `mcap recover`.")
+            raise refused_trace(path, "The bag has no summary: its recording was cut off.", "Run `mcap recover`.")
         for channel in summary.channels.values():
             schema = summary.schemas.get(channel.schema_id)
             yield channel.topic, channel.message_encoding, schema.data.decode() if schema else ""
@@ -220,7 +220,7 @@ def _rows(files: Sequence[Path], topics: Mapping[str, _Topic], known: Known) -> 
         for topic, time, message in _messages(file, topics):
             if time < last:
                 text = f"The message of {topic} at {seconds(time)} s must not be before the end of the file before it."
-                raise _refused(file, text, "List the files of the bag in order of time.")
+                raise refused_trace(file, text, "List the files of the bag in order of time.")
             first = time if first < 0 else first
             found = {column.name: _cell(file, topic, column, message, known, time) for column in topics[topic].columns}
             if cells and (time != last or not cells.keys().isdisjoint(found)):
@@ -251,11 +251,11 @@ def _cell(path: Path, topic: str, column: Column, message: Any, known: Known, ti
         return cell_of(fitted(_value(message, column, shape), shape), shape)
     except AttributeError:
         text = f"The messages of {topic} must have the field {column.field}, as the deployment file says."
-        raise _refused(path, text, "Correct its path in `ros2.messages`.") from None
+        raise refused_trace(path, text, "Correct its path in `ros2.messages`.") from None
     except Unfit as reason:
         text = f"{column.name} {reason}, in {topic} at {seconds(time)} s."
         finding = codes.TRACE_VALUE_UNFIT.finding(text, str(path), path=column.name, fix=reason.fix)
-        raise InputRefused(f"{path} cannot be used as a trace.", (finding,)) from None
+        raise refused(path, (finding,)) from None
 
 
 def _value(message: Any, column: Column, shape: Shape) -> Any:
@@ -278,9 +278,3 @@ def _plain(value: Any, shape: Shape) -> Any:
         pairs = zip(shape.fields, members, strict=True)
         return {name: _plain(getattr(value, member), inner) for (name, inner), member in pairs}
     return value
-
-
-def _refused(path: Path, message: str, fix: str) -> InputRefused:
-    return InputRefused(
-        f"{path} cannot be used as a trace.", (codes.TRACE_MALFORMED.finding(message, str(path), fix=fix),)
-    )

@@ -83,12 +83,12 @@ def open_trace(file: Path, known: Known) -> Trace:
     """A trace by its header. Raises InputRefused if that cannot be used."""
     row = _header(file, ends_rows=known.ends_rows)
     if isinstance(row, Finding):
-        raise _refused(file, (row,))
+        raise refused(file, (row,))
     names = tuple(cell.strip() for cell in row.cells)
     most = TRACE_FINDINGS if known.others is None else None
     findings = tuple(islice(_Header(str(file), row, names, known).findings(), most))
     if has_errors(findings):
-        raise _refused(file, findings)
+        raise refused(file, findings)
     shapes = tuple(known.received.get(name) for name in names)
     taken = tuple((index, shape) for index, shape in enumerate(shapes) if shape is not None)
     return Trace(file, names, shapes, findings, taken, names.index(CALL) if CALL in names else None, known.ends_rows)
@@ -140,14 +140,20 @@ class Lines:
     def check(self) -> None:
         """Raise InputRefused if something is wrong."""
         if self._findings:
-            raise _refused(self._trace.file, tuple(self._findings))
+            raise refused(self._trace.file, tuple(self._findings))
 
     def _row(self, line: bytes) -> _Row | Finding | None:
         self.number += 1
         return _line(line, self.number, str(self._trace.file), ends_rows=self._trace.ends_rows)
 
 
-def _refused(file: Path, findings: tuple[Finding, ...]) -> InputRefused:
+def refused_trace(file: Path, message: str, fix: str) -> InputRefused:
+    """The refusal of a whole file."""
+    return refused(file, (codes.TRACE_MALFORMED.finding(message, str(file), fix=fix),))
+
+
+def refused(file: Path, findings: tuple[Finding, ...]) -> InputRefused:
+    """The refusal of a trace with these findings."""
     return InputRefused(f"{file} cannot be used as a trace.", findings)
 
 

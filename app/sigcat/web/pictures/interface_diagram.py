@@ -10,7 +10,6 @@ from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.walk import calls_of, data_of
 from sigcat.web.template_filters import unit as typeset_unit
 
-BOX_LEFT, BOX_RIGHT = 380, 740
 _LABELS_LEFT, _LABELS_RIGHT = 344, 776
 _CHARACTER = 7.4
 """Width of a character of a label, on average."""

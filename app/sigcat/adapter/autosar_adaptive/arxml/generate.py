@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from autosar_data import AutosarDataError
 
 from sigcat.adapter.arxml.paths import Paths
-from sigcat.adapter.arxml.tree import trace, written
+from sigcat.adapter.arxml.tree import document_trace, written
 from sigcat.adapter.autosar_adaptive.arxml import components, deployment, interfaces, method_errors, types
 from sigcat.adapter.autosar_adaptive.arxml.releases import BY_NAME
 from sigcat.adapter.files import GeneratedFile
@@ -43,7 +43,7 @@ def generate(model: IntegrationModel, release_name: str | None = None) -> tuple[
         "components.arxml": components.packages(whole.components, known, release),
         "deployment.arxml": deployment.packages(whole, services, release, paths),
     }
-    about = {"components.arxml": trace(_document(model))}
+    about = {"components.arxml": document_trace(model.meta, model.info, model.provenance)}
     try:
         return tuple(
             GeneratedFile(name, written(name, paths.root, packages, release.schema, about.get(name)))
@@ -51,13 +51,6 @@ def generate(model: IntegrationModel, release_name: str | None = None) -> tuple[
         )
     except AutosarDataError as error:
         raise InputRefused(f"The integration cannot be written as ARXML: {error}") from error
-
-
-def _document(model: IntegrationModel) -> list[tuple[str, object]]:
-    """Author of the document, and its sources."""
-    parts = (model.meta.model_dump(mode="json"), model.info.model_dump(mode="json", exclude_none=True))
-    made_from = [("Provenance", model.provenance)] if model.provenance else []
-    return [*(fact for part in parts for fact in part.items()), *made_from]
 
 
 def _words(model: IntegrationModel) -> Iterable[str]:

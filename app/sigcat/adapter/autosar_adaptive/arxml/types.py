@@ -9,6 +9,7 @@ from sigcat.adapter.arxml.paths import COMPU_METHODS, CONSTRAINTS, UNITS, Paths
 from sigcat.adapter.arxml.tree import (
     Package,
     Tag,
+    definition_properties,
     description,
     listed,
     namespaces,
@@ -60,7 +61,7 @@ class Library(NamedTuple):
         method = self.methods.get(_method_key(shown))
         limits = self.limits.get((shown.min, shown.max))
         unit = self.units.get(shown.unit or "")
-        return _properties(
+        return definition_properties(
             reference("COMPU-METHOD-REF", self.paths.of(COMPU_METHODS, method), "COMPU-METHOD") if method else None,
             reference("DATA-CONSTR-REF", self.paths.of(CONSTRAINTS, limits), "DATA-CONSTR") if limits else None,
             reference("UNIT-REF", self.paths.of(UNITS, unit), "UNIT") if unit else None,
@@ -180,7 +181,7 @@ def _alias(entry: TypeEntry, admin: Tag | None, known: Library) -> Tag:
     properties = None
     if entry.symbols:
         path = known.paths.of(COMPU_METHODS, text_table_name(entry))
-        properties = _properties(reference("COMPU-METHOD-REF", path, "COMPU-METHOD"))
+        properties = definition_properties(reference("COMPU-METHOD-REF", path, "COMPU-METHOD"))
     return tag(
         TYPE,
         tag("CATEGORY", text="TYPE_REFERENCE"),
@@ -216,13 +217,6 @@ def _member(field: StructField, known: Library) -> Tag:
         tag("TYPE-REFERENCE", target),
         name=field.name,
     )
-
-
-def _properties(*content: Tag | None) -> Tag | None:
-    kept = [item for item in content if item is not None]
-    if not kept:
-        return None
-    return tag("SW-DATA-DEF-PROPS", tag("SW-DATA-DEF-PROPS-VARIANTS", tag("SW-DATA-DEF-PROPS-CONDITIONAL", *kept)))
 
 
 def text_table_name(entry: TypeEntry) -> str:

@@ -4,7 +4,7 @@ from autosar_data import AutosarDataError
 
 from sigcat import codes
 from sigcat.adapter.arxml.paths import Paths
-from sigcat.adapter.arxml.tree import trace, written
+from sigcat.adapter.arxml.tree import document_trace, written
 from sigcat.adapter.autosar_classic.arxml import (
     components,
     composition,
@@ -50,7 +50,7 @@ def generate(model: ClassicIntegration, release_name: str | None = None) -> tupl
         "diagnosis.arxml": diagnosis.packages(model, known, release),
         "configuration.arxml": [configuration.package(model, known, release)],
     }
-    about = {"composition.arxml": trace(_document(model))}
+    about = {"composition.arxml": document_trace(model.meta, model.info, model.provenance)}
     try:
         return tuple(
             GeneratedFile(
@@ -78,10 +78,3 @@ def _refuse_windows(model: ClassicIntegration, release: str) -> None:
     )
     if found:
         raise InputRefused(f"The integration cannot be written as ARXML of release {release}.", found)
-
-
-def _document(model: ClassicIntegration) -> list[tuple[str, object]]:
-    """Author of the document, and its sources."""
-    parts = (model.meta.model_dump(mode="json"), model.info.model_dump(mode="json", exclude_none=True))
-    made_from = [("Provenance", model.provenance)] if model.provenance else []
-    return [*(fact for part in parts for fact in part.items()), *made_from]

@@ -2,8 +2,8 @@
 
 from collections.abc import Iterable
 
-from sigcat.adapter.arxml.tree import Package, Tag, description, listed, reference, tag, trace
-from sigcat.adapter.autosar_classic.arxml.library import Library, definition_properties
+from sigcat.adapter.arxml.tree import Package, Tag, definition_properties, description, listed, reference, tag, trace
+from sigcat.adapter.autosar_classic.arxml.library import Library
 from sigcat.adapter.autosar_classic.arxml.paths import (
     IMPLEMENTATION_TYPE,
     INTERFACES,

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from sigcat.adapter.arxml.paths import COMPU_METHODS, CONSTRAINTS, UNITS, Paths
-from sigcat.adapter.arxml.tree import Tag, reference, tag
+from sigcat.adapter.arxml.tree import Tag, reference
 from sigcat.adapter.autosar_classic.arxml.paths import (
     APPLICATION_TYPES,
     IMPLEMENTATION_TYPE,
@@ -95,11 +95,3 @@ def library(model: ClassicIntegration, paths: Paths, release: Release) -> Librar
         {each.name: each for each in model.mode_switch_interfaces},
         release,
     )
-
-
-def definition_properties(*content: Tag | None) -> Tag | None:
-    """SW-DATA-DEF-PROPS with what there is; None without any."""
-    kept = [item for item in content if item is not None]
-    if not kept:
-        return None
-    return tag("SW-DATA-DEF-PROPS", tag("SW-DATA-DEF-PROPS-VARIANTS", tag("SW-DATA-DEF-PROPS-CONDITIONAL", *kept)))

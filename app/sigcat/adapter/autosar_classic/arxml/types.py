@@ -5,8 +5,8 @@ from fractions import Fraction
 
 from sigcat.adapter.arxml import units
 from sigcat.adapter.arxml.paths import COMPU_METHODS, CONSTRAINTS, UNITS
-from sigcat.adapter.arxml.tree import Package, Tag, description, listed, reference, tag, trace
-from sigcat.adapter.autosar_classic.arxml.library import Library, definition_properties
+from sigcat.adapter.arxml.tree import Package, Tag, definition_properties, description, listed, reference, tag, trace
+from sigcat.adapter.autosar_classic.arxml.library import Library
 from sigcat.adapter.autosar_classic.arxml.paths import (
     APPLICATION_TYPES,
     BASE_TYPES,
