@@ -324,6 +324,7 @@ KINDS = (
             "tests/adapter/fmi/test_fmus.py",
             "tests/adapter/fmi/test_hostile.py",
             "tests/adapter/fmi/test_player.py",
+            "tests/adapter/fmi/test_random.py",
             "tests/adapter/fmi/test_state.py",
         ),
         ("tests/adapter/fmi/test_fmus.py::test_each_function_has_an_fmu_and_the_system_connects_them",),

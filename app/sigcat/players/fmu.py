@@ -5,11 +5,12 @@ import subprocess
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
+from math import prod
 from pathlib import Path
 from threading import Timer
 from typing import Any, NamedTuple
 
-from sigcat.adapter.host.shapes import Array, Number, Shape, Value, numbers
+from sigcat.adapter.host.shapes import Array, Number, Shape, Value, built, numbers
 from sigcat.catalogue.model.interfaces import interface_name
 from sigcat.errors import UsageError
 from sigcat.runs.recording.recorded import Recorded
@@ -33,6 +34,8 @@ class Port(NamedTuple):
     reference: int
     type: str
     shape: Shape
+    size: int
+    """Count of the numbers of its value."""
 
 
 class Fmu(NamedTuple):
@@ -62,10 +65,15 @@ def read_fmu(file: Path) -> Fmu:
     experiment = description.defaultExperiment
     step = float(experiment.stepSize) if experiment is not None and experiment.stepSize else 0.01
     known = [each for each in description.modelVariables if each.type in _DATATYPES]
-    inputs = [_port(each) for each in known if each.causality == "input" or each.variability == "tunable"]
-    outputs = tuple(_port(each) for each in description.modelVariables if each.causality == "output")
+    inputs = [_port(each) for each in known if _is_set(each)]
+    outputs = tuple(_port(each) for each in known if each.causality == "output")
     by_name = {**{interface_name(each.name): each for each in inputs}, **{each.name: each for each in inputs}}
     return Fmu(file, round(step * 1e9), by_name, outputs)
+
+
+def _is_set(variable: Any) -> bool:
+    """Whether it may change between steps. A structural parameter may not."""
+    return (variable.causality, variable.variability) == ("parameter", "tunable") or bool(variable.causality == "input")
 
 
 def _port(variable: Any) -> Port:
@@ -73,14 +81,15 @@ def _port(variable: Any) -> Port:
     if variable.type == "Enumeration" and variable.declaredType is not None:
         symbols = tuple((each.name, int(each.value)) for each in variable.declaredType.items)
     shape: Shape = Number(_DATATYPES.get(variable.type, "double"), symbols)
-    for dimension in reversed(variable.dimensions):
-        shape = Array(shape, int(dimension.start))
-    return Port(variable.name, variable.valueReference, variable.type, shape)
+    lengths = variable.shape or ()  # an array of FMI 3.0 has a structural parameter for a length, too
+    for length in reversed(lengths):
+        shape = Array(shape, length)
+    return Port(variable.name, variable.valueReference, variable.type, shape, prod(lengths))
 
 
 def columns_of(fmu: Fmu) -> Mapping[str, Shape]:
     """Shapes of the outputs that are recorded."""
-    return {each.name: each.shape for each in fmu.outputs if each.type in _DATATYPES}
+    return {each.name: each.shape for each in fmu.outputs}
 
 
 class Limits(NamedTuple):
@@ -133,27 +142,33 @@ def _steps(trace: Trace, step: int, duration: int | None) -> Iterator[_Step]:
 
 
 def _rows(fmu: Fmu, steps: Iterator[_Step], process: "subprocess.Popen[str]", limit_s: float) -> Iterator[Recorded]:
-    assert process.stdin is not None
     before: dict[str, Value] = {}
+    read = [(each.reference, each.type, each.size) for each in fmu.outputs]
+    _say(process, read)
     if _answer(process, _STARTS_WITHIN_S, f"{fmu.file} did not start") is None:
         raise _ended(fmu, "at its start", process)
     for each in steps:
         when = f"at {each.begin / 1e9:g} s"
         given = [_set(fmu.inputs[name], value) for name, value in each.values.items()]
-        with suppress(OSError):  # it has ended, and the answer says so
-            process.stdin.write(json.dumps([each.length, given]) + "\n")
-            process.stdin.flush()
+        _say(process, [each.length, given])
         line = _answer(process, limit_s, f"{fmu.file} did not return from the step {when}")
         if line is None:
             raise _ended(fmu, when, process)
-        after = {port.name: _value(found, port.shape) for port, found in zip(fmu.outputs, json.loads(line), strict=True)
-                 if port.type in _DATATYPES}  # fmt: skip
+        answers = zip(fmu.outputs, json.loads(line), strict=True)
+        after = {port.name: _value(found, port.shape) for port, found in answers}
         changed = tuple(
             (name, value) for name, value in after.items() if name not in before or not _same(before[name], value)
         )
         before = after
         if changed:
             yield Recorded(each.begin + each.length, "", changed)
+
+
+def _say(process: "subprocess.Popen[str]", what: object) -> None:
+    assert process.stdin is not None
+    with suppress(OSError):  # it has ended, and the answer says so
+        process.stdin.write(json.dumps(what) + "\n")
+        process.stdin.flush()
 
 
 def _answer(process: "subprocess.Popen[str]", limit_s: float, what: str) -> str | None:
@@ -178,7 +193,8 @@ def _set(port: Port, value: Value) -> tuple[int, str, list[Any]]:
 
 
 def _value(found: list[Any], shape: Shape) -> Value:
-    return found if isinstance(shape, Array) else found[0]
+    is_boolean = shape == Number("boolean")  # FMI 2.0 has 0 and 1
+    return built((bool(each) if is_boolean else each for each in found), shape)
 
 
 def _ended(fmu: Fmu, when: str, process: "subprocess.Popen[str]") -> UsageError:

@@ -1,7 +1,8 @@
 """An FMU in a separate process: `python -m sigcat.players.fmu_process FILE MEMORY_MIB`, which limits what it may allocate.
 
-Each line of standard input is a step: its length in ns, and what is set before it, as JSON. Standard output has `ready`, and then a line
-for each step: its outputs. What the FMU reports goes to standard error.
+The first line of standard input lists the outputs to read, as JSON: value reference, type and count of elements. Each other line is a step:
+its length in ns, and what is set before it. Standard output has `ready`, and then a line for each step: its outputs. What the FMU
+reports goes to standard error.
 """
 
 import json
@@ -11,7 +12,7 @@ from pathlib import Path
 from shutil import rmtree
 from typing import Any
 
-_ACCESSED_AS = {"Enumeration": "Int64"}
+_NUMBERS_OF_ENUMERATIONS = {"2": "Integer", "3": "Int64"}
 
 
 def main() -> int:
@@ -40,7 +41,8 @@ def play(description: Any, folder: str, answers: Any) -> None:
     fmu = kind(
         guid=description.guid, modelIdentifier=description.coSimulation.modelIdentifier, unzipDirectory=folder, instanceName="sigcat"
     )  # fmt: skip
-    outputs = [each for each in description.modelVariables if each.causality == "output"]
+    accessed_as = {"Enumeration": _NUMBERS_OF_ENUMERATIONS[description.fmiVersion[0]]}
+    outputs = json.loads(sys.stdin.readline())
     fmu.instantiate()
     if kind is FMU2Slave:
         fmu.setupExperiment(startTime=0.0)
@@ -54,10 +56,13 @@ def play(description: Any, folder: str, answers: Any) -> None:
     for line in sys.stdin:
         length, values = json.loads(line)
         for reference, type_, numbers in values:
-            getattr(fmu, f"set{_ACCESSED_AS.get(type_, type_)}")([reference], numbers)
+            getattr(fmu, f"set{accessed_as.get(type_, type_)}")([reference], numbers)
         fmu.doStep(currentCommunicationPoint=now / 1e9, communicationStepSize=length / 1e9)
         now += length
-        json.dump([_values(fmu, each) for each in outputs], answers)
+        json.dump(
+            [_values(fmu, reference, accessed_as.get(type_, type_), count) for reference, type_, count in outputs],
+            answers,
+        )
         answers.write("\n")
         answers.flush()
     fmu.terminate()
@@ -77,13 +82,9 @@ def _limit(mebibytes: int) -> None:
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
-def _values(fmu: Any, variable: Any) -> list[Any]:
-    count = 1
-    for dimension in variable.dimensions:
-        count *= int(dimension.start)
-    get = getattr(fmu, f"get{_ACCESSED_AS.get(variable.type, variable.type)}")
-    many = {"nValues": count} if count > 1 else {}
-    return [getattr(each, "value", each) for each in get([variable.valueReference], **many)]
+def _values(fmu: Any, reference: int, type_: str, count: int) -> list[Any]:
+    many = {"nValues": count} if count > 1 else {}  # FMI 2.0 has no arrays
+    return list(getattr(fmu, f"get{type_}")([reference], **many))
 
 
 if __name__ == "__main__":

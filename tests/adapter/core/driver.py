@@ -29,7 +29,7 @@ def header(subject: Subject, guard: str = "F_H") -> str:
 
 def _declared(subject: Subject) -> str:
     members = "".join(f"    {item.declared};\n" for item in subject.variables) or "    int nothing;\n"
-    heads = [_head(subject, name) for name in subject.symbols]
+    heads = [head_of(subject, name) for name in subject.symbols]
     if subject.signature == CLASS:
         return f"class {CLASS_NAME} {{\npublic:\n{members}{''.join(f'    {head};{chr(10)}' for head in heads)}}};"
     if subject.signature == POINTERS:
@@ -40,7 +40,8 @@ def _declared(subject: Subject) -> str:
     return f'#ifdef __cplusplus\nextern "C" {{\n#endif\n{data}{calls}#ifdef __cplusplus\n}}\n#endif'
 
 
-def _head(subject: Subject, name: str, owner: str = "") -> str:
+def head_of(subject: Subject, name: str, owner: str = "") -> str:
+    """Head of a function of the code in C."""
     return f"{_result(subject, name)} {owner}{name}({f'F_Io *{OBJECT}' if subject.signature == POINTERS else 'void'})"
 
 
@@ -52,7 +53,7 @@ def _result(subject: Subject, symbol: str) -> str:
 def silent_code(subject: Subject) -> str:
     """The function itself, in C: its variables, and calls that do nothing."""
     own = [f"{item.declared};" for item in subject.own_variables] if subject.signature == GLOBALS else []
-    calls = [f"{_head(subject, name)}\n{{\n{_nothing(subject, name)}}}" for name in subject.symbols]
+    calls = [f"{head_of(subject, name)}\n{{\n{_nothing(subject, name)}}}" for name in subject.symbols]
     hooks = [f"void {name}({subject.plan.type_name} *hooked)\n{{\n    (void)hooked;\n}}" for name in subject.hooks]
     return "\n".join([*own, *calls, *hooks, ""])
 
@@ -104,7 +105,7 @@ static void work(const char *symbol)
 
 
 def _call(subject: Subject, name: str) -> str:
-    head = _head(subject, name, f"{CLASS_NAME}::" if subject.signature == CLASS else "")
+    head = head_of(subject, name, f"{CLASS_NAME}::" if subject.signature == CLASS else "")
     own = f"    (void){OBJECT};\n" if subject.signature == POINTERS else ""
     end = "    return (int32_t)pending_result;\n" if _result(subject, name) != "void" else ""
     return f'{head}\n{{\n{own}    work("{name}");\n{end}}}\n'

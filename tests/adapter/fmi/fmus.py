@@ -3,7 +3,7 @@
 import csv
 import json
 import subprocess
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -12,10 +12,13 @@ from sigcat.adapter.fmi.variables import Variable
 from sigcat.adapter.host.connections import Connections
 from sigcat.adapter.host.shapes import Shape, Value, numbers, packing
 from sigcat.cli import main
+from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.integration.reading import read_functions
 from sigcat.runs.recording.cells import cell_of, value_of
 from sigcat.runs.recording.times import nanoseconds
 from tests.function.shipped import interfaces
+
+NAME = "Tested"
 
 
 class Built(NamedTuple):
@@ -28,42 +31,32 @@ class Built(NamedTuple):
 
 
 def built(files: Sequence[Path], folder: Path, *options: str) -> Built:
-    """The FMU of a set of functions."""
-    name = "Tested"
-    (folder / "deployment.yaml").write_text(f"name: {name}\nfmi: {{fmus: set}}\n")
+    """The FMU of a set of functions, by the commands that a user types."""
+    (folder / "deployment.yaml").write_text(f"name: {NAME}\nfmi: {{fmus: set}}\n")
     document, made = folder / "fmi.json", folder / "made"
     paths = [str(each) for each in files]
-    assert main(["integrate", "fmi", *paths, "--deployment", str(folder / "deployment.yaml"), "-o", str(document)]) in (
-        0,
-        1,
-    )
+    deployment = ["--deployment", str(folder / "deployment.yaml")]
+    assert main(["integrate", "fmi", *paths, *deployment, "-o", str(document)]) in (0, 1)
     assert main(["generate", "fmi", str(document), "-o", str(made)]) == 0
     functions = read_functions([(each.read_bytes(), str(each)) for each in files], interfaces()).functions
-    functions = tuple(sorted(functions, key=lambda each: each.name))
-    (unit,) = units_of(functions, name)
+    return packed(sorted(functions, key=lambda each: each.name), folder, *options)
+
+
+def packed(functions: Sequence[ResolvedFunction], folder: Path, *options: str) -> Built:
+    """The FMU that is generated in a folder, built and packed."""
+    (unit,) = units_of(functions, NAME)
+    files = [Path(member.function.document.name) for member in unit.connections.members]
     settings = [
-        f"-D{member.plan.code_setting}={Path(member.function.document.name).parent.absolute()}"
-        for member in unit.connections.members
+        f"-D{member.plan.code_setting}={file.parent.absolute()}"
+        for member, file in zip(unit.connections.members, files, strict=True)
     ]
     flags = "-Wall -Wextra -Werror"
-    run(
-        "cmake",
-        "-S",
-        made,
-        "-B",
-        folder / "build",
-        f"-DCMAKE_C_FLAGS={flags}",
-        f"-DCMAKE_CXX_FLAGS={flags}",
-        *settings,
-        *options,
-    )
+    languages = [f"-DCMAKE_C_FLAGS={flags}", f"-DCMAKE_CXX_FLAGS={flags}"]
+    run("cmake", "-S", folder / "made", "-B", folder / "build", *languages, *settings, *options)
     run("cmake", "--build", folder / "build")
-    ordered = [
-        next(f for f in files if f == Path(member.function.document.name)) for member in unit.connections.members
-    ]
     fmu = folder / "build" / f"{unit.name}.fmu"
     assert fmu.is_file()
-    return Built(fmu, unit.connections, unit.layout.variables, ordered)
+    return Built(fmu, unit.connections, unit.layout.variables, files)
 
 
 def run(*command: object) -> str:
@@ -194,3 +187,26 @@ def _bytes(cell: str, leaf: Variable) -> bytes:
 
     array = Array(leaf.number, leaf.length)
     return packing(array).pack(value_of(cell, array))
+
+
+Simulate = Callable[[Built, Path, Path, int], list[tuple[int, str, bytes]]]
+"""From an FMU, a trace, a file for results and the end in ns to what is sent."""
+
+
+def compare(
+    made: Built,
+    points: Sequence[tuple[int, Mapping[str, Value]]],
+    step: int,
+    end: int,
+    folder: Path,
+    sent_by: Simulate = simulated,
+) -> int:
+    """Play the same points to a simulation and to the FMU. Returns the number of compared values; nothing may differ."""
+    write_trace(points, made, folder / "simulated.csv")
+    write_fmu_trace(points, made, folder / "trace.csv")
+    sent = sent_by(made, folder / "simulated.csv", folder / "sent.csv", end)
+    files = ["--fmu", str(made.file), "--trace", str(folder / "trace.csv"), "-o", str(folder / "played.csv")]
+    assert main(["simulate", *files, "--step", str(step / 10**6), "--duration", str(end / 1e9)]) == 0
+    compared, wrong = differences(made, sent, folder / "played.csv", step, end)
+    assert not wrong, wrong[:5]
+    return compared

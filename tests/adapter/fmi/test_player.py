@@ -2,11 +2,13 @@
 
 import json
 import shutil
+import zipfile
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
+from sigcat.adapter.host.shapes import Array, Number
 from sigcat.cli import main
 from sigcat.players.fmu import read_fmu
 from tests.adapter.fmi.fmus import built
@@ -112,7 +114,7 @@ def test_a_trace_of_simulate_names_interfaces_as_it_does_there(monkeypatch):
     mode, speed = "Vehicle.Function.Spray.Mode.In", "h"
     variables = [
         SimpleNamespace(
-            name=name, valueReference=number, type="Int32", causality="input", variability="discrete", dimensions=()
+            name=name, valueReference=number, type="Int32", causality="input", variability="discrete", shape=()
         )
         for number, name in enumerate((mode, speed))
     ]
@@ -120,6 +122,38 @@ def test_a_trace_of_simulate_names_interfaces_as_it_does_there(monkeypatch):
     monkeypatch.setattr("fmpy.read_model_description", lambda _: description)
     inputs = read_fmu(Path("spray.fmu")).inputs
     assert {name: port.name for name, port in inputs.items()} == {mode: mode, "Spray_Mode_In": mode, speed: speed}
+
+
+ARRAYS = """<?xml version="1.0" encoding="UTF-8"?>
+<fmiModelDescription fmiVersion="3.0" modelName="Arrays" instantiationToken="{0}">
+  <CoSimulation modelIdentifier="Arrays"/>
+  <ModelVariables>
+    <Float64 name="time" valueReference="0" causality="independent" variability="continuous"/>
+    <UInt64 name="n" valueReference="1" causality="structuralParameter" variability="tunable" start="3"/>
+    <Float64 name="gain" valueReference="2" causality="parameter" variability="tunable" start="1"/>
+    <Float64 name="matrix" valueReference="3" causality="input" start="0 0 0 0 0 0">
+      <Dimension start="2"/><Dimension valueReference="1"/>
+    </Float64>
+    <String name="text" valueReference="4" causality="output"/>
+    <Binary name="bytes" valueReference="5" causality="output"/>
+    <Float64 name="rows" valueReference="6" causality="output"><Dimension valueReference="1"/></Float64>
+  </ModelVariables>
+  <ModelStructure><Output valueReference="4"/><Output valueReference="5"/><Output valueReference="6"/></ModelStructure>
+</fmiModelDescription>
+"""
+
+
+def test_a_structural_parameter_is_a_length_and_texts_are_not_read(tmp_path):
+    file = tmp_path / "arrays.fmu"
+    with zipfile.ZipFile(file, "w") as archive:
+        archive.writestr("modelDescription.xml", ARRAYS)
+    read = read_fmu(file)
+    number = Number("double")
+    assert {name: (port.shape, port.size) for name, port in read.inputs.items()} == {
+        "gain": (number, 1),
+        "matrix": (Array(Array(number, 3), 2), 6),
+    }
+    assert [(port.name, port.shape, port.size) for port in read.outputs] == [("rows", Array(number, 3), 3)]
 
 
 def test_an_unknown_column_is_not_an_input_of_the_fmu(fmu, tmp_path, capsys):
