@@ -326,6 +326,7 @@ KINDS = (
             "tests/adapter/fmi/test_player.py",
             "tests/adapter/fmi/test_random.py",
             "tests/adapter/fmi/test_state.py",
+            "tests/comparison/running/test_fmi.py",
         ),
         ("tests/adapter/fmi/test_fmus.py::test_each_function_has_an_fmu_and_the_system_connects_them",),
     ),

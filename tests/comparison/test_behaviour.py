@@ -2,7 +2,7 @@
 
 import pytest
 
-from sigcat.comparison.behaviour import Change, bits_of, changes, in_free_run, in_lock_step
+from sigcat.comparison.behaviour import Change, at_points, bits_of, changes, in_free_run, in_lock_step
 from sigcat.comparison.report.model import Difference
 
 MS = 1_000_000
@@ -114,3 +114,34 @@ def test_steps_that_did_not_come_are_counted():
 def test_a_status_that_stays_is_no_change():
     error = {"A_ErrorSts": [(0, "PASSED"), (5, "PASSED"), (9, "FAILED")]}
     assert changes(error, ["A_ErrorSts"]) == (Change(0, "A_ErrorSts", "PASSED"), Change(9, "A_ErrorSts", "FAILED"))
+
+
+# -- points of an importer ----------------------------------------------------------------------------------------
+
+POINTS = [1 * MS, 50 * MS, 100 * MS, 150 * MS, 200 * MS]
+
+
+def at(*values):
+    return {SPEED: [(time * MS, value) for time, value in values]}
+
+
+def test_a_value_is_seen_at_the_first_point_after_it_was_sent():
+    sent_, seen = at_points(sent("1", "1", "2"), at((1, "1"), (150, "2")), POINTS)
+    assert sent_ == seen == at((1, "1"), (150, "2"))
+    assert in_lock_step(sent_, seen).values == 2
+
+
+def test_an_output_has_its_start_value_until_the_reference_has_sent():
+    found = at_points(at((60, "1")), at((1, "0"), (100, "1")), POINTS)
+    assert found == (at((100, "1")), at((100, "1")))
+
+
+@pytest.mark.parametrize(
+    "seen", [at((1, "1"), (150, "3")), at((1, "1"), (200, "2")), at((1, "1")), at((1, "1"), (100, "2"))]
+)
+def test_a_value_that_is_other_or_at_another_point_differs(seen):
+    assert in_lock_step(*at_points(sent("1", "1", "2"), seen, POINTS)).wrong
+
+
+def test_an_output_that_is_never_seen_is_missing():
+    assert in_lock_step(*at_points(sent("1"), {}, POINTS)).wrong == 1

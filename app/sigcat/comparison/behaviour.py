@@ -8,6 +8,7 @@ that the other call has not: values are aligned in their order, and each differe
 import json
 import math
 import struct
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
@@ -108,6 +109,34 @@ def _bits(value: object) -> object:
     if isinstance(value, int) and abs(value) > 2**53:
         return value
     return struct.pack("<d", math.nan if math.isnan(value) else value)
+
+
+# -- points of an importer ----------------------------------------------------------------------------------------
+
+
+def at_points(expected: Sent, found: Sent, points: Sequence[int]) -> tuple[Sent, Sent]:
+    """Both as seen at points of time: what was sent before each, where one of both has changed.
+
+    `found` has the changes of a platform whose outputs have values from the beginning. They count from the first one of `expected` on.
+    """
+    names = expected.keys() & found.keys()
+    seen = {name: list(_at_points(expected[name], found[name], points)) for name in names}
+    ours = {name: [(time, value) for time, value, _ in each] for name, each in seen.items()}
+    theirs = {name: [(time, value) for time, _, value in each] for name, each in seen.items()}
+    return {**expected, **ours}, theirs
+
+
+def _at_points(
+    expected: Sequence[tuple[int, str]], found: Sequence[tuple[int, str]], points: Sequence[int]
+) -> Iterator[tuple[int, str, str]]:
+    ours, theirs = [time for time, _ in expected], [time for time, _ in found]
+    before: tuple[str, str] | None = None
+    for point in points:
+        index, other = bisect_left(ours, point), bisect_right(theirs, point)
+        both = (expected[index - 1][1], found[other - 1][1] if other else "") if index else before
+        if both is not None and both != before:
+            yield point, *both
+        before = both
 
 
 # -- free run -----------------------------------------------------------------------------------------------------

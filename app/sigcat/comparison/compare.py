@@ -181,10 +181,16 @@ def _in_free_run(each: Played, play: Play, asked: Asked, tell: Tell) -> Played:
     lock_step = each.lock_step
     if each.built is None or lock_step is None or lock_step.last_words or each.name == REFERENCE or not asked.free_ns:
         return each
+    if _is_sampled(each):
+        return each
     tell(f"{each.title}: {asked.free_ns / 1e9:g} s in free run")
     drive = Drive(asked.trace, asked.free_ns, "free run", "free-run")
     first = play(each.built, asked.subject, drive)
     return each._replace(free_run=first, repeats=(*each.repeats, *_again(each, play, asked, drive)))
+
+
+def _is_sampled(each: Played) -> bool:
+    return each.name in RUNNERS and RUNNERS[each.name].is_sampled
 
 
 def _again(each: Played, play: Play, asked: Asked, drive: Drive) -> tuple[Recording, ...]:
@@ -201,7 +207,7 @@ def _faults(played: Sequence[Played], players: Mapping[str, Play], asked: Asked,
     Nothing of them is measured: they run side by side. The reference is first, as its process has the environment of this one.
     """
     drives = faulty_drives(asked.scenarios, asked.trace, asked.folder / "faults")
-    own = [each for each in played if each.built is not None and not each.is_by_hand]
+    own = [each for each in played if each.built is not None and not each.is_by_hand and not _is_sampled(each)]
     if not own:
         return
     tasks = [

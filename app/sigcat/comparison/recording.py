@@ -96,3 +96,5 @@ class Recording(NamedTuple):
     """Columns that have a value from the beginning, as a service is offered with the values of its fields (SWS_CM). What depends on
     the first one may have its own first value earlier than where a first value has to come."""
     supervised: tuple[Supervised, ...] = ()
+    points: tuple[int, ...] = ()
+    """Times in ns at which outputs were read; empty: each value was seen when it was sent. With them, `sent` has changes alone."""

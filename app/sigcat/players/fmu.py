@@ -108,12 +108,26 @@ def played(fmu: Fmu, trace: Path, step: int, duration: int | None, limits: Limit
     """
     known = {name: each.shape for name, each in fmu.inputs.items()}
     opened = open_trace(trace, Known(known, (), kinds="not an input of the FMU"))
+    yield from stepped(fmu, _steps(opened, step, duration), limits)
+
+
+class Step(NamedTuple):
+    """A communication step, and what is set before it; times in ns since the start."""
+
+    begin: int
+    length: int
+    values: Mapping[str, Value]
+    """By names of inputs."""
+
+
+def stepped(fmu: Fmu, steps: Iterator[Step], limits: Limits) -> Iterator[Recorded]:
+    """Outputs after each step, as far as they have changed. Raises UsageError for an FMU that refuses a step or ends."""
     process = subprocess.Popen(  # noqa: S603 — our own interpreter
         [sys.executable, "-m", "sigcat.players.fmu_process", str(fmu.file.absolute()), str(limits.memory_mib)],
         stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
     )  # fmt: skip
     try:
-        yield from _rows(fmu, _steps(opened, step, duration), process, limits.step_s)
+        yield from _rows(fmu, steps, process, limits.step_s)
     finally:
         process.kill()
         process.wait()
@@ -122,26 +136,20 @@ def played(fmu: Fmu, trace: Path, step: int, duration: int | None, limits: Limit
             stream.close()
 
 
-class _Step(NamedTuple):
-    begin: int
-    length: int
-    values: dict[str, Value]
-
-
-def _steps(trace: Trace, step: int, duration: int | None) -> Iterator[_Step]:
+def _steps(trace: Trace, step: int, duration: int | None) -> Iterator[Step]:
     now, values = 0, dict[str, Value]()
     for moment in moments(trace):
         while moment.time > now and (duration is None or now < duration):
-            yield _Step(now, step, values)
+            yield Step(now, step, values)
             now, values = now + step, {}
         values.update(moment.values)
     end = now + step if duration is None else duration
     while now < end:
-        yield _Step(now, step, values)
+        yield Step(now, step, values)
         now, values = now + step, {}
 
 
-def _rows(fmu: Fmu, steps: Iterator[_Step], process: "subprocess.Popen[str]", limit_s: float) -> Iterator[Recorded]:
+def _rows(fmu: Fmu, steps: Iterator[Step], process: "subprocess.Popen[str]", limit_s: float) -> Iterator[Recorded]:
     before: dict[str, Value] = {}
     read = [(each.reference, each.type, each.size) for each in fmu.outputs]
     _say(process, read)

@@ -8,6 +8,7 @@ STYLE = """\
   --error: light-dark(#b3261e, #ff8d83); --accent-ground: light-dark(#dff0ed, #163634); --error-ground: light-dark(#fdeceb, #3a1d1b); --series-0: light-dark(#9fb8d6, #49607c); --series-1: light-dark(#0b6b62, #5cc8ba);
   --series-2: light-dark(#96500a, #eeb067); --series-3: light-dark(#6f3fa6, #c3a0ee);
   --series-4: light-dark(#b3261e, #ff8d83); --series-5: light-dark(#2f6f9f, #7fb8e6);
+  --series-6: light-dark(#a1286a, #f08cc0);
 }
 * { box-sizing: border-box; }
 body { margin: 0; background: var(--ground); color: var(--text); font: 14px/1.5 system-ui, "Liberation Sans", sans-serif; font-variant-numeric: tabular-nums; }
@@ -38,9 +39,11 @@ details { margin-top: 8px; } summary { cursor: pointer; color: var(--muted); }
 .comparison .series-0 { stroke: var(--series-0); fill: var(--series-0); } .comparison .series-1 { stroke: var(--series-1); fill: var(--series-1); }
 .comparison .series-2 { stroke: var(--series-2); fill: var(--series-2); } .comparison .series-3 { stroke: var(--series-3); fill: var(--series-3); }
 .comparison .series-4 { stroke: var(--series-4); fill: var(--series-4); } .comparison .series-5 { stroke: var(--series-5); fill: var(--series-5); }
+.comparison .series-6 { stroke: var(--series-6); fill: var(--series-6); }
 .comparison .trace { fill: none; } .comparison .trace.series-0 { stroke-width: 7; } .comparison .trace.series-1 { stroke-width: 3.4; }
 .comparison .trace.series-2 { stroke-width: 1.8; stroke-dasharray: 7 5; } .comparison .trace.series-3 { stroke-width: 1.2; stroke-dasharray: 2 6; }
 .comparison .trace.series-4 { stroke-width: 1; stroke-dasharray: 1 9; } .comparison .trace.series-5 { stroke-width: 1; stroke-dasharray: 9 3 1 3; }
+.comparison .trace.series-6 { stroke-width: 1; stroke-dasharray: 3 7; }
 .comparison .hill { fill-opacity: 0.35; } .comparison .median { stroke: var(--text); stroke-width: 2; } .comparison .p99 { stroke: var(--text); stroke-dasharray: 3 3; }
 .comparison .paper { stroke: var(--error); stroke-dasharray: 6 4; }
 """

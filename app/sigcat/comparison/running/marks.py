@@ -3,8 +3,10 @@
 A header defines them while cores are compiled. A production build has none of it: there the points are empty.
 """
 
+import os
 import struct
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import NamedTuple
 
@@ -82,6 +84,19 @@ def _function(member: Member) -> "_Function":
         _Reaction(each.named.name, each.active, 1 << bit) for bit, each in enumerate(member.plan.reactions[:_BITS])
     ]
     return _Function(member.name, Scope(member.plan).constant("MARK"), reactions)
+
+
+@contextmanager
+def measuring(folder: Path) -> Iterator[None]:
+    """Cores in processes that have this process's environment write their times to a folder."""
+    before = os.environ.get(FOLDER)
+    os.environ[FOLDER] = str(folder)
+    try:
+        yield
+    finally:
+        os.environ.pop(FOLDER)
+        if before is not None:
+            os.environ[FOLDER] = before
 
 
 def read_marks(connections: Connections, folder: Path, start: int, clock: int = 0) -> Marked:

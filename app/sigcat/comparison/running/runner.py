@@ -65,6 +65,8 @@ class Runner(NamedTuple):
     """Whether its adapters are not compiled."""
     has_baseline: bool = False
     """Whether code written by hand is built beside it, and its load is compared with that."""
+    is_sampled: bool = False
+    """Whether outputs are seen at points that an importer chooses. It runs in lock step alone, without faults."""
 
     @property
     def folder(self) -> str:

@@ -1,10 +1,8 @@
 """The simulation as a platform: the reference that all others are compared with."""
 
-import os
 import time
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from sigcat.adapter.toolchain import Toolchain, toolchain
@@ -47,7 +45,7 @@ def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
     duration = max(drive.end_ns - begin_of(drive.trace, prepared), 0)
     settings = Settings(duration, step_limit=drive.step_limit_s, gone=gone, prints=prints)
     collected = Collected(prepared)
-    with _measuring(run / marks.NAME):
+    with marks.measuring(run / marks.NAME):
         simulated = simulate(prepared, trace, settings, _with_marks(toolchain(), prepared, run), collected)
     marked = marks.read_marks(prepared.connections, run / marks.NAME, 0)
     sent = sent_by_name(collected.rows, prepared)
@@ -73,19 +71,6 @@ def _with_marks(tools: Toolchain, prepared: Prepared, folder: Path) -> Toolchain
     """Compilers that put the points of measurement into cores, and nothing else."""
     flags = ("-include", str(marks.write_header(prepared.connections.members, folder)))
     return Toolchain((*tools.c, *flags), (*tools.cpp, *flags) if tools.cpp else ())
-
-
-@contextmanager
-def _measuring(folder: Path) -> Iterator[None]:
-    """The driver, which has this process's environment, writes its times to a folder."""
-    before = os.environ.get(marks.FOLDER)
-    os.environ[marks.FOLDER] = str(folder)
-    try:
-        yield
-    finally:
-        os.environ.pop(marks.FOLDER)
-        if before is not None:
-            os.environ[marks.FOLDER] = before
 
 
 def sent_by_name(rows: Iterable[Recorded], prepared: Prepared) -> Mapping[str, tuple[Sent, ...]]:

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from sigcat.adapter.host.shapes import Number
 from sigcat.comparison import behaviour
-from sigcat.comparison.behaviour import in_free_run, in_lock_step
+from sigcat.comparison.behaviour import at_points, in_free_run, in_lock_step
 from sigcat.comparison.recording import Recording
 from sigcat.comparison.report import model
 from sigcat.comparison.telling.material import Material, PlayedFault
@@ -22,13 +22,18 @@ def behaviours(material: Material) -> Iterator[model.Behaviour]:
     for each in material.platforms[1:]:
         if expected is not None and each.lock_step is not None:
             played = each.lock_step
-            found = in_lock_step(expected.sent, played.sent, played.silent, played.fields)
+            found = _compared(expected, played)
             yield model.Behaviour(
                 platform=each.name,
                 seconds=material.end_ns / 1e9,
                 steps=len(each.lock_step.calls),
                 outputs=found.outputs,
             )
+
+
+def _compared(expected: Recording, found: Recording) -> behaviour.Behaviour:
+    sent = (expected.sent, found.sent) if not found.points else at_points(expected.sent, found.sent, found.points)
+    return in_lock_step(*sent, found.silent, found.fields)
 
 
 def free_runs(material: Material) -> Iterator[model.FreeRun]:
@@ -74,7 +79,7 @@ def _outcomes(fault: PlayedFault, expected: Recording, reference: str) -> Iterat
     for platform, found in fault.recordings.items():
         if platform == reference:
             continue
-        held = in_lock_step(expected.sent, found.sent, found.silent, found.fields)
+        held = _compared(expected, found)
         wrong = min((each for each in held.outputs if each.first), key=lambda each: each.first.time, default=None)  # type: ignore[union-attr]
         words = found.last_words if held.wrong and found.last_words != expected.last_words else ""
         yield model.FaultOutcome(
