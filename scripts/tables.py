@@ -16,7 +16,7 @@ from typing import Any
 from sigcat import limits
 from sigcat.api.read_settings import shown
 from sigcat.api.settings import Settings
-from sigcat.catalogue.comparing.diff_report import class_table
+from sigcat.catalogue.comparing.diff_report import binding_names, binding_table, class_table
 from sigcat.data import INTERFACE_RULES
 from sigcat.platforms.schemas import schema
 from sigcat.rules.checks import CHECKS
@@ -34,7 +34,7 @@ _KINDS = {
     "boolean": "boolean",
 }
 _PLACE = re.compile(
-    r"^<!-- (?P<name>keys|fields|checks|limits|rules|settings|classes)(?P<arguments>( [\w-]+)*) -->\n.*?^<!-- /(?P=name) -->$",
+    r"^<!-- (?P<name>keys|fields|checks|limits|rules|settings|classes|bindings|binding-names)(?P<arguments>( [\w-]+)*) -->\n.*?^<!-- /(?P=name) -->$",
     re.MULTILINE | re.DOTALL,
 )
 
@@ -151,5 +151,5 @@ _SIZES = {1024**3: "GiB", 1024**2: "MiB", 1024: "KiB"}
 
 
 _TABLES: Mapping[str, Callable[..., str]] = {
-    "keys": _keys, "fields": _fields, "checks": _checks, "limits": _limits, "rules": _rules, "settings": _settings, "classes": class_table,
+    "keys": _keys, "fields": _fields, "checks": _checks, "limits": _limits, "rules": _rules, "settings": _settings, "classes": class_table, "bindings": binding_table, "binding-names": binding_names,
 }  # fmt: skip

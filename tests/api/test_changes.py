@@ -25,6 +25,13 @@ def test_a_diff_shows_only_the_classes_that_are_asked_for(ask: Ask) -> None:
     assert {change["compatibility"] for change in diff["changes"]} <= {"breaking", "risky"}
 
 
+def test_a_diff_has_the_classes_for_the_bindings_that_are_asked_for(ask: Ask) -> None:
+    whole, bound = (ask(f"{BARE}/diff?to=small{binding}").json()["changes"] for binding in ("", "&binding=graphql"))
+    assert [each["compatibility"] for each in bound] == [each["bindings"]["graphql"] for each in whole]
+    assert [each["compatibility"] for each in bound] != [each["compatibility"] for each in whole]
+    assert ask(f"{BARE}/diff?to=small&binding=carrier-pigeon").status_code == 422
+
+
 def test_a_diff_comes_as_release_notes_and_as_a_tree_of_text(ask: Ask) -> None:
     notes = ask(f"{BARE}/diff?to=small", headers={"Accept": "text/markdown"})
     assert notes.text.startswith("# Changes from `bare` to `small`")

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from sigcat.cli.compared_sides import SIDES, add_sides, changes_between, names_of_sides, read_compared
 from sigcat.cli.output import write_bytes
 from sigcat.cli.output_options import add_output
+from sigcat.names import did_you_mean
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -21,6 +22,7 @@ _CLASSES = (
     "compatible",
     "text",
 )  # sigcat.catalogue.comparing.changes has them; it is loaded when it is needed
+_BINDINGS = ("path", "json", "protobuf", "ros2", "someip", "c", "graphql", "dds", "ids")  # likewise
 _EPILOG = f"""{SIDES}
 The classes are explained in docs/reference/compatibility.md. Exit status: 0; 1 with --fail-on if there are such changes.
 """
@@ -56,6 +58,10 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "--only", choices=_CLASSES, action="append", default=[], metavar="CLASS",
         help="show changes of this class only; may be repeated",
     )  # fmt: skip
+    parser.add_argument(
+        "--binding", action="append", type=_bindings, default=[], metavar="NAME,...",
+        help=f"classes for software that uses the tree in these forms: {', '.join(_BINDINGS)} (default: whatever the form)",
+    )  # fmt: skip
     add_output(parser, "-o", "--output", metavar="FILE", help="write here instead of to standard output")
     add_sides(parser)
     parser.set_defaults(run=diff)
@@ -63,15 +69,26 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def diff(arguments: argparse.Namespace) -> int:
     """Write the changes; 1 if `--fail-on` is met."""
+    from sigcat.catalogue.comparing.bindings import for_bindings
     from sigcat.catalogue.comparing.changes import at_least
 
     old, new = read_compared(arguments, *names_of_sides(arguments))
-    changes = changes_between(old, new)
+    bindings = [name for names in arguments.binding for name in names]
+    changes = for_bindings(changes_between(old, new), bindings)
     shown = [change for change in changes if not arguments.only or change.compatibility in arguments.only]
     report = _report(shown, len(changes) - len(shown), old, new, arguments)
     write_bytes(report.encode("utf-8", "backslashreplace"), arguments.output)
     bound = arguments.fail_on
     return int(bound is not None and any(at_least(change.compatibility, bound) for change in changes))
+
+
+def _bindings(text: str) -> list[str]:
+    """Names of bindings between commas."""
+    names = text.split(",")
+    if wrong := [name for name in names if name not in _BINDINGS]:
+        hint = did_you_mean(wrong[0], _BINDINGS) or f"choose from {', '.join(_BINDINGS)}"
+        raise argparse.ArgumentTypeError(f"unknown binding {wrong[0]!r}: {hint}")
+    return names
 
 
 def _report(changes: "Sequence[Change]", hidden: int, old: "Side", new: "Side", arguments: argparse.Namespace) -> str:

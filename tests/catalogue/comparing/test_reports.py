@@ -5,6 +5,7 @@ import re
 
 import pytest
 
+from sigcat.catalogue.comparing.bindings import BINDINGS
 from sigcat.catalogue.comparing.diff_report import diff_data, markdown_report, text_report
 from tests.catalogue.comparing.running import changes, sigcat, signal
 from tests.catalogue.trees import ROOT
@@ -56,6 +57,8 @@ def test_the_data_of_a_change():
                 "instances_added": [],
                 "instances_removed": [],
                 "note": None,
+                "effects": ["id-changed"],
+                "bindings": dict.fromkeys(BINDINGS, "breaking"),
             }
         ],
     }

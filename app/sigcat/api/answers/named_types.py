@@ -8,6 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 from typing_extensions import TypeAliasType
 
+from sigcat.catalogue.comparing.bindings import BINDINGS
 from sigcat.limits import NAME_CHARACTERS
 
 Count = Annotated[int, Field(ge=0)]
@@ -24,6 +25,20 @@ Compatibility = TypeAliasType(
     Annotated[
         Literal["breaking", "risky", "compatible", "text"], Field(description="Whom a change breaks, the worst first.")
     ],
+)
+Binding = TypeAliasType(
+    "Binding",
+    Annotated[
+        str,
+        Field(
+            pattern=f"^({'|'.join(BINDINGS)})$",
+            description="Form in which software uses a tree.",
+            examples=["protobuf"],
+        ),
+    ],
+)
+BindingClasses = TypeAliasType(
+    "BindingClasses", Annotated[dict[str, Compatibility], Field(description="Class of a change by binding.")]
 )
 ChangeKind = TypeAliasType(
     "ChangeKind", Annotated[Literal["removed", "moved", "changed", "added"], Field(description="What happened.")]

@@ -9,6 +9,7 @@ from typing import Annotated, Any
 from pydantic import BaseModel, ConfigDict, Field, RootModel
 
 from sigcat.api.answers.named_types import (
+    BindingClasses,
     CatalogueDigests,
     ChangeEvidence,
     ChangeKind,
@@ -285,6 +286,8 @@ class Change(Schema):
     instances_added: list[str]
     instances_removed: list[str]
     note: str | None = Field(description="What the deprecation of a node that is gone said.")
+    effects: list[str] = Field(description="Rows of the table of bindings that also apply.")
+    bindings: BindingClasses
 
 
 class ChangeCounts(Schema):

@@ -7,7 +7,7 @@ from fastapi import APIRouter, Query, Request
 from fastapi.responses import Response
 
 from sigcat.api.answers import schemas
-from sigcat.api.answers.named_types import Compatibility
+from sigcat.api.answers.named_types import Binding, Compatibility
 from sigcat.api.answers.negotiation import (
     JSON,
     YAML,
@@ -34,6 +34,7 @@ from sigcat.api.requests.dependencies import (
     text_body,
 )
 from sigcat.api.routes.catalogues import NodePath, node_at
+from sigcat.catalogue.comparing.bindings import chosen, for_bindings
 from sigcat.catalogue.comparing.diff import compare
 from sigcat.catalogue.comparing.diff_report import markdown_report, text_report
 from sigcat.catalogue.comparing.trial import try_overlay as tried
@@ -80,6 +81,13 @@ async def diff_catalogues(
         list[Compatibility] | None,
         Query(max_length=PARAMETER_VALUES, description="Classes to show; all without it."),
     ] = None,
+    binding: Annotated[
+        list[Binding] | None,
+        Query(
+            max_length=PARAMETER_VALUES,
+            description="Give each change the worst of its classes for software that uses these bindings.",
+        ),
+    ] = None,
 ) -> Response:
     """Return the changes from one hosted catalogue to another, with whom they break."""
     old, is_old_fixed = await catalogue_at(catalogue, library, queue)
@@ -88,7 +96,7 @@ async def diff_catalogues(
     judge_conditions(request)
     form = chosen_type(request.headers.get("accept", "*/*"), _FORMS)
     names = old.source.id, new.source.id
-    report = await queue.run(_report, old.catalogue, new.catalogue, names, compatibility, form)
+    report = await queue.run(_report, old.catalogue, new.catalogue, names, compatibility, binding, form)
     return Response(report, media_type=form, headers=caching_headers(request))
 
 
@@ -129,10 +137,15 @@ async def try_overlay(
 
 
 def _report(
-    old: Catalogue, new: Catalogue, names: tuple[str, str], classes: Collection[Compatibility] | None, form: str
+    old: Catalogue,
+    new: Catalogue,
+    names: tuple[str, str],
+    classes: Collection[Compatibility] | None,
+    bindings: Collection[str] | None,
+    form: str,
 ) -> bytes:
     """The changes of these classes, or of all, in one of the forms."""
-    changes = compare(old, new)
+    changes = for_bindings(compare(old, new), chosen(bindings or ()))
     shown = [change for change in changes if not classes or change.compatibility in classes]
     hidden = len(changes) - len(shown)
     if form == MARKDOWN:

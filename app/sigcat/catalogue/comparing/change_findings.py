@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 
+from sigcat.catalogue.comparing.bindings import reason
 from sigcat.catalogue.comparing.changes import CLASSES, Change, Class
-from sigcat.catalogue.comparing.compatibility import ROWS
 from sigcat.catalogue.comparing.diff_report import sentence
 from sigcat.catalogue.comparing.sides import Side
 from sigcat.catalogue.reading.statement import Origin
@@ -29,7 +29,7 @@ def change_findings(changes: Sequence[Change], old: Side, new: Side) -> tuple[Fi
 
 def _finding(change: Change, place: Origin) -> Finding:
     message = f"{sentence(change)} ({change.compatibility})."
-    why = ROWS[change.rule].why
+    why = reason(change.rule)
     return Finding(
         change.rule, _SEVERITIES[change.compatibility], message, *place.position, path=change.paths[0], fix=why
     )

@@ -11,6 +11,8 @@ Evidence = Literal["", "fka", "deprecation", "same definition"]
 CLASSES: tuple[Class, ...] = get_args(Class)
 """Classes from the worst to the most harmless."""
 KINDS: tuple[Kind, ...] = get_args(Kind)
+ORDER = "order"
+"""Name of the order of the nodes of a branch, where attributes are named."""
 
 
 class AttributeChange(NamedTuple):
@@ -22,6 +24,8 @@ class AttributeChange(NamedTuple):
     rule: str
     """Row of the class table (app/sigcat/catalogue/comparing/compatibility.py) that decided."""
     compatibility: Class
+    rules: tuple[str, ...] = ()
+    """Every row that the change falls under."""
 
 
 class Change(NamedTuple):
@@ -52,6 +56,8 @@ class Change(NamedTuple):
     """Topmost paths that were removed when `instances` changed."""
     note: str = ""
     """The deprecation text of a node that is gone."""
+    effects: tuple[str, ...] = ()
+    """Further effects on generated forms: rows of the table of bindings (app/sigcat/catalogue/comparing/bindings.py)."""
 
     @property
     def is_guess(self) -> bool:

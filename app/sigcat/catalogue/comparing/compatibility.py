@@ -38,6 +38,7 @@ TABLE: tuple[Row, ...] = (
     _row("moved", "a node has another path", "breaking", "Lookups by the old path fail."),
     _row("added", "a node is new", "compatible", "Nothing knew of it."),
     _row("property-added", "a struct has a new property", "breaking", "The struct is laid out differently."),
+    _row("reordered", "nodes of a branch or struct are in another order", "compatible", "Lookups do not depend on the order."),
     _row("instances-removed", "`instances`: nodes went", "breaking", "As for nodes that are gone."),
     _row("instances-added", "`instances`: nodes came, none went", "compatible", "As for nodes that are new."),
     _row("instances-respelled", "`instances`: written differently, same nodes", "text", "The tree is the same."),
@@ -137,7 +138,7 @@ def attribute_changes(
 
 def attribute_change(name: str, old: Any, new: Any, rule: str, node_type: str = "") -> AttributeChange:
     """A change of an attribute under a row of the table."""
-    return AttributeChange(name, old, new, rule, ROWS[rule].for_type(node_type))
+    return AttributeChange(name, old, new, rule, ROWS[rule].for_type(node_type), (rule,))
 
 
 class _Difference(NamedTuple):
@@ -171,7 +172,7 @@ def _rules(name: str, difference: _Difference) -> list[str]:
 def _worst_change(name: str, before: Any, after: Any, rules: list[str], node_type: str) -> AttributeChange:
     changes = [attribute_change(name, before, after, rule, node_type) for rule in rules]
     decisive = worst(change.compatibility for change in changes)
-    return next(change for change in changes if change.compatibility == decisive)
+    return next(change for change in changes if change.compatibility == decisive)._replace(rules=tuple(rules))
 
 
 def _rules_of_type(difference: _Difference) -> list[str]:

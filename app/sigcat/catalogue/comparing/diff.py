@@ -7,8 +7,9 @@ as a whole is one change at the topmost path.
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, NamedTuple
 
-from sigcat.catalogue.comparing.changes import AttributeChange, Change, Kind, worst
+from sigcat.catalogue.comparing.changes import ORDER, AttributeChange, Change, Kind, worst
 from sigcat.catalogue.comparing.compatibility import ROWS, Vocabularies, attribute_change, attribute_changes
+from sigcat.catalogue.comparing.forms import orders, trees, with_effects
 from sigcat.catalogue.comparing.instance_changes import Replacement, changed_holders, instances_as_written, replaced
 from sigcat.catalogue.comparing.moves import Move, find_moves
 from sigcat.catalogue.model.catalogue import Catalogue, Node
@@ -28,7 +29,9 @@ def compare(old: Catalogue, new: Catalogue, ignored: frozenset[str] = frozenset(
     with collector_paused():
         comparison = _Comparison(old, new, ignored)
         changes = [*comparison.changed(), *comparison.left(), *comparison.arrived()]
-        return tuple(sorted(_grouped(changes), key=lambda change: change.sort_key))
+        both = trees(old, new, ignored)
+        explained = (with_effects(change, both) for change in _grouped(changes))
+        return tuple(sorted(explained, key=lambda change: change.sort_key))
 
 
 class _Single(NamedTuple):
@@ -83,7 +86,7 @@ class _Comparison:
             after = self._new.nodes.get(path)
             if after is None or path in self._gone:
                 continue
-            attributes = self._attributes(before, after)
+            attributes = (*self._attributes(before, after), *self._order(before, after))
             if self._ignored and "." not in path:
                 attributes = tuple(attribute for attribute in attributes if not _is_lost_at_the_root(attribute))
             if path in self._holders:
@@ -132,6 +135,13 @@ class _Comparison:
             known = attribute_changes(before.values, after.values, self._vocabularies, self._ignored)
             self._known[key] = known
         return known
+
+    def _order(self, before: Node, after: Node) -> Iterator[AttributeChange]:
+        """The order of the children that both have, if it differs."""
+        if before.children and after.children and ORDER not in self._ignored:
+            old, new = orders(before, after)
+            if old != new:
+                yield attribute_change(ORDER, old, new, "reordered")
 
     def _attributes_of_moved(self, path: str, move: Move) -> tuple[AttributeChange, ...]:
         attributes = self._attributes(self._old.nodes[path], self._new.nodes[move.target])

@@ -7,8 +7,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import takewhile
 from typing import Any
 
+from sigcat.catalogue.comparing.bindings import BINDINGS, EFFECTS, TITLES, Effect, classes_of, reason
 from sigcat.catalogue.comparing.changes import CLASSES, AttributeChange, Change, Class, Evidence, Kind, worst
-from sigcat.catalogue.comparing.compatibility import TABLE
+from sigcat.catalogue.comparing.compatibility import ROWS, TABLE
 from sigcat.terminal_text import printable
 
 _SIGNS: Mapping[Kind, str] = {"added": "+", "removed": "-", "changed": "~", "moved": "→"}
@@ -120,6 +121,33 @@ def class_table() -> str:
     return "\n".join(rows) + "\n"
 
 
+def binding_names() -> str:
+    """The list of bindings in Markdown."""
+    rows = "".join(f"| `{name}` | {title} |\n" for name, title in TITLES.items())
+    return f"| binding | software that uses |\n|---|---|\n{rows}"
+
+
+def binding_table() -> str:
+    """The table of bindings in Markdown; `=` is the class of the table of classes, an empty cell no effect."""
+    rows = [
+        f"| Rule | {' | '.join(BINDINGS)} | Why |",
+        f"|---|{'---|' * len(BINDINGS)}---|",
+        *(f"| {_rule_cell(each)} | {' | '.join(_binding_cells(each))} | {each.why} |" for each in EFFECTS),
+        f"| all others |{' = |' * len(BINDINGS)} The meaning of the values is the same in every binding. |",
+    ]
+    return "\n".join(rows) + "\n"
+
+
+def _binding_cells(effect: Effect) -> Iterator[str]:
+    for name in BINDINGS:
+        cell = effect.cells.get(name, "=")
+        yield "" if effect.what and cell == "compatible" else cell
+
+
+def _rule_cell(effect: Effect) -> str:
+    return f"`{effect.rule}`: {effect.what}" if effect.what else f"`{effect.rule}`"
+
+
 def _in_one_line(text: str) -> str:
     return printable(re.sub(r"\s+", " ", text))
 
@@ -169,6 +197,8 @@ def _details(change: Change) -> Iterator[str]:
         yield _EVIDENCES[change.evidence]
     if change.note:
         yield f"its deprecation said: {_short(change.note)}"
+    if change.rule not in ROWS:
+        yield _because(change)
     for attribute in change.attributes:
         old, new = _shown_pair(attribute)
         yield f"{_in_one_line(attribute.name)}: {old} → {new}"
@@ -187,12 +217,19 @@ def markdown_lines(change: Change) -> Iterator[str]:
         yield f"- {change.kind.capitalize()}: {_code(change.path)}{before}{counted}"
     if change.note:
         yield f"  - its deprecation said: {_code(change.note)}"
+    if change.rule not in ROWS:
+        yield f"  - {_because(change)}"
     for attribute in change.attributes:
         old, new = (text if text == _ABSENT else _code(text) for text in _shown_pair(attribute))
         yield f"  - {_code(attribute.name)}: {old} → {new} ({_class_in_words(attribute.compatibility)})"
     for word, paths in (("added", change.came), ("removed", change.went)):
         if paths:
             yield f"  - {word}: {_listed(paths, _code)}"
+
+
+def _because(change: Change) -> str:
+    """Return the effect on a binding that decided the class."""
+    return f"{change.rule}: {reason(change.rule)}"
 
 
 def _listed(paths: Sequence[str], show: Any) -> str:
@@ -253,6 +290,8 @@ def _change_data(change: Change) -> dict[str, Any]:
         "instances_added": list(change.came),
         "instances_removed": list(change.went),
         "note": change.note or None,
+        "effects": list(change.effects),
+        "bindings": {each.binding: each.compatibility for each in classes_of(change)},
     }
 
 

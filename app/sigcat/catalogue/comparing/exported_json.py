@@ -19,6 +19,7 @@ from yaml.nodes import MappingNode, ScalarNode
 from yaml.nodes import Node as YamlNode
 
 from sigcat import codes
+from sigcat.catalogue.comparing.changes import ORDER
 from sigcat.catalogue.composing.compose import compose
 from sigcat.catalogue.composing.instance_names import levels_of_instances
 from sigcat.catalogue.composing.older_releases import tolerant, with_present_spellings
@@ -32,7 +33,7 @@ from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from sigcat.limits import DEFAULT_LIMITS, Limits
 
-UNKNOWN = frozenset(("arraysize", "aggregate", "uuid", "instances"))
+UNKNOWN = frozenset(("arraysize", "aggregate", "uuid", "instances", ORDER))
 """Attributes that are not compared: an export may have lost them or, for `uuid`, have made them from the path.
 
 Of `instances`, the nodes that they made are compared.
