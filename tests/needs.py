@@ -65,4 +65,6 @@ own_network = pytest.mark.skipif(
     has_own_network() is None, reason="a network of a test's own: let users make namespaces (`unshare -Urn`)"
 )
 object_reader = pytest.mark.skipif(not which("nm"), reason="nm, which reads object files: install binutils")
+BUF = which("buf", path=os.pathsep.join((str(Path(sys.executable).parent), os.environ.get("PATH", ""))))
+buf = pytest.mark.skipif(not BUF, reason="buf, which compares Protocol Buffers: `pip install buf-bin`")
 ros2 = pytest.mark.skipif(not ros2_environment.is_made(), reason="ROS 2: `make ros2`, which needs Python 3.11")

@@ -132,7 +132,7 @@ def _given(arguments: argparse.Namespace, exporter: Exporter) -> dict[str, Any]:
     """The options that were given; of a file to write beside, its name."""
     given = {}
     for option in exporter.options:
-        if option.kind == "state":
+        if option.kept_at:
             _continue_from_output(arguments, option)
         value = getattr(arguments, option.name)
         if value is not None:

@@ -55,7 +55,7 @@ EFFECTS: tuple[Effect, ...] = (
     Effect("added", "", _cells("compatible"), "What is generated for other nodes stays the same, except as below."),
     Effect(
         "property-added", "", _cells("breaking", risky="path", compatible="json protobuf graphql ids"),
-        "A struct is sent as a whole. Named and numbered members are skipped by those who do not know them.",
+        "A struct is sent as a whole. Readers of named and numbered members skip unknown ones.",
     ),
     Effect("instances-removed", "", _cells("breaking"), "As for nodes that are gone."),
     Effect("instances-added", "", _cells("compatible"), "As for nodes that are new."),

@@ -41,7 +41,14 @@ _ID = (
     Option("validate-static-uid", "input", "earlier export of ids that the new one is compared with"),
     Option("case-sensitive", "flag", "let ids depend on the case of names"),
 )
+KEEP_NUMBERS = "keep-numbers-of"
 _PROTOBUF = (
+    Option(
+        KEEP_NUMBERS,
+        "state",
+        "JSON file with the numbers of fields: they stay from export to export; the file is read, if it exists, and written",
+        own=True,
+    ),
     Option("types-out-dir", "folder", "folder for the struct types"),
     Option("static-uid", "flag", "number fields by the attribute `staticUID`"),
     Option("add-optional", "flag", "make every field optional"),
@@ -117,6 +124,32 @@ def _run(job: Job) -> "Export":
     return run(job)
 
 
+def _run_numbered(job: Job) -> "Export":
+    """Export with the numbers of a lock, and return the lock with those of new fields."""
+    path = job.options.get(KEEP_NUMBERS)
+    if path is None:
+        return _run(job)
+    from sigcat.catalogue.exporting.field_numbers import (
+        ATTRIBUTE,
+        EMPTY,
+        continued,
+        lock_bytes,
+        read_lock,
+        with_numbers,
+    )
+    from sigcat.catalogue.exporting.files import ExportedFile
+    from sigcat.errors import UsageError
+
+    if job.options.get("static-uid"):
+        raise UsageError(f"Pass either --{KEEP_NUMBERS} or --static-uid: each numbers all fields.")
+    lock = continued(read_lock(path) if path.is_file() else EMPTY, job.catalogue)
+    attributes = (*job.options.get("extended-attributes", ()), ATTRIBUTE)
+    options = {name: value for name, value in job.options.items() if name != KEEP_NUMBERS}
+    options |= {"static-uid": True, "extended-attributes": attributes}
+    made = _run(job._replace(catalogue=with_numbers(job.catalogue, lock), options=options))
+    return made._replace(files=(*made.files, ExportedFile(path.name, lock_bytes(lock), KEEP_NUMBERS)))
+
+
 def _exporter(name: str, text: str, suffix: str, media_type: str, options: tuple[Option, ...], **rest: Any) -> Exporter:
     return Exporter(name, text, suffix, media_type, options, _run, same_as=f"vspec export {name}", **rest)
 
@@ -135,7 +168,7 @@ VSS_TOOLS = (
     _file("jsonschema", "JSON Schema of the values", ".json", "application/schema+json", *_JSON_SCHEMA),
     _file("id", "static ids of all nodes", ".yaml", "application/yaml", *_ID, has_types_beside=True),
     _file("tree", "tree as text", ".txt", "text/plain", EXPAND, _ATTRIBUTES, is_unescaped=True),
-    _file("protobuf", "Protocol Buffers messages", ".proto", "text/plain", *_PROTOBUF, has_types_beside=True),
+    _file("protobuf", "Protocol Buffers messages", ".proto", "text/plain", *_PROTOBUF, has_types_beside=True)._replace(run=_run_numbered),
     _file("ddsidl", "DDS IDL", ".idl", "text/plain", Option("all-idl-features", "flag", "use all of IDL 4.2"), is_unescaped=True),
     _file("franca", "Franca IDL", ".fidl", "text/plain", Option("franca-vss-version", "text", "version to write into the file"), is_unescaped=True),
     _file("plantuml", "PlantUML class diagram", ".puml", "text/plain", EXPAND, _ATTRIBUTES),
