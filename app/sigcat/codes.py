@@ -50,6 +50,7 @@ SETTING_UNFIT = RuleCode("C003", "error")
 CATALOGUE_INCOMPLETE = RuleCode("C004", "error")
 FILE_MISSING = RuleCode("C005", "error")
 ID_GIVEN_TWICE = RuleCode("C006", "error")
+VEHICLE_NODE_UNKNOWN = RuleCode("C007", "error")
 
 # export
 EXPORTER_REFUSES = RuleCode("X001", "error")

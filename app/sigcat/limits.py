@@ -74,6 +74,12 @@ DEFAULT_ARCHIVE_LIMITS = ArchiveLimits()
 CONFIGURATION_BYTES = 1024 * 1024
 """Bytes of `sigcat.toml`."""
 
+VEHICLES = 1_000
+"""Vehicles of a project, each of their states counted."""
+
+INSTANCE_ROWS = 1_000
+"""Rows that a vehicle gives the instances of a branch."""
+
 RECOGNITION_BYTES = 4 * 1024 * 1024
 """Bytes of a YAML or JSON file that are looked into to find out what it is, where its name does not say so."""
 

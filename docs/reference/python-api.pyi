@@ -268,6 +268,10 @@ class Project:
         """Ids of the catalogues, the default one first."""
 
     @property
+    def vehicles(self) -> tuple[str, ...]:
+        """Names of the vehicles, for `catalogue` and `diff`: `vehicle:ID`, or `vehicle:ID@STATE`."""
+
+    @property
     def root(self) -> Path:
         """Folder of the `sigcat.toml`, else the folder that was opened."""
 
@@ -276,7 +280,7 @@ class Project:
         """The function files of the project, for `Catalogue.resolve`."""
 
     def catalogue(self, name: str='') -> Catalogue:
-        """Return a catalogue by its id, or the default one.
+        """Return a catalogue by its id, or the default one; `vehicle:ID` is that of a vehicle.
 
         Raises NotFound with near ids, InputRefused with every finding if its files have errors.
         """

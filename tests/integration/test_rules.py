@@ -17,6 +17,7 @@ from sigcat.platforms.platform import Options
 from sigcat.platforms.table import PLATFORMS
 from sigcat.project.project import FILE_NAME
 from sigcat.project.read_project import read_project
+from sigcat.project.vehicles import vehicle_findings
 from sigcat.rules.compiled import compiled_rules
 from tests.function.shipped import interfaces
 
@@ -77,10 +78,9 @@ def findings_of_configuration(files, folder):
     for name, text in files.items():
         (folder / name).write_text(text, encoding="utf-8")
     try:
-        read_project(folder / FILE_NAME)
+        return tuple(vehicle_findings(read_project(folder / FILE_NAME)))
     except InputRefused as refused:
         return refused.findings
-    return ()
 
 
 @pytest.mark.parametrize(("rule", "example"), GOOD)

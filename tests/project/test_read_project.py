@@ -14,7 +14,8 @@ from sigcat.cli.project_options import add_project_options, project_of
 from sigcat.data import ROOT_FILE
 from sigcat.errors import InputRefused, NotFound, UsageError
 from sigcat.project.project import Project
-from sigcat.project.read_project import TableReader, read_project
+from sigcat.project.project_file import TableReader
+from sigcat.project.read_project import read_project
 
 TREE = "Vehicle:\n  type: branch\n  description: A vehicle.\n"
 

@@ -29,6 +29,8 @@ def find_node(text: str, catalogue: Catalogue) -> Found:
         if node := folded.get(path):
             instances = tuple(each for each in catalogue.nodes.values() if each.template == path)
             return Found(node, folded, instances)
+        origin = catalogue.definitions[path].origin("delete")
+        raise NotFound(f"unknown node {text!r}: it is removed at {origin.file}:{origin.line}", ())
     near = _near(path, catalogue)
     hint = f" Did you mean {' or '.join(near)}?" if near else ""
     raise NotFound(f"unknown node {text!r}.{hint}", near)

@@ -29,6 +29,7 @@ COMMANDS = (
     "show",
     "search",
     "units",
+    "vehicles",
     "export",
     "function",
     "integrate",

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 SIDES = """A side is
   a catalogue               of the project, by its id
+  vehicle:ID[@STATE]        a vehicle of the project, in its last state or in STATE
   a folder                  the project in it, or the tree in or below it
   a .vspec file             the tree of which it is the root
   a .json file              an exported tree
@@ -112,12 +113,18 @@ def changes_between(old: "Side", new: "Side") -> "tuple[Change, ...]":
 
 
 def _or_revision(name: str, project: "Project") -> str:
-    """Return the name; that of a revision gets its prefix where nothing else has it."""
+    """Return the name; that of a revision gets its prefix where nothing else has it. Raises NotFound for unknown vehicles."""
     from sigcat.catalogue.comparing.sides import GIT
     from sigcat.catalogue.hosting.sources import release_source
+    from sigcat.catalogue.model.vehicle import VEHICLE
     from sigcat.catalogue.reading.git_revision import is_revision
 
-    if name.startswith(GIT) or "+" in name or Path(name).exists() or any(s.id == name for s in project.catalogues):
+    if (
+        name.startswith((GIT, VEHICLE))
+        or "+" in name
+        or Path(name).exists()
+        or any(s.id == name for s in project.catalogues)
+    ):
         return name
     try:
         release_source(name)

@@ -3,12 +3,16 @@
 import argparse
 import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from sigcat.catalogue.model.vehicle import VEHICLE
 from sigcat.cli.command_parser import CommandParser
 from sigcat.cli.project_options import project_of
 from sigcat.cli.tree_options import tree_options
 from sigcat.errors import SigcatError
+
+if TYPE_CHECKING:
+    from sigcat.project.project import Project
 
 _SHELLS = ("bash", "zsh", "fish")
 _EPILOG = """To complete in every shell, add to its start-up file:
@@ -119,9 +123,22 @@ def _trees(prefix: str, arguments: argparse.Namespace) -> Iterator[str]:
 
     from sigcat.catalogue.hosting.sources import pulled_sources, shipped_sources
 
-    sources = (*project_of(arguments).catalogues, *shipped_sources(), *pulled_sources())
+    project = project_of(arguments)
+    sources = (*project.catalogues, *shipped_sources(), *pulled_sources())
     yield from dict.fromkeys(source.id for source in sources)
+    yield from dict.fromkeys(f"{VEHICLE}{name}" for name in _names_of_vehicles(project))
     yield from FilesCompleter()(prefix)
+
+
+def _names_of_vehicles(project: "Project") -> Iterator[str]:
+    for vehicle in project.vehicles:
+        yield vehicle.id
+        yield vehicle.name
+
+
+def _vehicles(_prefix: str, arguments: argparse.Namespace) -> Iterator[str]:
+    yield "all"
+    yield from dict.fromkeys(_names_of_vehicles(project_of(arguments)))
 
 
 _COMPLETERS = {
@@ -130,4 +147,8 @@ _COMPLETERS = {
     ("units", "words"): _safe(_units),
 }
 """By command and name of the argument."""
-_OF_DEST = {**dict.fromkeys(("vspec", "old", "new"), _safe(_trees)), "define_under": _safe(_signals)}
+_OF_DEST = {
+    **dict.fromkeys(("vspec", "old", "new"), _safe(_trees)),
+    "define_under": _safe(_signals),
+    "vehicles": _safe(_vehicles),
+}

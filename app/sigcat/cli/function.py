@@ -8,12 +8,15 @@ from typing import TYPE_CHECKING, TypeAlias
 from sigcat.cli.function_options import add_function, add_functions, functions_of, one_function
 from sigcat.cli.output import print_findings, write_text
 from sigcat.cli.output_options import add_output
+from sigcat.cli.project_options import project_of
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import UsageError
+from sigcat.findings import in_order
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
+    from sigcat.catalogue.model.catalogue import Catalogue
     from sigcat.findings import Finding
 
 Actions: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"  # noqa: SLF001 — argparse has no public name
@@ -135,6 +138,11 @@ def _add_validate(actions: Actions) -> None:
     )
     add_functions(validating)
     validating.add_argument("--format", choices=("text", "json"), default="text", help="form of the report")
+    validating.add_argument(
+        "--vehicles",
+        metavar="all|ID,...",
+        help="check them against these vehicles of the project too, in each of their states; ID@STATE names one state",
+    )
     add_tree_options(validating)
     validating.set_defaults(run=validate)
 
@@ -261,9 +269,27 @@ def validate(arguments: argparse.Namespace) -> int:
     from sigcat.function.sets.check_set import check_functions
 
     files = [(file.read_bytes(), str(file)) for file in functions_of(arguments)]
-    findings = check_functions(files, read_tree(arguments), is_whole=len(files) > 1, check_code=code_problems)
+    tree = read_tree(arguments)
+    findings = check_functions(files, tree, is_whole=len(files) > 1, check_code=code_problems)
+    if arguments.vehicles is not None:
+        findings = in_order((*findings, *_in_vehicles(files, tree, findings, arguments)))
     _print(findings, arguments.format)
     return int(any(finding.severity != "info" for finding in findings))
+
+
+def _in_vehicles(
+    files: "Sequence[tuple[bytes, str]]",
+    tree: "Catalogue",
+    known: "Sequence[Finding]",
+    arguments: argparse.Namespace,
+) -> "Iterator[Finding]":
+    """Yield the findings that functions have in vehicles only. Raises NotFound, InputRefused."""
+    from sigcat.function.sets.in_vehicles import findings_in_vehicles
+    from sigcat.project.vehicles import chosen_vehicles, each_composed
+
+    project = project_of(arguments)
+    vehicles = chosen_vehicles(project, arguments.vehicles)
+    return findings_in_vehicles(files, tree, known, each_composed(project, vehicles))
 
 
 def _print(findings: "Sequence[Finding]", form: str) -> None:

@@ -190,6 +190,7 @@ def _chosen(arguments: argparse.Namespace, project: "Project", near: Path | None
         dbc=tuple(map(existing_file, arguments.dbc)) or options.dbc,
         baseline=arguments.baseline or (None if arguments.write_baseline else options.baseline),
         check_functions=partial(_check_functions, chosen.tree),
+        check_project=partial(_check_vehicles, project) if project.vehicles else None,
     )
     return ChosenLint(options, chosen.tree)
 
@@ -221,6 +222,13 @@ def _check_functions(
 
     check_code = code_problems if is_on_disk else None
     return checked_functions(tree, files, is_whole, load_tree=load, check_code=check_code)
+
+
+def _check_vehicles(project: "Project") -> "Iterator[Finding]":
+    """Yield the findings of vehicles; loaded only when there are any."""
+    from sigcat.project.vehicles import vehicle_findings
+
+    return vehicle_findings(project)
 
 
 def _names(tree: "Catalogue") -> tuple[str, ...]:

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from sigcat.project.project import Project
-    from sigcat.project.read_project import TableReader
+    from sigcat.project.project_file import TableReader
 
 
 def add_project_options(parser: argparse._ActionsContainer) -> None:

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 from sigcat.catalogue.composing.older_releases import unit_files_of
 from sigcat.catalogue.hosting.source import Source
+from sigcat.catalogue.model.vehicle import Setting, Vehicle
 from sigcat.catalogue.model.vocabulary import STANDARD_UNITS, files_beside
 from sigcat.file_kind import QUANTITY_NAMES
 from sigcat.project.chosen_tree import TreeOptions, chosen_tree
@@ -43,6 +44,24 @@ def shown_project(project: Project, given: TreeOptions) -> Iterator[Shown]:
     for source in project.catalogues:
         if source.id != chosen.id:
             yield from _catalogue("catalogue", source, project, TreeOptions())
+    for vehicle in project.vehicles:
+        yield from _vehicle(vehicle)
+
+
+def _vehicle(vehicle: Vehicle) -> Iterator[Shown]:
+    """Yield what a vehicle is composed of, in one state."""
+    place = f"{vehicle.file}:{vehicle.line}"
+    yield Shown("vehicle", vehicle.name, place)
+    yield Shown("  catalogue", vehicle.catalogue, place)
+    yield from (Shown(f"  attributes.{name}", value, place) for name, value in vehicle.labels)
+    yield from (_setting("attributes", each, vehicle) for each in vehicle.defaults)
+    yield from (_setting("instances", each, vehicle) for each in vehicle.instances)
+    yield from (Shown("  without", each.path, f"{vehicle.file}:{each.line}") for each in vehicle.without)
+    yield from (Shown("  with", str(near_path(path)), place) for path in vehicle.overlays)
+
+
+def _setting(key: str, setting: Setting, vehicle: Vehicle) -> Shown:
+    return Shown(f"  {key}.{setting.path}", _text(setting.value), f"{vehicle.file}:{setting.line}")
 
 
 def _lint(project: Project) -> Iterator[Shown]:
@@ -60,7 +79,8 @@ def _text(value: Any) -> str:
 
 
 def _catalogue(title: str, source: Source, project: Project, given: TreeOptions) -> Iterator[Shown]:
-    number = next((n for n, each in enumerate(project.catalogues) if each.id == source.id), None)
+    name = source.vehicle.catalogue if source.vehicle else source.id
+    number = next((n for n, each in enumerate(project.catalogues) if each.id == name), None)
     yield Shown(title, source.id, "shipped" if number is None else project.line("catalogue", number))
     written = "spec" if number is not None and not _is_shipped(source) and not source.release else "release"
     tree = "shipped" if number is None else project.line("catalogue", number, written)

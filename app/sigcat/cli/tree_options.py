@@ -24,7 +24,7 @@ def add_tree_options(parser: argparse.ArgumentParser) -> None:
         "--vspec",
         type=Path,
         metavar="TREE",
-        help="catalogue of the project, root .vspec file, a tree in JSON, a folder with one, a pulled release such as v5.0, "
+        help="catalogue of the project, vehicle:ID, root .vspec file, a tree in JSON, a folder with one, a pulled release such as v5.0, "
         "or vss: the shipped tree alone (default: the first catalogue of the project, the tree near the overlays of -l, or the shipped tree with its overlays)",
     )
     add_many(group, "-l", "--overlays", "overlay, applied in the order given, after those of the catalogue")
@@ -69,7 +69,7 @@ def read_tree(
         source = source._replace(
             overlays=tuple(each for each in source.overlays if real_path(each) != real_path(without))
         )
-    is_of_project = source.id in (each.id for each in project.catalogues)
+    is_of_project = source.vehicle is not None or source.id in (each.id for each in project.catalogues)
     catalogue = load(source if is_of_project else source._replace(id=source.spec.stem), expanded=expanded)
     refuse_overwriting(arguments, (*project.files, *(file.name for file in catalogue.files)))
     refused = any(map(stops_export, catalogue.findings)) if for_export else has_errors(catalogue.findings)

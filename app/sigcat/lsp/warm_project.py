@@ -24,6 +24,7 @@ from sigcat.project.find_project import FILES, find_project
 from sigcat.project.linting import ChosenLint, chosen_lint
 from sigcat.project.project import Project
 from sigcat.project.read_project import read_project
+from sigcat.project.vehicles import vehicle_findings
 from sigcat.real_path import near_path, real_path
 from sigcat.rules.linting.context import tree_near
 from sigcat.rules.linting.discovery import walk
@@ -172,10 +173,9 @@ class WarmProject:
 
     def _project_findings(self, path: Path) -> tuple[Finding, ...]:
         try:
-            read_project(path)
+            return tuple(vehicle_findings(read_project(path)))
         except InputRefused as error:
             return tuple(error.findings)
-        return ()
 
 
 def is_function(path: Path) -> bool:

@@ -9,6 +9,7 @@ from sigcat.catalogue.model.interfaces import CATEGORIES
 from sigcat.data import INTERFACE_RULES
 from sigcat.findings import SEVERITIES
 from sigcat.project.read_project import CATALOGUE_KEYS, TOP_KEYS
+from sigcat.project.read_vehicles import STATE_KEYS, VEHICLE_KEYS
 from sigcat.rules.checks import CHECKS
 from sigcat.rules.compiled import compiled_rules
 from sigcat.rules.linting.configuration import FIELDS
@@ -50,6 +51,26 @@ _ATTRIBUTES: Mapping[str, Schema] = {
     "fka": {"anyOf": [_TEXT, _TEXTS], "description": "Earlier paths of the node."},
     "constUID": _TEXT,
 }
+_FACT: Schema = {"type": ["string", "number", "boolean"]}
+_VEHICLE: Mapping[str, Schema] = {
+    "catalogue": {**_TEXT, "description": "Id of the catalogue that the vehicle is composed of (default: the first)."},
+    "without": {**_TEXTS, "description": "Paths and wildcards of nodes that the vehicle does not have."},
+    "with": {**_TEXTS, "description": "Overlays that the vehicle adds, in order."},
+    "instances": {
+        "type": "object",
+        "description": "Instances of branches by path: a number of rows, or a list as in VSS.",
+        "additionalProperties": {
+            "anyOf": [{"type": "integer", "minimum": 1}, *_INSTANCES["anyOf"], {"type": "object"}]
+        },
+    },
+    "attributes": {
+        "type": "object",
+        "description": "Facts such as `steering`, and values of attributes of the tree by path.",
+    },
+    "sop": {**_FACT, "description": "Start of production."},
+    "year": {**_FACT, "description": "Model year."},
+    "release": {**_FACT, "description": "Release over the air."},
+}
 
 
 def project_schema() -> Schema:
@@ -57,8 +78,13 @@ def project_schema() -> Schema:
     catalogue = _table("A catalogue: a tree with its overlays.", _kinds(CATALOGUE_KEYS))
     catalogue["required"] = ["id"]
     catalogue["oneOf"] = [{"required": ["spec"]}, {"required": ["release"]}]
+    state = _table("A vehicle in one state of its life.", _of_vehicle(STATE_KEYS)) | {"required": ["id"]}
+    states: Schema = {"type": "array", "items": state}
+    vehicle = _table("A vehicle, composed of a catalogue.", _of_vehicle(VEHICLE_KEYS) | {"state": states})
+    vehicle["required"] = ["id"]
     lint = _table("Settings of `sigcat lint`.", {key: _OF_LINT.get(key, _TEXTS) for key in FIELDS})
     properties = _kinds(TOP_KEYS) | {"catalogue": {"type": "array", "items": catalogue}, "lint": lint}
+    properties["vehicle"] = {"type": "array", "items": vehicle}
     return {"$schema": _DIALECT, "title": "sigcat.toml", **_table("A project of sigcat.", properties)}
 
 
@@ -108,6 +134,10 @@ def _table(description: str, properties: Mapping[str, Schema]) -> Schema:
 
 def _kinds(keys: Mapping[str, type]) -> dict[str, Schema]:
     return {key: _OF_KIND[kind] for key, kind in keys.items()}
+
+
+def _of_vehicle(keys: Mapping[str, type]) -> dict[str, Schema]:
+    return {key: _VEHICLE.get(key) or _OF_KIND[kind] for key, kind in keys.items()}
 
 
 def _extended_attributes() -> Iterator[tuple[str, Schema]]:

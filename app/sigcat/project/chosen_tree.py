@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from sigcat.catalogue.hosting.source import Source
 from sigcat.catalogue.hosting.sources import shipped_sources, source_of_tree
+from sigcat.catalogue.model.vehicle import VEHICLE, Vehicle
 from sigcat.data import ROOT_FILE, VSPEC
 from sigcat.errors import NotFound
 from sigcat.file_kind import root_name
@@ -49,6 +50,8 @@ def named_tree(project: Project, options: TreeOptions) -> Source | None:
     """
     if options.tree is None:
         return project.catalogues[0] if project.catalogues else None
+    if options.tree.startswith(VEHICLE):
+        return vehicle_source(project, options.tree)
     for source in project.catalogues:
         if source.id == options.tree:
             return source
@@ -58,6 +61,29 @@ def named_tree(project: Project, options: TreeOptions) -> Source | None:
         near = nearest(options.tree, [each.id for each in project.catalogues])
         raise NotFound(f"{error} Did you mean {near[0]}?", near) if near else error from None
     return with_additions(source._replace(types=()) if options.types else source, project)
+
+
+def vehicle_source(project: Project, name: str) -> Source:
+    """Return the catalogue of `vehicle:ID` or `vehicle:ID@STATE`; without a state, of the last one. Raises NotFound."""
+    wanted = name.removeprefix(VEHICLE)
+    found = [each for each in project.vehicles if wanted in (each.id, each.name)]
+    if not found:
+        names = [each.label for each in project.vehicles]
+        near = nearest(name, names) or tuple(names[:1])
+        hint = f"Did you mean {near[0]}?" if near else "The project has no [[vehicle]]."
+        raise NotFound(f"Unknown vehicle {wanted!r}. {hint}", near)
+    return source_of_vehicle(project, found[-1])
+
+
+def source_of_vehicle(project: Project, vehicle: Vehicle) -> Source:
+    """Return the catalogue of a vehicle."""
+    return below_vehicle(project, vehicle).for_vehicle(vehicle)
+
+
+def below_vehicle(project: Project, vehicle: Vehicle) -> Source:
+    """Return the catalogue of which a vehicle is composed."""
+    sources = project.catalogues or tuple(with_additions(source, project) for source in shipped_sources())
+    return next(source for source in sources if source.id == vehicle.catalogue)
 
 
 def _tree_near_overlay(project: Project, options: TreeOptions) -> Source | None:
@@ -84,4 +110,5 @@ def with_additions(source: Source, project: Project) -> Source:
         types=each_once((*project.types, *source.types)),
         include_dirs=each_once((*source.include_dirs, *project.include_dirs)),
         severities=ConfiguredSeverities.of(project.lint),
+        vehicles=tuple(vehicle for vehicle in project.vehicles if vehicle.catalogue == source.id),
     )

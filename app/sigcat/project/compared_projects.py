@@ -5,7 +5,8 @@ from functools import partial
 from pathlib import Path
 
 from sigcat.catalogue.comparing.sides import NO_PROJECT, Projects, SideProject
-from sigcat.project.chosen_tree import with_additions
+from sigcat.catalogue.model.vehicle import VEHICLE
+from sigcat.project.chosen_tree import source_of_vehicle, with_additions
 from sigcat.project.find_project import nearest_project
 from sigcat.project.project import Project
 from sigcat.project.read_project import read_catalogues
@@ -14,7 +15,11 @@ from sigcat.real_path import real_path
 
 def side_project(project: Project) -> SideProject:
     """The project as a comparison needs it."""
-    return SideProject({source.id: source for source in project.catalogues}, partial(with_additions, project=project))
+    sources = {source.id: source for source in project.catalogues}
+    vehicles = [(vehicle, source_of_vehicle(project, vehicle)) for vehicle in project.vehicles]
+    by_id = {f"{VEHICLE}{vehicle.id}": source for vehicle, source in vehicles}
+    by_name = {vehicle.label: source for vehicle, source in vehicles}
+    return SideProject({**sources, **by_id, **by_name}, partial(with_additions, project=project))
 
 
 def compared_projects(named: Path | None) -> Projects:

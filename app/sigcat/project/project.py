@@ -6,6 +6,7 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from sigcat.catalogue.hosting.source import Source
+from sigcat.catalogue.model.vehicle import Vehicle
 from sigcat.catalogue.reading.toml_lines import Lines
 from sigcat.rules.linting.options import LintOptions
 
@@ -18,6 +19,8 @@ class Project(NamedTuple):
     file: Path | None = None
     catalogues: tuple[Source, ...] = ()
     """In order, the default one first. Each has the units, quantities, types and include folders of the project."""
+    vehicles: tuple[Vehicle, ...] = ()
+    """One for each state of each vehicle, in the order of the file."""
     functions: tuple[Path, ...] = ()
     """Folders of functions."""
     rules: tuple[Path, ...] = ()
@@ -55,4 +58,6 @@ class Project(NamedTuple):
     def files(self) -> tuple[Path, ...]:
         """The project file and the files that it names: no command writes over them."""
         named = (self.file, self.deployment)
-        return (*(path for path in named if path is not None), *self.rules, *self.units, *self.quantities, *self.dbc)
+        overlays = (path for vehicle in self.vehicles for path in vehicle.overlays)
+        lists = (*self.rules, *self.units, *self.quantities, *self.dbc, *overlays)
+        return (*(path for path in named if path is not None), *lists)

@@ -15,7 +15,6 @@ overlays = ["overlays/*.vspec"]       # in the order in which they apply
 Paths are relative to the file. Everything wrong with it is reported at once, with lines.
 """
 
-import os
 import re
 import sys
 import tomllib
@@ -25,17 +24,18 @@ from typing import Any
 
 from sigcat import codes
 from sigcat.catalogue.hosting.source import Source
-from sigcat.catalogue.hosting.sources import release_source
+from sigcat.catalogue.hosting.sources import release_source, shipped_sources
 from sigcat.catalogue.reading.toml_lines import Lines
 from sigcat.errors import InputRefused, NotFound, UsageError
-from sigcat.findings import Finding, RuleCode, first_at, in_order
+from sigcat.findings import Finding, first_at, in_order
 from sigcat.limits import CONFIGURATION_BYTES
-from sigcat.names import did_you_mean, nearest
+from sigcat.names import nearest
 from sigcat.open_files import read_bytes, size_of
 from sigcat.path_faults import path_fault
 from sigcat.project.chosen_tree import with_additions
 from sigcat.project.project import Project
-from sigcat.real_path import near_path
+from sigcat.project.project_file import Reading, TableReader, paths_of, written_key
+from sigcat.project.read_vehicles import VEHICLE_KEYS, read_vehicles
 from sigcat.rules.linting.configuration import FIELDS as LINT_KEYS
 from sigcat.rules.linting.configuration import options_of
 from sigcat.rules.linting.options import LintOptions
@@ -47,7 +47,7 @@ CATALOGUE_KEYS: Mapping[str, type] = {
     **dict.fromkeys(("overlays", *_OF_CATALOGUES), list),
 }  # fmt: skip
 TOP_KEYS: Mapping[str, type] = {
-    "watch": bool, "shipped": bool, "deployment": str, "catalogue": list,
+    "watch": bool, "shipped": bool, "deployment": str, "catalogue": list, "vehicle": list,
     **dict.fromkeys(("functions", "rules", *_OF_CATALOGUES, "dbc"), list),
     **dict.fromkeys(("lint", "service"), dict),
 }  # fmt: skip
@@ -60,21 +60,15 @@ _ADVICE = {
     },
 }
 """Places for the settings of a tree in a project with catalogues."""
-_OF_TREES = frozenset(("catalogue", *_OF_CATALOGUES))
+_OF_TREES = frozenset(("catalogue", "vehicle", *_OF_CATALOGUES))
 """Keys that a catalogue is made of."""
 _OF_SEVERITIES = frozenset(("select", "ignore", "extend-select", "severity", "per-file"))
 """Keys of [lint] that set severities of findings in trees."""
-_OF_FOLDERS = frozenset(("include-dirs", "functions"))
-"""Lists that name folders; all others name files."""
 
 _ID = r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}"
 _POSITION = r"\s*\(at line (\d+), column (\d+)\)|\s*\(at end of document\)"
 """Ends of the messages of tomllib. Its errors have attributes from Python 3.14 on; before, its words no longer change."""
 _GIVEN_TWICE = "Cannot overwrite a value"
-_KINDS = {str: "text", bool: "true or false", list: "a list"}
-
-TableReader = Callable[[Mapping[str, Any], Path], Any]
-"""Reads a table of others, which is empty where the file does not have it. Raises InputRefused with all findings."""
 
 
 def read_project(file: Path, readers: Mapping[str, TableReader] | None = None) -> Project:
@@ -108,18 +102,18 @@ def _read(
         data = tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise _refused(file, [_syntax_error(error, file, text)]) from None
-    reading = _Reading(file, Lines(text))
+    reading = Reading(file, Lines(text))
     project = _project(part(reading.own_part(data)), reading, readers)
     if reading.findings:
         raise _refused(file, reading.findings)
     return project
 
 
-def _project(data: Mapping[str, Any], reading: "_Reading", readers: Mapping[str, TableReader]) -> Project:
-    reading.check(data, TOP_KEYS, "")
+def _project(data: Mapping[str, Any], reading: "Reading", readers: Mapping[str, TableReader]) -> Project:
+    reading.check(data, TOP_KEYS, "", elsewhere=_elsewhere)
     read: dict[str, Any] = {name: reading.table(name, data, reader) for name, reader in readers.items()}
     lists: dict[str, Any] = {
-        name.replace("-", "_"): _paths(data, name, "", 0, reading)
+        name.replace("-", "_"): paths_of(data, name, "", 0, reading)
         for name in ("functions", "rules", *_OF_CATALOGUES, "dbc")
     }
     lint = reading.table("lint", data, options_of) or LintOptions()
@@ -134,11 +128,22 @@ def _project(data: Mapping[str, Any], reading: "_Reading", readers: Mapping[str,
         **lists,
     )
     _check_one_tree(data, reading)
-    catalogues = _catalogues(data.get("catalogue"), reading)
+    catalogues = tuple(_catalogues(data.get("catalogue"), reading))
+    project = project._replace(vehicles=read_vehicles(data.get("vehicle"), _ids(data.get("catalogue")), reading))
     return project._replace(catalogues=tuple(with_additions(source, project) for source in catalogues))
 
 
-def _check_one_tree(data: Mapping[str, Any], reading: "_Reading") -> None:
+def _ids(listed: Any) -> Sequence[str]:
+    """Return the ids that vehicles may name: those of the project, or of the catalogues that sigcat ships."""
+    ids = [values["id"] for values in listed if isinstance(values.get("id"), str)] if _is_tables(listed) else []
+    return ids or [source.id for source in shipped_sources()]
+
+
+def _is_tables(listed: Any) -> bool:
+    return isinstance(listed, list) and all(isinstance(values, dict) for values in listed)
+
+
+def _check_one_tree(data: Mapping[str, Any], reading: "Reading") -> None:
     """Report a tree of the linter, or what is added to it, beside catalogues: all commands check the same."""
     lint = data.get("lint")
     if not data.get("catalogue") or not isinstance(lint, dict):
@@ -150,76 +155,9 @@ def _check_one_tree(data: Mapping[str, Any], reading: "_Reading") -> None:
             reading.report(codes.SETTING_UNFIT, message, "lint", 0, key, fix)
 
 
-class _Reading:
-    """The file while it is read, with the findings so far. Not a dataclass: loading that module takes time at each start."""
-
-    def __init__(self, file: Path, lines: Lines) -> None:
-        self.file = file
-        self.lines = lines
-        self.findings: list[Finding] = []
-        self._prefix = "" if file.name != "pyproject.toml" else "tool.sigcat"
-
-    def own_part(self, data: Mapping[str, Any]) -> Mapping[str, Any]:
-        """The keys of the project: the whole file, or the table of a pyproject.toml."""
-        for name in filter(None, self._prefix.split(".")):
-            data = data.get(name, {})
-            if not isinstance(data, dict):
-                self.report(codes.SETTING_UNFIT, f"`{name}` must be a table, not {repr(data)[:60]}.", "", 0)
-                return {}
-        return data
-
-    def place(self, table: str) -> str:
-        """The name of a table in the file."""
-        return ".".join(filter(None, (self._prefix, table)))
-
-    def report(
-        self, rule: RuleCode, message: str, table: str, number: int, key: str = "", fix: str = "", value: str = ""
-    ) -> None:
-        """Report a fault of a key, at `value` where that is in its value."""
-        line, column = self.lines.position(self.place(table), number, key, value)
-        self.findings.append(rule.finding(message, str(self.file), line, column, pointer=key, fix=fix))
-
-    def check(self, values: Mapping[str, Any], known: Mapping[str, type], table: str, number: int = 0) -> None:
-        """Report unknown keys, and values of the wrong kind."""
-        for key, value in values.items():
-            kind = known.get(key.replace("_", "-"))
-            if kind is None:
-                fix = did_you_mean(key, known) or (not table and _elsewhere(key)) or f"Known are {', '.join(known)}."
-                self.report(codes.SETTING_UNKNOWN, f"Unknown setting {key!r}.", table, number, key, fix)
-            elif not isinstance(value, kind):
-                message = f"`{key}` must be {_KINDS.get(kind, 'a table')}, not {repr(value)[:60]}."
-                self.report(codes.SETTING_UNFIT, message, table, number, key)
-
-    def table(self, name: str, data: Mapping[str, Any], reader: TableReader) -> Any:
-        """The value that a reader makes of its table; its findings get lines."""
-        values = data.get(name, {})
-        if not isinstance(values, dict):
-            return None  # it has its finding
-        try:
-            return reader(values, self.file)
-        except InputRefused as error:
-            self.findings += [self._placed(finding, self.place(name)) for finding in error.findings]
-            return None
-
-    def _placed(self, finding: Finding, table: str) -> Finding:
-        if finding.line or finding.file != str(self.file):  # the environment has no lines
-            return finding
-        line, column = self.lines.position_below(table, finding.pointer or finding.path)
-        return finding._replace(line=line, column=column)
-
-    def path(self, text: str) -> Path:
-        """The path that the file names."""
-        return self.near(self.file.parent / Path(text).expanduser())
-
-    def near(self, path: Path) -> Path:
-        """A path as the user names it; a link to nothing keeps its name."""
-        is_broken = os.path.islink(path) and not os.path.exists(path)  # noqa: PTH110, PTH114 — no OSError
-        return near_path(path.parent) / path.name if is_broken else near_path(path)
-
-
 def _elsewhere(key: str) -> str:
     """The table that a setting before all tables belongs to; empty if it is none of them."""
-    tables = {"[[catalogue]]": CATALOGUE_KEYS, "[lint]": LINT_KEYS}
+    tables = {"[[catalogue]]": CATALOGUE_KEYS, "[[vehicle]]": VEHICLE_KEYS, "[lint]": LINT_KEYS}
     near = ((name, nearest(key.replace("_", "-"), known, 1)) for name, known in tables.items())
     return next((f"Write `{found[0]}` in {name}." for name, found in near if found), "")
 
@@ -281,7 +219,7 @@ def _message_and_position(error: tomllib.TOMLDecodeError, text: str) -> tuple[st
     return re.sub(_POSITION, "", message), line, column
 
 
-def _catalogues(listed: Any, reading: _Reading) -> Iterator[Source]:
+def _catalogues(listed: Any, reading: Reading) -> Iterator[Source]:
     known: dict[str, int] = {}
     for number, values in enumerate(listed if isinstance(listed, list) else []):
         if not isinstance(values, dict):
@@ -290,12 +228,14 @@ def _catalogues(listed: Any, reading: _Reading) -> Iterator[Source]:
         before = len(reading.findings)
         reading.check(values, CATALOGUE_KEYS, "catalogue", number)
         _check_id(values, number, known, reading)
-        overlays = _paths(values, "overlays", "catalogue", number, reading)
-        lists = {name.replace("-", "_"): _paths(values, name, "catalogue", number, reading) for name in _OF_CATALOGUES}
+        overlays = paths_of(values, "overlays", "catalogue", number, reading)
+        lists = {
+            name.replace("-", "_"): paths_of(values, name, "catalogue", number, reading) for name in _OF_CATALOGUES
+        }
         source = _base(values, number, reading)
         if source is not None and len(reading.findings) == before:
             title = values.get("title") or (source.title if source.release else values["id"])
-            has_standard = bool(values.get(_key(values, "standard-units"), True))
+            has_standard = bool(values.get(written_key(values, "standard-units"), True))
             added: dict[str, Any] = {name: (*getattr(source, name), *paths) for name, paths in lists.items()}
             yield source._replace(
                 id=values["id"],
@@ -306,7 +246,7 @@ def _catalogues(listed: Any, reading: _Reading) -> Iterator[Source]:
             )
 
 
-def _check_id(values: Mapping[str, Any], number: int, known: dict[str, int], reading: _Reading) -> None:
+def _check_id(values: Mapping[str, Any], number: int, known: dict[str, int], reading: Reading) -> None:
     catalogue_id = values.get("id")
     if catalogue_id is None:
         reading.report(codes.CATALOGUE_INCOMPLETE, "The catalogue has no `id`.", "catalogue", number)
@@ -325,7 +265,7 @@ def _check_id(values: Mapping[str, Any], number: int, known: dict[str, int], rea
         known[catalogue_id] = reading.lines.position(reading.place("catalogue"), number, "id")[0]
 
 
-def _base(values: Mapping[str, Any], number: int, reading: _Reading) -> Source | None:
+def _base(values: Mapping[str, Any], number: int, reading: Reading) -> Source | None:
     """The source that `spec` or `release` names, without what is laid over it."""
     spec, release = values.get("spec"), values.get("release")
     if spec is None and release is None and not {key.replace("_", "-") for key in values} <= CATALOGUE_KEYS.keys():
@@ -351,7 +291,7 @@ def _base(values: Mapping[str, Any], number: int, reading: _Reading) -> Source |
         return None
 
 
-def _deployment(data: Mapping[str, Any], reading: _Reading) -> Path | None:
+def _deployment(data: Mapping[str, Any], reading: Reading) -> Path | None:
     text = data.get("deployment")
     if not isinstance(text, str):
         return None
@@ -359,59 +299,3 @@ def _deployment(data: Mapping[str, Any], reading: _Reading) -> Path | None:
     if message := path_fault(path):
         reading.report(codes.FILE_MISSING, message, "", 0, "deployment", value=text)
     return path
-
-
-def _paths(values: Mapping[str, Any], name: str, table: str, number: int, reading: _Reading) -> tuple[Path, ...]:
-    """The paths of a list; one with a wildcard names every file that matches, in order."""
-    key = _key(values, name)
-    listed = values.get(key, [])
-    if not isinstance(listed, list) or not all(isinstance(item, str) for item in listed):
-        if isinstance(listed, list):
-            reading.report(codes.SETTING_UNFIT, f"`{name}` must be a list of texts.", table, number, key)
-        return ()
-    kind = "folder" if name in _OF_FOLDERS else "file"
-    found: list[Path] = []
-    for item in listed:
-        paths, faults = _matches(item, kind, reading) if "*" in item else _named(item, kind, reading)
-        found += paths
-        for fault in faults:
-            reading.report(codes.FILE_MISSING, fault, table, number, key, value=item)
-    return tuple(dict.fromkeys(found))
-
-
-_Matches = tuple[Sequence[Path], Sequence[str]]
-"""Paths, and sentences about those that cannot be used."""
-
-
-def _named(text: str, kind: str, reading: _Reading) -> _Matches:
-    path = reading.path(text)
-    fault = path_fault(path, kind)
-    return ([], [fault]) if fault else ([path], [])
-
-
-def _matches(text: str, kind: str, reading: _Reading) -> _Matches:
-    """The files that match a wildcard. Folders are not meant, unless one is called like a tree."""
-    path = reading.file.parent / Path(text).expanduser()
-    folder = Path(path.anchor)
-    matches = [reading.near(match) for match in sorted(folder.glob(str(path.relative_to(folder))))]
-    faults = {match: path_fault(match, kind) for match in matches}
-    found = [match for match, fault in faults.items() if not fault]
-    told = [fault for match, fault in faults.items() if fault and (match.suffix == ".vspec" or not match.is_dir())]
-    return (found, told) if found or told else ([], [_without_matches(text, path, kind)])
-
-
-def _without_matches(text: str, path: Path, kind: str) -> str:
-    """A sentence about a wildcard that nothing matches: its folder cannot be read, or has no such file."""
-    folder = next(parent for parent in path.parents if "*" not in str(parent))
-    try:
-        os.scandir(folder).close()
-    except PermissionError as error:
-        return f"{str(near_path(folder))!r} cannot be read: {error.strerror}."
-    except OSError:
-        pass
-    return f"There is no {kind} {text!r}."
-
-
-def _key(values: Mapping[str, Any], name: str) -> str:
-    """A key as it is written: with underscores, too."""
-    return name if name in values else name.replace("-", "_")

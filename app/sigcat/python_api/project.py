@@ -32,6 +32,11 @@ class Project:
         return tuple(source.id for source in self._sources)
 
     @property
+    def vehicles(self) -> tuple[str, ...]:
+        """Names of the vehicles, for `catalogue` and `diff`: `vehicle:ID`, or `vehicle:ID@STATE`."""
+        return tuple(vehicle.label for vehicle in self._project.vehicles)
+
+    @property
     def root(self) -> Path:
         """Folder of the `sigcat.toml`, else the folder that was opened."""
         return self._project.file.parent if self._project.file else self._folder
@@ -42,10 +47,14 @@ class Project:
         return tuple(each.file.path for each in self._built(self._composed("")) if not each.file.is_shipped)
 
     def catalogue(self, name: str = "") -> Catalogue:
-        """Return a catalogue by its id, or the default one.
+        """Return a catalogue by its id, or the default one; `vehicle:ID` is that of a vehicle.
 
         Raises NotFound with near ids, InputRefused with every finding if its files have errors.
         """
+        from sigcat.catalogue.model.vehicle import VEHICLE
+
+        if name.startswith(VEHICLE):
+            return self._vehicle(name)
         hosted = self._library.get(name or self.catalogues[0])
         return sound(hosted.catalogue, hosted.source.title, self._project.lint, hosted.rejected)
 
@@ -78,6 +87,12 @@ class Project:
         self._library.reload_changed()
         self._functions.reload_changed()
 
+    def _vehicle(self, name: str) -> Catalogue:
+        from sigcat.catalogue.hosting.source import load
+
+        source = self._named(name)
+        return sound(load(source), source.title, self._project.lint, ())
+
     @cached_property
     def _library(self) -> "Library":
         from sigcat.catalogue.hosting.library import Library
@@ -101,7 +116,11 @@ class Project:
 
     def _named(self, name: str) -> "Source":
         from sigcat.catalogue.hosting.sources import source_of_tree
+        from sigcat.catalogue.model.vehicle import VEHICLE
+        from sigcat.project.chosen_tree import vehicle_source
 
+        if name.startswith(VEHICLE):
+            return vehicle_source(self._project, name)
         declared = (source for source in self._sources if source.id == name)
         return next(declared, None) or source_of_tree(name)
 

@@ -35,7 +35,7 @@ CATEGORY_WORDS = {
 
 CHAPTER_OF = {
     "tree": "reference/interfaces.md", "functions": "reference/functions.md",
-    "basket": "how-to/work-in-the-browser.md", "compare": "how-to/work-in-the-browser.md", "history": "how-to/work-in-the-browser.md", "propose": "how-to/work-in-the-browser.md", "changes": "reference/compatibility.md", "try": "how-to/own-catalogue-and-rules.md", "rules": "reference/linting.md",
+    "basket": "how-to/work-in-the-browser.md", "compare": "how-to/work-in-the-browser.md", "history": "how-to/work-in-the-browser.md", "propose": "how-to/work-in-the-browser.md", "changes": "reference/compatibility.md", "vehicles": "how-to/vehicles.md", "try": "how-to/own-catalogue-and-rules.md", "rules": "reference/linting.md",
     "units": "how-to/define-a-unit.md", "docs": "reference/api.md", "catalogue": "how-to/own-catalogue-and-rules.md",
 }  # fmt: skip
 """The chapter of the documentation about a page; the index where there is none."""

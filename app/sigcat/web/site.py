@@ -33,6 +33,7 @@ from sigcat.web.pages import (
     set_pages,
     start_page,
     try_pages,
+    vehicle_pages,
 )
 from sigcat.web.rendering import compile_templates, problem_page
 from sigcat.web.security_headers import SecurityHeaders
@@ -53,6 +54,7 @@ _PAGES = (
     rule_pages,
     api_reference,
     documentation_pages,
+    vehicle_pages,
 )
 _STATIC = Path(__file__).parent / "static"
 

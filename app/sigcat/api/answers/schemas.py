@@ -109,10 +109,20 @@ class CatalogueSummary(Schema):
     finding_counts: FindingCounts
 
 
+class Vehicle(Schema):
+    """A vehicle that the project composes of a catalogue, in one of its states."""
+
+    name: str = Field(description="`ID`, or `ID@STATE`.")
+    title: str
+    catalogue: str = Field(description="Id of its catalogue, for addresses.")
+    attributes: dict[str, str] = Field(description="Facts such as `steering` and `year`.")
+
+
 class Catalogue(CatalogueSummary):
     """A hosted catalogue with its layers and everything that is wrong with it."""
 
     layers: list[Layer]
+    vehicles: list[Vehicle] = Field(description="Vehicles that are composed of it.")
     findings: Findings = Field(description="Findings of the catalogue as it is served.")
     rejected: Findings = Field(description="Findings of a newer state that was therefore not taken.")
 

@@ -15,6 +15,7 @@ from sigcat.catalogue.comparing.changes import Change
 from sigcat.catalogue.comparing.diff_report import attribute_data, diff_data
 from sigcat.catalogue.comparing.trial import Trial
 from sigcat.catalogue.hosting.library import Hosted
+from sigcat.catalogue.hosting.variants import vehicle_switches
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.definition import CORE_ATTRIBUTES
 from sigcat.catalogue.model.interfaces import category_of, interface_name
@@ -109,6 +110,10 @@ def catalogue_detail(hosted: Hosted) -> schemas.Catalogue:
     return schemas.Catalogue(
         **_summary_fields(hosted),
         layers=[_layer(layer) for layer in hosted.catalogue.layers],
+        vehicles=[
+            schemas.Vehicle(name=each.name, title=each.shown, catalogue=catalogue, attributes=dict(each.labels))
+            for each, _, catalogue in vehicle_switches(hosted)
+        ],
         findings=listed_findings(hosted.catalogue.findings),
         rejected=listed_findings(hosted.rejected),
     )

@@ -30,4 +30,5 @@ def _version(hosted: Hosted) -> str:
     parts = [__version__, hosted.source.title, hosted.catalogue.digest]
     parts += [layer.digest for layer in hosted.catalogue.layers]
     parts += [file.digest for file in hosted.catalogue.vocabulary.files]
+    parts += [f"{each.name} {each.title} {each.labels}" for each in hosted.source.vehicles]
     return hashlib.sha256("\n".join(parts).encode("utf-8", "replace")).hexdigest()[:24]

@@ -130,7 +130,8 @@ TheExportQueue = Annotated[ClientQueue, Depends(_export_queue)]
 CatalogueId = Annotated[
     str,
     Path(
-        description="Id of a hosted catalogue; with `~without.OVERLAY` behind it, without that overlay; with `~folded`, "
+        description="Id of a hosted catalogue; with `~vehicle.ID` and `~state.STATE` behind it, that of a vehicle; with "
+        "`~without.OVERLAY`, without that overlay; with `~folded`, "
         "with instances as they were written; with `@VERSION`, of that state of it and no other.",
         examples=["interfaces"],
         max_length=NAME_CHARACTERS,

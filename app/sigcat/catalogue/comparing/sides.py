@@ -34,14 +34,14 @@ class SideProject(NamedTuple):
     """The project that a side is in."""
 
     catalogues: Mapping[str, Source] = MappingProxyType({})
-    """By id, the default one first; complete."""
+    """By id, the default one first, and the vehicles by `vehicle:ID`; complete."""
     complete: Callable[[Source], Source] = lambda source: source
     """Adds the units, quantities, types and include folders of the project to a tree that is not one of its catalogues."""
 
     @property
     def default(self) -> Source | None:
         """The first catalogue."""
-        return next(iter(self.catalogues.values()), None)
+        return next((source for source in self.catalogues.values() if source.vehicle is None), None)
 
 
 NO_PROJECT = SideProject()

@@ -92,7 +92,7 @@ def expanded_paths(catalogue: Catalogue, limits: Limits = DEFAULT_LIMITS) -> Ite
     root = draft_tree(catalogue.definitions, limits, [])
     if root is None:
         return
-    waiting = [(root.name, _expand(root, scope_of(catalogue, limits), limits, []))]
+    waiting = [(root.name, expand_or_report(root, scope_of(catalogue, limits), limits, []))]
     while waiting:
         path, draft = waiting.pop()
         if not draft.definition.values.get("delete"):
@@ -122,7 +122,7 @@ def _compose(
     root = draft_tree(merged.definitions, limits, of_root)
     findings.extend(() if _is_unread(layers) else of_root)
     if root is not None and expanded:
-        root = _expand(root, scope, limits, findings)
+        root = expand_or_report(root, scope, limits, findings)
     roots = tuple(frozen_tree(draft, findings) for draft in (root, type_root) if draft is not None)
     every_layer = (*layers, *types)
     return Catalogue(name, roots, vocabulary, every_layer, in_order(findings), merged.definitions, expanded)
@@ -144,7 +144,8 @@ def missing_units(definitions: Mapping[str, Definition], vocabulary: Vocabulary)
         yield codes.UNITS_MISSING.finding(message, *using[0].origin("unit").position, using[0].path, fix=fix)
 
 
-def _expand(root: Draft, scope: Scope, limits: Limits, findings: list[Finding]) -> Draft:
+def expand_or_report(root: Draft, scope: Scope, limits: Limits, findings: list[Finding]) -> Draft:
+    """Return the tree with instances expanded; unexpanded, and a finding, if there are too many."""
     try:
         return expand_instances(root, scope, limits)
     except TooManyNodes as error:

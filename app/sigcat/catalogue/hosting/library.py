@@ -113,7 +113,8 @@ class Library:
         fresh = load(current.source, self._limits)
         if has_errors(fresh.findings) and not has_errors(current.catalogue.findings):
             return _with_files(current._replace(rejected=fresh.findings), fresh, marks)
-        if fresh.digest == current.catalogue.digest and _files(fresh) == _files(current.catalogue):
+        is_same = fresh.digest == current.catalogue.digest and _files(fresh) == _files(current.catalogue)
+        if is_same and not current.source.vehicles:  # those are composed of the catalogue again when they are asked for
             return _with_files(current._replace(rejected=()), fresh, marks)
         return _with_files(_indexed(Hosted(current.source, fresh)), fresh, marks)
 
@@ -212,7 +213,9 @@ def _named_files(source: Source) -> frozenset[Path]:
     """The files that a source names, and those that would be read if they stood beside its tree."""
     names = (*UNIT_NAMES, *QUANTITY_NAMES)
     beside = (path.with_name(name) for path in (source.spec, *source.overlays) for name in names)
-    return frozenset((source.spec, *source.overlays, *source.units, *source.quantities, *source.types, *beside))
+    of_vehicles = (path for vehicle in source.vehicles for path in vehicle.overlays)
+    lists = (*source.overlays, *source.units, *source.quantities, *source.types, *of_vehicles)
+    return frozenset((source.spec, *lists, *beside))
 
 
 def _marks(files: frozenset[Path]) -> Marks:

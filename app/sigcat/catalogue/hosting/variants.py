@@ -1,4 +1,4 @@
-"""Hosted catalogues with overlays switched off or instances folded: `interfaces~without.error~folded`.
+"""Hosted catalogues for a vehicle, with overlays switched off or instances folded: `interfaces~vehicle.coupe~folded`.
 
 A variant is named like any other catalogue, in addresses of pages and of the API, so that a link to it shows the same.
 It is composed from the layers in memory when it is first asked for.
@@ -14,26 +14,42 @@ from weakref import WeakKeyDictionary
 from sigcat.catalogue.composing.add_overlays import tolerating
 from sigcat.catalogue.composing.compose import compose, unexpanded
 from sigcat.catalogue.hosting.library import Hosted, Library
+from sigcat.catalogue.hosting.source import Source
+from sigcat.catalogue.hosting.vehicle_matrix import Matrix, matrix_of
+from sigcat.catalogue.hosting.vehicles import composed_vehicles, vehicle_of
 from sigcat.catalogue.model.catalogue import Catalogue, Node
+from sigcat.catalogue.model.vehicle import VEHICLE, Vehicle
 from sigcat.errors import NotFound
-from sigcat.names import parent_path
+from sigcat.names import nearest, parent_path
 
 MARK = "~"
-_FOLDED, _WITHOUT = "folded", "without."
+_FOLDED, _WITHOUT, _VEHICLE, _STATE = "folded", "without.", "vehicle.", "state."
 
 
 class Choice(NamedTuple):
-    """Meaning of an id: a hosted catalogue, without some overlays, and whether instances are folded."""
+    """Meaning of an id: a hosted catalogue or a vehicle of it, without some overlays, and whether instances are folded."""
 
     base: str
     without: frozenset[str] = frozenset()
     is_folded: bool = False
+    vehicle: str = ""
+    """Name of a vehicle: `ID` or `ID@STATE`."""
 
     @property
     def id(self) -> str:
         """The id that asks for this."""
-        parts = [self.base, *(f"{_WITHOUT}{name}" for name in sorted(self.without))]
+        parts = [self.base, *self._vehicle_parts, *(f"{_WITHOUT}{name}" for name in sorted(self.without))]
         return MARK.join([*parts, _FOLDED] if self.is_folded else parts)
+
+    @property
+    def _vehicle_parts(self) -> Sequence[str]:
+        """The parts of the id that name the vehicle: `@` names a version there."""
+        vehicle, _, state = self.vehicle.partition("@")
+        return [f"{_VEHICLE}{vehicle}", *([f"{_STATE}{state}"] if state else [])] if vehicle else []
+
+    def for_vehicle(self, vehicle: str) -> "Choice":
+        """For another vehicle; for none, the catalogue itself."""
+        return self._replace(vehicle=vehicle, without=frozenset())
 
     def toggled(self, overlay: str) -> "Choice":
         """With an overlay switched on or off."""
@@ -47,9 +63,12 @@ class Choice(NamedTuple):
 def choice_of(catalogue_id: str) -> Choice:
     """Return the meaning of an id. Parts without a meaning stay with the base, so that it is not found."""
     base, *parts = catalogue_id.split(MARK)
-    unknown = [part for part in parts if part != _FOLDED and not part.startswith(_WITHOUT)]
+    unknown = [part for part in parts if part != _FOLDED and not part.startswith((_WITHOUT, _VEHICLE, _STATE))]
     without = frozenset(part.removeprefix(_WITHOUT) for part in parts if part.startswith(_WITHOUT))
-    return Choice(MARK.join([base, *unknown]), without, _FOLDED in parts)
+    vehicle = next((part.removeprefix(_VEHICLE) for part in parts if part.startswith(_VEHICLE)), "")
+    state = next((part.removeprefix(_STATE) for part in parts if part.startswith(_STATE)), "")
+    name = f"{vehicle}@{state}" if state else vehicle
+    return Choice(MARK.join([base, *unknown]), without, _FOLDED in parts, name)
 
 
 def find_hosted(library: Library, catalogue_id: str) -> Hosted:
@@ -57,17 +76,56 @@ def find_hosted(library: Library, catalogue_id: str) -> Hosted:
     if MARK not in catalogue_id:
         return library.get(catalogue_id)
     choice = choice_of(catalogue_id)
-    base = library.get(choice.base)
+    base = _for_vehicle(library.get(choice.base), choice)
     absent = choice.without - set(overlays_of(base.catalogue))
     if absent:
         message = f"Catalogue {choice.base!r} has no overlay {min(absent)!r}."
         raise NotFound(message, (choice._replace(without=choice.without - absent).id,))
-    if choice == Choice(choice.base):
+    if choice == Choice(choice.base, vehicle=choice.vehicle):
         return base
     catalogue = variant_of(base.catalogue, choice)
     notes = [f"without {name}" for name in sorted(choice.without)] + (["folded"] if choice.is_folded else [])
     title = f"{base.source.title}, {', '.join(notes)}"
     return base._replace(source=base.source._replace(id=choice.id, title=title), catalogue=catalogue)
+
+
+def _for_vehicle(base: Hosted, choice: Choice) -> Hosted:
+    """The vehicle of a hosted catalogue that a choice names. Raises NotFound with the nearest ids."""
+    if not choice.vehicle:
+        return base
+    vehicles = [each for each in base.source.vehicles if choice.vehicle in (each.id, each.name)]
+    if not vehicles:
+        near = nearest(choice.vehicle, [each.name for each in base.source.vehicles])
+        message = f"Catalogue {base.source.id!r} has no vehicle {choice.vehicle[:80]!r}."
+        raise NotFound(message, tuple(choice._replace(vehicle=name).id for name in near))
+    vehicle = vehicles[-1]
+    source = base.source.for_vehicle(vehicle)
+    source = source._replace(
+        id=Choice(choice.base, vehicle=choice.vehicle).id, title=f"{base.source.title}, {vehicle.shown}"
+    )
+    return base._replace(source=source, catalogue=_vehicle(base.catalogue, base.source, vehicle))
+
+
+@lru_cache(maxsize=12)
+def _vehicle(base: Catalogue, source: Source, vehicle: Vehicle) -> Catalogue:
+    return vehicle_of(base, source, vehicle)
+
+
+def vehicle_switches(hosted: Hosted) -> tuple[tuple[Vehicle, bool, str], ...]:
+    """The vehicles that can be chosen: (vehicle, whether it is shown, id of its catalogue)."""
+    choice, chosen = choice_of(hosted.source.id), hosted.source.vehicle
+    return tuple((each, each == chosen, choice.for_vehicle(each.name).id) for each in hosted.source.vehicles)
+
+
+def without_vehicle(hosted: Hosted) -> str:
+    """Id of the catalogue itself where a vehicle of it is shown."""
+    return choice_of(hosted.source.id).for_vehicle("").id
+
+
+@lru_cache(maxsize=4)
+def vehicle_matrix(base: Catalogue, source: Source) -> Matrix:
+    """The nodes of a hosted catalogue, and which of its vehicles have them."""
+    return matrix_of(list(composed_vehicles(base, source, source.vehicles)))
 
 
 def overlays_of(catalogue: Catalogue) -> tuple[str, ...]:
@@ -81,7 +139,8 @@ def stand_in(library: Library, hosted: Hosted, path: str) -> str:
     That is its definition, its first instance, or the branch above it.
     """
     choice = choice_of(hosted.source.id)
-    others = (library.get(choice.base), find_hosted(library, Choice(choice.base, is_folded=True).id))
+    whole = Choice(choice.base, vehicle=choice.vehicle)
+    others = (library.get(choice.base), *(find_hosted(library, each.id) for each in (whole, whole.folded(True))))
     node = next((node for other in others if (node := other.catalogue.get(path))), None)
     if node is None:
         return ""
@@ -102,7 +161,8 @@ def folding(hosted: Hosted) -> str:
 def overlay_switches(library: Library, hosted: Hosted) -> tuple[tuple[str, bool, str], ...]:
     """The overlays that can be switched: (name, whether it is on, id of the catalogue with it switched)."""
     choice = choice_of(hosted.source.id)
-    names = overlays_of(library.get(choice.base).catalogue)
+    whole = find_hosted(library, Choice(choice.base, vehicle=choice.vehicle).id).catalogue
+    names = [name for name in overlays_of(whole) if not name.startswith(VEHICLE)]
     return tuple((name, name not in choice.without, choice.toggled(name).id) for name in names)
 
 

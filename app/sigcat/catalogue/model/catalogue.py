@@ -84,11 +84,14 @@ class Catalogue:
         self.definitions = definitions
         """Merged definitions by path, before expansion."""
         self.is_expanded = is_expanded
-        self.nodes: Mapping[str, Node] = MappingProxyType({n.path: n for root in roots for n in root.walk()})
-        """Every node by path, parents first."""
 
     def __repr__(self) -> str:
         return f"<Catalogue {self.name}: {len(self.nodes)} nodes>"
+
+    @cached_property
+    def nodes(self) -> Mapping[str, Node]:
+        """Every node by path, parents first."""
+        return MappingProxyType({node.path: node for root in self.roots for node in root.walk()})
 
     @property
     def tree_layers(self) -> tuple[Layer, ...]:
@@ -248,7 +251,7 @@ class CataloguePart(Catalogue):
         findings: tuple[Finding, ...],
         changed: Mapping[str, Definition],
     ) -> None:
-        definitions = _over(below.definitions, changed)
+        definitions = over(below.definitions, changed)
         layers = (*below.layers, overlay)
         super().__init__(below.name, roots, below.vocabulary, layers, findings, definitions, is_expanded=False)
         self.below = below
@@ -272,15 +275,15 @@ class CataloguePart(Catalogue):
             path: list(({each.path: each for each in self.below.children.get(path, ())} | own).values())
             for path, own in _by_parent(self.changed).items()
         }
-        return _over(self.below.children, changed)
+        return over(self.below.children, changed)
 
     @cached_property
     def first_spellings(self) -> Mapping[str, str]:
         """Return the first of paths that differ in case only, by the path in lower case."""
-        return _over(_first_spellings(self.changed), self.below.first_spellings)
+        return over(_first_spellings(self.changed), self.below.first_spellings)
 
 
-def _over(below: Mapping[str, Value], above: Mapping[str, Value]) -> Mapping[str, Value]:
+def over(below: Mapping[str, Value], above: Mapping[str, Value]) -> Mapping[str, Value]:
     """Two mappings as one. To copy a whole tree costs more than all that an overlay asks of it."""
     return ChainMap(above, below)  # type: ignore[arg-type] # it is only read
 

@@ -1,6 +1,7 @@
 """Positions of the keys of a TOML file: tomllib does not report them."""
 
 import re
+from collections.abc import Iterator, Mapping
 
 _HEADER = re.compile(r"\s*(\[\[?)\s*([^\[\]]+?)\s*\]")
 _KEY = re.compile(r"\s*((?:\"[^\"]*\"|'[^']*'|[A-Za-z0-9_.-])+)\s*=")
@@ -19,14 +20,25 @@ class Lines:
         self._texts = text.splitlines()
         table, number = "", 0
         seen: dict[str, int] = {}
+        arrays: dict[str, int] = {}
         for line, content in enumerate(self._texts, 1):
             if header := _HEADER.match(content):
                 table = header[2].translate(_QUOTES)
                 number = seen[table] = seen.get(table, -1) + 1
                 self._positions.setdefault((table, number, ""), (line, header.start(1) + 1))
                 self._positions.setdefault(("", 0, table.partition(".")[0]), (line, header.start(2) + 1))
+                if header[1] == "[[":
+                    arrays = {name: index for name, index in arrays.items() if not name.startswith(f"{table}.")}
+                    arrays[table] = arrays.get(table, -1) + 1
+                for address, rest in _addresses(table, arrays):
+                    self._positions.setdefault((address, 0, rest), (line, header.start(1) + 1))
             elif key := _KEY.match(content):
-                self._positions.setdefault((table, number, key[1].translate(_QUOTES)), (line, key.start(1) + 1))
+                name = key[1].translate(_QUOTES)
+                self._positions.setdefault((table, number, name), (line, key.start(1) + 1))
+                for address, rest in _addresses(table, arrays):
+                    self._positions.setdefault(
+                        (address, 0, f"{rest}.{name}" if rest else name), (line, key.start(1) + 1)
+                    )
 
     def line(self, table: str, number: int = 0, key: str = "") -> int:
         """Line of a key of the table that is the `number`th of its name; of its header without a key."""
@@ -64,3 +76,15 @@ class Lines:
             if len(parts) == 1:
                 return self.position(table)
             key = ".".join(parts[:-1])
+
+
+def _addresses(table: str, arrays: Mapping[str, int]) -> Iterator[tuple[str, str]]:
+    """Yield each table of an array that a header is in, such as `vehicle[1].state[0]`, and the rest of the header."""
+    parts = table.split(".")
+    address = ""
+    for end, part in enumerate(parts, 1):
+        index = arrays.get(".".join(parts[:end]))
+        address += f".{part}" if address else part
+        if index is not None:
+            address += f"[{index}]"
+            yield address, ".".join(parts[end:])

@@ -138,6 +138,7 @@ def _lint_paths(paths: Sequence[Path], options: LintOptions) -> LintResult:
             _LINT_FILE[source.kind](source, lint)
     is_complete = any(path.is_dir() for path in paths)
     _lint_functions([s.path for s in sources if s.kind == "function"], lint, is_complete=is_complete)
+    _lint_project(paths, lint)
     return _result(lint, every_rule, paths if is_complete else ())
 
 
@@ -273,6 +274,16 @@ def _lint_functions(paths: Sequence[Path], lint: _Lint, *, is_complete: bool) ->
         lint.add((finding, None) for finding in checked.findings)
         lint.beside.update(checked.beside)
         lint.causes |= checked.causes
+
+
+def _lint_project(paths: Sequence[Path], lint: _Lint) -> None:
+    """Check the project file, where it or its folder is named."""
+    file = lint.options.file
+    if file is None or lint.options.check_project is None:
+        return
+    if any(real_path(path) in (real_path(file), *real_path(file).parents) for path in paths):
+        lint.look_at([str(file)], "nothing")
+        lint.add((finding, None) for finding in lint.options.check_project())
 
 
 def _lint_rules(source: Source, lint: _Lint) -> None:

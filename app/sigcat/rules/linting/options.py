@@ -1,6 +1,6 @@
 """The options of a lint, and its result."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -75,6 +75,8 @@ class LintOptions(NamedTuple):
     """Options of checks by the code of the rule, over those of the rule's record."""
     baseline: Path | None = None
     check_functions: FunctionCheck | None = None
+    check_project: Callable[[], Iterable[Finding]] | None = None
+    """Returns the findings in the project file, which is checked with the folder that it is in."""
 
     def over(self, source: Source) -> "LintOptions":
         """The options with the tree, the overlays and the vocabulary of a catalogue."""

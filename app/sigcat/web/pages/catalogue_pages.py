@@ -23,7 +23,14 @@ from sigcat.api.requests.long_reading import in_turn
 from sigcat.api.requests.thread_turns import InThread
 from sigcat.api.routes.catalogues import SearchQuery, find_node, node_at, page_size, searched_state
 from sigcat.catalogue.hosting.library import Hosted
-from sigcat.catalogue.hosting.variants import folding, instance_counts, overlay_switches, stand_in
+from sigcat.catalogue.hosting.variants import (
+    folding,
+    instance_counts,
+    overlay_switches,
+    stand_in,
+    vehicle_switches,
+    without_vehicle,
+)
 from sigcat.catalogue.model.catalogue import Node
 from sigcat.catalogue.search import FACETS, SearchResult
 from sigcat.catalogue.search_filters import checked_filters
@@ -39,6 +46,7 @@ from sigcat.web.rendering import page
 from sigcat.web.views.catalogue_findings import findings_over
 from sigcat.web.views.node_view import field_units_of, node_view
 from sigcat.web.views.tree_rows import OpenBranches, rows_below, visible_rows
+from sigcat.web.views.vehicle_view import base_of, vehicles_of
 from sigcat.web.visits import visit_of
 
 router = APIRouter(route_class=InThread)
@@ -204,6 +212,9 @@ def _tree(request: Request, hosted: Hosted, path: str, opened: str, start: int) 
         selected=path,
         view=node_view(catalogue, first, field_units_of(request.app.state.rules.rules), uses) if first else None,
         switches=overlay_switches(library_of(request), hosted),
+        vehicles=vehicle_switches(hosted),
+        without_vehicle=without_vehicle(hosted),
+        in_vehicles=vehicles_of(base_of(library_of(request), hosted), first.path) if first else (),
         folding=folding(hosted),
         instances={} if catalogue.is_expanded else instance_counts(catalogue),
         rows=rows,

@@ -26,8 +26,11 @@ def _chosen(hosted: Hosted) -> Source:
 
 
 def _tree_options(source: Source) -> Iterator[str]:
+    if source.vehicle is not None:
+        yield from ("-s", source.vehicle.label)
+        return
     for shipped in shipped_sources():
-        if source._replace(id=shipped.id, title=shipped.title) == shipped:
+        if source._replace(id=shipped.id, title=shipped.title, vehicles=()) == shipped:
             yield from ("-s", shipped.id)
             return
     shipped_name = "vss" if source.spec == ROOT_FILE else ""
