@@ -18,14 +18,14 @@ CHECKED = [
     "CONTRIBUTING.md", "SECURITY.md",
 ]  # fmt: skip
 SKIPPED = "*.png,*.pyc,*.lock,openapi*.json,licences.md,package-lock.json,node_modules"
-FOUND = re.compile(r"\./?(?P<file>[^:]+):(?P<line>\d+): (?P<word>\S+) ==> (?P<better>.*)")
+FOUND = re.compile(r"^\./?(?P<file>[^:]+):(?P<line>\d+): (?P<word>\S+) ==> (?P<better>.*)$", re.MULTILINE)
 
 
 def mistakes(paths, cwd):
     """Return file, line, word and proposal of each mistake."""
     command = [sys.executable, "-m", "codespell_lib", "--skip", SKIPPED, *(f"./{path}" for path in paths)]
     run = subprocess.run(command, cwd=cwd, capture_output=True, text=True, check=False)
-    found = [FOUND.fullmatch(line) for line in run.stdout.splitlines()]
+    found = FOUND.finditer(run.stdout)
     return [(each["file"], int(each["line"]), each["word"].lower(), each["better"]) for each in found]
 
 
