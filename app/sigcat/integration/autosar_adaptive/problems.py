@@ -32,12 +32,14 @@ from sigcat.integration.autosar_adaptive.versions import Version, version_of
 from sigcat.integration.autosar_names import short_name
 from sigcat.integration.checked_document import Problem
 from sigcat.integration.datatypes import BY_ADAPTIVE
+from sigcat.integration.references import places
 from sigcat.names import IDENTIFIER
 
 _PRIMITIVES = {row.autosar.lower() for row in BY_ADAPTIVE.values()}
 _OTHER_PORTS = {ADAPTER_STORAGE.lower(), "supervision"}
 _PORT_ENDINGS = ("_pport", "_rport", "_monitor")
 """Ports of a component that are not storages of parameters."""
+_SERVICES = "ComponentList/*/ServiceInterfaceList/*"
 
 
 def problems_of(model: IntegrationModel) -> Iterator[Problem]:
@@ -62,9 +64,9 @@ def problems_of(model: IntegrationModel) -> Iterator[Problem]:
     for component, problem in process_problems(model.components):
         position = model.components.index(component)
         yield Problem((*at, position, "Processes"), problem.message, problem.fix)
-    further = [(position, each.processes or ()) for position, each in enumerate(model.components)]
-    for position, listed in further:
-        yield from _names((((*at, position, "Processes", i), each.name) for i, each in enumerate(listed)), "process")
+    for position, component in enumerate(model.components):
+        listed = enumerate(component.processes or ())
+        yield from _names((((*at, position, "Processes", i), each.name) for i, each in listed), "process")
 
 
 def _uses(model: IntegrationModel) -> Iterator[Problem]:
@@ -77,10 +79,8 @@ def _uses(model: IntegrationModel) -> Iterator[Problem]:
 
 def _lengths(model: IntegrationModel, deployment: ArxmlDeployment) -> Iterator[Problem]:
     chosen: list[tuple[Pointer, TransformationSettings]] = [(("Deployment",), deployment.transformation)]
-    for index, component in enumerate(model.components):
-        for number, interface in enumerate(component.services):
-            if interface.transformation is not None:
-                chosen.append((("ComponentList", index, "ServiceInterfaceList", number), interface.transformation))
+    services = places(model, _SERVICES)
+    chosen += [(at, each.transformation) for at, each in services if each.transformation is not None]
     for at, transformation in chosen:
         for entry in model.datatypes or () if transformation.array_length == 0 else ():
             if entry.is_open:
@@ -155,16 +155,12 @@ def _in_services(services: Services, at: Pointer, types: set[str]) -> Iterator[P
 def _method_arguments(model: IntegrationModel) -> Iterator[Problem]:
     """Methods have as many arguments and results as in the functions that offer or use them."""
     counts = argument_counts(model.functions or ())
-    for index, component in enumerate(model.components):
-        for number, interface in enumerate(component.services):
-            for position, services in enumerate(interface.services):
-                at: Pointer = ("ComponentList", index, "ServiceInterfaceList", number, "ServiceList", position)
-                for place, method in enumerate(services.methods):
-                    own = (len(method.inputs or ()), len(method.outputs or ()))
-                    names = {use.method.name for use in method.uses or ()} & counts.keys()
-                    if any(own not in counts[name] for name in names):
-                        message = f"{method.name} must have the arguments and results that it has in its functions."
-                        yield Problem((*at, "Methods", place), message, "Integrate the functions again.")
+    for at, method in places(model, f"{_SERVICES}/ServiceList/*/Methods/*"):
+        own = (len(method.inputs or ()), len(method.outputs or ()))
+        names = {use.method.name for use in method.uses or ()} & counts.keys()
+        if any(own not in counts[name] for name in names):
+            message = f"{method.name} must have the arguments and results that it has in its functions."
+            yield Problem(at, message, "Integrate the functions again.")
 
 
 def _word(pointer: Pointer, word: str, owner: str, types: set[str]) -> Iterator[Problem]:
@@ -213,33 +209,26 @@ def _members(entry: TypeEntry, at: Pointer) -> Iterator[Problem]:
 def _versions(model: IntegrationModel) -> Iterator[Problem]:
     """Services that components of the set have in different versions."""
     known: dict[str, tuple[Version, str]] = {}
-    for index, component in enumerate(model.components):
-        for number, interface in enumerate(component.services):
-            version, owner = known.setdefault(interface.name, (version_of(interface), component.name))
-            if version != version_of(interface):
-                message = f"{interface.name} must have one version, not {version} in {owner} and {version_of(interface)} in {component.name}."
-                at: Pointer = ("ComponentList", index, "ServiceInterfaceList", number, "MajorVersion")
-                yield Problem(at, message, "Write the same version in each component.")
+    for at, interface in places(model, _SERVICES):
+        component, found = model.components[int(at[1])].name, version_of(interface)
+        version, owner = known.setdefault(interface.name, (found, component))
+        if version != found:
+            message = f"{interface.name} must have one version, not {version} in {owner} and {found} in {component}."
+            yield Problem((*at, "MajorVersion"), message, "Write the same version in each component.")
 
 
 def _identifiers(model: IntegrationModel) -> Iterator[Problem]:
     """Ids that two have, or that SOME/IP does not know; an element of one name in one service is one element."""
     owners: dict[tuple[str, str, int], str] = {}
-    for index, component in enumerate(model.components):
-        for number, interface in enumerate(component.services):
-            at: Pointer = ("ComponentList", index, "ServiceInterfaceList", number)
-            for kind, owner, value, span in numbers_of(interface):
-                if not span.first <= value <= span.last:
-                    yield Problem(
-                        at,
-                        f"The id of {owner} must be from {span.first} to {span.last}, not {value}.",
-                        "Use another one.",
-                    )
-                other = owners.setdefault((*kind, value), owner)
-                if other != owner:
-                    yield Problem(
-                        at, f"{other} and {owner} must have different ids, not both {value}.", "Change one of them."
-                    )
+    for at, interface in places(model, _SERVICES):
+        for kind, owner, value, span in numbers_of(interface):
+            if not span.first <= value <= span.last:
+                message = f"The id of {owner} must be from {span.first} to {span.last}, not {value}."
+                yield Problem(at, message, "Use another one.")
+            other = owners.setdefault((*kind, value), owner)
+            if other != owner:
+                message = f"{other} and {owner} must have different ids, not both {value}."
+                yield Problem(at, message, "Change one of them.")
 
 
 def _data_id(service: str, item: Event | ServiceField) -> Iterator[tuple[tuple[str, str], str, int, Span]]:

@@ -1,109 +1,83 @@
 """Service needs that the base software would refuse: memory, diagnosis, inhibition, supervision."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.model import (
     AliveSupervision,
     ClassicIntegration,
-    Component,
     DeadlineSupervision,
-    DiagnosticEvent,
-    Port,
     SupervisedEntity,
 )
 from sigcat.integration.checked_document import Problem
-from sigcat.integration.references import unknown
+from sigcat.integration.references import places, unknown
 
-_LARGEST = {"byte": 255, "word": 65_535}
-"""Largest values of counters of the base software."""
+_ENTITIES = "Components/*/SupervisedEntities/*"
+_SERVICE_PORTS = {
+    "Components/*/NvBlocks/*/Port": "NvRamManager",
+    "Components/*/DiagnosticEvents/*/Port": "DiagnosticEventManager",
+    f"{_ENTITIES}/Checkpoints/*/Port": "WatchdogManager",
+}
+"""Ports that lead to a module of the base software."""
+_ERRORS = ("Components/*/Inhibitions/*/Events/*", f"{_ENTITIES}/Alive/*/Error", f"{_ENTITIES}/Deadline/*/Error")
+"""Errors of components, or of others whose status they receive."""
+_BYTE, _WORD = (255, "byte"), (65_535, "word")
+_COUNTS = {
+    "Components/*/DiagnosticEvents/*/OccurrenceCountLimit": _BYTE,
+    "Components/*/DiagnosticEvents/*/IgnitionCountLimit": _BYTE,
+    f"{_ENTITIES}/Checkpoints/*/Number": _WORD,
+    f"{_ENTITIES}/Alive/*/ExpectedIndications": _WORD,
+    f"{_ENTITIES}/Alive/*/MinMargin": _BYTE,
+    f"{_ENTITIES}/Alive/*/MaxMargin": _BYTE,
+}
+"""Counters of the base software, with their largest values."""
 
 
 def need_problems(model: ClassicIntegration) -> Iterator[Problem]:
     """Needs of all components: ports that lead to the right module, existing elements, numbers that it takes."""
-    errors = _reported(model)
-    for index, component in enumerate(model.components):
-        yield from _of_component(component, ("Components", index), errors)
+    yield from _ports(model)
+    uses = (use for _, use in places(model, "Components/*/Ports/*/Elements/*/Uses/*"))
+    own = (error for _, error in places(model, "Components/*/DiagnosticEvents/*/Error"))
+    errors = {*own, *(use.interface for use in uses if use.kind == "error")}
+    for path in _ERRORS:
+        for at, error in places(model, path):
+            if error and error not in errors:
+                yield unknown(at, "error, of a component or a port", error, errors)
+    for path, (largest, size) in _COUNTS.items():
+        for at, number in places(model, path):
+            if not 0 <= number <= largest:
+                message = f"It must be from 0 to {largest:,}, which the base software holds in a {size}, not {number}."
+                yield Problem(at, message, "Correct it.")
+    for at, entity in places(model, _ENTITIES):
+        yield from _numbers(entity, at)
+    for at, alive in places(model, f"{_ENTITIES}/Alive/*"):
+        yield from _alive(alive, at)
+    for at, deadline in places(model, f"{_ENTITIES}/Deadline/*"):
+        yield from _deadline(deadline, at)
 
 
-def _reported(model: ClassicIntegration) -> frozenset[str]:
-    """Errors of the components, and those of others whose status they receive."""
-    own = (event.error for component in model.components for event in component.diagnostic_events)
-    uses = (
-        use
-        for component in model.components
-        for port in component.ports
-        for element in port.elements
-        for use in element.uses or ()
-    )
-    return frozenset((*own, *(use.interface for use in uses if use.kind == "error")))
-
-
-def _of_component(component: Component, at: Pointer, errors: frozenset[str]) -> Iterator[Problem]:
-    ports = {port.name: port for port in component.ports}
-    for index, block in enumerate(component.nv_blocks):
-        yield from _service_port(block.port, "NvRamManager", (*at, "NvBlocks", index, "Port"), ports)
-    for index, event in enumerate(component.diagnostic_events):
-        yield from _event(event, (*at, "DiagnosticEvents", index), ports)
-    for index, entity in enumerate(component.supervised_entities):
-        yield from _entity(entity, (*at, "SupervisedEntities", index), ports, errors)
-    for index, inhibition in enumerate(component.inhibitions):
-        for number, error in enumerate(inhibition.events):
-            if error not in errors:
-                here: Pointer = (*at, "Inhibitions", index, "Events", number)
-                yield unknown(here, "error, of a component or a port", error)
-
-
-def _event(event: DiagnosticEvent, at: Pointer, ports: Mapping[str, Port]) -> Iterator[Problem]:
-    yield from _service_port(event.port, "DiagnosticEventManager", (*at, "Port"), ports)
-    yield from _count(event.occurrence_limit, "byte", (*at, "OccurrenceCountLimit"))
-    yield from _count(event.ignition_limit, "byte", (*at, "IgnitionCountLimit"))
-
-
-def _service_port(name: str, service: str, at: Pointer, ports: Mapping[str, Port]) -> Iterator[Problem]:
-    """The port through which a module of the base software is reached."""
-    port = ports.get(name)
-    if port is None or port.service != service or port.direction != "Required" or not port.elements:
-        yield unknown(at, f"port that requires an operation of the {service}", name)
-
-
-def _entity(
-    entity: SupervisedEntity, at: Pointer, ports: Mapping[str, Port], errors: frozenset[str]
-) -> Iterator[Problem]:
-    yield from _numbers(entity, at)
-    for index, point in enumerate(entity.checkpoints):
-        yield from _service_port(point.port, "WatchdogManager", (*at, "Checkpoints", index, "Port"), ports)
-    for index, alive in enumerate(entity.alive):
-        here: Pointer = (*at, "Alive", index)
-        yield from _error(alive.error, errors, here)
-        yield from _alive(alive, here)
-    for index, deadline in enumerate(entity.deadlines):
-        here = (*at, "Deadline", index)
-        yield from _error(deadline.error, errors, here)
-        yield from _deadline(deadline, here)
+def _ports(model: ClassicIntegration) -> Iterator[Problem]:
+    """Ports of services, each of which requires an operation of its module."""
+    ports = [{port.name: port for port in component.ports} for component in model.components]
+    for path, service in _SERVICE_PORTS.items():
+        for at, name in places(model, path):
+            port = ports[int(at[1])].get(name)
+            if port is None or port.service != service or port.direction != "Required" or not port.elements:
+                yield unknown(at, f"port that requires an operation of the {service}", name)
 
 
 def _numbers(entity: SupervisedEntity, at: Pointer) -> Iterator[Problem]:
     seen: set[int] = set()
     for index, point in enumerate(entity.checkpoints):
-        here: Pointer = (*at, "Checkpoints", index, "Number")
-        yield from _count(point.number, "word", here)
         if point.number in seen:
-            yield Problem(here, f"{point.number} must be the number of one checkpoint, and is that of two.", "Number them.")  # fmt: skip
+            message = f"{point.number} must be the number of one checkpoint, and is that of two."
+            yield Problem((*at, "Checkpoints", index, "Number"), message, "Number them.")
         seen.add(point.number)
-
-
-def _error(name: str, errors: frozenset[str], at: Pointer) -> Iterator[Problem]:
-    if name and name not in errors:
-        yield unknown((*at, "Error"), "error, of a component or a port", name)
 
 
 def _alive(alive: AliveSupervision, at: Pointer) -> Iterator[Problem]:
     if alive.expected < 1:
         yield Problem((*at, "ExpectedIndications"), f"At least 1 indication must be expected, not {alive.expected}.", "Correct it.")  # fmt: skip
-    yield from _count(alive.expected, "word", (*at, "ExpectedIndications"))
-    yield from _count(alive.min_margin, "byte", (*at, "MinMargin"))
-    yield from _count(alive.max_margin, "byte", (*at, "MaxMargin"))
     if alive.min_margin > alive.expected >= 1:
         message = f"No more than the {alive.expected} expected indications may be missing, not {alive.min_margin}."
         yield Problem((*at, "MinMargin"), message, "Correct one of the two.")
@@ -118,9 +92,3 @@ def _deadline(deadline: DeadlineSupervision, at: Pointer) -> Iterator[Problem]:
     if not 0 <= deadline.min <= deadline.max:
         message = f"The shortest time must be from 0 to the longest, {deadline.max} s, not {deadline.min} s."
         yield Problem((*at, "Min"), message, "Correct one of the two.")
-
-
-def _count(number: int | None, size: str, at: Pointer) -> Iterator[Problem]:
-    if number is not None and not 0 <= number <= _LARGEST[size]:
-        message = f"It must be from 0 to {_LARGEST[size]:,}, which the base software holds in a {size}, not {number}."
-        yield Problem(at, message, "Correct it.")

@@ -7,6 +7,7 @@ from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.model import ClassicIntegration, Component, PerInstanceMemory
 from sigcat.integration.autosar_classic.problem import identifier, name
 from sigcat.integration.checked_document import Problem
+from sigcat.integration.references import places
 
 _OF_BASE_SOFTWARE = ("Rte_", "SchM_", "Dem_", "NvM_", "WdgM_", "FiM_", "Os_", "EcuM_", "BswM_")
 """Prefixes of names of the base software."""
@@ -25,9 +26,9 @@ def symbol_problems(model: ClassicIntegration) -> Iterator[Problem]:
             other = seen.setdefault(runnable.symbol, f"{component.name}.{runnable.name}")
             if other != f"{component.name}.{runnable.name}":
                 yield Problem(at, f"{runnable.symbol} must be the function of one runnable, and is that of {other} too.", "Rename it.")  # fmt: skip
-        for number, memory in enumerate(component.memories):
-            yield from _memory(memory, ("Components", index, "PerInstanceMemories", number))
         yield from _memory_types(component, ("Components", index))
+    for place, memory in places(model, "Components/*/PerInstanceMemories/*"):
+        yield from _memory(memory, place)
     yield from _sections(model)
 
 
@@ -74,9 +75,8 @@ def _memory_types(component: Component, at: Pointer) -> Iterator[Problem]:
 def _sections(model: ClassicIntegration) -> Iterator[Problem]:
     """Components share the sections of a name: what is in them is of one kind."""
     seen: dict[str, tuple[str, str]] = {}
-    for index, component in enumerate(model.components):
-        for number, section in enumerate(component.sections):
-            kind, owner = seen.setdefault(section.name, (section.kind, component.name))
-            if kind != section.kind:
-                message = f"Section {section.name} must be of kind {kind}, as in {owner}, not {section.kind}."
-                yield Problem(("Components", index, "MemorySections", number, "Kind"), message, "Rename one of the two.")  # fmt: skip
+    for at, section in places(model, "Components/*/MemorySections/*"):
+        kind, owner = seen.setdefault(section.name, (section.kind, model.components[int(at[1])].name))
+        if kind != section.kind:
+            message = f"Section {section.name} must be of kind {kind}, as in {owner}, not {section.kind}."
+            yield Problem((*at, "Kind"), message, "Rename one of the two.")

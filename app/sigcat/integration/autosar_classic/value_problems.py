@@ -5,10 +5,11 @@ from typing import Any, NamedTuple, Union
 
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.text import Text
-from sigcat.integration.autosar_classic.model import ClassicIntegration, ImplementationType, Port
+from sigcat.integration.autosar_classic.model import ClassicIntegration, ImplementationType
 from sigcat.integration.autosar_classic.platform_types import FLOATS, WHOLE_NUMBERS
 from sigcat.integration.autosar_classic.used_types import element_types
 from sigcat.integration.checked_document import Problem
+from sigcat.integration.references import places
 
 
 class _Shape(NamedTuple):
@@ -25,17 +26,16 @@ def value_problems(model: ClassicIntegration) -> Iterator[Problem]:
     """Values of ports of components and of the composition, and of parameters."""
     shapes = _shapes(model)
     elements = _elements(model, shapes)
-    for index, component in enumerate(model.components):
-        at: Pointer = ("Components", index)
-        yield from _of_ports(component.ports, at, elements)
-        for number, parameter in enumerate(component.parameters):
-            here = (*at, "InternalParameters", number, "InitValue")
-            yield from _value(parameter.init, shapes.get(parameter.type), here)
-    for index, parameters in enumerate(model.parameter_components):
-        yield from _of_ports(parameters.ports, ("ParameterComponents", index), elements)
-    for index, port in enumerate(model.composition.ports):
+    for at, parameter in places(model, "Components/*/InternalParameters/*"):
+        yield from _value(parameter.init, shapes.get(parameter.type), (*at, "InitValue"))
+    for path in ("Components/*/Ports/*", "ParameterComponents/*/Ports/*"):
+        for at, port in places(model, path):
+            for number, element in enumerate(port.elements):
+                shape = elements.get((port.interface, element.name))
+                yield from _value(element.init, shape, (*at, "Elements", number, "InitValue"))
+    for at, port in places(model, "Composition/Ports/*"):
         of_interface = [shape for (interface, _), shape in elements.items() if interface == port.interface]
-        yield from _value(port.init, next(iter(of_interface), None), ("Composition", "Ports", index, "InitValue"))
+        yield from _value(port.init, next(iter(of_interface), None), (*at, "InitValue"))
 
 
 def _shapes(model: ClassicIntegration) -> dict[str, _Shape]:
@@ -61,13 +61,6 @@ def _shape(each: ImplementationType, known: Mapping[str, _Shape]) -> _Shape | No
 def _elements(model: ClassicIntegration, shapes: Mapping[str, _Shape]) -> dict[tuple[str, str], _Shape]:
     """Shapes of data elements and parameters, by interface and name."""
     return {key: shapes[name] for key, name in element_types(model).items() if name in shapes}
-
-
-def _of_ports(ports: tuple[Port, ...], at: Pointer, elements: Mapping[tuple[str, str], _Shape]) -> Iterator[Problem]:
-    for index, port in enumerate(ports):
-        for number, element in enumerate(port.elements):
-            here = (*at, "Ports", index, "Elements", number, "InitValue")
-            yield from _value(element.init, elements.get((port.interface, element.name)), here)
 
 
 def _value(value: Any, shape: _Shape | None, at: Pointer) -> Iterator[Problem]:

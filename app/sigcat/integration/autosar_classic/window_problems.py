@@ -6,16 +6,13 @@ from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.model import ClassicIntegration, E2eWindow, E2eWindows
 from sigcat.integration.autosar_classic.releases import RELEASES_WITH_ONE_WINDOW
 from sigcat.integration.checked_document import Problem
+from sigcat.integration.references import places
 
 
 def window_problems(model: ClassicIntegration, release: str) -> Iterator[Problem]:
     """Problems of the windows of all ports, for a release."""
-    for index, component in enumerate(model.components):
-        for number, port in enumerate(component.ports):
-            for place, element in enumerate(port.elements):
-                at = ("Components", index, "Ports", number, "Elements", place, "E2eWindows")
-                if element.windows is not None:
-                    yield from _of_windows(element.windows, at, release)
+    for at, windows in places(model, "Components/*/Ports/*/Elements/*/E2eWindows"):
+        yield from _of_windows(windows, at, release)
 
 
 def _of_windows(windows: E2eWindows, at: Pointer, release: str) -> Iterator[Problem]:
