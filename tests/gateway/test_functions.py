@@ -101,6 +101,12 @@ def test_what_functions_send_goes_back_to_can(run, tmp_path):
     assert "3 values towards CAN: 2 sent in 2 frames, 1 held back" in told
 
 
+def test_a_default_of_a_signal_that_the_database_lacks_is_reported_once(run, tmp_path):
+    (tmp_path / "defaults.json").write_text('{"Others": 1}')
+    _, told = run("--send", tmp_path / "wish.log", "--defaults", tmp_path / "defaults.json", "--lock-step")
+    assert told.count("The CAN database has no signal 'Others'") == 1
+
+
 def test_in_real_time_too(run, tmp_path):
     run("--send", tmp_path / "wish.log")
     assert "101#9001" in (tmp_path / "wish.log").read_text().splitlines()[-1]
