@@ -225,6 +225,19 @@ def test_changes_stand_below_their_branches_with_old_and_new(site: Ask) -> None:
     assert re.search(r'<span class="old"><span class="unseen">from </span>float</span>', page)
 
 
+def test_changes_have_their_classes_for_a_binding(site: Ask) -> None:
+    page = site("/changes?old=bare&new=small").text
+    assert "Breaks for" in page
+    assert "binding=ros2" in page
+    bound = site("/changes?old=vss&new=interfaces&binding=protobuf").text
+    assert "for protobuf:" in bound
+    assert "&amp;binding=protobuf" in bound
+    assert "No differences." in site("/changes?old=vss&new=vss&binding=protobuf").text
+    unknown = site("/changes?old=vss&new=interfaces&binding=<b>").text
+    assert "changes: " in unknown
+    assert "<b>&" not in unknown
+
+
 def test_changes_are_filtered_by_class_and_kind(site: Ask) -> None:
     everything = site("/changes?old=vss&new=interfaces").text
     added = site("/changes?old=vss&new=interfaces&kind=added").text

@@ -9,6 +9,7 @@ from fastapi import APIRouter, Query, Request
 from fastapi.responses import Response
 
 from sigcat.api.requests.dependencies import TheWorkQueue
+from sigcat.catalogue.comparing.bindings import BINDINGS, EFFECTS, Binding, chosen, classes_of, for_bindings
 from sigcat.catalogue.comparing.changes import CLASSES, KINDS, Change
 from sigcat.catalogue.comparing.diff import compare
 from sigcat.catalogue.hosting.library import Hosted, Library
@@ -19,6 +20,8 @@ from sigcat.web.rendering import page_for
 from sigcat.web.views.change_trees import SIGNS, place_of, trees_of, worst_first
 from sigcat.web.visits import Visit, visit_of
 
+_REASONS = {effect.rule: effect.why for effect in EFFECTS if effect.what}
+"""Sentences of the effects that can decide the class for a binding."""
 router = APIRouter()
 """Changes on one page; filters narrow them."""
 
@@ -40,16 +43,25 @@ async def show_changes(
     new: Annotated[str | None, Query(description="Id of a catalogue.")] = None,
     compatibility: Annotated[str, Query(alias="class")] = "",
     kind: str = "",
+    binding: Annotated[str, Query(max_length=100)] = "",
     below: Annotated[str, Query(max_length=500)] = "",
 ) -> Response:
     """The changes from one catalogue to another, as a tree with filters."""
     filters = {"class": compatibility, "kind": kind}
-    return await queue.run(_page, visit_of(request), old, new, filters, below)
+    return await queue.run(_page, visit_of(request), old, new, filters, below, chosen([binding]))
 
 
-def _page(visit: Visit, old: str | None, new: str | None, filters: Mapping[str, str], below: str) -> Response:
+def _page(
+    visit: Visit,
+    old: str | None,
+    new: str | None,
+    filters: Mapping[str, str],
+    below: str,
+    bindings: Sequence[Binding],
+) -> Response:
     before, after = _sides(visit.library, old, new)
-    changes = changes_between(before.catalogue, after.catalogue)
+    compared = changes_between(before.catalogue, after.catalogue)
+    changes = for_bindings(compared, bindings)
     within = [change for change in changes if not below or f"{place_of(change)}.".startswith(f"{below}.")]
     shown = [change for change in within if _fits(change, filters)]
     by_class = Counter(change.compatibility for change in changes)
@@ -59,15 +71,23 @@ def _page(visit: Visit, old: str | None, new: str | None, filters: Mapping[str, 
         hosted=after,
         old=before,
         new=after,
-        filters={**filters, "below": below},
-        facets=_facets(within, filters),
+        filters={**filters, "below": below, "binding": "".join(bindings)},
+        facets=(*_facets(within, filters), _binding_facet(compared, bindings)),
         signs=SIGNS,
+        reasons=_REASONS,
         total=len(changes),
         shown=len(shown),
         most=PAGE_CHANGES,
         trees=trees_of(worst_first(shown)[:PAGE_CHANGES]),
         whole=[(name, number) for name in CLASSES if (number := by_class[name])],
     )
+
+
+def _binding_facet(changes: Sequence[Change], bindings: Sequence[Binding]) -> Facet:
+    """Number of changes that break consumers by each binding, whatever the other filters are."""
+    classes = (each for change in changes for each in classes_of(change))
+    breaking = Counter(each.binding for each in classes if each.compatibility == "breaking")
+    return Facet("binding", "Breaks for", tuple((name, breaking[name]) for name in BINDINGS), "".join(bindings))
 
 
 @lru_cache(maxsize=8)
