@@ -126,6 +126,8 @@ def _data(matrix: "Matrix") -> object:
 def _table(matrix: "Matrix") -> "Iterator[str]":
     """Yield a line for each node: its path, and the vehicles that have it."""
     names = [vehicle.name for vehicle in matrix.vehicles]
+    width = max((len(row.path) for row in matrix.rows), default=0) + 1
     for row in matrix.rows:
         having = [name for name, has in zip(names, row.has, strict=True) if has]
-        yield f"{row.path}{'.' if row.type == 'branch' else ''}  {', '.join(having) or 'no vehicle'}"
+        path = f"{row.path}." if row.type == "branch" else row.path
+        yield f"{path:{width}}  {', '.join(having) or 'no vehicle'}"

@@ -18,12 +18,12 @@ PAGES = (
     "/functions/core_acc?catalogue=interfaces", "/functions/core_acc?view=source&catalogue=interfaces",
     "/functions/wheel_speed_calculation?view=run&catalogue=interfaces",
     "/functions/sets/ecocontrol/compare", "/wiring?catalogue=interfaces", "/changes",
-    "/changes?old=vss&new=interfaces", "/compare?path=Vehicle.Speed&other=bare", "/history/interfaces/Vehicle.Speed", "/basket/interfaces?pick=Vehicle.Speed,Vehicle.Cabin.Door,Vehicle.Sped", "/try", "/try?kind=function&catalogue=interfaces", "/propose?change=Vehicle.Chassis.Brake.CylP&catalogue=interfaces", "/rules", "/rules/I201",
+    "/changes?old=vss&new=interfaces", "/vehicles/fleet", "/tree/fleet~vehicle.truck/Vehicle.Door", "/compare?path=Vehicle.Speed&other=bare", "/history/interfaces/Vehicle.Speed", "/basket/interfaces?pick=Vehicle.Speed,Vehicle.Cabin.Door,Vehicle.Sped", "/try", "/try?kind=function&catalogue=interfaces", "/propose?change=Vehicle.Chassis.Brake.CylP&catalogue=interfaces", "/rules", "/rules/I201",
     "/units/interfaces", "/catalogues/interfaces", "/docs", "/docs/api/integration", "/docs/api/schemas", "/problems/busy", "/tree/small/Vehicle.Sped",
 )  # fmt: skip
 """One page of each kind."""
 VARIANTS = (
-    "/tree/interfaces~folded", "/functions?catalogue=vss", "/tree/small/Vehicle.Speed", "/search/small?q=zzz", "/search/interfaces", "/functions",
+    "/tree/interfaces~folded", "/vehicles/small", "/vehicles/fleet?show=all", "/functions?catalogue=vss", "/tree/small/Vehicle.Speed", "/search/small?q=zzz", "/search/interfaces", "/functions",
     "/functions/core_acc?view=function-json&catalogue=interfaces", "/functions/core_acc?view=run&catalogue=interfaces",
     "/functions/core_acc?view=arxml&catalogue=interfaces", "/functions/core_acc?catalogue=small",
     "/wiring?catalogue=small", "/changes?old=bare&new=small", "/changes?old=small&new=small", "/try?kind=tree",
