@@ -118,13 +118,13 @@ def _or_revision(name: str, project: "Project") -> str:
     from sigcat.catalogue.hosting.sources import release_source
     from sigcat.catalogue.model.vehicle import VEHICLE
     from sigcat.catalogue.reading.git_revision import is_revision
+    from sigcat.catalogue.reading.joined_paths import split_paths
+    from sigcat.project.chosen_tree import vehicle_source
 
-    if (
-        name.startswith((GIT, VEHICLE))
-        or "+" in name
-        or Path(name).exists()
-        or any(s.id == name for s in project.catalogues)
-    ):
+    if name.startswith(VEHICLE):
+        vehicle_source(project, split_paths(name, "+")[0])
+        return name
+    if name.startswith(GIT) or "+" in name or Path(name).exists() or any(s.id == name for s in project.catalogues):
         return name
     try:
         release_source(name)

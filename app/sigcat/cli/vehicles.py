@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from sigcat.catalogue.hosting.vehicle_matrix import Matrix
     from sigcat.catalogue.hosting.vehicles import Composed
 
-_EPILOG = """`-s vehicle:ID` names a vehicle in every other command. Exit status: 2 if a vehicle has errors.
+_EPILOG = """`-s vehicle:ID` names a vehicle in every other command. Exit status: 1 if a vehicle has errors.
 """
 
 
