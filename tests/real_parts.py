@@ -322,6 +322,7 @@ KINDS = (
         "FMUs in an importer of others",
         (
             "tests/adapter/fmi/test_fmus.py",
+            "tests/adapter/fmi/test_fmi2.py",
             "tests/adapter/fmi/test_hostile.py",
             "tests/adapter/fmi/test_player.py",
             "tests/adapter/fmi/test_random.py",

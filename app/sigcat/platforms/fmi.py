@@ -37,7 +37,7 @@ def _schema() -> dict[str, Any]:
 def _generate(data: bytes, name: str, limits: "Limits", options: Options) -> "tuple[GeneratedFile, ...]":
     from sigcat.adapter.fmi.generate import generate
 
-    del options  # there is one version of FMI, and an FMU needs no bench
+    del options  # the document has the version of FMI, and an FMU needs no bench
     return generate(data, name, limits)
 
 
@@ -50,7 +50,7 @@ def _report(data: bytes, name: str, limits: "Limits") -> "tuple[Entry, ...]":
 FMUS = Generator(
     name="fmi",
     title="FMUs",
-    target="FMI 3.0",
+    target="FMI 3.0 or 2.0",
     contents="model descriptions, sources, documentation, and a CMake project that packs them",
     media_type="text/plain",
     report=_report,

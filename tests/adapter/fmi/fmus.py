@@ -30,21 +30,22 @@ class Built(NamedTuple):
     files: Sequence[Path]
 
 
-def built(files: Sequence[Path], folder: Path, *options: str) -> Built:
+def built(files: Sequence[Path], folder: Path, *options: str, version: str = "3.0") -> Built:
     """The FMU of a set of functions, by the commands that a user types."""
-    (folder / "deployment.yaml").write_text(f"name: {NAME}\nfmi: {{fmus: set}}\n")
+    (folder / "deployment.yaml").write_text(f"name: {NAME}\nfmi: {{fmus: set, version: '{version}'}}\n")
     document, made = folder / "fmi.json", folder / "made"
     paths = [str(each) for each in files]
     deployment = ["--deployment", str(folder / "deployment.yaml")]
     assert main(["integrate", "fmi", *paths, *deployment, "-o", str(document)]) in (0, 1)
     assert main(["generate", "fmi", str(document), "-o", str(made)]) == 0
     functions = read_functions([(each.read_bytes(), str(each)) for each in files], interfaces()).functions
-    return packed(sorted(functions, key=lambda each: each.name), folder, *options)
+    ordered = sorted(functions, key=lambda each: each.name)
+    return packed(ordered, folder, *options, has_arrays=version == "3.0")
 
 
-def packed(functions: Sequence[ResolvedFunction], folder: Path, *options: str) -> Built:
+def packed(functions: Sequence[ResolvedFunction], folder: Path, *options: str, has_arrays: bool = True) -> Built:
     """The FMU that is generated in a folder, built and packed."""
-    (unit,) = units_of(functions, NAME)
+    (unit,) = units_of(functions, NAME, has_arrays=has_arrays)
     files = [Path(member.function.document.name) for member in unit.connections.members]
     settings = [
         f"-D{member.plan.code_setting}={file.parent.absolute()}"

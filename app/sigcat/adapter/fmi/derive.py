@@ -3,6 +3,7 @@
 import hashlib
 import json
 from collections.abc import Iterator, Sequence
+from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
@@ -51,7 +52,7 @@ def derive(
     app = application(functions, deployment)
     findings = FindingCollector(app.functions, deployment)
     _report_methods(app, settings, findings)
-    units = units_of(app.functions, app.name if settings.fmus == "set" else None)
+    units = units_of(app.functions, app.name if settings.fmus == "set" else None, has_arrays=settings.version == "3.0")
     model = FmiIntegration(
         meta=_meta(app),
         info=FunctionInfo(
@@ -60,6 +61,7 @@ def derive(
             description=app.description,
             version=app.version,
         ),
+        version="2.0" if settings.version == "2.0" else None,
         license=Text(settings.license),
         copyright=Text(settings.copyright) if settings.copyright else None,
         fmus=tuple(_fmu(unit, settings) for unit in units),
@@ -69,15 +71,18 @@ def derive(
     return Derived(model, findings.findings, tuple(_targets(app, units)))
 
 
-def units_of(functions: Sequence[ResolvedFunction], set_name: str | None) -> tuple[Unit, ...]:
+def units_of(
+    functions: Sequence[ResolvedFunction], set_name: str | None, *, has_arrays: bool = True
+) -> tuple[Unit, ...]:
     """One FMU for each function, or one of a name for all of them."""
+    layout = partial(layout_of, has_arrays=has_arrays)
     planned = plans(functions)
     members = [Member(each, one.plan, Path()) for each, one in zip(functions, planned, strict=True)]
     if set_name is not None:
         connections = connect(members)
-        return (Unit(identifier(set_name)[:_LONGEST_NAME], connections, layout_of(connections)),)
+        return (Unit(identifier(set_name)[:_LONGEST_NAME], connections, layout(connections)),)
     alone = [connect([member]) for member in members]
-    return tuple(Unit(each.members[0].name[:_LONGEST_NAME], each, layout_of(each)) for each in alone)
+    return tuple(Unit(each.members[0].name[:_LONGEST_NAME], each, layout(each)) for each in alone)
 
 
 def _fmu(unit: Unit, settings: FmiSettings) -> Fmu:

@@ -30,6 +30,7 @@ from sigcat.integration.report import Entry, FieldTarget, entries
 from sigcat.limits import Limits
 
 _C = Path(__file__).with_name("c")
+_C2 = Path(__file__).with_name("c2")
 _CPP = frozenset((".cc", ".cpp", ".cxx", ".c++", ".C"))
 _AGAIN = "Integrate the functions again."
 
@@ -89,7 +90,8 @@ def generate(data: bytes, name: str, limits: Limits) -> tuple[GeneratedFile, ...
     model = read_integration(data, name, limits)
     functions = source_functions(model.functions, data, name, limits, codes.NOT_WRITABLE_AS_FMU, "fmi")
     with placed_in(data, name, limits):
-        units = units_of(functions, model.fmus[0].name if len(model.fmus) == 1 else None)
+        name_of_set = model.fmus[0].name if len(model.fmus) == 1 else None
+        units = units_of(functions, name_of_set, has_arrays=model.version is None)
         _check(model, units)
     fmus = tuple(_plan(fmu, unit, model) for fmu, unit in zip(model.fmus, units, strict=True))
     languages = "C CXX" if any(each.is_cpp for each in fmus) else "C"
@@ -163,15 +165,16 @@ def _plan(fmu: Fmu, unit: Unit, model: FmiIntegration) -> _FmuPlan:
         outputs=tuple(zip(layout.outputs, _sizes(unit), connections.routes, strict=True)),
         parameters=layout.parameters, values=layout.values,
         is_single=has_globals, is_copied=not has_globals and not is_cpp, is_cpp=is_cpp,
-        languages=tuple(_languages(sources)),
+        languages=tuple(_languages(sources, model)),
         units=tuple(dict.fromkeys(each.unit for each in fmu.variables if each.unit)),
     )  # fmt: skip
 
 
-def _languages(sources: Sequence[_Source]) -> Iterator[tuple[str, tuple[str, ...]]]:
+def _languages(sources: Sequence[_Source], model: FmiIntegration) -> Iterator[tuple[str, tuple[str, ...]]]:
+    of_fmi = ("sigcat_fmu.c", *(("sigcat_fmi2.c",) if model.version else ()), "sigcat_model.c")
     own = [name for each in sources for name in (*each.generated, *(inside for _, inside, _ in each.code))]
     cpp = tuple(each for each in own if Path(each).suffix in _CPP)
-    yield "C99", ("sigcat_fmu.c", "sigcat_model.c", *(each for each in own if each not in cpp))
+    yield "C99", (*of_fmi, *(each for each in own if each not in cpp))
     if cpp:
         yield "C++17", cpp
 
@@ -200,18 +203,24 @@ def _inside(path: str, root: tuple[str, ...]) -> str:
 
 
 def _files(plan: _FmuPlan, unit: Unit) -> Iterator[GeneratedFile]:
-    yield _file("modelDescription.xml", plan)
+    yield _description(plan)
     yield _file("documentation/index.html", plan)
     numbers = numbers_of(unit.connections)
     sources: list[GeneratedFile] = [
-        _file("buildDescription.xml", plan),
+        *(() if plan.model.version else (_file("buildDescription.xml", plan),)),
         _file("sigcat_model.c", plan),
         *(file for member in unit.connections.members for file in core_files(member.plan).files),
         *(glue_file(unit.connections, numbers, index) for index in range(len(unit.connections.members))),
         *shipped(_C),
+        *(shipped(_C2) if plan.model.version else ()),
         GeneratedFile(HOST_HEADER.name, HOST_HEADER.read_bytes()),
     ]
     yield from within("sources", sources)
+
+
+def _description(plan: _FmuPlan) -> GeneratedFile:
+    template = "modelDescription2.xml" if plan.model.version else "modelDescription.xml"
+    return _file(template, plan)._replace(name="modelDescription.xml")
 
 
 def _file(name: str, plan: Plan) -> GeneratedFile:

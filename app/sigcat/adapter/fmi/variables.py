@@ -91,8 +91,11 @@ class _Place(NamedTuple):
     start: int = 0
 
 
-def layout_of(connections: Connections) -> Layout:
-    """The variables of a set of functions. What one function sends to another one is an output alone."""
+def layout_of(connections: Connections, *, has_arrays: bool = True) -> Layout:
+    """The variables of a set of functions. What one function sends to another one is an output alone.
+
+    Without arrays, each element of one is a variable.
+    """
     places, outputs, parameters = _Places(), list[int](), list[int]()
     inputs: list[Input] = []
     first: dict[str, int] = {}
@@ -111,7 +114,7 @@ def layout_of(connections: Connections) -> Layout:
         parameters.append(places.size)
         for place in _of_parameters(index, connections):
             places.add(place)
-    variables = tuple(_variables(places.found))
+    variables = tuple(_variables(places.found, has_arrays=has_arrays))
     return Layout((_TIME, *variables), tuple(inputs), tuple(outputs), tuple(parameters), _bytes(variables, places.size))
 
 
@@ -175,15 +178,16 @@ def _of_parameters(index: int, connections: Connections) -> Iterator[_Place]:
 # -- leaves -------------------------------------------------------------------------------------------------------
 
 
-def _variables(places: Sequence[_Place]) -> Iterator[Variable]:
+def _variables(places: Sequence[_Place], *, has_arrays: bool) -> Iterator[Variable]:
     taken: set[str] = {_TIME.name}
     for place in sorted(
         places, key=lambda each: each.causality != "output"
     ):  # an output has the name that it has everywhere
         name = _free(_structured(place.name), place.causality, taken)
-        for leaf in _leaves(name, place.shape, place.offset):
+        leaves = list(_leaves(name, place.shape, place.offset))
+        for leaf in leaves if has_arrays else _elements(leaves):
             taken.add(leaf.name)
-            yield _variable(leaf, place, is_whole=leaf.name == name)
+            yield _variable(leaf, place, is_whole=leaf.name.partition("[")[0] == name)
 
 
 class _Leaf(NamedTuple):
@@ -191,6 +195,8 @@ class _Leaf(NamedTuple):
     number: Number
     length: int | None
     offset: int
+    element: int = 0
+    """Index in the array, if it is an element of one."""
 
 
 def _leaves(name: str, shape: Shape, offset: int) -> Iterator[_Leaf]:
@@ -206,6 +212,16 @@ def _leaves(name: str, shape: Shape, offset: int) -> Iterator[_Leaf]:
         for field, inner in shape.fields:
             yield from _leaves(f"{name}.{field}", inner, offset)
             offset += packing(inner).struct.size
+
+
+def _elements(leaves: Iterable[_Leaf]) -> Iterator[_Leaf]:
+    """Numbers, each of an array by its index from 1."""
+    for leaf in leaves:
+        size = packing(leaf.number).struct.size
+        if leaf.length is None:
+            yield leaf
+        for index in range(leaf.length or 0):
+            yield _Leaf(f"{leaf.name}[{index + 1}]", leaf.number, None, leaf.offset + index * size, index)
 
 
 def _variable(leaf: _Leaf, place: _Place, *, is_whole: bool) -> Variable:
@@ -225,7 +241,8 @@ def _start(leaf: _Leaf, place: _Place, least: object, greatest: object) -> Start
     count = leaf.length or 1
     if place.value is not None and place.causality != "input" and len(place.value.leaves) == 1:
         given = tuple(place.value.leaves[0].init)
-        return tuple(_typed(each, leaf.number) for each in (given * count if len(given) == 1 else given))
+        whole = given * count if len(given) == 1 else given[leaf.element : leaf.element + count]
+        return tuple(_typed(each, leaf.number) for each in whole)
     number: int | float = place.start
     if leaf.number.symbols and number not in {value for _, value in leaf.number.symbols}:
         number = leaf.number.symbols[0][1]

@@ -33,7 +33,9 @@ class FmuVariable(WireModel):
         "ValueReference", "Number by which importers set and get it."
     )
     causality: Causality = always("Causality", "independent, input, output or parameter.")
-    type: FmiType = always("Type", "Datatype of FMI.")
+    type: FmiType = always(
+        "Type", "Datatype of FMI 3.0. FMI 2.0 has Real for floating-point numbers and for integers beyond 32 bits."
+    )
     length: Annotated[Integer, Field(ge=1)] | None = own("Dimension", "Number of elements of an array.")
     unit: UnitKey | None = own("Unit", "Unit, by its key in the catalogue.")
     min: Number | None = own("Min", "Smallest valid value.")
@@ -70,6 +72,7 @@ class FmiIntegration(WireModel):
 
     meta: MetaInfo = always("MetaInfo", "Who is responsible for the document, and its version.")
     info: FunctionInfo = always("FmiInformation", "Name, description and responsible team of the set.")
+    version: Literal["2.0"] | None = own("FmiVersion", "2.0 for FMI 2.0; absent for FMI 3.0.")
     license: Text = always("License", "License of the FMUs.")
     copyright: Text | None = own("Copyright", "Copyright notice of the FMUs.")
     fmus: tuple[Fmu, ...] = always("FmuList", "The FMUs.", strict=False)

@@ -8,6 +8,7 @@ from sigcat.function.declaration.form import DeclarationModel, Text
 from sigcat.function.function_json.wire import Number
 
 Fmus = Literal["function", "set"]
+FmiVersion = Literal["3.0", "2.0"]
 
 
 class FmiSettings(DeclarationModel):
@@ -17,6 +18,9 @@ class FmiSettings(DeclarationModel):
         "function",
         description="One FMU for each function, or one for the whole set. Within one FMU, functions exchange values at once; "
         "between FMUs, the importer hands them over after each step.",
+    )
+    version: FmiVersion = Field(
+        "3.0", description="Version of FMI. 2.0 is for older importers: each element of an array is a variable."
     )
     step_size: Annotated[Number, Field(gt=0)] | None = Field(
         None, alias="stepSize", description="Step that importers propose, in ms; the shortest cycle if absent."
