@@ -8,9 +8,18 @@ from pathlib import Path
 import pytest
 
 from scripts.cases import ROOT, RUNS
+from sigcat.adapter.fmi.generate import generate
 from sigcat.cli import main
 from sigcat.data import EXAMPLES
+from sigcat.integration.reading import read_functions
+from sigcat.limits import DEFAULT_LIMITS
+from sigcat.platforms.integrate import integrate
+from sigcat.platforms.table import PLATFORMS
 from tests.adapter.fmi.fmus import built, compare, sampled
+from tests.adapter.hostile.payloads import EVIL, PAYLOADS
+from tests.adapter.test_hostile_text import words_of_xml
+from tests.function.shipped import interfaces
+from tests.integration.autosar_adaptive.sets import deployed
 from tests.needs import cmake
 
 fmpy = pytest.importorskip("fmpy", reason="FMPy: pip install fmpy")
@@ -65,6 +74,22 @@ def test_a_document_of_one_version_is_not_generated_as_the_other(tmp_path, capsy
     document.write_text(json.dumps({**json.loads(document.read_text()), "FmiVersion": "2.0"}, indent=1))
     assert main(["generate", "fmi", str(document), "-o", str(tmp_path / "made")]) == 1
     assert "J002 EcoControlMpc must have" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("payload", PAYLOADS, ids=ascii)
+def test_no_text_becomes_markup_of_the_model_description(payload):
+    deployment = deployed(name="Demo", fmi={"version": "2.0", "license": "Free", "copyright": "Us"})
+    functions = read_functions([(AVERAGING.read_bytes(), "function.yaml")], interfaces()).functions
+    document = json.loads(integrate(PLATFORMS["fmi"], functions, deployment).document)
+    document |= {"License": payload, "Copyright": payload}
+    for fmu in document["FmuList"]:
+        for each in (fmu, *fmu["VariableList"]):
+            each["Description"] = payload
+    files = generate(json.dumps(document).encode(), "fmi.json", DEFAULT_LIMITS)
+    (description,) = (each for each in files if each.name.endswith("/modelDescription.xml"))
+    words = words_of_xml(description)
+    assert "ScalarVariable" in words
+    assert not [word for word in words if EVIL in word]
 
 
 # -- the functions of FMI 2.0 -------------------------------------------------------------------------------------
