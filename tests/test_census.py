@@ -15,8 +15,7 @@ def test_a_step_has_its_changes_by_binding_and_class():
     assert "| 1.0 → 1.1 | 1 | 0 / 0 / 1 | 0 / 0 / 1 | 1 / 0 / 0 | 1 / 0 / 0 |" in text
     assert "| 1.0 → 1.1 | `Vehicle.A` | added | 1 | protobuf, ros2 | `added-before`, `added-beside` |" in text
     assert (
-        "1 of 1 steps break no lookup by path. Of these, Protocol Buffers break in 1 and ROS 2 messages in 1."
-        in text
+        "1 of 1 steps break no lookup by path. Of these, Protocol Buffers break in 1 and ROS 2 messages in 1." in text
     )
 
 
