@@ -182,7 +182,15 @@ def test_a_lint_of_the_project_checks_its_vehicles(capsys, folder):
         assert (
             "sigcat.toml:19:1: error C007 Catalogue 'std' has no node 'Vehicle.Chassis.Axl'" in capsys.readouterr().out
         )
+        assert main(["lint", "--format", "json", *paths]) == 1
+        assert [each["rule"] for each in json.loads(capsys.readouterr().out)["findings"]] == ["C007"]
     assert main(["lint", "function.yaml"]) == 0
+
+
+def test_a_project_of_vehicles_alone_is_checked(capsys, folder):
+    (folder / "function.yaml").unlink()
+    assert main(["lint"]) == 0
+    assert main(["lint", "sigcat.toml"]) == 0
 
 
 def test_the_configuration_lists_the_vehicles(capsys):

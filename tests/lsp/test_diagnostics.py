@@ -30,6 +30,7 @@ def test_findings_are_those_of_the_command(
         ("tree/Acme.vspec", tree_text().replace("unit: km/h", "unit: kmh", 1)),
         ("functions/cabin_air/function.yaml", FUNCTION.replace("Cabin.Gas", "Cabin.Gsa")),
         ("sigcat.toml", "[[catalogues]]\n"),
+        ("sigcat.toml", '[[vehicle]]\nid = "v"\nwithout = ["Vehicle.Sped"]\n'),
     ],
 )
 def test_unsaved_texts_have_the_findings_of_a_saved_file(
@@ -144,9 +145,10 @@ def _of_command(name: str, capsys: pytest.CaptureFixture[str]) -> list[tuple[str
 def _of_project(name: str) -> list[tuple[str, int, str]]:
     from sigcat.errors import InputRefused
     from sigcat.project.read_project import read_project
+    from sigcat.project.vehicles import vehicle_findings
 
     try:
-        read_project(Path(name))
+        found = tuple(vehicle_findings(read_project(Path(name))))
     except InputRefused as error:
-        return [(f.rule, max(f.line - 1, 0), f"{f.message} {f.fix}".rstrip()) for f in error.findings]
-    return []
+        found = tuple(error.findings)
+    return [(f.rule, max(f.line - 1, 0), f"{f.message} {f.fix}".rstrip()) for f in found]

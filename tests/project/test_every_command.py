@@ -52,6 +52,7 @@ OTHERS = {
     "schema": "no project",
     "pull": "no project",
     "releases": "no project",
+    "vehicles": "vehicles of the project, no tree: tests/cli/test_vehicles.py",
 }
 """Tests of each other command, and the reason for the difference."""
 READING = [

@@ -7,7 +7,7 @@ import pytest
 from sigcat.cli import main
 from sigcat.errors import InputRefused
 from sigcat.project.read_project import read_project
-from sigcat.project.vehicles import vehicle_findings
+from sigcat.project.vehicles import each_composed, vehicle_findings
 
 TREE = """\
 Vehicle: {type: branch, description: A vehicle.}
@@ -190,3 +190,22 @@ def test_a_pyproject_has_vehicles_with_their_lines(folder):
     Path("pyproject.toml").write_text(text)
     (vehicle,) = read_project(Path("pyproject.toml")).vehicles
     assert (vehicle.name, vehicle.without[0].line, vehicle.without[0].column) == ("v@s", 7, 13)
+
+
+def test_a_tree_that_cannot_be_read_has_its_own_findings_alone(folder, capsys):
+    (folder / "tree.vspec").write_text("[")
+    assert findings(f'{VEHICLE}without = ["Vehicle.Speed"]\n') == []
+    for command in (["show", "-s", "vehicle:v", "Vehicle.Speed"], ["vehicles"], ["vehicles", "--matrix"], ["lint"]):
+        assert main(command) == 1
+        shown = capsys.readouterr()
+        assert "tree.vspec:" in shown.out + shown.err
+        assert "C007" not in shown.out + shown.err
+
+
+def test_vehicles_share_the_nodes_that_they_do_not_change(folder):
+    text = "".join(f'[[vehicle]]\nid = "v{n}"\ninstances = {{Vehicle.Seat = {n % 3 + 2}}}\n' for n in range(30))
+    composed = list(each_composed(made := project(text), made.vehicles))
+    kept = {id(each.catalogue.get("Vehicle.Sunroof")) for each in composed}
+    assert kept == {id(composed[0].below.get("Vehicle.Sunroof"))}
+    rows = {id(each.catalogue.get(f"Vehicle.Seat.Row{n}.Left.IsBelted")) for each in composed for n in (1, 2)}
+    assert len(rows) == 2

@@ -104,3 +104,14 @@ def test_an_unknown_catalogue_is_not_found(folder):
     with pytest.raises(sigcat.NotFound, match="Unknown catalogue 'acmee'") as raised:
         project.catalogue("acmee")
     assert raised.value.nearest == ("acme",)
+
+
+def test_a_vehicle_is_a_catalogue(folder):
+    (folder / "sigcat.toml").write_text(f'{CONFIGURATION}\n[[vehicle]]\nid = "coupe"\nwithout = ["Vehicle.ADAS"]\n')
+    project = sigcat.open_project(folder)
+    assert project.vehicles == ("vehicle:coupe",)
+    assert "Vehicle.Noise" in project.catalogue("vehicle:coupe")
+    assert "Vehicle.ADAS" not in project.catalogue("vehicle:coupe")
+    assert {change.path for change in project.diff("vehicle:coupe", "acme")} >= {"Vehicle.ADAS"}
+    with pytest.raises(sigcat.NotFound, match="vehicle:coupe"):
+        project.catalogue("vehicle:coup")

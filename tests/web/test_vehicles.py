@@ -3,6 +3,7 @@
 import csv
 import re
 from io import StringIO
+from pathlib import Path
 
 import pytest
 
@@ -103,3 +104,10 @@ def test_vehicles_are_compared(site: Ask) -> None:
 
 def test_a_catalogue_without_vehicles_says_how_to_add_one(site: Ask) -> None:
     assert "has no vehicles" in text_of(site("/vehicles/bare").text)
+
+
+def test_vehicles_of_a_tree_that_cannot_be_read_are_listed_without_nodes(tmp_path: Path) -> None:
+    lost = FLEET._replace(spec=tmp_path / "lost.vspec")
+    site = asker(create_site(Library([lost])))
+    assert "3 vehicles of A fleet" in text_of(site("/vehicles/fleet").text)
+    assert site(f"/tree/{COUPE}").status_code == 200

@@ -43,6 +43,8 @@ def configured(
 
     `known` are nodes that vehicles over the same base share.
     """
+    if not base.roots:
+        return base  # its findings say why
     content = repr(vehicle._replace(file="", overlays=())).encode("utf-8", "surrogatepass")
     file = SourceFile(vehicle.file, vehicle.label, digest_of(content))
     changed = _with(base, [*_instances(base, vehicle, file), *_defaults(base, vehicle, file)], file, limits, known)

@@ -6,7 +6,7 @@ from io import StringIO
 from typing import NamedTuple
 
 from sigcat.catalogue.hosting.vehicles import Composed
-from sigcat.catalogue.model.catalogue import Node
+from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.vehicle import Vehicle
 
 
@@ -46,12 +46,17 @@ class Filters(NamedTuple):
 def matrix_of(composed: Sequence[Composed]) -> Matrix:
     """Return the matrix of vehicles. Nodes of their catalogues that no vehicle has are rows too."""
     bases = {id(each.below): each.below for each in composed}.values()
-    roots = [catalogue.roots[0] for catalogue in (*bases, *(each.catalogue for each in composed))]
+    roots = [_root(catalogue) for catalogue in (*bases, *(each.catalogue for each in composed))]
     rows: list[Row] = []
-    for path in dict.fromkeys(root.path for root in roots):
-        family = _family([root if root.path == path else None for root in roots], len(bases))
+    for path in dict.fromkeys(root.path for root in roots if root is not None):
+        family = _family([root if root is not None and root.path == path else None for root in roots], len(bases))
         rows.extend(_rows(family, family.has))
     return Matrix(tuple(each.vehicle for each in composed), tuple(rows))
+
+
+def _root(catalogue: Catalogue) -> Node | None:
+    """The root of the signal tree; None where it could not be read."""
+    return next(iter(catalogue.roots), None)
 
 
 class _Family(NamedTuple):

@@ -121,14 +121,15 @@ def lint_paths(paths: Sequence[Path], options: LintOptions | None = None) -> Lin
 def _lint_paths(paths: Sequence[Path], options: LintOptions) -> LintResult:
     every_rule = rules_for(options)
     discovered = discover(paths, all_overlays(options), all_types(options), all_trees(options), options.rule_files)
-    sources = [source for source in discovered if not _is_excluded(source.path, options)]
+    sources = [s for s in discovered if not _is_excluded(s.path, options) and not _is_project(s.path, options)]
     units = [source for source in sources if source.kind == "vocabulary"]
     named = [source.path for source in units if source.named]
     options = _with_units(options._replace(types=type_files(sources, options)), named)
     rules = selected(every_rule, options)
     linted_units = frozenset(str(source.path) for source in units)
     lint = _Lint(options, made_once("rule set", rules, lambda: RuleSet(rules)), linted_units)
-    _refuse_empty(paths, discovered)
+    if not _has_project(paths, options):
+        _refuse_empty(paths, discovered)
     trees = _lint_trees([s.path for s in sources if s.kind == "tree"], lint)
     _lint_overlays([s.path for s in sources if s.kind == "overlay"], trees, lint)
     for source in sources:
@@ -278,12 +279,22 @@ def _lint_functions(paths: Sequence[Path], lint: _Lint, *, is_complete: bool) ->
 
 def _lint_project(paths: Sequence[Path], lint: _Lint) -> None:
     """Check the project file, where it or its folder is named."""
-    file = lint.options.file
-    if file is None or lint.options.check_project is None:
-        return
-    if any(real_path(path) in (real_path(file), *real_path(file).parents) for path in paths):
-        lint.look_at([str(file)], "nothing")
+    if lint.options.check_project is not None and _has_project(paths, lint.options):
+        lint.look_at([str(lint.options.file)], "nothing")
         lint.add((finding, None) for finding in lint.options.check_project())
+
+
+def _has_project(paths: Sequence[Path], options: LintOptions) -> bool:
+    """Whether the project file has something to check, and it or its folder is named."""
+    if options.file is None or options.check_project is None:
+        return False
+    file = real_path(options.file)
+    return any(real_path(path) in (file, *file.parents) for path in paths)
+
+
+def _is_project(path: Path, options: LintOptions) -> bool:
+    """Whether a file is the project file, which is read before anything is linted."""
+    return options.file is not None and path.name == options.file.name and real_path(path) == real_path(options.file)
 
 
 def _lint_rules(source: Source, lint: _Lint) -> None:
