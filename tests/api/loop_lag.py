@@ -21,11 +21,16 @@ from sigcat.api.tokens import token_from_text
 from sigcat.catalogue.hosting.library import Library
 from sigcat.catalogue.hosting.source import Source
 from sigcat.catalogue.hosting.sources import shipped_sources
+from sigcat.catalogue.model.vehicle import Setting, Vehicle
 from sigcat.web.site import create_site
 from tests.api.conftest import SOURCES
 
 ADDRESS = "/lag"
 _TURN = 0.001
+_VEHICLES = tuple(
+    Vehicle(f"v{n}", "A vehicle", "wide", "sigcat.toml", n, without=(Setting(f"Vehicle.S{n}", True, n, 1),))
+    for n in range(1, 6)
+)
 
 
 class Watched:
@@ -33,7 +38,7 @@ class Watched:
 
     def __init__(self, settings: Settings, tree: Path) -> None:
         self._app = create_site(
-            Library([*shipped_sources(), Source("wide", "A wide tree", tree), SOURCES[0]]), settings
+            Library([*shipped_sources(), Source("wide", "A wide tree", tree, vehicles=_VEHICLES), SOURCES[0]]), settings
         )
         self._longest = 0.0
         self._watching: asyncio.Task[None] | None = None

@@ -154,6 +154,8 @@ COSTLY: dict[str, list[Costly]] = {
     "GET /tree/{catalogue}/{path}": get("/tree/wide/Vehicle?open=*", f"/tree/wide/{MISSPELLED}", "/tree/wide/Vehicle.json"),
     "GET /try": get("/try", "/try?kind=function", "/try?catalogue=wide"),
     "GET /units/{catalogue}": get("/units/interfaces"),
+    "GET /vehicles/{catalogue}": get("/vehicles/wide?show=all", "/vehicles/wide?show=all&q=s7"),
+    "GET /vehicles/{catalogue}/matrix.csv": get("/vehicles/wide/matrix.csv?show=all"),
     "GET /wiring": get("/wiring", "/wiring?catalogue=wide&view=ros2"),
     "GET /wiring.json": get("/wiring.json"),
     "GET /wiring/files/{document_id}": get("/wiring/files/ros2", f"/wiring/files/{'x' * 300}"),
