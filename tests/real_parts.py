@@ -259,6 +259,15 @@ KINDS = (
         ),
     ),
     Kind(
+        "changes that real tools check for each binding",
+        ("tests/catalogue/comparing/witnesses",),
+        (
+            "tests/catalogue/comparing/witnesses/test_functions.py::test_what_a_function_uses_breaks_as_the_table_says[a wider integer]",
+            "tests/catalogue/comparing/witnesses/test_pairs.py::test_table_and_tool_agree[protobuf-0]",
+            "tests/catalogue/comparing/witnesses/test_pairs.py::test_table_and_tool_agree[ids-0]",
+        ),
+    ),
+    Kind(
         "trees and exports beside those of vss-tools",
         (
             "tests/api/test_openapi.py::test_every_example_works_and_is_answered_as_the_schema_says[export_*",

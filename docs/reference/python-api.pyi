@@ -7,6 +7,7 @@ class AttributeChange(NamedTuple):
     new: Any
     rule: str
     compatibility: Class
+    rules: tuple[str, ...]
 
 class Change(NamedTuple):
     """One change; equal changes of the instances of a branch are one."""
@@ -24,6 +25,7 @@ class Change(NamedTuple):
     came: tuple[str, ...]
     went: tuple[str, ...]
     note: str
+    effects: tuple[str, ...]
 
     @property
     def is_guess(self) -> bool:
