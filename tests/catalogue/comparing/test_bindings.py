@@ -116,6 +116,14 @@ def test_a_dropped_unit_drops_the_argument_of_the_field():
     assert breaking(signal("Vehicle.A", unit="km"), signal("Vehicle.A")) == {"graphql", "ids"}
 
 
+def test_a_unit_of_another_quantity_is_another_argument_in_graphql(sides, tmp_path, capsys):
+    for name, unit in (("old", "km/h"), ("new", "km")):
+        (tmp_path / f"{name}.vspec").write_text(ROOT + signal("Vehicle.B", unit=unit))
+    assert sigcat("diff", *sides, "--format", "json") == 0
+    (change,) = json.loads(capsys.readouterr().out)["changes"]
+    assert change["effects"] == ["id-changed", "unit-quantity"]
+
+
 def test_text_breaks_no_binding():
     assert set(classes(signal("Vehicle.A"), signal("Vehicle.A", comment="New.")).values()) == {"text"}
 

@@ -125,6 +125,10 @@ EFFECTS: tuple[Effect, ...] = (
         "The field has no argument `unit` any more.", frozenset(("unit",)),
     ),
     Effect(
+        "unit-quantity", "`unit`: one of another quantity", _cells("compatible", breaking="graphql"),
+        "The argument `unit` has another type.", frozenset(("unit",)),
+    ),
+    Effect(
         "id-changed", "the static id is another one", _cells("compatible", breaking="ids"),
         "The id is a hash of path, unit, datatype, type, allowed values and range.", _HASHED,
     ),

@@ -8,6 +8,7 @@ from sigcat.catalogue.exporting.static_id import static_id_of
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.datatypes import element_of, is_array
 from sigcat.catalogue.model.definition import BRANCH, STRUCT
+from sigcat.catalogue.model.vocabulary import Unit
 from sigcat.names import last_name, parent_path
 
 Values = Mapping[str, Any]
@@ -62,7 +63,7 @@ def _effects(change: Change, before: str, after: str, both: Trees) -> Iterator[s
         yield from _of_new_node(both.new.nodes[path], both)
     old, new = both.old.nodes.get(before), both.new.nodes.get(after)
     if change.kind in ("moved", "changed") and old and new:
-        yield from _of_values(old, new, both.ignored)
+        yield from _of_values(old, new, both)
     if change.type == STRUCT and any(attribute.rule == "reordered" for attribute in change.attributes):
         yield "properties-reordered"
 
@@ -93,17 +94,23 @@ def _branch_names(nodes: Iterable[Node]) -> Iterator[str]:
     return (last_name(node.template) for node in nodes if node.type == BRANCH)
 
 
-def _of_values(before: Node, after: Node, ignored: frozenset[str]) -> Iterator[str]:
+def _of_values(before: Node, after: Node, both: Trees) -> Iterator[str]:
     if _id_of(before) != _id_of(after) or (before.path != after.path and _is_followed(before, after)):
         yield "id-changed"
     if not (before.is_leaf and after.is_leaf):
         return
-    old, new = _known(before.values, ignored), _known(after.values, ignored)
+    old, new = _known(before.values, both.ignored), _known(after.values, both.ignored)
     yield from (effect for effect, type_of in _TYPES.items() if type_of(old) != type_of(new))
     if old.get("unit") is not None and new.get("unit") is None:
         yield "unit-dropped"
+    if _are_of_two_quantities(both.old.unit(before), both.new.unit(after)):
+        yield "unit-quantity"
     if _has_labels(old) and _has_labels(new):
         yield from _of_labels(old["allowed"], new["allowed"])
+
+
+def _are_of_two_quantities(old: Unit | None, new: Unit | None) -> bool:
+    return old is not None and new is not None and old.quantity.lower() != new.quantity.lower()
 
 
 def _known(values: Values, ignored: frozenset[str]) -> Values:

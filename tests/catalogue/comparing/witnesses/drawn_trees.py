@@ -91,7 +91,8 @@ class Drawer:
             )
 
     def _remove(self, tree: Tree) -> None:
-        if path := self._any(tree, lambda values: True):
+        path = self._any(tree, lambda values: True)
+        if path and len(tree) > 6:  # a schema of an empty vehicle has no type for it
             for each in [each for each in tree if f"{each}.".startswith(f"{path}.")]:
                 del tree[each]
 
