@@ -111,7 +111,7 @@ def _numbered(node: Node, numbers: Mapping[str, int], enumerations: Enumerations
     return Node(node.path, definition, children)
 
 
-# -- what is wrong with a lock --------------------------------------------------------------------------------------
+# -- checks of a lock --------------------------------------------------------------------------------------
 
 
 def _problems(content: Any) -> Iterator[str]:
