@@ -27,20 +27,23 @@ def exported(catalogue: Catalogue, format_name: str, **options: object) -> Files
 
 def protobuf_breaks(old: Files, new: Files, folder: Path) -> bool:
     """`buf breaking`, which compares numbers, names and types of fields on the wire and in JSON."""
-    return bool(_buf_breaking(old["tree"].decode(), new["tree"].decode(), folder))
+    return bool(_buf_breaking(old, new, folder))
 
 
 def buf_messages(old: str, new: str, folder: Path) -> set[str]:
     """Messages in which `buf breaking` finds something."""
-    return set(re.findall(r'on message "(\w+)"', _buf_breaking(old, new, folder)))
+    files = [{"tree": text.encode()} for text in (old, new)]
+    return set(re.findall(r'on message "(\w+)"', _buf_breaking(files[0], files[1], folder)))
 
 
-def _buf_breaking(old: str, new: str, folder: Path) -> str:
+def _buf_breaking(old: Files, new: Files, folder: Path) -> str:
     """Return what `buf breaking` reports of two files that compile; nothing if they are compatible."""
     sides = [folder / "new", folder / "old"]
-    for side, text in zip(sides, (new, old), strict=True):
-        side.mkdir(parents=True)
-        (side / "tree.proto").write_text(text)
+    for side, files in zip(sides, (new, old), strict=True):
+        for name in (name for name in files if not name.endswith(".json")):
+            file = (side / name).with_suffix(".proto")
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(files[name])
         (side / "buf.yaml").write_text("version: v2\nbreaking: {use: [WIRE_JSON]}\n")
         assert _buf(folder, "build", str(side)) == ""
     return _buf(folder, "breaking", str(sides[0]), "--against", str(sides[1]))
@@ -61,7 +64,7 @@ def graphql_breaks(old: Files, new: Files, _: Path) -> bool:
 
 def ids_break(old: Files, new: Files, _: Path) -> bool:
     """Lookups by static id."""
-    ids = [{node["staticUID"] for node in yaml.safe_load(files["tree"]).values()} for files in (old, new)]
+    ids = [{n["staticUID"] for data in files.values() for n in yaml.safe_load(data).values()} for files in (old, new)]
     return not ids[0] <= ids[1]
 
 
