@@ -4,6 +4,7 @@ import csv
 import json
 import shlex
 import shutil
+import sys
 import zipfile
 from pathlib import Path
 
@@ -14,7 +15,7 @@ from sigcat.cli import main
 from sigcat.data import EXAMPLES
 from sigcat.runs.recording.cells import cell_of
 from tests.adapter.fmi.fmus import built, compare, differences, leaves_of, sampled, simulated, write_trace
-from tests.needs import cmake
+from tests.needs import cmake, slow
 
 fmpy = pytest.importorskip("fmpy", reason="FMPy: pip install fmpy")
 import numpy as np  # noqa: E402 -- FMPy brings it
@@ -139,3 +140,40 @@ def signals(made, points):
     leaves = [leaves_of(made, name)[0] for name in names]
     rows = [(point / 1e9, *(values[name] for name in names)) for point, values in points]
     return np.array(rows, dtype=[("time", "f8"), *((each.name, NUMPY[each.type]) for each in leaves)])
+
+
+def names_in(file):
+    with zipfile.ZipFile(file) as archive:
+        return [name for name in archive.namelist() if name.startswith("binaries/") and not name.endswith("/")]
+
+
+def test_an_fmu_has_the_libraries_of_other_builds(tmp_path):
+    """A build for another machine is that of this one by another name."""
+    (tmp_path / "other").mkdir()
+    other = built([AVERAGING], tmp_path / "other", "-DFMU_PLATFORM=aarch64-linux")
+    assert names_in(other.file) == ["binaries/aarch64-linux/Tested.so"]
+    both = built([AVERAGING], tmp_path, f"-DFMU_WITH={other.file.parent}", "-DFMU_PLATFORM=x86_64-linux")
+    assert sorted(names_in(both.file)) == ["binaries/aarch64-linux/Tested.so", "binaries/x86_64-linux/Tested.so"]
+    assert not validate_fmu(str(both.file))
+
+
+@slow
+@pytest.mark.parametrize(
+    ("target", "system", "architecture", "beginning"),
+    [
+        ("x86_64-linux-gnu", "Linux", "x86_64", b"\x7fELF\x02\x01\x01" + bytes(9) + b"\x03\x00\x3e\x00"),
+        ("aarch64-linux-gnu", "Linux", "aarch64", b"\x7fELF\x02\x01\x01" + bytes(9) + b"\x03\x00\xb7\x00"),
+        ("x86_64-windows-gnu", "Windows", "x86_64", b"MZ"),
+    ],
+)
+def test_zig_compiles_for_other_machines(target, system, architecture, beginning, tmp_path):
+    pytest.importorskip("ziglang", reason="Zig: pip install ziglang")
+    compiler = f"-DCMAKE_C_COMPILER={sys.executable};-m;ziglang;cc;-target;{target}"
+    machine = [f"-DCMAKE_SYSTEM_NAME={system}", f"-DCMAKE_SYSTEM_PROCESSOR={architecture}"]
+    made = built([AVERAGING], tmp_path, compiler, *machine)
+    (name,) = names_in(made.file)
+    assert name.startswith(f"binaries/{architecture}-{system.lower()}/Tested.")
+    with zipfile.ZipFile(made.file) as archive:
+        library = archive.read(name)
+    assert library.startswith(beginning)
+    assert b"fmi3DoStep\0" in library
