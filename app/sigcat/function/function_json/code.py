@@ -11,7 +11,7 @@ from sigcat.function.document.field_types import (
     Signature,
     SourceFile,
 )
-from sigcat.function.function_json.wire import Integer, WireModel, always, own
+from sigcat.function.function_json.wire import Integer, Listed, WireModel, always, own
 
 GLOBALS = "Globals"
 POINTERS = "Pointers"
@@ -68,21 +68,19 @@ class CodeInterface(WireModel):
         "Globals: calls take nothing and read and write global variables. Pointers: calls take pointers to objects that the "
         "adapter holds for each instance. Class: calls are members of a C++ class.",
     )
-    sources: tuple[SourceFile, ...] | None = own(
-        "Sources", "Files to compile, relative to the declaration.", strict=False
+    sources: Listed[SourceFile] | None = own("Sources", "Files to compile, relative to the declaration.")
+    headers: Listed[SourceFile] | None = own("Headers", "Files to include, in order.")
+    include_folders: Listed[SourceFile] | None = own(
+        "IncludeFolders", "Folders in which headers are searched, relative to the declaration."
     )
-    headers: tuple[SourceFile, ...] | None = own("Headers", "Files to include, in order.", strict=False)
-    include_folders: tuple[SourceFile, ...] | None = own(
-        "IncludeFolders", "Folders in which headers are searched, relative to the declaration.", strict=False
-    )
-    definitions: tuple[Macro, ...] | None = own("Macros", "Macros of the preprocessor.", strict=False)
+    definitions: Listed[Macro] | None = own("Macros", "Macros of the preprocessor.")
     class_name: CppClass | None = own("ClassName", "Name of the C++ class, with its namespaces.")
     storage: Name | None = own(
         "Storage", f"Key-value storage of the parameters that name none; {DEFAULT_STORAGE} if absent."
     )
-    objects: tuple[CodeObject, ...] | None = own("Objects", "Objects of the code, in order.", strict=False)
-    accessors: tuple[CIdentifier, ...] | None = own(
-        "Accessors", "Functions of C that expressions may call, with names and numbers as arguments.", strict=False
+    objects: Listed[CodeObject] | None = own("Objects", "Objects of the code, in order.")
+    accessors: Listed[CIdentifier] | None = own(
+        "Accessors", "Functions of C that expressions may call, with names and numbers as arguments."
     )
 
 
@@ -98,7 +96,7 @@ class Checkpoint(WireModel):
 
     initial: bool | None = own("BeginsSequence", "Whether a sequence begins with the call.")
     final: bool | None = own("EndsSequence", "Whether a sequence may end with the call.")
-    next: tuple[Name, ...] | None = own("Next", "Names of the calls that may follow.", strict=False)
+    next: Listed[Name] | None = own("Next", "Names of the calls that may follow.")
 
 
 def is_inside(path: str) -> bool:

@@ -21,6 +21,7 @@ from sigcat.function.function_json.wire import (
     PHYSICAL,
     TABLE,
     Integer,
+    Listed,
     Number,
     TypeReference,
     WireModel,
@@ -62,10 +63,8 @@ class Signal(WireModel):
     vss_unit: UnitKey | None = own("VssUnit", "Unit in the catalogue.")
     vss_min: Number | None = own("VssMin", "Smallest value in the catalogue.", unit="that of `VssUnit`")
     vss_max: Number | None = own("VssMax", "Largest value in the catalogue.", unit="that of `VssUnit`")
-    vss_symbols: tuple[EnumerationValue, ...] | None = own(
-        "VssSymbols",
-        "Values of an enumeration with the numbers of the catalogue, where the code has others.",
-        strict=False,
+    vss_symbols: Listed[EnumerationValue] | None = own(
+        "VssSymbols", "Values of an enumeration with the numbers of the catalogue, where the code has others."
     )
     conversion_factor: NumberText | None = own(
         "ConversionFactor",
@@ -81,7 +80,7 @@ class Signal(WireModel):
     variable: CExpression | None = own("Variable", "Expression of the C code that holds the value.")
     defined_by: Definer | None = own("DefinedBy", DEFINED_BY)
     c_type: CTypeName | None = own("CType", C_TYPE)
-    members: tuple[Member, ...] | None = own("Members", MEMBERS, strict=False)
+    members: Listed[Member] | None = own("Members", MEMBERS)
     timeout_start: TimeoutStart | None = own(
         "TimeoutStart",
         "Whether the time-out runs from the end of init (Init, also if absent) or the first value (First).",
@@ -139,14 +138,14 @@ class DataQueue(WireModel):
     vss_unit: UnitKey | None = own("VssUnit", "Unit in the catalogue.")
     vss_min: Number | None = own("VssMin", "Smallest value in the catalogue.", unit="that of `VssUnit`")
     vss_max: Number | None = own("VssMax", "Largest value in the catalogue.", unit="that of `VssUnit`")
-    vss_symbols: tuple[EnumerationValue, ...] | None = own("VssSymbols", "As in a signal.", strict=False)
+    vss_symbols: Listed[EnumerationValue] | None = own("VssSymbols", "As in a signal.")
     conversion_factor: NumberText | None = own("ConversionFactor", "As in a signal.")
     conversion_offset: NumberText | None = own("ConversionOffset", "As in a signal.", unit="that of `VssUnit`")
     external_provider: Text | None = own("ExternalProvider", "As in a signal.")
     variable: CExpression | None = own("Variable", "Expression of the C code that holds the queue.")
     defined_by: Definer | None = own("DefinedBy", DEFINED_BY)
     c_type: CTypeName | None = own("CType", C_TYPE)
-    members: tuple[Member, ...] | None = own("Members", MEMBERS, strict=False)
+    members: Listed[Member] | None = own("Members", MEMBERS)
     timeout_start: TimeoutStart | None = own("TimeoutStart", "As in a signal.")
     timeout_value: TimeoutValue | None = own("TimeoutValue", "As in a signal.")
     timeout_recovery: Integer | None = own("TimeoutRecovery", "As in a signal.", unit="values")
@@ -187,7 +186,7 @@ class ParameterInterface(WireModel):
     vss_path: VssPath | None = own("VssPath", "Path of the parameter in the catalogue.")
     vss_datatype: VssDatatype | None = own("VssDatatype", "Datatype in the catalogue.")
     vss_unit: UnitKey | None = own("VssUnit", "Unit in the catalogue.")
-    vss_symbols: tuple[EnumerationValue, ...] | None = own("VssSymbols", "As in a signal.", strict=False)
+    vss_symbols: Listed[EnumerationValue] | None = own("VssSymbols", "As in a signal.")
     conversion_factor: NumberText | None = own("ConversionFactor", "As in a signal.")
     conversion_offset: NumberText | None = own("ConversionOffset", "As in a signal.", unit="that of `VssUnit`")
     variable: CExpression | None = own("Variable", "Expression of the C code that holds the value.")
@@ -195,7 +194,7 @@ class ParameterInterface(WireModel):
     offset: NumberText | None = own("Offset", "As in a signal.", unit=PHYSICAL)
     defined_by: Definer | None = own("DefinedBy", DEFINED_BY)
     c_type: CTypeName | None = own("CType", C_TYPE)
-    members: tuple[Member, ...] | None = own("Members", MEMBERS, strict=False)
+    members: Listed[Member] | None = own("Members", MEMBERS)
     key: Name | None = own("Key", "Key under which the value is stored; the name of the parameter if absent.")
     storage: Name | None = own("Storage", "Key-value storage that holds it; that of `Code` if absent.")
     range_error: Name | None = own("RangeError", "Error interface that is set while the value is out of range.")

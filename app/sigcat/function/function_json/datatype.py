@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 from sigcat.function.document.field_types import CDefinition, Name, UnitKey, VssDatatype
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.wire import Integer, Number, TypeReference, WireModel, always, described, own
+from sigcat.function.function_json.wire import Integer, Listed, Number, TypeReference, WireModel, always, described, own
 
 
 class EnumerationValue(WireModel):
@@ -33,10 +33,10 @@ class Datatype(WireModel):
     c_definition: CDefinition = described("cDef", "Definition in C.")
     kind: Name | None = own("Kind", "enumeration, array or struct, where the datatype is one.")
     vss_datatype: VssDatatype | None = own("VssDatatype", "Datatype of VSS.")
-    symbols: tuple[EnumerationValue, ...] | None = own("Symbols", "Values of an enumeration.", strict=False)
+    symbols: Listed[EnumerationValue] | None = own("Symbols", "Values of an enumeration.")
     element: TypeReference | None = own("ElementType", "Datatype of the elements of an array.")
     length: Integer | None = own("Length", "Elements of an array; absent if that is open.", unit="elements")
-    fields: tuple[TypeField, ...] | None = own("Fields", "Members of a struct, in order.", strict=False)
+    fields: Listed[TypeField] | None = own("Fields", "Members of a struct, in order.")
     description: Text | None = own("Description", "What a struct is.")
 
 

@@ -2,7 +2,7 @@
 
 from sigcat.function.document.field_types import CExpression, CIdentifier, Name, Quantity, UnitKey
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.wire import TypeReference, WireModel, described, own
+from sigcat.function.function_json.wire import Listed, TypeReference, WireModel, described, own
 
 
 class Argument(WireModel):
@@ -20,8 +20,8 @@ class MethodInterface(WireModel):
     name: Name = described("Name", "Name of the method.")
     description: Text = described("Description", "What the method does.")
     role: Name = described("Role", "Consumer or Provider.")
-    inputs: tuple[Argument, ...] = described("InDataTypeList", "Arguments, in order.", strict=False)
-    outputs: tuple[Argument, ...] = described("OutDataTypeList", "Return values, in order.", strict=False)
+    inputs: Listed[Argument] = described("InDataTypeList", "Arguments, in order.")
+    outputs: Listed[Argument] = described("OutDataTypeList", "Return values, in order.")
     symbol: CIdentifier | None = own("Symbol", "C function that does what a provided method offers.")
     timeout: Quantity | None = own("Timeout", "Longest time until the answer, as a number in a text.", unit="ms")
     request_variable: CExpression | None = own(

@@ -16,7 +16,7 @@ from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.provenance import Provenance
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.status_interfaces import ModeInterface
-from sigcat.function.function_json.wire import TABLE, WireModel, described, optional, own, written
+from sigcat.function.function_json.wire import TABLE, Listed, WireModel, described, optional, own, written
 
 
 class MetaInfo(WireModel):
@@ -46,7 +46,7 @@ class Component(WireModel):
     """A part of the function that is deployed as a whole."""
 
     name: Name = described("Name", "Name of the component.")
-    runnables: tuple[Runnable, ...] = described("functionList", "Calls of the component.", strict=False)
+    runnables: Listed[Runnable] = described("functionList", "Calls of the component.")
 
 
 class Mode(WireModel):
@@ -54,7 +54,7 @@ class Mode(WireModel):
 
     name: Name = described("Name", "Name of the mode.")
     description: Text = described("Description", "What the mode means.")
-    runnables: tuple[Name, ...] = described("RunnablesList", "Names of the calls that run in the mode.", strict=False)
+    runnables: Listed[Name] = described("RunnablesList", "Names of the calls that run in the mode.")
 
 
 class FunctionJson(WireModel):
@@ -62,13 +62,11 @@ class FunctionJson(WireModel):
 
     meta: MetaInfo = described("MetaInfo", "Who is responsible for the document, and its version.")
     info: FunctionInfo = described("FunctionInfo", "Identity of the function.")
-    components: tuple[Component, ...] = described("ComponentList", "Components of the function.", strict=False)
-    modes: tuple[Mode, ...] | None = described(
-        "ModesList", "Modes of the function and the calls that run in them.", strict=False
-    )
-    datatypes: tuple[Datatype, ...] = described("Datatypes", "Datatypes that interfaces refer to.", strict=False)
-    mode_interfaces: tuple[ModeInterface, ...] | None = described(
-        "ModeInterfaceList", "Mode management interfaces.", default=None, source=TABLE, strict=False
+    components: Listed[Component] = described("ComponentList", "Components of the function.")
+    modes: Listed[Mode] | None = described("ModesList", "Modes of the function and the calls that run in them.")
+    datatypes: Listed[Datatype] = described("Datatypes", "Datatypes that interfaces refer to.")
+    mode_interfaces: Listed[ModeInterface] | None = described(
+        "ModeInterfaceList", "Mode management interfaces.", default=None, source=TABLE
     )
     code: CodeInterface | None = own("Code", "How the code of the function is compiled and called.")
     provenance: Provenance | None = own("Provenance", "What the document was made from.")

@@ -7,7 +7,7 @@ from typing_extensions import TypeAliasType
 
 from sigcat.function.document.field_types import Carried, Digest, Name, VssPath
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.wire import WireModel, always, own
+from sigcat.function.function_json.wire import Listed, WireModel, always, own
 
 VspecAttributes = TypeAliasType(
     "VspecAttributes", Annotated[dict[Name, Carried], Field(description="Attributes by name, as in a vspec file.")]
@@ -37,12 +37,6 @@ class Provenance(WireModel):
     catalogue: Text = always("Catalogue", "Name of the catalogue.")
     catalogue_digest: Digest = always("CatalogueDigest", "SHA-256 of its content, however split into files.")
     release: Text | None = own("Release", "Release of VSS, if the tree states it.")
-    layers: tuple[CatalogueLayer, ...] = always(
-        "Layers", "The tree and its overlays, in the order in which they apply.", strict=False
-    )
-    definitions: tuple[DefinedInterface, ...] | None = own(
-        "Definitions", "Interfaces that the declaration defines itself.", strict=False
-    )
-    type_definitions: tuple[DefinedInterface, ...] | None = own(
-        "TypeDefinitions", "Struct types that it defines itself.", strict=False
-    )
+    layers: Listed[CatalogueLayer] = always("Layers", "The tree and its overlays, in the order in which they apply.")
+    definitions: Listed[DefinedInterface] | None = own("Definitions", "Interfaces that the declaration defines itself.")
+    type_definitions: Listed[DefinedInterface] | None = own("TypeDefinitions", "Struct types that it defines itself.")

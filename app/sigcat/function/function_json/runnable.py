@@ -12,7 +12,17 @@ from sigcat.function.function_json.data_interfaces import DataQueue, ParameterIn
 from sigcat.function.function_json.duration import exact_time
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
-from sigcat.function.function_json.wire import TABLE, Integer, Number, WireModel, WrittenWhole, described, optional, own
+from sigcat.function.function_json.wire import (
+    TABLE,
+    Integer,
+    Listed,
+    Number,
+    WireModel,
+    WrittenWhole,
+    described,
+    optional,
+    own,
+)
 
 
 class WatchdogLimits(WireModel):
@@ -40,14 +50,12 @@ class Contract(WireModel):
     """Interfaces that a call reads and writes."""
 
     type: Name | None = optional("Type", "How data is handed over: global variables or C calls.")
-    signals: tuple[Signal, ...] | None = described("SignalList", "Data interfaces.", strict=False)
-    queues: tuple[DataQueue, ...] | None = described("DataQList", "Queued data interfaces.", strict=False)
-    methods: tuple[MethodInterface, ...] | None = described("MethodList", "Methods.", strict=False)
-    parameters: tuple[ParameterInterface, ...] | None = described("ParameterList", "Parameters.", strict=False)
-    errors: tuple[ErrorInterface, ...] | None = described("ErrorList", "Error interfaces.", strict=False)
-    safety_reactions: tuple[SafetyReaction, ...] | None = described(
-        "SafetyReactionList", "Safety reaction interfaces.", strict=False
-    )
+    signals: Listed[Signal] | None = described("SignalList", "Data interfaces.")
+    queues: Listed[DataQueue] | None = described("DataQList", "Queued data interfaces.")
+    methods: Listed[MethodInterface] | None = described("MethodList", "Methods.")
+    parameters: Listed[ParameterInterface] | None = described("ParameterList", "Parameters.")
+    errors: Listed[ErrorInterface] | None = described("ErrorList", "Error interfaces.")
+    safety_reactions: Listed[SafetyReaction] | None = described("SafetyReactionList", "Safety reaction interfaces.")
 
 
 class Runnable(WireModel):
@@ -80,25 +88,23 @@ class Runnable(WireModel):
     events: Name | None = optional(
         "EventList", "Events that trigger the call: names or paths of signals that it consumes, separated by commas."
     )
-    contracts: tuple[Contract, ...] | None = optional(
-        "funcContractList", "What the call reads and writes.", strict=False
-    )
-    supervision_types: tuple[Name, ...] | None = described(
-        "SupervisionType", "Alive, Deadline, Logical; empty if unsupervised.", default=None, source=TABLE, strict=False
+    contracts: Listed[Contract] | None = optional("funcContractList", "What the call reads and writes.")
+    supervision_types: Listed[Name] | None = described(
+        "SupervisionType", "Alive, Deadline, Logical; empty if unsupervised.", default=None, source=TABLE
     )
     vss_path: VssPath | None = own("VssPath", "Path of the interface in the catalogue.")
     symbol: CIdentifier | None = own("Symbol", "Function or member function in C; the name of the call if absent.")
-    arguments: tuple[CIdentifier, ...] | None = own(
-        "Arguments", "Names of the objects that it takes pointers to, in order.", strict=False
+    arguments: Listed[CIdentifier] | None = own(
+        "Arguments", "Names of the objects that it takes pointers to, in order."
     )
     success_value: Integer | None = own(
         "SuccessValue", "Result that means success; absent if the call returns nothing."
     )
-    pre_processing: tuple[CIdentifier, ...] | None = own(
-        "PreProcessing", "C functions of the project that run before the call, in order.", strict=False
+    pre_processing: Listed[CIdentifier] | None = own(
+        "PreProcessing", "C functions of the project that run before the call, in order."
     )
-    post_processing: tuple[CIdentifier, ...] | None = own(
-        "PostProcessing", "C functions of the project that run after the call, in order.", strict=False
+    post_processing: Listed[CIdentifier] | None = own(
+        "PostProcessing", "C functions of the project that run after the call, in order."
     )
     checkpoint: Checkpoint | None = own("Checkpoint", "Place of the call in the graph of the logical supervision.")
     overrun_error: Name | None = own("OverrunError", "Error interface that is set when activations were missed.")

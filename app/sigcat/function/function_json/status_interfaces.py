@@ -15,6 +15,7 @@ from sigcat.function.function_json.wire import (
     TABLE,
     Count,
     Integer,
+    Listed,
     Number,
     TypeReference,
     WireModel,
@@ -31,8 +32,8 @@ class ErrorInterface(WireModel):
     name: Name = described("Name", "Name of the error interface: <FunctionName>_<ErrorName>_ErrorSts.")
     description: Text = described("Description", "Condition that the error reports.")
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.")
-    dependencies: tuple[Name, ...] = described(
-        "Dependancy", "Error interfaces of other functions or the base software that set this error too.", strict=False
+    dependencies: Listed[Name] = described(
+        "Dependancy", "Error interfaces of other functions or the base software that set this error too."
     )
     occurrence_count_limit: Count = described(
         "OccurenceCountLimit",
@@ -91,9 +92,7 @@ class SafetyReaction(WireModel):
     name: Name = described("Name", "Name of the interface: <SafetyCondition>_SftyCondSts.")
     description: Text = described("Description", "What the condition means for the function.")
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.")
-    errors: tuple[Name, ...] = described(
-        "ErrorList", "Error interfaces, any of which sets the condition.", strict=False
-    )
+    errors: Listed[Name] = described("ErrorList", "Error interfaces, any of which sets the condition.")
     asil_level: Name | None = own("AsilLevel", "ASIL: QM, A, B, C or D.")
     vss_path: VssPath | None = own("VssPath", "Path of the interface in the catalogue.")
     variable: CExpression | None = own(
@@ -114,7 +113,7 @@ class ModeInterface(WireModel):
     description: Text = described("Description", "What the interface says.", source=TABLE)
     direction: Name = described("Direction", "In or Out.", source=TABLE)
     datatype: TypeReference = described("Datatype", "Reference to a datatype of the document.", source=TABLE)
-    modes: tuple[Name, ...] = always("Modes", "Names of the modes.", strict=False)
+    modes: Listed[Name] = always("Modes", "Names of the modes.")
     vss_path: VssPath | None = own("VssPath", "Path of the interface in the catalogue.")
     variable: CExpression | None = own("Variable", "Expression of the C code that holds the mode.")
     defined_by: Definer | None = own("DefinedBy", DEFINED_BY)
@@ -124,6 +123,6 @@ class ModeInterface(WireModel):
         "UnknownAction", "What a mode that is none of `Modes` leads to: Keep the last one, also if absent, or Initial."
     )
     unknown_error: Name | None = own("UnknownError", "Error interface that is set while the mode is none of `Modes`.")
-    values: tuple[EnumerationValue, ...] | None = own(
-        "Values", "Numbers of the modes in the C code, where they are not those of the datatype.", strict=False
+    values: Listed[EnumerationValue] | None = own(
+        "Values", "Numbers of the modes in the C code, where they are not those of the datatype."
     )

@@ -2,7 +2,7 @@
 
 import math
 from functools import cache
-from typing import Annotated, Any, cast
+from typing import Annotated, Any, TypeVar, cast
 
 from pydantic import (
     BaseModel,
@@ -10,12 +10,17 @@ from pydantic import (
     Field,
     PlainValidator,
     SerializerFunctionWrapHandler,
+    Strict,
     WithJsonSchema,
     model_serializer,
 )
 from pydantic_core import PydanticCustomError
 
 from sigcat.function.document.field_types import TYPE_REFERENCE
+
+T = TypeVar("T")
+Listed = Annotated[tuple[T, ...], Strict(False)]
+"""A list: its elements are of one kind."""
 
 PUBLISHED = "published function schema 1.0.0"
 TABLE = "paper, glossary, table of interface fields"

@@ -17,23 +17,17 @@ from sigcat.function.document.text import Text
 from sigcat.function.function_json.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.code import Checkpoint, Member
 from sigcat.function.function_json.methods import MethodInterface
-from sigcat.function.function_json.wire import Integer, WireModel, always, own
+from sigcat.function.function_json.wire import Integer, Listed, WireModel, always, own
 
 
 class CallCode(WireModel):
     """A call in C, as it is in Function JSON."""
 
     symbol: CIdentifier | None = own("Symbol", "Function or member function; the name of the call if absent.")
-    arguments: tuple[CIdentifier, ...] | None = own(
-        "Arguments", "Objects that it takes pointers to, in order.", strict=False
-    )
+    arguments: Listed[CIdentifier] | None = own("Arguments", "Objects that it takes pointers to, in order.")
     success_value: Integer | None = own("SuccessValue", "Result that means success.")
-    pre_processing: tuple[CIdentifier, ...] | None = own(
-        "PreProcessing", "C functions that run before it.", strict=False
-    )
-    post_processing: tuple[CIdentifier, ...] | None = own(
-        "PostProcessing", "C functions that run after it.", strict=False
-    )
+    pre_processing: Listed[CIdentifier] | None = own("PreProcessing", "C functions that run before it.")
+    post_processing: Listed[CIdentifier] | None = own("PostProcessing", "C functions that run after it.")
     checkpoint: Checkpoint | None = own("Checkpoint", "Place of the call in the graph of the logical supervision.")
     overrun_error: ErrorName | None = own("OverrunError", "Error interface that is set when activations were missed.")
 
@@ -45,7 +39,7 @@ class ParameterCode(WireModel):
     offset: NumberText | None = own("Offset", "Offset of the scaling.")
     defined_by: Definer | None = own("DefinedBy", "Function or Adapter: whose code defines the variable.")
     c_type: CTypeName | None = own("CType", C_TYPE)
-    members: tuple[Member, ...] | None = own("Members", "Members of the struct in C.", strict=False)
+    members: Listed[Member] | None = own("Members", "Members of the struct in C.")
     key: Name | None = own("Key", "Key under which the value is stored.")
     storage: Name | None = own("Storage", "Key-value storage that holds it.")
     range_error: ErrorName | None = own("RangeError", "Error interface that is set while the value is out of range.")

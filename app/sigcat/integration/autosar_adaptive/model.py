@@ -36,7 +36,7 @@ from sigcat.function.function_json.methods import Argument
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.runnable import Watchdog
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
-from sigcat.function.function_json.wire import OWN, Integer, Number, WireModel, always, described, own, written
+from sigcat.function.function_json.wire import OWN, Integer, Listed, Number, WireModel, always, described, own, written
 from sigcat.integration.autosar_adaptive.code import CallCode, MethodUse, ParameterCode
 from sigcat.integration.autosar_adaptive.e2e import E2eProtection
 from sigcat.integration.autosar_adaptive.namespaces import DEFAULT_HEADER_FOLDERS, HeaderFolders, Namespace
@@ -77,14 +77,14 @@ class FunctionInformation(WireModel):
     name: Name = published("FunctionName", "Name of the application.")
     responsible: Text = published("Responsible", "Who answers for it.")
     description: Text = published("Description", "What it does.")
-    functions: tuple[FunctionName, ...] | None = own("Functions", "Names of the functions.", strict=False)
+    functions: Listed[FunctionName] | None = own("Functions", "Names of the functions.")
 
 
 class Call(WireModel):
     """A call of a function: init, a step, terminate."""
 
     name: CallName = published("Name", "Name of the call.")
-    modes: tuple[Name, ...] = published("Modes", "Function group modes in which it runs.", strict=False)
+    modes: Listed[Name] = published("Modes", "Function group modes in which it runs.")
     run_type: Name = published("RunType", "Init, Cyclic or Terminate.")
     cycle_time: Number | None = published("CycleTime", "Time from one call to the next.", unit="ms")
     scheduling: Name | None = published("Scheduling", "Preemptive or Non-preemptive.")
@@ -92,12 +92,8 @@ class Call(WireModel):
     description: Text | None = own("Description", "What the call does.")
     trigger: Name | None = own("Trigger", "Event, where the call is not cyclic but triggered by events.")
     events: Name | None = own("EventList", "Events that trigger the call.")
-    triggers: tuple[ServiceEvent, ...] | None = own(
-        "Triggers", "Events whose values trigger the call, as `Service/Event`.", strict=False
-    )
-    function_modes: tuple[Name, ...] | None = own(
-        "FunctionModes", "Modes of the function in which the call runs.", strict=False
-    )
+    triggers: Listed[ServiceEvent] | None = own("Triggers", "Events whose values trigger the call, as `Service/Event`.")
+    function_modes: Listed[Name] | None = own("FunctionModes", "Modes of the function in which the call runs.")
     previous_runnable: Name | None = own("PrevRunnable", "Call after which this one runs.")
     execution_offset: Quantity | None = own("ExecOffset", "Offset of the first call.", unit="ms")
     debounce_delay: Quantity | None = own("DebounceDelay", "Shortest time between two calls.", unit="ms")
@@ -105,9 +101,9 @@ class Call(WireModel):
     parallel_processing: bool | None = own("ParallelProcessing", "Whether calls may run at the same time.")
     stack_size: Quantity | None = own("StackSize", "Stack that the call needs.", unit="bytes")
     asil_level: Name | None = own("AsilLevel", "ASIL that the call is implemented to.")
-    supervision_types: tuple[Name, ...] | None = own("SupervisionType", "Alive, Deadline, Logical.", strict=False)
+    supervision_types: Listed[Name] | None = own("SupervisionType", "Alive, Deadline, Logical.")
     watchdog: Watchdog | None = own("Watchdog", "Supervision by the watchdog.")
-    contracts: tuple[Name, ...] | None = own("ContractTypes", "How data is handed over to the code.", strict=False)
+    contracts: Listed[Name] | None = own("ContractTypes", "How data is handed over to the code.")
     code: CallCode | None = own("Code", "The call in C.")
     vss_path: VssPath | None = own("VssPath", "Path of the interface in the catalogue.")
 
@@ -144,9 +140,9 @@ class TypeEntry(WireModel):
     dimension: Integer | Name | None = published(
         "Dimension", "Number of elements of an array; `dynamic` if that is open.", default=None
     )
-    fields: tuple[StructField, ...] | None = published("Field", "Members, in order.", default=None, strict=False)
+    fields: Listed[StructField] | None = published("Field", "Members, in order.", default=None)
     reference: Name | None = published("TypeRef", "Reference in Function JSON.", default=None)
-    symbols: tuple[Symbol, ...] | None = published("EnumField", "Values, in order.", default=None, strict=False)
+    symbols: Listed[Symbol] | None = published("EnumField", "Values, in order.", default=None)
     storage: Name | None = own("StorageType", "Word for the integer that holds an enumeration.")
     vss_datatype: VssDatatype | None = own("VssDatatype", "Datatype of VSS, or path of the struct.")
     description: Text | None = own("Description", "What a struct is.")
@@ -169,7 +165,7 @@ class ParameterType(WireModel):
     text_datatype: Name | None = published("DataType", "string.", default=None)
     name: Name | None = published("Name", "Name of a structure, array or enumeration.", default=None)
     kind: Name | None = published("Class", "structure.", default=None)
-    fields: tuple[StructField, ...] | None = published("Field", "Members.", default=None, strict=False)
+    fields: Listed[StructField] | None = published("Field", "Members.", default=None)
     reference: Name | None = published("TypeRef", "Name of a datatype of the document.", default=None)
     min: Number | None = published("MinValue", "Smallest valid value.", default=None)
     max: Number | None = published("MaxValue", "Largest valid value.", default=None)
@@ -196,15 +192,15 @@ class ParameterEntry(WireModel):
     interface_type: Name = published("InterfaceType", "Storage class: PersistanceMemory, Calibration or Measurement.")
     attribute: Name = published("Attribute", "NA, Normal or LearningParameter.")
     function: FunctionName | None = own("Function", "Name of the function.")
-    calls: tuple[CallName, ...] | None = own("Calls", "Names of the calls that use it.", strict=False)
+    calls: Listed[CallName] | None = own("Calls", "Names of the calls that use it.")
     asil_level: Name | None = own("AsilLevel", "ASIL: QM, A, B, C or D.")
     code_datatype: CDefinition | None = own("CodeDatatype", "Datatype of the C code.")
     variable: CExpression | None = own("Variable", "Expression of the C code that holds the value.")
     vss_path: VssPath | None = own("VssPath", "Path of the parameter in the catalogue.")
     vss_datatype: VssDatatype | None = own("VssDatatype", "Datatype in the catalogue.")
     vss_unit: UnitKey | None = own("VssUnit", "Unit in the catalogue.")
-    vss_symbols: tuple[Symbol, ...] | None = own(
-        "VssSymbols", "Numbers of an enumeration in the catalogue, where the code has others.", strict=False
+    vss_symbols: Listed[Symbol] | None = own(
+        "VssSymbols", "Numbers of an enumeration in the catalogue, where the code has others."
     )
     conversion_factor: NumberText | None = own(
         "ConversionFactor", "Value in the catalogue's unit = value × factor + offset."
@@ -220,8 +216,8 @@ class Use(WireModel):
     component: Name = always("Component", "Name of the component.")
     call: CallName = always("Call", "Name of the call.")
     code_datatype: CDefinition | None = own("CodeDatatype", "Datatype of the C code.")
-    code_symbols: tuple[Symbol, ...] | None = own(
-        "CodeSymbols", "Numbers of an enumeration in the code, where others are sent.", strict=False
+    code_symbols: Listed[Symbol] | None = own(
+        "CodeSymbols", "Numbers of an enumeration in the code, where others are sent."
     )
     signal: Signal | None = own("Signal", "The data interface as it is in Function JSON.")
     queue: DataQueue | None = own("Queue", "The queued data interface as it is in Function JSON.")
@@ -238,8 +234,8 @@ class Event(WireModel):
 
     name: Name = published("Name", "Name of the event, from the VSS path.")
     datatype: Name = published("DataType", "Word for a primitive, or the name of a datatype of the document.")
-    data_mapping: tuple[CExpression, ...] | None = published(
-        "DataMappingList", "Expressions of the C code that hold the value.", strict=False
+    data_mapping: Listed[CExpression] | None = published(
+        "DataMappingList", "Expressions of the C code that hold the value."
     )
     description: Text | None = own("Description", "What the value means.")
     event_id: Integer | None = own("EventID", "SOME/IP id of the event.")
@@ -257,7 +253,7 @@ class Event(WireModel):
         "SegmentLength", "Length of a segment of SOME/IP-TP, where a value may be longer than a datagram.", unit="bytes"
     )
     vss_path: VssPath | None = own("VssPath", "Path of the signal in the catalogue.")
-    uses: tuple[Use, ...] | None = own("Uses", "The sides of the event within this component.", strict=False)
+    uses: Listed[Use] | None = own("Uses", "The sides of the event within this component.")
 
 
 class MethodArgument(WireModel):
@@ -276,10 +272,10 @@ class Method(WireModel):
     name: Name = published("Name", "Name of the method.")
     description: Text | None = own("Description", "What it does.")
     method_id: Integer | None = own("MethodID", "SOME/IP id of the method.")
-    inputs: tuple[MethodArgument, ...] | None = own("InArguments", "Arguments, in order.", strict=False)
-    outputs: tuple[MethodArgument, ...] | None = own("OutArguments", "Return values, in order.", strict=False)
-    calls: tuple[Name, ...] | None = own("Calls", "Calls that use or offer it.", strict=False)
-    uses: tuple[MethodUse, ...] | None = own("Uses", "The sides of the method within this component.", strict=False)
+    inputs: Listed[MethodArgument] | None = own("InArguments", "Arguments, in order.")
+    outputs: Listed[MethodArgument] | None = own("OutArguments", "Return values, in order.")
+    calls: Listed[Name] | None = own("Calls", "Calls that use or offer it.")
+    uses: Listed[MethodUse] | None = own("Uses", "The sides of the method within this component.")
 
 
 class ServiceField(WireModel):
@@ -294,7 +290,7 @@ class ServiceField(WireModel):
     protection: E2eProtection | None = own(
         "E2eProtection", "How its notifier is protected end to end, if it is: then it has no getter."
     )
-    calls: tuple[Name, ...] | None = own("Calls", "Calls that report or read it.", strict=False)
+    calls: Listed[Name] | None = own("Calls", "Calls that report or read it.")
     vss_path: VssPath | None = own("VssPath", "Path of the interface in the catalogue.")
     error: ErrorInterface | None = own("Error", "The error interface as it is in Function JSON.")
     safety_reaction: SafetyReaction | None = own(
@@ -311,9 +307,9 @@ class ServiceField(WireModel):
 class Services(WireModel):
     """Elements of a service interface that a component uses or offers."""
 
-    events: tuple[Event, ...] = published("Events", "Events.", strict=False)
-    methods: tuple[Method, ...] = published("Methods", "Methods.", strict=False)
-    fields: tuple[ServiceField, ...] = published("Fields", "Fields.", strict=False)
+    events: Listed[Event] = published("Events", "Events.")
+    methods: Listed[Method] = published("Methods", "Methods.")
+    fields: Listed[ServiceField] = published("Fields", "Fields.")
 
 
 class EventGroup(WireModel):
@@ -337,8 +333,8 @@ class ServiceInterface(WireModel):
 
     name: Name = published("Name", "Name of the service interface.")
     role: Annotated[str, Field(pattern="^(Consumer|Provider)$"), NAME] = published("Role", "Consumer or Provider.")
-    services: tuple[Services, ...] = published("ServiceList", "What is used of it.", strict=False)
-    providers: tuple[Provider, ...] | None = published("Provider", "Who offers it.", strict=False)
+    services: Listed[Services] = published("ServiceList", "What is used of it.")
+    providers: Listed[Provider] | None = published("Provider", "Who offers it.")
     service_id: Integer | None = own("ServiceID", "SOME/IP id of the service.")
     major_version: Annotated[Integer, Field(ge=0, le=0xFE)] | None = own(
         "MajorVersion", "Major version: peers with another one do not find the service; 1 if absent."
@@ -347,7 +343,7 @@ class ServiceInterface(WireModel):
         "MinorVersion", "Minor version; 0 if absent."
     )
     instance_id: Integer | None = own("ServiceInstanceID", "SOME/IP id of the instance.")
-    event_groups: tuple[EventGroup, ...] | None = own("EventGroups", "Event groups.", strict=False)
+    event_groups: Listed[EventGroup] | None = own("EventGroups", "Event groups.")
     namespace: Namespace | None = own("Namespace", "C++ namespace of the service; that of all if absent.")
     transformation: TransformationSettings | None = own(
         "Transformation", "How SOME/IP lays out what the service sends; as for all if absent."
@@ -364,7 +360,7 @@ class FunctionMode(WireModel):
     function: FunctionName = always("Function", "Name of the function.")
     name: Name = always("Name", "Name of the mode.")
     description: Text | None = own("Description", "What the mode means.")
-    calls: tuple[CallName, ...] | None = own("Calls", "Calls that run in it.", strict=False)
+    calls: Listed[CallName] | None = own("Calls", "Calls that run in it.")
 
 
 class ProcessInstance(WireModel):
@@ -378,9 +374,7 @@ class FurtherProcess(WireModel):
     """Another process of the executable, with its own instances."""
 
     name: ShortName = always("Name", "Name of the process.")
-    instances: tuple[ProcessInstance, ...] = always(
-        "Instances", "Instances that are not those of the component.", strict=False
-    )
+    instances: Listed[ProcessInstance] = always("Instances", "Instances that are not those of the component.")
 
 
 class Component(WireModel):
@@ -388,20 +382,18 @@ class Component(WireModel):
 
     name: Name = published("Name", "Name of the component.")
     executable: Name = published("ExecutableName", "Name of the executable.")
-    header_files: tuple[SourceFile, ...] | None = published("HeaderFiles", "Header files of the code.", strict=False)
-    modes: tuple[Name, ...] = published("FunctionGroupModes", "Function group modes in which it runs.", strict=False)
-    calls: tuple[Call, ...] = published("FunctionList", "Calls.", strict=False)
-    parameters: tuple[ParameterEntry, ...] | None = published("ParameterList", "Parameters.", strict=False)
-    services: tuple[ServiceInterface, ...] = published("ServiceInterfaceList", "Services.", strict=False)
+    header_files: Listed[SourceFile] | None = published("HeaderFiles", "Header files of the code.")
+    modes: Listed[Name] = published("FunctionGroupModes", "Function group modes in which it runs.")
+    calls: Listed[Call] = published("FunctionList", "Calls.")
+    parameters: Listed[ParameterEntry] | None = published("ParameterList", "Parameters.")
+    services: Listed[ServiceInterface] = published("ServiceInterfaceList", "Services.")
     function: FunctionName | None = own("Function", "Name of the function.")
     version: Version | None = own("Version", "Version of the function.")
     description: Text | None = own("Description", "What the function does.")
     code: CodeInterface | None = own("Code", "How the code of the function is compiled and called.")
-    function_modes: tuple[FunctionMode, ...] | None = own("FunctionModes", "Modes of the function.", strict=False)
+    function_modes: Listed[FunctionMode] | None = own("FunctionModes", "Modes of the function.")
     startup: StartupSettings | None = own("Startup", "How the process is started.")
-    processes: tuple[FurtherProcess, ...] | None = own(
-        "Processes", "Further processes of the executable.", strict=False
-    )
+    processes: Listed[FurtherProcess] | None = own("Processes", "Further processes of the executable.")
 
     @property
     def wishes(self) -> tuple[Wish, ...]:
@@ -440,12 +432,10 @@ class IntegrationModel(WireModel):
 
     meta: MetaInformation = published("MetaInformation", "Who is responsible, and the version.")
     info: FunctionInformation = published("FunctionInformation", "Identity of the application.")
-    components: tuple[Component, ...] = published("ComponentList", "Components.", strict=False)
-    datatypes: tuple[TypeEntry, ...] | None = published("DataTypes", "Datatypes.", strict=False)
+    components: Listed[Component] = published("ComponentList", "Components.")
+    datatypes: Listed[TypeEntry] | None = published("DataTypes", "Datatypes.")
     deployment: ArxmlDeployment | None = own("Deployment", "What the ARXML takes beside the elements.")
-    provenance: tuple[dict[Name, Carried], ...] | None = own(
-        "Provenance", "What each function was made from.", strict=False
-    )
+    provenance: Listed[dict[Name, Carried]] | None = own("Provenance", "What each function was made from.")
     functions: tuple[FunctionJson, ...] | None = source_functions()
 
 

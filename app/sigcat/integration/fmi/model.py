@@ -7,7 +7,7 @@ from pydantic import Field
 from sigcat.function.document.field_types import CIdentifier, FmiVariableName, FunctionName, Name, UnitKey
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.model import FunctionInfo, FunctionJson, MetaInfo
-from sigcat.function.function_json.wire import Integer, Number, WireModel, always, own, written
+from sigcat.function.function_json.wire import Integer, Listed, Number, WireModel, always, own, written
 from sigcat.integration.source_functions import source_functions
 
 Causality = Literal["independent", "input", "output", "parameter"]
@@ -40,8 +40,8 @@ class FmuVariable(WireModel):
     unit: UnitKey | None = own("Unit", "Unit, by its key in the catalogue.")
     min: Number | None = own("Min", "Smallest valid value.")
     max: Number | None = own("Max", "Largest valid value.")
-    start: tuple[Number | bool, ...] = always("Start", "Value in the beginning, of each element.", strict=False)
-    items: tuple[EnumerationItem, ...] | None = own("Items", "Values of an enumeration.", strict=False)
+    start: Listed[Number | bool] = always("Start", "Value in the beginning, of each element.")
+    items: Listed[EnumerationItem] | None = own("Items", "Values of an enumeration.")
     description: Text = always("Description", "What it means.")
 
 
@@ -50,12 +50,10 @@ class Fmu(WireModel):
 
     name: CIdentifier = always("Name", "Name of the model, its file and its library.")
     description: Text = always("Description", "What it does.")
-    functions: tuple[FunctionName, ...] = always(
-        "FunctionNames", "Functions in it, in the order of their turns.", strict=False
-    )
+    functions: Listed[FunctionName] = always("FunctionNames", "Functions in it, in the order of their turns.")
     token: CIdentifier = always("InstantiationToken", "Digest of the functions and of the variables.")
     step_size: Annotated[Number, Field(gt=0)] = always("StepSize", "Proposed step.", unit="ms")
-    variables: tuple[FmuVariable, ...] = always("VariableList", "Variables, by value reference.", strict=False)
+    variables: Listed[FmuVariable] = always("VariableList", "Variables, by value reference.")
 
 
 class FmuConnection(WireModel):
@@ -75,8 +73,8 @@ class FmiIntegration(WireModel):
     version: Literal["2.0"] | None = own("FmiVersion", "2.0 for FMI 2.0; absent for FMI 3.0.")
     license: Text = always("License", "License of the FMUs.")
     copyright: Text | None = own("Copyright", "Copyright notice of the FMUs.")
-    fmus: tuple[Fmu, ...] = always("FmuList", "The FMUs.", strict=False)
-    connections: tuple[FmuConnection, ...] = always("ConnectionList", "What an importer connects.", strict=False)
+    fmus: Listed[Fmu] = always("FmuList", "The FMUs.")
+    connections: Listed[FmuConnection] = always("ConnectionList", "What an importer connects.")
     functions: tuple[FunctionJson, ...] | None = source_functions()
 
 

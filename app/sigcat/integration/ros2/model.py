@@ -37,7 +37,7 @@ from sigcat.function.document.field_types import (
 )
 from sigcat.function.document.text import AnyValue, Text
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.wire import Integer, Number, WireModel, always, described, own, written
+from sigcat.function.function_json.wire import Integer, Listed, Number, WireModel, always, described, own, written
 from sigcat.integration.ros2.settings import MOST_VALUES, SchedulingPolicy
 from sigcat.integration.source_functions import source_functions
 
@@ -68,7 +68,7 @@ class Conversion(WireModel):
     offset: NumberText | None = own("Offset", "Offset of the result, in its unit.")
     rounding: Name | None = own("Rounding", "Nearest, where the result is an integer.")
     saturates: bool | None = own("Saturates", "Whether the result stops at the limits of its datatype.")
-    symbols: tuple[SymbolMap, ...] | None = own("Symbols", "Texts and their numbers.", strict=False)
+    symbols: Listed[SymbolMap] | None = own("Symbols", "Texts and their numbers.")
 
 
 class FieldMapping(WireModel):
@@ -108,16 +108,12 @@ class FieldMapping(WireModel):
 class DataMap(WireModel):
     """Fields of a topic and variables of the code: the n-th of each list belong together."""
 
-    variables: tuple[CExpression, ...] = published("GlobalVariableName", "Variables.", strict=False)
-    variable_types: tuple[CDefinition, ...] = published("GlobalVariableDataType", "Their datatypes.", strict=False)
-    fields: tuple[RosField, ...] = published("ROSTopicFieldName", "Fields.", strict=False)
-    field_types: tuple[RosDatatype, ...] = published("ROSTopicFieldDataType", "Their datatypes.", strict=False)
-    conversions: tuple[Conversion, ...] | None = published(
-        "ConversionAPI", "Conversions, where datatypes or units differ.", strict=False
-    )
-    mappings: tuple[FieldMapping, ...] | None = own(
-        "FieldList", "The same, with all that is known of each field.", strict=False
-    )
+    variables: Listed[CExpression] = published("GlobalVariableName", "Variables.")
+    variable_types: Listed[CDefinition] = published("GlobalVariableDataType", "Their datatypes.")
+    fields: Listed[RosField] = published("ROSTopicFieldName", "Fields.")
+    field_types: Listed[RosDatatype] = published("ROSTopicFieldDataType", "Their datatypes.")
+    conversions: Listed[Conversion] | None = published("ConversionAPI", "Conversions, where datatypes or units differ.")
+    mappings: Listed[FieldMapping] | None = own("FieldList", "The same, with all that is known of each field.")
 
 
 class FixedField(WireModel):
@@ -144,7 +140,7 @@ class QualityOfService(WireModel):
     lease_duration: Number | None = own(
         "LeaseDuration", "Time after which a silent publisher is taken for dead.", unit="ms"
     )
-    reasons: tuple[Text, ...] = always("Reasons", "What led to it.", strict=False)
+    reasons: Listed[Text] = always("Reasons", "What led to it.")
 
 
 class RosTopic(WireModel):
@@ -152,14 +148,14 @@ class RosTopic(WireModel):
 
     name: RosTopicName = published("TopicName", "Name of the topic.")
     interface: Name = published("InterfaceName", "Name of the interface in the function.")
-    data_maps: tuple[DataMap, ...] = published("DataMappingList", "Fields and variables.", strict=False)
+    data_maps: Listed[DataMap] = published("DataMappingList", "Fields and variables.")
     role: Name | None = own("Role", "Publisher or Subscription.")
     message: RosInterface | None = own("MessageType", "Package, `msg` and message.")
     stamp: RosField | None = own("StampField", "Field that has the time of the call; absent if the message has none.")
-    values: tuple[FixedField, ...] | None = own("FixedFields", "Fields that always have one value.", strict=False)
+    values: Listed[FixedField] | None = own("FixedFields", "Fields that always have one value.")
     node: RosName | None = own("NodeName", "Node that has the publisher or subscription.")
-    providers: tuple[FunctionName, ...] | None = own(
-        "Providers", "Functions of the set that publish it; empty if it comes from outside.", strict=False
+    providers: Listed[FunctionName] | None = own(
+        "Providers", "Functions of the set that publish it; empty if it comes from outside."
     )
     quality: QualityOfService | None = own("QualityOfService", "Quality of service of this end.")
 
@@ -186,8 +182,8 @@ class RosService(WireModel):
     role: Name = always("Role", "Server or Client.")
     service: RosInterface = always("ServiceType", "Package, `srv` and service.")
     node: RosName = always("NodeName", "Node that has the server or client.")
-    request: tuple[ArgumentMap, ...] = always("Request", "Arguments.", strict=False)
-    response: tuple[ArgumentMap, ...] = always("Response", "Return values.", strict=False)
+    request: Listed[ArgumentMap] = always("Request", "Arguments.")
+    response: Listed[ArgumentMap] = always("Response", "Return values.")
     success: RosName | None = own("Success", "Field of the response that tells whether the function has answered.")
 
 
@@ -195,8 +191,8 @@ class Communication(WireModel):
     """Communications of one call with others."""
 
     runnable: CallName = published("RunnableName", "Name of the call.")
-    topics: tuple[RosTopic, ...] = published("ROSTopicList", "Topics of the call.", strict=False)
-    services: tuple[RosService, ...] | None = own("ROSServiceList", "Services of the call.", strict=False)
+    topics: Listed[RosTopic] = published("ROSTopicList", "Topics of the call.")
+    services: Listed[RosService] | None = own("ROSServiceList", "Services of the call.")
 
 
 class MessageConstant(WireModel):
@@ -222,8 +218,8 @@ class Message(WireModel):
 
     name: RosMessage = always("Name", "Name of the message.")
     description: Text = always("Description", "What it carries.")
-    constants: tuple[MessageConstant, ...] = always("Constants", "Its constants.", strict=False)
-    fields: tuple[MessageField, ...] = always("Fields", "Its fields, in order.", strict=False)
+    constants: Listed[MessageConstant] = always("Constants", "Its constants.")
+    fields: Listed[MessageField] = always("Fields", "Its fields, in order.")
 
 
 class Service(WireModel):
@@ -231,8 +227,8 @@ class Service(WireModel):
 
     name: RosMessage = always("Name", "Name of the service.")
     description: Text = always("Description", "What it does.")
-    request: tuple[MessageField, ...] = always("Request", "Fields of the request.", strict=False)
-    response: tuple[MessageField, ...] = always("Response", "Fields of the response.", strict=False)
+    request: Listed[MessageField] = always("Request", "Fields of the request.")
+    response: Listed[MessageField] = always("Response", "Fields of the response.")
 
 
 class Transition(WireModel):
@@ -242,9 +238,9 @@ class Transition(WireModel):
     callback: RosName = always("Callback", "Callback of the lifecycle node.")
     start: Name = always("From", "State or states before.")
     end: Name = always("To", "State after.")
-    runnables: tuple[CallName, ...] = always("Runnables", "Calls that are made, in order.", strict=False)
-    starts: tuple[CallName, ...] = always("Starts", "Calls whose timer or trigger starts.", strict=False)
-    stops: tuple[CallName, ...] = always("Stops", "Calls whose timer or trigger stops.", strict=False)
+    runnables: Listed[CallName] = always("Runnables", "Calls that are made, in order.")
+    starts: Listed[CallName] = always("Starts", "Calls whose timer or trigger starts.")
+    stops: Listed[CallName] = always("Stops", "Calls whose timer or trigger stops.")
 
 
 class Schedule(WireModel):
@@ -255,10 +251,10 @@ class Schedule(WireModel):
     period: Number | None = own("Period", "Period of the timer.", unit="ms")
     offset: Number | None = own("Offset", "Delay of the timer's first call.", unit="ms")
     debounce: Number | None = own("Debounce", "Shortest time between calls.", unit="ms")
-    topics: tuple[RosTopicName, ...] = always("Topics", "Topics whose values trigger the call.", strict=False)
+    topics: Listed[RosTopicName] = always("Topics", "Topics whose values trigger the call.")
     after: Name | None = own("After", "Calls of the node that it follows.")
     thread_priority: Integer | None = own("ThreadPriority", "Priority of the thread under SCHED_FIFO.")
-    modes: tuple[Name, ...] | None = own("ActiveModes", "Modes in which it runs; absent if in all.", strict=False)
+    modes: Listed[Name] | None = own("ActiveModes", "Modes in which it runs; absent if in all.")
     alive_min: Number | None = own("AliveMin", "Fewest calls in the reference.")
     alive_max: Number | None = own("AliveMax", "Most calls in the reference.")
     alive_reference: Number | None = own("AliveReference", "Cycles counted.")
@@ -308,7 +304,7 @@ class Diagnostic(WireModel):
     )
     reset_time: Number | None = own("ResetTime", "Time until reset.", unit="ms")
     reset_condition: Text | None = own("ResetCondition", "Condition of the reset, as text.")
-    dependencies: tuple[Name, ...] = always("Dependencies", "Names of statuses that set this error too.", strict=False)
+    dependencies: Listed[Name] = always("Dependencies", "Names of statuses that set this error too.")
     vss_path: VssPath | None = own("VssPath", "Path in the catalogue.")
 
 
@@ -318,7 +314,7 @@ class ConditionMonitor(WireModel):
     condition: InterfaceName = always("SafetyReaction", "Name of the interface.")
     description: Text = always("Description", "What the condition means.")
     topic: RosTopicName = always("TopicName", "Topic on which the node tells it.")
-    statuses: tuple[Name, ...] = always("Statuses", "Names of the diagnostic statuses of its errors.", strict=False)
+    statuses: Listed[Name] = always("Statuses", "Names of the diagnostic statuses of its errors.")
     provider: Text | None = own("Provider", "Who informs of the condition, as the deployment names it.")
     variable_type: CDefinition = always("VariableDataType", "Datatype in the code.")
     vss_path: VssPath | None = own("VssPath", "Path in the catalogue.")
@@ -348,22 +344,22 @@ class RosNode(WireModel):
     component: ComponentName = always("ComponentName", "Component that it runs.")
     executable: RosName = always("Executable", "Executable that runs this node alone.")
     plugin: RosPlugin = always("Plugin", "Class of the node, as a component container loads it.")
-    transitions: tuple[Transition, ...] = always("Lifecycle", "Transitions.", strict=False)
-    schedules: tuple[Schedule, ...] = always("Schedules", "When calls run.", strict=False)
-    parameters: tuple[RosParameter, ...] = always("Parameters", "Parameters.", strict=False)
-    modes: tuple[StatusTopic, ...] = always("ModeTopics", "Topics of modes.", strict=False)
-    error_topics: tuple[StatusTopic, ...] = always(
-        "ErrorTopics", "Topics of its errors, and of those of others on which they depend.", strict=False
+    transitions: Listed[Transition] = always("Lifecycle", "Transitions.")
+    schedules: Listed[Schedule] = always("Schedules", "When calls run.")
+    parameters: Listed[RosParameter] = always("Parameters", "Parameters.")
+    modes: Listed[StatusTopic] = always("ModeTopics", "Topics of modes.")
+    error_topics: Listed[StatusTopic] = always(
+        "ErrorTopics", "Topics of its errors, and of those of others on which they depend."
     )
-    reaction_topics: tuple[StatusTopic, ...] = always(
-        "SafetyReactionTopics", "Topics of its safety reactions that it publishes and receives.", strict=False
+    reaction_topics: Listed[StatusTopic] = always(
+        "SafetyReactionTopics", "Topics of its safety reactions that it publishes and receives."
     )
-    diagnostics: tuple[Diagnostic, ...] = always("Diagnostics", "Statuses of errors.", strict=False)
+    diagnostics: Listed[Diagnostic] = always("Diagnostics", "Statuses of errors.")
     diagnostics_topic: RosTopicName = always("DiagnosticsTopic", "Topic of the statuses.")
     scheduling_policy: SchedulingPolicy | None = own(
         "SchedulingPolicy", "Policy of the thread that runs its calls; other if absent."
     )
-    conditions: tuple[ConditionMonitor, ...] = always("SafetyReactions", "Safety conditions.", strict=False)
+    conditions: Listed[ConditionMonitor] = always("SafetyReactions", "Safety conditions.")
 
 
 class Package(WireModel):
@@ -375,33 +371,31 @@ class Package(WireModel):
     maintainer: Text = always("Maintainer", "Who maintains it.")
     email: Email = always("MaintainerEmail", "Mail address of the maintainer.")
     license: Text = always("License", "License.")
-    dependencies: tuple[RosName, ...] = always("Dependencies", "Packages that it needs.", strict=False)
+    dependencies: Listed[RosName] = always("Dependencies", "Packages that it needs.")
 
 
 class InterfacePackage(Package):
     """A package of messages and services."""
 
-    messages: tuple[Message, ...] = always("Messages", "Messages.", strict=False)
-    services: tuple[Service, ...] = always("Services", "Services.", strict=False)
+    messages: Listed[Message] = always("Messages", "Messages.")
+    services: Listed[Service] = always("Services", "Services.")
 
 
 class NodePackage(Package):
     """A package of nodes."""
 
-    nodes: tuple[RosNode, ...] = always("Nodes", "Its nodes.", strict=False)
+    nodes: Listed[RosNode] = always("Nodes", "Its nodes.")
     bond: bool | None = own("Bond", "Whether its nodes send heartbeats to their lifecycle manager; no if absent.")
 
 
 class Ros2Integration(FunctionJson):
     """The whole document."""
 
-    communications: tuple[Communication, ...] = published(
-        "CommunicationList", "What each call exchanges.", strict=False
+    communications: Listed[Communication] = published("CommunicationList", "What each call exchanges.")
+    interface_packages: Listed[InterfacePackage] | None = own(
+        "InterfacePackageList", "Packages of messages and services."
     )
-    interface_packages: tuple[InterfacePackage, ...] | None = own(
-        "InterfacePackageList", "Packages of messages and services.", strict=False
-    )
-    node_packages: tuple[NodePackage, ...] | None = own("NodePackageList", "Packages of nodes.", strict=False)
+    node_packages: Listed[NodePackage] | None = own("NodePackageList", "Packages of nodes.")
     functions: tuple[FunctionJson, ...] | None = source_functions()
 
 

@@ -12,7 +12,7 @@ from sigcat.function.document.field_types import (
     SourceFile,
 )
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.wire import Integer, Number, WireModel, always, own
+from sigcat.function.function_json.wire import Integer, Listed, Number, WireModel, always, own
 
 AccessKind = Literal[
     "ImplicitRead",
@@ -58,11 +58,9 @@ class Runnable(WireModel):
     description: Text | None = own("Description", "What it does.")
     concurrent: bool = always("CanBeInvokedConcurrently", "Whether it may run twice at the same time.")
     minimum_start_interval: Number = always("MinimumStartInterval", "Shortest time between two starts.", unit="s")
-    accesses: tuple[Access, ...] = always("Accesses", "What it does with ports.", strict=False)
-    exclusive_areas: tuple[ShortName, ...] = always("ExclusiveAreas", "Exclusive areas that it enters.", strict=False)
-    parameters: tuple[ShortName, ...] | None = own(
-        "Parameters", "Internal calibration parameters that it reads.", strict=False
-    )
+    accesses: Listed[Access] = always("Accesses", "What it does with ports.")
+    exclusive_areas: Listed[ShortName] = always("ExclusiveAreas", "Exclusive areas that it enters.")
+    parameters: Listed[ShortName] | None = own("Parameters", "Internal calibration parameters that it reads.")
     stack_size: Integer | None = own("StackSize", "Stack that the call needs.", unit="bytes")
     asil_level: Name | None = own("AsilLevel", "ASIL that it is implemented to.")
     section: ShortName = always("Section", "Memory section of its code: CODE, or with its ASIL.")
@@ -110,7 +108,7 @@ class InternalParameter(WireModel):
     name: ShortName = always("Name", "Name of the parameter, as in Rte_CData_<name>.")
     type: ShortName = always("Type", "Name of its application type.")
     init: object = own("InitValue", "Its value.")
-    uses: tuple[ParameterName, ...] = always("Uses", "Names of the parameters of the function behind it.", strict=False)
+    uses: Listed[ParameterName] = always("Uses", "Names of the parameters of the function behind it.")
 
 
 class MemorySection(WireModel):

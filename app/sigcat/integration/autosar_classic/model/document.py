@@ -8,7 +8,7 @@ from sigcat.function.document.field_types import DATE, VERSION, Carried, Functio
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.wire import Integer, WireModel, always, own, written
+from sigcat.function.function_json.wire import Integer, Listed, WireModel, always, own, written
 from sigcat.integration.autosar_classic.model.behaviour import (
     Event,
     ExclusiveArea,
@@ -53,7 +53,7 @@ class ApplicationInformation(WireModel):
     name: Name = always("Name", "Name of the application.")
     responsible: Text = always("Responsible", "Who answers for it.")
     description: Text = always("Description", "What it does.")
-    functions: tuple[FunctionName, ...] = always("Functions", "Names of the functions.", strict=False)
+    functions: Listed[FunctionName] = always("Functions", "Names of the functions.")
 
 
 class Component(WireModel):
@@ -64,21 +64,19 @@ class Component(WireModel):
     function: FunctionName = always("Function", "Name of the function.")
     version: Version | None = own("Version", "Version of the function.")
     description: Text | None = own("Description", "What the function does.")
-    ports: tuple[Port, ...] = always("Ports", "Ports, by name.", strict=False)
-    runnables: tuple[Runnable, ...] = always("Runnables", "Runnables.", strict=False)
-    events: tuple[Event, ...] = always("Events", "What starts them.", strict=False)
-    exclusive_areas: tuple[ExclusiveArea, ...] = always("ExclusiveAreas", "Exclusive areas.", strict=False)
-    memories: tuple[PerInstanceMemory, ...] = always("PerInstanceMemories", "Memories.", strict=False)
-    parameters: tuple[InternalParameter, ...] = always("InternalParameters", "Internal parameters.", strict=False)
-    nv_blocks: tuple[NvBlock, ...] = always("NvBlocks", "Blocks of the NVRAM manager.", strict=False)
-    diagnostic_events: tuple[DiagnosticEvent, ...] = always("DiagnosticEvents", "Events of the DEM.", strict=False)
-    supervised_entities: tuple[SupervisedEntity, ...] = always(
-        "SupervisedEntities", "Supervised entities of the watchdog manager.", strict=False
+    ports: Listed[Port] = always("Ports", "Ports, by name.")
+    runnables: Listed[Runnable] = always("Runnables", "Runnables.")
+    events: Listed[Event] = always("Events", "What starts them.")
+    exclusive_areas: Listed[ExclusiveArea] = always("ExclusiveAreas", "Exclusive areas.")
+    memories: Listed[PerInstanceMemory] = always("PerInstanceMemories", "Memories.")
+    parameters: Listed[InternalParameter] = always("InternalParameters", "Internal parameters.")
+    nv_blocks: Listed[NvBlock] = always("NvBlocks", "Blocks of the NVRAM manager.")
+    diagnostic_events: Listed[DiagnosticEvent] = always("DiagnosticEvents", "Events of the DEM.")
+    supervised_entities: Listed[SupervisedEntity] = always(
+        "SupervisedEntities", "Supervised entities of the watchdog manager."
     )
-    inhibitions: tuple[Inhibition, ...] = always(
-        "Inhibitions", "Function identifiers that its safety conditions inhibit.", strict=False
-    )
-    sections: tuple[MemorySection, ...] = always("MemorySections", "Memory sections.", strict=False)
+    inhibitions: Listed[Inhibition] = always("Inhibitions", "Function identifiers that its safety conditions inhibit.")
+    sections: Listed[MemorySection] = always("MemorySections", "Memory sections.")
     asil_level: Name = always("AsilLevel", "Highest ASIL of its calls and interfaces.")
     code: CodeInterface | None = own("Code", "How the code of the function is compiled and called.")
 
@@ -87,7 +85,7 @@ class ParameterComponent(WireModel):
     """A component that has nothing but the values of calibration parameters."""
 
     name: ShortName = always("Name", "Name of the component type.")
-    ports: tuple[Port, ...] = always("Ports", "Ports that provide parameters.", strict=False)
+    ports: Listed[Port] = always("Ports", "Ports that provide parameters.")
 
 
 class ClassicDeployment(WireModel):
@@ -104,37 +102,27 @@ class ClassicIntegration(WireModel):
     meta: MetaInformation = always("MetaInformation", "Who is responsible, and the version.")
     info: ApplicationInformation = always("ApplicationInformation", "Identity of the application.")
     deployment: ClassicDeployment = always("ClassicDeployment", "What ARXML and code take beside the elements.")
-    units: tuple[Unit, ...] = always("Units", "Units, by name.", strict=False)
-    compu_methods: tuple[CompuMethod, ...] = always("CompuMethods", "What numbers mean, by name.", strict=False)
-    constraints: tuple[DataConstraint, ...] = always("DataConstraints", "Ranges, by name.", strict=False)
-    implementation_types: tuple[ImplementationType, ...] = always(
-        "ImplementationTypes", "Datatypes of the code, each after those that it has in it.", strict=False
+    units: Listed[Unit] = always("Units", "Units, by name.")
+    compu_methods: Listed[CompuMethod] = always("CompuMethods", "What numbers mean, by name.")
+    constraints: Listed[DataConstraint] = always("DataConstraints", "Ranges, by name.")
+    implementation_types: Listed[ImplementationType] = always(
+        "ImplementationTypes", "Datatypes of the code, each after those that it has in it."
     )
-    application_types: tuple[ApplicationType, ...] = always(
-        "ApplicationTypes", "What values mean, each after those that it has in it.", strict=False
+    application_types: Listed[ApplicationType] = always(
+        "ApplicationTypes", "What values mean, each after those that it has in it."
     )
-    mode_groups: tuple[ModeGroup, ...] = always("ModeGroups", "Mode declaration groups, by name.", strict=False)
-    sender_receiver_interfaces: tuple[SenderReceiverInterface, ...] = always(
-        "SenderReceiverInterfaces", "Data, by name.", strict=False
-    )
-    client_server_interfaces: tuple[ClientServerInterface, ...] = always(
-        "ClientServerInterfaces", "Operations, by name.", strict=False
-    )
-    mode_switch_interfaces: tuple[ModeSwitchInterface, ...] = always(
-        "ModeSwitchInterfaces", "Modes, by name.", strict=False
-    )
-    parameter_interfaces: tuple[ParameterInterface, ...] = always(
-        "ParameterInterfaces", "Calibration parameters, by name.", strict=False
-    )
-    components: tuple[Component, ...] = always("Components", "Component types, by name.", strict=False)
-    parameter_components: tuple[ParameterComponent, ...] = always(
-        "ParameterComponents", "Component types with parameter values, by name.", strict=False
+    mode_groups: Listed[ModeGroup] = always("ModeGroups", "Mode declaration groups, by name.")
+    sender_receiver_interfaces: Listed[SenderReceiverInterface] = always("SenderReceiverInterfaces", "Data, by name.")
+    client_server_interfaces: Listed[ClientServerInterface] = always("ClientServerInterfaces", "Operations, by name.")
+    mode_switch_interfaces: Listed[ModeSwitchInterface] = always("ModeSwitchInterfaces", "Modes, by name.")
+    parameter_interfaces: Listed[ParameterInterface] = always("ParameterInterfaces", "Calibration parameters, by name.")
+    components: Listed[Component] = always("Components", "Component types, by name.")
+    parameter_components: Listed[ParameterComponent] = always(
+        "ParameterComponents", "Component types with parameter values, by name."
     )
     composition: Composition = always("Composition", "How components are connected.")
     ecu: Ecu = always("Ecu", "The ECU, its signals and tasks.")
-    provenance: tuple[dict[Name, Carried], ...] | None = own(
-        "Provenance", "What each function was made from.", strict=False
-    )
+    provenance: Listed[dict[Name, Carried]] | None = own("Provenance", "What each function was made from.")
     functions: tuple[FunctionJson, ...] | None = source_functions()
 
 

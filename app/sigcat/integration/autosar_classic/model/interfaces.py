@@ -4,7 +4,7 @@ from typing import Literal
 
 from sigcat.function.document.field_types import Name, ShortName, UnitKey, VssPath
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.wire import Integer, WireModel, always, own
+from sigcat.function.function_json.wire import Integer, Listed, WireModel, always, own
 
 Kind = Literal["SenderReceiver", "ClientServer", "ModeSwitch", "Parameter"]
 """Kind of a port interface."""
@@ -25,7 +25,7 @@ class SenderReceiverInterface(WireModel):
     """Data that one component sends and others receive."""
 
     name: ShortName = always("Name", "Name of the interface.")
-    elements: tuple[DataElement, ...] = always("Elements", "Data elements.", strict=False)
+    elements: Listed[DataElement] = always("Elements", "Data elements.")
     description: Text | None = own("Description", "What it carries.")
 
 
@@ -33,7 +33,7 @@ class ParameterInterface(WireModel):
     """Calibration parameters."""
 
     name: ShortName = always("Name", "Name of the interface.")
-    elements: tuple[DataElement, ...] = always("Elements", "Parameters.", strict=False)
+    elements: Listed[DataElement] = always("Elements", "Parameters.")
 
 
 class OperationArgument(WireModel):
@@ -56,8 +56,8 @@ class Operation(WireModel):
     """An operation of a client-server interface."""
 
     name: ShortName = always("Name", "Name of the operation.")
-    arguments: tuple[OperationArgument, ...] = always("Arguments", "Arguments, in order.", strict=False)
-    errors: tuple[Name, ...] | None = own("PossibleErrors", "Names of the errors that it can return.", strict=False)
+    arguments: Listed[OperationArgument] = always("Arguments", "Arguments, in order.")
+    errors: Listed[Name] | None = own("PossibleErrors", "Names of the errors that it can return.")
     description: Text | None = own("Description", "What it does.")
 
 
@@ -65,10 +65,8 @@ class ClientServerInterface(WireModel):
     """Operations that one component offers and others call; or a service of the base software."""
 
     name: ShortName = always("Name", "Name of the interface.")
-    operations: tuple[Operation, ...] = always("Operations", "Operations.", strict=False)
-    errors: tuple[ApplicationError, ...] | None = own(
-        "ApplicationErrors", "Errors that operations return.", strict=False
-    )
+    operations: Listed[Operation] = always("Operations", "Operations.")
+    errors: Listed[ApplicationError] | None = own("ApplicationErrors", "Errors that operations return.")
     service: Name | None = own(
         "ServiceKind",
         "Module of the base software that offers it: DiagnosticEventManager, NvRamManager, WatchdogManager, FunctionInhibitionManager; "

@@ -4,7 +4,7 @@ from typing import Literal
 
 from sigcat.function.document.field_types import CallName, ErrorName, Name, ParameterName, ShortName
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.wire import Integer, Number, WireModel, always, own
+from sigcat.function.function_json.wire import Integer, Listed, Number, WireModel, always, own
 
 
 class NvBlock(WireModel):
@@ -13,10 +13,8 @@ class NvBlock(WireModel):
     name: ShortName = always("Name", "Name of the need.")
     memory: ShortName = always("PerInstanceMemory", "Memory of the component that is its RAM block.")
     port: ShortName = always("Port", "Service port through which its state is asked and set.")
-    parameters: tuple[ParameterName, ...] = always(
-        "Parameters", "Parameters whose values are kept in it.", strict=False
-    )
-    errors: tuple[ErrorName, ...] = always("Errors", "Errors whose counts are kept in it.", strict=False)
+    parameters: Listed[ParameterName] = always("Parameters", "Parameters whose values are kept in it.")
+    errors: Listed[ErrorName] = always("Errors", "Errors whose counts are kept in it.")
     reliability: Literal["NO-PROTECTION", "ERROR-DETECTION", "ERROR-CORRECTION"] = always(
         "Reliability", "How it is protected: a checksum, and a second copy above QM."
     )
@@ -44,9 +42,7 @@ class Inhibition(WireModel):
 
     name: ShortName = always("Name", "Name of the function identifier.")
     condition: Name = always("Condition", "Safety condition that it represents.")
-    events: tuple[ErrorName, ...] = always(
-        "Events", "Errors, each of which takes the permission away while it is failed.", strict=False
-    )
+    events: Listed[ErrorName] = always("Events", "Errors, each of which takes the permission away while it is failed.")
     mask: Literal["LAST_FAILED"] = always("Mask", "LAST_FAILED: while the last test has failed.")
 
 
@@ -94,9 +90,7 @@ class SupervisedEntity(WireModel):
     """A supervised entity of the watchdog manager."""
 
     name: ShortName = always("Name", "Name of the entity.")
-    checkpoints: tuple[Checkpoint, ...] = always("Checkpoints", "Checkpoints.", strict=False)
-    alive: tuple[AliveSupervision, ...] = always("Alive", "Alive supervisions.", strict=False)
-    deadlines: tuple[DeadlineSupervision, ...] = always("Deadline", "Deadline supervisions.", strict=False)
-    transitions: tuple[LogicalTransition, ...] = always(
-        "Logical", "Transitions of the logical supervision.", strict=False
-    )
+    checkpoints: Listed[Checkpoint] = always("Checkpoints", "Checkpoints.")
+    alive: Listed[AliveSupervision] = always("Alive", "Alive supervisions.")
+    deadlines: Listed[DeadlineSupervision] = always("Deadline", "Deadline supervisions.")
+    transitions: Listed[LogicalTransition] = always("Logical", "Transitions of the logical supervision.")

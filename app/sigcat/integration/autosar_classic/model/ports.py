@@ -6,7 +6,7 @@ from pydantic import Field
 
 from sigcat.function.document.field_types import CallName, FunctionName, InterfaceName, Name, ShortName
 from sigcat.function.document.text import AnyValue, Text
-from sigcat.function.function_json.wire import Integer, Number, WireModel, always, own
+from sigcat.function.function_json.wire import Integer, Listed, Number, WireModel, always, own
 from sigcat.integration.autosar_classic.model.interfaces import Kind
 
 
@@ -63,7 +63,7 @@ class Element(WireModel):
         "TransformerErrors", "Whether the RTE reports what end-to-end protection has rejected, for the core."
     )
     windows: E2eWindows | None = own("E2eWindows", "Windows of the state machine that checks the received data.")
-    uses: tuple[Use, ...] | None = own("Uses", "Interfaces of the function behind it.", strict=False)
+    uses: Listed[Use] | None = own("Uses", "Interfaces of the function behind it.")
 
 
 class Port(WireModel):
@@ -73,7 +73,7 @@ class Port(WireModel):
     direction: Literal["Required", "Provided"] = always("Direction", "Required or Provided.")
     kind: Kind = always("Kind", "Kind of its interface.")
     interface: ShortName = always("Interface", "Name of its interface.")
-    elements: tuple[Element, ...] = always("Elements", "Elements that are used, with their attributes.", strict=False)
+    elements: Listed[Element] = always("Elements", "Elements that are used, with their attributes.")
     service: Name | None = own(
         "ServiceKind", "Module of the base software that it is connected to, if it is a service port."
     )

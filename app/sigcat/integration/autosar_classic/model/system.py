@@ -4,7 +4,7 @@ from typing import Literal
 
 from sigcat.function.document.field_types import ShortName
 from sigcat.function.document.text import AnyValue, Text
-from sigcat.function.function_json.wire import Integer, Number, WireModel, always, own
+from sigcat.function.function_json.wire import Integer, Listed, Number, WireModel, always, own
 from sigcat.integration.autosar_classic.model.interfaces import Kind
 
 
@@ -53,10 +53,10 @@ class Composition(WireModel):
     """The components and how they are connected."""
 
     name: ShortName = always("Name", "Name of the composition.")
-    prototypes: tuple[Prototype, ...] = always("Components", "Components.", strict=False)
-    ports: tuple[OuterPort, ...] = always("Ports", "Ports to the outside.", strict=False)
-    assemblies: tuple[Assembly, ...] = always("Assemblies", "Connections between components.", strict=False)
-    delegations: tuple[Delegation, ...] = always("Delegations", "Connections to the outside.", strict=False)
+    prototypes: Listed[Prototype] = always("Components", "Components.")
+    ports: Listed[OuterPort] = always("Ports", "Ports to the outside.")
+    assemblies: Listed[Assembly] = always("Assemblies", "Connections between components.")
+    delegations: Listed[Delegation] = always("Delegations", "Connections to the outside.")
 
 
 class SystemSignal(WireModel):
@@ -87,7 +87,7 @@ class Task(WireModel):
     period: Number | None = own("Period", "Period, if it is cyclic.", unit="s")
     offset: Number | None = own("Offset", "Offset of the first activation.", unit="s")
     stack_size: Integer | None = own("StackSize", "Largest stack that one of its runnables needs.", unit="bytes")
-    events: tuple[TaskEvent, ...] = always("Events", "Events, in the order in which their runnables run.", strict=False)
+    events: Listed[TaskEvent] = always("Events", "Events, in the order in which their runnables run.")
     reason: Text = always("Reason", "What led to it.")
 
 
@@ -95,9 +95,7 @@ class InitBatch(WireModel):
     """Runnables that run one after the other before anything else does: `Rte_Init_<Name>`, which the ECU's state manager calls."""
 
     name: ShortName = always("Name", "Name of the batch.")
-    events: tuple[TaskEvent, ...] = always(
-        "Events", "Init events, in the order in which their runnables run.", strict=False
-    )
+    events: Listed[TaskEvent] = always("Events", "Init events, in the order in which their runnables run.")
     reason: Text = always("Reason", "What led to it.")
 
 
@@ -105,8 +103,6 @@ class Ecu(WireModel):
     """The ECU that runs the components."""
 
     name: ShortName = always("Name", "Name of the ECU.")
-    signals: tuple[SystemSignal, ...] = always("Signals", "Data elements that travel over a bus.", strict=False)
-    init_batches: tuple[InitBatch, ...] = always(
-        "InitBatches", "What runs before the tasks do.", default=(), strict=False
-    )
-    tasks: tuple[Task, ...] = always("Tasks", "Tasks, the highest priority first.", strict=False)
+    signals: Listed[SystemSignal] = always("Signals", "Data elements that travel over a bus.")
+    init_batches: Listed[InitBatch] = always("InitBatches", "What runs before the tasks do.", default=())
+    tasks: Listed[Task] = always("Tasks", "Tasks, the highest priority first.")

@@ -4,7 +4,7 @@ from typing import Literal
 
 from sigcat.function.document.field_types import CIdentifier, NumberText, ShortName, UnitKey
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.wire import Integer, Number, WireModel, always, own
+from sigcat.function.function_json.wire import Integer, Listed, Number, WireModel, always, own
 
 
 class Symbol(WireModel):
@@ -33,7 +33,7 @@ class CompuMethod(WireModel):
         "Factor", "Value = number × factor + offset; exact: a decimal number or a fraction."
     )
     offset: NumberText | None = own("Offset", "Offset of that.")
-    symbols: tuple[Symbol, ...] | None = own("Symbols", "Values of an enumeration.", strict=False)
+    symbols: Listed[Symbol] | None = own("Symbols", "Values of an enumeration.")
 
 
 class DataConstraint(WireModel):
@@ -67,7 +67,7 @@ class ImplementationType(WireModel):
     )
     element: ShortName | None = own("ElementType", "Implementation type of the elements of an array.")
     length: Integer | None = own("Length", "Elements of an array.")
-    members: tuple[TypeMember, ...] | None = own("Members", "Members of a structure, in order.", strict=False)
+    members: Listed[TypeMember] | None = own("Members", "Members of a structure, in order.")
     compu_method: ShortName | None = own("CompuMethod", "Name of the method of an enumeration.")
     literal_prefix: CIdentifier | None = own(
         "LiteralPrefix", "What the names of its values begin with in C, where two enumerations may have one name."
@@ -88,7 +88,7 @@ class ApplicationType(WireModel):
     unit: ShortName | None = own("Unit", "Name of the unit.")
     element: ShortName | None = own("ElementType", "Application type of the elements of an array.")
     length: Integer | None = own("Length", "Elements of an array.")
-    members: tuple[TypeMember, ...] | None = own("Members", "Members of a structure, in order.", strict=False)
+    members: Listed[TypeMember] | None = own("Members", "Members of a structure, in order.")
     description: Text | None = own("Description", "What the values mean.")
 
 
@@ -103,7 +103,7 @@ class ModeGroup(WireModel):
     """A mode declaration group: the modes of an interface."""
 
     name: ShortName = always("Name", "Name of the group.")
-    modes: tuple[ModeNumber, ...] = always("Modes", "Modes, in the order of the declaration.", strict=False)
+    modes: Listed[ModeNumber] = always("Modes", "Modes, in the order of the declaration.")
     initial: ShortName = always("InitialMode", "Mode in which the mode machine starts.")
     type: ShortName = always("Type", "Implementation type that holds a mode.")
     on_transition: Integer = always("OnTransitionValue", "Number that Rte_Mode returns during a transition.")
