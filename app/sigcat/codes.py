@@ -58,6 +58,7 @@ EXPORTER_WARNS = RuleCode("X002", "warning")
 NAME_WITH_SLASH = RuleCode("X003", "error")
 ATTRIBUTE_LEFT_OUT = RuleCode("X004", "warning")
 TEXT_LEAVES_COMMENT = RuleCode("X005", "warning")
+VALUE_NAME_TAKEN = RuleCode("X006", "warning")
 
 # function
 NOT_JSON = RuleCode("F001", "error")

@@ -10,6 +10,7 @@ from sigcat.catalogue.exporting.files import Export, ExportedFile
 from sigcat.catalogue.exporting.options import checked_options
 from sigcat.catalogue.exporting.shared_options import STRICT
 from sigcat.catalogue.exporting.stopping import stops_export
+from sigcat.catalogue.exporting.value_names import value_name_findings
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.definition import Definition, instances_of
 from sigcat.errors import InputRefused, UsageError
@@ -49,7 +50,9 @@ def exported(
     refuse_unfit(catalogue, exporter, checked)
     name = output_name or f"{catalogue.roots[0].name}{exporter.suffix}"
     made = exporter.run(Job(exporter, catalogue, checked, name, timeout, memory))
-    return made._replace(findings=(*made.findings, *_texts_that_leave(catalogue))) if exporter.is_unescaped else made
+    texts = _texts_that_leave(catalogue) if exporter.is_unescaped else ()
+    names = value_name_findings(catalogue) if exporter.has_value_names else ()
+    return made._replace(findings=(*made.findings, *texts, *names))
 
 
 def refuse_unfit(catalogue: Catalogue, exporter: Exporter, options: Mapping[str, Any]) -> None:

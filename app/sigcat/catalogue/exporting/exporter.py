@@ -62,6 +62,8 @@ class Exporter(NamedTuple):
     """Whether it writes struct types into separate files, next to the main one."""
     is_unescaped: bool = False
     """Whether it writes descriptions and comments as they are between marks of comments or texts."""
+    has_value_names: bool = False
+    """Whether each allowed value is a name in the scope of its branch."""
     output_also: tuple[str, ...] = ()
     """Other spellings of `--output` on the command line, with their dashes: those of vss-tools."""
 

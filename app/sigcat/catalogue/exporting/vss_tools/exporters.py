@@ -168,7 +168,7 @@ VSS_TOOLS = (
     _file("jsonschema", "JSON Schema of the values", ".json", "application/schema+json", *_JSON_SCHEMA),
     _file("id", "static ids of all nodes", ".yaml", "application/yaml", *_ID, has_types_beside=True),
     _file("tree", "tree as text", ".txt", "text/plain", EXPAND, _ATTRIBUTES, is_unescaped=True),
-    _file("protobuf", "Protocol Buffers messages", ".proto", "text/plain", *_PROTOBUF, has_types_beside=True)._replace(run=_run_numbered),
+    _file("protobuf", "Protocol Buffers messages", ".proto", "text/plain", *_PROTOBUF, has_types_beside=True, has_value_names=True)._replace(run=_run_numbered),
     _file("ddsidl", "DDS IDL", ".idl", "text/plain", Option("all-idl-features", "flag", "use all of IDL 4.2"), is_unescaped=True),
     _file("franca", "Franca IDL", ".fidl", "text/plain", Option("franca-vss-version", "text", "version to write into the file"), is_unescaped=True),
     _file("plantuml", "PlantUML class diagram", ".puml", "text/plain", EXPAND, _ATTRIBUTES),
