@@ -34,7 +34,7 @@ Vehicle.Engine: {type: branch, description: Engine.}
 Vehicle.Engine.Coolant: {type: sensor, datatype: float, unit: celsius, description: Coolant temperature.}
 Vehicle.Mode: {type: actuator, datatype: string, allowed: [A, B, C], description: Mode.}
 Vehicle.Drive: {type: branch, description: Drive.}
-Vehicle.Drive.Profile: {type: actuator, datatype: string, allowed: [ECO, SPORT], description: Profile of the drive.}
+Vehicle.Drive.Profile: {type: actuator, datatype: string, allowed: [ECO, SPORT, RACE], description: Profile of the drive.}
 Vehicle.Gear: {type: actuator, datatype: uint8, enum: {P: 0, DRIVE: 1}, description: Gear.}
 Vehicle.Level: {type: sensor, datatype: uint8, unit: l, description: Level.}
 Vehicle.Light: {type: branch, description: Lights.}
@@ -88,6 +88,11 @@ class Sides:
     def text(self, name: str) -> str:
         """Return the text of a file, its line ends as they are."""
         return (self.folder / name).read_bytes().decode()
+
+    def decide(self, entry: str, more: str) -> None:
+        """Add to an entry of the table."""
+        table = self._trees / "table.yaml"
+        table.write_text(table.read_text().replace(entry, entry + more))
 
     def run(self, *options: str, back: bool = False) -> Result:
         """Migrate the folder."""

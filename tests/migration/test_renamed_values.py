@@ -80,6 +80,34 @@ def test_a_value_that_is_gone_is_reported_at_its_place(sides, name):
     assert result.messages.count("D004") == 1
 
 
+def test_what_is_left_is_reported_until_it_is_decided(sides):
+    before = "time,Vehicle.Profile,Vehicle.Gear\n0,SLOW,DRIVE\n1,OLD,PARK\n"
+    sides.write("drive.csv", before)
+    for _ in range(2):
+        result = sides.run()
+        assert (result.status, result.messages.count("D004")) == (1, 1)
+        assert sides.text("drive.csv") == "time,Vehicle.Profile,Vehicle.Gear\n0,SLOW,DRIVE\n1,OLD,P\n"
+    sides.decide("values:\n  Vehicle.Profile: {SLOW: ECO", ", OLD: RACE")
+    assert sides.run().status == 0
+    assert sides.text("drive.csv") == "time,Vehicle.Drive.Profile,Vehicle.Gear\n0,ECO,DRIVE\n1,RACE,P\n"
+
+
+@pytest.mark.parametrize("option", ["--write-table", "--report"])
+@pytest.mark.parametrize("name", ["drive.csv", "overlay.vspec", "faults.yaml"])
+def test_no_file_of_the_project_is_lost_to_an_output(sides, option, name):
+    before, _ = FILES[name]
+    path = sides.write(name, before)
+    result = sides.run(option, str(path))
+    assert (result.status, sides.text(name)) == (2, before)
+    assert f"{path} is read by this command and would be lost" in result.messages
+
+
+def test_a_table_is_written_again(sides):
+    for _ in range(2):
+        assert sides.run("--write-table", str(sides.folder / "moves.yaml")).status == 0
+    assert sides.text("moves.yaml").startswith("from:")
+
+
 def test_the_way_back_restores_names_of_the_same_numbers(sides):
     before, after = FILES["faults.yaml"]
     sides.write("faults.yaml", after)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from sigcat.cli.compared_sides import SIDES, add_options_of_sides, changes_between, read_compared
 from sigcat.cli.output import print_findings, write_text
-from sigcat.cli.output_options import add_output
+from sigcat.cli.output_options import add_output, refuse_overwriting
 from sigcat.cli.project_options import project_of
 from sigcat.errors import UsageError
 
@@ -57,14 +57,15 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def migrate(arguments: argparse.Namespace) -> int:
     """Migrate files; 1 if something is left to decide, or would change with --check."""
-    from sigcat.migration.migrate import Options, migrated_files
+    from sigcat.migration.migrate import Options, migratable, migrated_files
     from sigcat.migration.report import markdown, summary
 
     sides = read_compared(arguments, arguments.old, arguments.new)
-    if arguments.write_table is not None:
-        return _write_table(sides, arguments.write_table)
     project = project_of(arguments)
     folder = project.file.parent if project.file is not None else Path()
+    refuse_overwriting(arguments, migratable(arguments.paths or [folder]))
+    if arguments.write_table is not None:
+        return _write_table(sides, arguments.write_table)
     options = Options(tuple(arguments.table), _choices(arguments.choose), arguments.accept_guesses)
     files, record = migrated_files(arguments.paths or [folder], folder, sides, options)
     if arguments.report is not None:

@@ -22,7 +22,7 @@ from sigcat.migration.include_changes import Included, include_changes, included
 from sigcat.migration.migration import Migration
 from sigcat.migration.overlay_changes import OverlayFile, overlay_changes
 from sigcat.migration.release_changes import pipeline_changes, project_changes
-from sigcat.migration.table import read_table, release_of, tables_between
+from sigcat.migration.table import is_table, read_table, release_of, tables_between
 from sigcat.migration.trace_changes import migrated_trace
 from sigcat.migration.yaml_changes import yaml_changes
 from sigcat.open_files import read_bytes
@@ -94,6 +94,11 @@ def files_in(paths: Sequence[Path]) -> tuple[Path, ...]:
             raise NotFound(f"{path}: there is no such file or folder")
         found.update(dict.fromkeys(_walk(path) if path.is_dir() else (path,)))
     return tuple(found)
+
+
+def migratable(paths: Sequence[Path]) -> Iterator[Path]:
+    """Yield the files below paths that a migration may rewrite. Tables of moves are none. Raises NotFound."""
+    return (path for path in files_in(paths) if _may_change(path) and not is_table(path))
 
 
 def _walk(folder: Path) -> Iterator[Path]:

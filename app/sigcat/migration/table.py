@@ -3,6 +3,7 @@
 Its format is documented in docs/reference/migration-tables.md.
 """
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
 from pathlib import Path
@@ -20,6 +21,8 @@ from sigcat.open_files import read_bytes
 _TABLES = Path(__file__).parent / "tables"
 _KEYS = ("from", "to", "moves", "labels", "values")
 CERTAIN = 1.0
+_HEAD = 4_096
+"""Bytes in which the first key of a table is searched."""
 
 
 class Entry(NamedTuple):
@@ -177,6 +180,14 @@ def shipped_tables() -> tuple[Table, ...]:
 
 
 # -- reading ------------------------------------------------------------------------------------------------------
+
+
+def is_table(path: Path) -> bool:
+    """Whether a file is a table of moves, by its first key."""
+    if path.suffix not in (".yaml", ".yml"):
+        return False
+    with path.open("rb") as file:
+        return re.match(rb"(?:\s*#[^\n]*\n|\s)*from:", file.read(_HEAD)) is not None
 
 
 def read_table(path: Path) -> Table:

@@ -34,11 +34,6 @@ class Conversion(NamedTuple):
     removed: frozenset[str] = frozenset()
     """Values that the new datatype does not have."""
 
-    @property
-    def is_change(self) -> bool:
-        """Whether values change."""
-        return self.linear != IDENTITY or bool(self.names)
-
 
 class Column(NamedTuple):
     """A column after the migration: its cell in the header, its path, and how its values change."""
@@ -76,26 +71,40 @@ def migrated_trace(file: str, data: bytes, migration: Migration, current: Collec
     first, *rows = re.split(r"(?<=\n)", data.decode("utf-8"))
     header = _Header(file, tuple(_cells(first)), migration, current)
     columns = [_column(header, index) for index in range(len(header.cells))]
+    for index, gone in _removed_values(file, rows, columns).items():
+        columns[index] = Column(header.cells[index], header.paths[index], findings=gone)
     conversions = {index: each.conversion for index, each in enumerate(columns) if each.conversion is not None}
     findings = [finding for column in columns for finding in column.findings]
     lines = [_joined([column.name for column in columns], first), *_converted(rows, conversions, file, findings)]
     changes = tuple((1, note) for column in columns for note in column.notes)
-    values = tuple(columns[index].path for index, conversion in conversions.items() if conversion.is_change)
+    values = tuple(columns[index].path for index, each in conversions.items() if each.linear != IDENTITY)
     return Migrated(file, data, "".join(lines).encode(), changes, tuple(findings), values)
+
+
+def _removed_values(file: str, rows: Sequence[str], columns: Sequence[Column]) -> Mapping[int, tuple[Finding, ...]]:
+    """Return the findings about values that the new catalogue does not have, by column. Such a column stays as it is."""
+    found: dict[int, dict[str, Finding]] = {}
+    removed = {
+        index: each.conversion for index, each in enumerate(columns) if each.conversion and each.conversion.removed
+    }
+    for number, row in enumerate(rows, 2) if removed else ():
+        cells = _cells(row)
+        for index, conversion in removed.items():
+            for value in conversion.removed.intersection(_WORD.findall(cells[index])) if index < len(cells) else ():
+                finding = value_removed(conversion.path, value, _place(file, number, cells, index))
+                found.setdefault(index, {}).setdefault(value, finding)
+    return {index: tuple(findings.values()) for index, findings in found.items()}
 
 
 def _converted(
     rows: Sequence[str], conversions: Mapping[int, Conversion], file: str, findings: list[Finding]
 ) -> Iterator[str]:
     """Yield the rows in new units, and add findings about rounded columns."""
-    rounded_paths, reported = set[str](), set[str]()
+    rounded_paths: set[str] = set()
     for number, row in enumerate(rows, 2):
         cells = _cells(row) if conversions else []
         for index, conversion in conversions.items():
             if index < len(cells) and cells[index]:
-                gone = conversion.removed.intersection(_WORD.findall(cells[index])) - reported
-                findings += [value_removed(conversion.path, each, _place(file, number, cells, index)) for each in gone]
-                reported |= gone
                 cell, is_rounded = _value(cells[index], conversion)
                 if is_rounded and conversion.path not in rounded_paths:
                     rounded_paths.add(conversion.path)
@@ -148,7 +157,7 @@ def _column(header: _Header, index: int) -> Column:
     conversion = _conversion(path, fate.path, migration) if path not in header.current else None
     if isinstance(conversion, str):
         return moved._replace(notes=notes, findings=(not_convertible(path, place, conversion),))
-    if conversion is not None and conversion.is_change:
+    if conversion is not None and (conversion.names or not conversion.removed):
         how = "with new names" if conversion.names else "in a new unit"
         notes = (*notes, f"values of `{fate.path}` {how}")
     return moved._replace(conversion=conversion, notes=notes)

@@ -6,7 +6,7 @@ from yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from sigcat.function.function_json.conversion import IDENTITY
 from sigcat.function.importing.yaml_edits import entries_of
-from sigcat.migration.changed_text import Outcome, Place, Replacement, not_convertible, replaced, value_changes
+from sigcat.migration.changed_text import Outcome, Place, not_convertible, replaced, value_changes
 from sigcat.migration.migration import Migration
 from sigcat.migration.numbers import converted_value
 from sigcat.migration.path_changes import path_changes
@@ -46,7 +46,6 @@ def _value(
         return
     named = tuple(value_changes(file, text, [node], (path, fate.path), migration, f"value of `{fate.path}`"))
     if named:
-        values += [fate.path for each in named if isinstance(each, Replacement)]
         yield from named
         return
     change = migration.unit_change(both[0].get("unit"), both[1].get("unit"))
