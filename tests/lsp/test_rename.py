@@ -38,7 +38,7 @@ def test_a_branch_is_renamed_above_its_instances(client: Editor, project: Path) 
 @pytest.mark.parametrize(
     ("text", "name", "message"),
     [
-        ("Cabin.Gas", "Vehicle.Other.Gas", "the last name of a path"),
+        ("Cabin.Gas", "Vehicle.Other.Gas", "changes only the name 'Gas' at the end"),
         ("Cabin.Gas", "two words", "is not a name"),
         ("Cabin.Gas", "Door", "exists"),
         ("Carbon", "Oxygen", "Nothing to rename"),

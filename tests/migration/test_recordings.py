@@ -1,5 +1,7 @@
 """A recording in CSV for the new tree: paths in its header, values in new units, each converted once."""
 
+import pytest
+
 BEFORE = "time,Vehicle.Speed,Vehicle.Coolant,Other\r\n0,100,20,x\r\n0.5,,,\r\n1,36,21,y\r\n"
 AFTER = "time,Vehicle.Speed,Vehicle.Engine.Coolant,Other\r\n0,27.7777777777777777778,20,x\r\n0.5,,,\r\n1,10,21,y\r\n"
 
@@ -61,3 +63,35 @@ def test_other_tables_are_left_alone(sides):
     sides.write("other.csv", "Vehicle.Coolant,Vehicle.Speed\n1,2\n")
     assert sides.run().status == 0
     assert sides.text("other.csv") == "Vehicle.Coolant,Vehicle.Speed\n1,2\n"
+
+
+@pytest.mark.parametrize(
+    "damage", ["<<<<<<< HEAD\n", "{", "[]", "", '{"drive.csv": {"releases": [], "sha256": 1}}', "[" * 100_000]
+)
+def test_a_damaged_record_ends_the_migration(sides, damage):
+    sides.write("drive.csv", BEFORE)
+    assert sides.run().status == 0
+    sides.write(".sigcat-migrated", damage)
+    result = sides.run()
+    assert (result.status, sides.text("drive.csv"), sides.text(".sigcat-migrated")) == (2, AFTER, damage)
+    assert ".sigcat-migrated is damaged, and values would be converted twice without it" in result.messages
+
+
+def test_a_renamed_recording_is_known_by_its_content(sides):
+    sides.write("drive.csv", BEFORE)
+    assert sides.run().status == 0
+    (sides.folder / "drive.csv").rename(sides.folder / "first.csv")
+    assert sides.run().status == 0
+    assert sides.text("first.csv") == AFTER
+
+
+@pytest.mark.parametrize("has_project", [True, False])
+def test_the_record_is_that_of_the_files_from_any_folder(sides, tmp_path, monkeypatch, has_project):
+    sides.write("project/drive.csv", BEFORE)
+    if has_project:
+        sides.write("project/sigcat.toml", "")
+    for folder in (sides.folder, tmp_path, sides.folder / "project"):
+        monkeypatch.chdir(folder)
+        assert sides.run(str(sides.folder / "project")).status == 0
+        assert sides.text("project/drive.csv") == AFTER
+    assert [path.parent.name for path in sides.folder.rglob(".sigcat-migrated")] == ["project"]

@@ -92,7 +92,12 @@ def test_an_unknown_vehicle_is_not_found(site: Ask, name: str) -> None:
 
 def test_the_api_lists_the_vehicles_of_a_catalogue(site: Ask) -> None:
     first, *others = site("/api/v1/catalogues/fleet").json()["vehicles"]
-    assert first == {"name": "coupe@sop", "title": "Coupé, sop", "catalogue": COUPE, "attributes": {"steering": "left"}}
+    assert first == {
+        "name": "coupe@sop",
+        "title": "Coupé, sop",
+        "catalogue": COUPE,
+        "facts": [{"name": "steering", "text": "left"}],
+    }
     assert {site(f"/api/v1/catalogues/{each['catalogue']}").status_code for each in (first, *others)} == {200}
     assert site("/api/v1/catalogues/bare").json()["vehicles"] == []
 

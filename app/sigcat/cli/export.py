@@ -70,7 +70,7 @@ def export(arguments: argparse.Namespace) -> int:
     refuse_overwriting(arguments, read, beside)
     if output is not None and exporter.is_folder and output.suffix != ".zip":
         make_folder(output)  # also for an export without files
-    for target, data in targets:
+    for target, data in sorted(targets, key=lambda each: each[0] in (None, output)):  # numbers before what uses them
         write_bytes(data, target)
     return 0
 

@@ -62,32 +62,29 @@ def migrate(arguments: argparse.Namespace) -> int:
 
     sides = read_compared(arguments, arguments.old, arguments.new)
     project = project_of(arguments)
-    folder = project.file.parent if project.file is not None else Path()
+    named = next((path if path.is_dir() else path.parent for path in arguments.paths), Path())
+    folder = project.file.parent if project.file is not None else named
     refuse_overwriting(arguments, migratable(arguments.paths or [folder]))
     if arguments.write_table is not None:
         return _write_table(sides, arguments.write_table)
     options = Options(tuple(arguments.table), _choices(arguments.choose), arguments.accept_guesses)
-    files, record = migrated_files(arguments.paths or [folder], folder, sides, options)
+    files, records = migrated_files(arguments.paths or [folder], folder, sides, options)
     if arguments.report is not None:
         write_text(markdown(files, sides[0].title, sides[1].title), arguments.report)
     if arguments.dry_run:
         sys.stdout.write("".join(file.diff for file in files))
     elif not arguments.check:
-        _write(files, folder, record)
+        _write(files, records)
     print_findings(tuple(finding for file in files for finding in file.findings))
     print(summary(files), file=sys.stderr)
     is_left = any(finding.severity != "info" for file in files for finding in file.findings)
     return int(is_left or (arguments.check and any(file.is_changed for file in files)))
 
 
-def _write(files: "Sequence[Migrated]", folder: Path, record: bytes) -> None:
-    from sigcat.migration.migrate import RECORD
+def _write(files: "Sequence[Migrated]", records: "Mapping[Path, bytes]") -> None:
     from sigcat.migration.writing import write_all
 
-    texts = {Path(file.file): file.after for file in files if file.is_changed}
-    if any(file.values for file in files):
-        texts[folder / RECORD] = record
-    write_all(texts)
+    write_all({Path(file.file): file.after for file in files if file.is_changed} | dict(records))
 
 
 def _choices(texts: "Sequence[str]") -> "Mapping[str, str]":

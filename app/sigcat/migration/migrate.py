@@ -1,6 +1,5 @@
 """Migrate the files of a project: paths of files and a migration in, changed texts and findings out. Nothing is written."""
 
-import json
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -21,6 +20,7 @@ from sigcat.migration.function_changes import FunctionFile, function_changes
 from sigcat.migration.include_changes import Included, include_changes, included_below
 from sigcat.migration.migration import Migration
 from sigcat.migration.overlay_changes import OverlayFile, overlay_changes
+from sigcat.migration.record import RECORD, Record, folder_of_record, read_record, record_bytes, releases_of
 from sigcat.migration.release_changes import pipeline_changes, project_changes
 from sigcat.migration.table import is_table, read_table, release_of, tables_between
 from sigcat.migration.trace_changes import migrated_trace
@@ -28,8 +28,6 @@ from sigcat.migration.yaml_changes import yaml_changes
 from sigcat.open_files import read_bytes
 from sigcat.real_path import real_path
 
-RECORD = ".sigcat-migrated"
-"""File that says of which release the values are in files that state no units."""
 _SKIPPED = frozenset(("node_modules", "__pycache__", "build", "dist", "site-packages"))
 _PROJECTS = ("sigcat.toml", "pyproject.toml")
 _PIPELINES = ("makefile", "jenkinsfile", "azure-pipelines.yml", ".pre-commit-config.yaml", "bitbucket-pipelines.yml")
@@ -62,28 +60,39 @@ class Project(NamedTuple):
 
     files: tuple[Path, ...]
     releases: Releases
-    current: Mapping[str, Mapping[str, str]]
-    """For each file the releases of values, by the path of their signal."""
+    folder: Path
+    """Folder of the record of files that are below no project."""
+    records: Mapping[Path, Record]
+    """By their folders."""
     layers: frozenset[Path] = frozenset()
     """Files of the two catalogues themselves, which are not changed."""
 
 
 def migrated_files(
     paths: Sequence[Path], folder: Path, sides: tuple[Side, Side], options: Options
-) -> tuple[tuple[Migrated, ...], bytes]:
-    """Migrate the files below paths between two sides. Returns them, and the record of `folder` afterwards.
+) -> tuple[tuple[Migrated, ...], Mapping[Path, bytes]]:
+    """Migrate the files below paths between two sides. Returns them, and the changed records by their paths.
 
-    Raises NotFound, and InputRefused for a table that cannot be used.
+    Raises NotFound, UsageError for a damaged record, and InputRefused for a table that cannot be used.
     """
     old, new = (side.catalogue for side in sides)
     tables = tuple(map(read_table, options.tables)) or tables_between(release_of(old), release_of(new))
     migration = Migration(old, new, tables, options.choices, accepts_guesses=options.accepts_guesses)
-    record = read_record(folder)
     new_id = release_of(new) or new.digest
     layers = frozenset(real_path(Path(file.name)) for each in (old, new) for file in each.files)
-    project = Project(files_in(paths), Releases(sides[0].title, sides[1].title, new_id), record, layers)
+    named = files_in(paths)
+    records = {each: read_record(each) for each in {folder_of_record(path, folder) for path in named}}
+    project = Project(named, Releases(sides[0].title, sides[1].title, new_id), folder, records, layers)
     files = tuple(migrate(project, migration))
-    return files, record_of(folder, record, files, new_id)
+    return files, dict(_changed_records(project, files))
+
+
+def _changed_records(project: Project, files: Sequence[Migrated]) -> Iterator[tuple[Path, bytes]]:
+    for folder, record in project.records.items():
+        own = [file for file in files if folder_of_record(Path(file.file), project.folder) == folder]
+        after = record_bytes(folder, record, own, project.releases.new_id)
+        if after != record_bytes(folder, record, (), ""):
+            yield folder / RECORD, after
 
 
 def files_in(paths: Sequence[Path]) -> tuple[Path, ...]:
@@ -132,7 +141,8 @@ def _migrated(path: Path, project: Project, migration: Migration, included: Incl
     except UnicodeDecodeError:
         message = "The file must be in UTF-8. It is not migrated."
         return _skipped(path, codes.NOT_UTF_8, message) if ending_of(path.name) == ".vspec" else None
-    current = [p for p, release in project.current.get(name, {}).items() if release == releases.new_id]
+    record = project.records[folder_of_record(path, project.folder)]
+    current = [signal for signal, release in releases_of(record, path, data).items() if release == releases.new_id]
     if path.name in _PROJECTS:
         found = migrated(name, data, project_changes(text, releases.old, releases.new))
     elif _is_pipeline(path):
@@ -212,27 +222,3 @@ def _of_overlay(overlay: OverlayFile, included: Included) -> Iterator[Outcome]:
         return
     yield from results[0]
     yield from include_changes(overlay.file, overlay.text, prefixes[0], overlay.migration)
-
-
-# -- the record ---------------------------------------------------------------------------------------------------
-
-
-def read_record(folder: Path) -> dict[str, dict[str, str]]:
-    """Return the releases of values from the record in a folder, by file and path."""
-    file = folder / RECORD
-    try:
-        data = json.loads(file.read_bytes()) if file.is_file() else {}
-    except ValueError:
-        data = {}
-    known = data.items() if isinstance(data, dict) else ()
-    return {str(folder / name): dict(values) for name, values in known if isinstance(values, dict)}
-
-
-def record_of(folder: Path, before: Mapping[str, Mapping[str, str]], files: Iterable[Migrated], release: str) -> bytes:
-    """Return the record after a migration."""
-    after = {name: dict(values) for name, values in before.items()}
-    for file in files:
-        if file.values:
-            after.setdefault(file.file, {}).update(dict.fromkeys(file.values, release))
-    named = {os.path.relpath(name, folder): values for name, values in sorted(after.items()) if values}
-    return (json.dumps(named, indent=2, sort_keys=True) + "\n").encode() if named else b""

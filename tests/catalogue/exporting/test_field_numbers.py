@@ -123,3 +123,14 @@ def test_a_lock_that_is_too_large_is_refused(lock):
     lock.write_text(" " * 100)
     with pytest.raises(InputRefused):
         read_lock(lock, DEFAULT_LIMITS._replace(file_bytes=99))
+
+
+def test_no_file_has_numbers_that_the_lock_does_not_remember(tmp_path, monkeypatch, capsys):
+    (tmp_path / "tree.vspec").write_text(ROOT + signal("Vehicle.Speed"))
+    monkeypatch.chdir(tmp_path)
+    assert (
+        main(["export", "protobuf", "-s", "tree.vspec", "--keep-numbers-of", "tree.vspec/no.json", "-o", "a.proto"])
+        == 2
+    )
+    assert not (tmp_path / "a.proto").exists()
+    assert "tree.vspec must be a folder, not a file" in capsys.readouterr().err

@@ -109,13 +109,20 @@ class CatalogueSummary(Schema):
     finding_counts: FindingCounts
 
 
+class VehicleFact(Schema):
+    """A fact about a vehicle, such as its steering or its year."""
+
+    name: str
+    text: str
+
+
 class Vehicle(Schema):
     """A vehicle that the project composes of a catalogue, in one of its states."""
 
     name: str = Field(description="`ID`, or `ID@STATE`.")
     title: str
     catalogue: str = Field(description="Id of its catalogue, for addresses.")
-    attributes: dict[str, str] = Field(description="Facts such as `steering` and `year`.")
+    facts: list[VehicleFact] = Field(description="Facts such as `steering` and `year`.")
 
 
 class Catalogue(CatalogueSummary):

@@ -19,6 +19,7 @@ from sigcat.catalogue.hosting.variants import vehicle_switches
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.definition import CORE_ATTRIBUTES
 from sigcat.catalogue.model.interfaces import category_of, interface_name
+from sigcat.catalogue.model.vehicle import Vehicle
 from sigcat.catalogue.model.vocabulary import Quantity, Unit
 from sigcat.catalogue.reading.layers import Layer
 from sigcat.catalogue.reading.statement import Origin
@@ -105,15 +106,17 @@ def catalogue_summary(hosted: Hosted) -> schemas.CatalogueSummary:
     return schemas.CatalogueSummary(**_summary_fields(hosted))
 
 
+def _vehicle(vehicle: Vehicle, catalogue: str) -> schemas.Vehicle:
+    facts = [schemas.VehicleFact(name=name, text=text) for name, text in vehicle.labels]
+    return schemas.Vehicle(name=vehicle.name, title=vehicle.shown, catalogue=catalogue, facts=facts)
+
+
 def catalogue_detail(hosted: Hosted) -> schemas.Catalogue:
     """A hosted catalogue with layers and findings."""
     return schemas.Catalogue(
         **_summary_fields(hosted),
         layers=[_layer(layer) for layer in hosted.catalogue.layers],
-        vehicles=[
-            schemas.Vehicle(name=each.name, title=each.shown, catalogue=catalogue, attributes=dict(each.labels))
-            for each, _, catalogue in vehicle_switches(hosted)
-        ],
+        vehicles=[_vehicle(each, catalogue) for each, _, catalogue in vehicle_switches(hosted)],
         findings=listed_findings(hosted.catalogue.findings),
         rejected=listed_findings(hosted.rejected),
     )
