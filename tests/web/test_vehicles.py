@@ -96,7 +96,7 @@ def test_the_api_lists_the_vehicles_of_a_catalogue(site: Ask) -> None:
         "name": "coupe@sop",
         "title": "Coupé, sop",
         "catalogue": COUPE,
-        "facts": [{"name": "steering", "text": "left"}],
+        "facts": [{"name": "steering", "fact": "left"}],
     }
     assert {site(f"/api/v1/catalogues/{each['catalogue']}").status_code for each in (first, *others)} == {200}
     assert site("/api/v1/catalogues/bare").json()["vehicles"] == []

@@ -113,7 +113,7 @@ class VehicleFact(Schema):
     """A fact about a vehicle, such as its steering or its year."""
 
     name: str
-    text: str
+    fact: str
 
 
 class Vehicle(Schema):

@@ -107,7 +107,7 @@ def catalogue_summary(hosted: Hosted) -> schemas.CatalogueSummary:
 
 
 def _vehicle(vehicle: Vehicle, catalogue: str) -> schemas.Vehicle:
-    facts = [schemas.VehicleFact(name=name, text=text) for name, text in vehicle.labels]
+    facts = [schemas.VehicleFact(name=name, fact=fact) for name, fact in vehicle.labels]
     return schemas.Vehicle(name=vehicle.name, title=vehicle.shown, catalogue=catalogue, facts=facts)
 
 
