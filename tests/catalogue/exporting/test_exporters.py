@@ -14,7 +14,7 @@ from sigcat.catalogue.exporting.exporter import Exporter, Job
 from sigcat.catalogue.exporting.exporters import EXPORTERS, exporter_named
 from sigcat.catalogue.exporting.files import Export, ExportedFile
 from sigcat.catalogue.exporting.vss_tools.calls import call_of
-from sigcat.errors import NotFound
+from sigcat.errors import InputRefused, NotFound
 from tests.catalogue.trees import ROOT, catalogue_of
 
 TREE_OPTIONS = {"vspec", "include-dirs", "overlays", "quantities", "units", "types"}
@@ -111,3 +111,27 @@ def test_a_text_that_ends_the_comment_of_the_file_is_reported(name, is_unescaped
     )
     bare = [line for file in made.files for line in file.data.decode().splitlines() if line.startswith("int evil")]
     assert bool(bare) == (is_unescaped and "\n" in text)
+
+
+VALUES = ["P = 0; }", "A\n  uint32 brake = 7;", "A // B", 'A"B', "#A"]
+
+
+@pytest.mark.parametrize("value", VALUES)
+@pytest.mark.parametrize("name", ["protobuf", "ddsidl", "franca", "plantuml", "ros2interface"])
+def test_an_allowed_value_that_is_code_in_the_file_is_reported_and_refused_strictly(name, value):
+    mode = (
+        f"Vehicle.Mode:\n  type: sensor\n  datatype: string\n  description: Mode.\n  allowed: [{json.dumps(value)}]\n"
+    )
+    made = exported(catalogue_of(ROOT + mode), name)
+    assert ("X005", "Vehicle.Mode", 8) in [(each.rule, each.path, each.line) for each in made.findings]
+    with pytest.raises(InputRefused) as refused:
+        exported(catalogue_of(ROOT + mode), name, {"strict": True})
+    assert [each.rule for each in refused.value.findings] == ["X005"]
+
+
+@pytest.mark.parametrize("attribute", ["description", "comment", "default", "deprecation"])
+def test_a_text_that_leaves_a_comment_of_a_message_is_reported(attribute):
+    values = {"type": "attribute", "datatype": "string", "description": "Mode.", attribute: "A\n  uint32 brake = 7; //"}
+    mode = "Vehicle.Mode:\n" + "".join(f"  {key}: {json.dumps(value)}\n" for key, value in values.items())
+    made = exported(catalogue_of(ROOT + mode), "protobuf", {"include-comments": True})
+    assert [(each.rule, each.path) for each in made.findings] == [("X005", "Vehicle.Mode")]

@@ -1,5 +1,6 @@
 """Export a catalogue: check the catalogue and the options, then run the exporter."""
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
@@ -15,6 +16,12 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.definition import Definition, instances_of
 from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding, has_errors
+
+_IN_COMMENTS = ("description", "comment", "default", "deprecation")
+"""Attributes that `--include-comments` of the Protocol Buffers writes."""
+_END_OF_COMMENT = re.compile(r"\*/|[\n\r\v\f\x1c-\x1e\x85\u2028\u2029]")
+_CODE = re.compile(r"[;{}=<>\"'\\#\n\r\v\f\x1c-\x1e\x85\u2028\u2029]|/[/*]|\*/")
+"""Signs that end the name of a value."""
 
 
 def export(
@@ -48,9 +55,11 @@ def exported(
     exporter = exporter_named(exporter_name)
     checked = checked_options(exporter, options or {})
     refuse_unfit(catalogue, exporter, checked)
+    texts = tuple(_texts_that_leave(catalogue, _unescaped(exporter, checked)))
+    if texts and checked.get(STRICT.name):
+        raise InputRefused("Texts of the tree would become code; nothing was exported.", texts)
     name = output_name or f"{catalogue.roots[0].name}{exporter.suffix}"
     made = exporter.run(Job(exporter, catalogue, checked, name, timeout, memory))
-    texts = _texts_that_leave(catalogue) if exporter.is_unescaped else ()
     names = value_name_findings(catalogue) if exporter.has_value_names else ()
     return made._replace(findings=(*made.findings, *texts, *names))
 
@@ -80,14 +89,21 @@ def _unsafe_names(catalogue: Catalogue) -> Iterator[Finding]:
             yield codes.NAME_WITH_SLASH.finding(message, *definition.origin().position, definition.path)
 
 
-def _texts_that_leave(catalogue: Catalogue) -> Iterator[Finding]:
-    """Texts that end the comment or the string that an exporter writes them into."""
-    for definition in (*catalogue.definitions.values(), *_type_definitions(catalogue)):
-        for name in ("description", "comment"):
-            text = definition.values.get(name)
-            if isinstance(text, str) and ("*/" in text or len(text.strip().splitlines()) > 1):
-                message = f"The {name} has a line break or `*/`, which ends the comment of the exported file: the rest is read as code."
-                fix = "Write it in one line, without `*/`."
+def _unescaped(exporter: Exporter, options: Mapping[str, Any]) -> tuple[str, ...]:
+    """Return the attributes that an exporter writes as they are with these options."""
+    return (*exporter.unescaped, *_IN_COMMENTS) if options.get("include-comments") else exporter.unescaped
+
+
+def _texts_that_leave(catalogue: Catalogue, attributes: Iterable[str]) -> Iterator[Finding]:
+    """Texts that end the comment, the string or the name that an exporter writes them into."""
+    for definition in (*catalogue.definitions.values(), *_type_definitions(catalogue)) if attributes else ():
+        for name in attributes:
+            given = definition.values.get(name)
+            texts = [text for text in (given if isinstance(given, list) else [given]) if isinstance(text, str)]
+            signs = "a sign such as `;` or a line break" if name == "allowed" else "a line break or `*/`"
+            if any((_CODE if name == "allowed" else _END_OF_COMMENT).search(text.strip()) for text in texts):
+                message = f"`{name}` has {signs}: the exported file reads the rest of the text as code."
+                fix = f"Write it without {signs}."
                 yield codes.TEXT_LEAVES_COMMENT.finding(
                     message, *definition.origin(name).position, definition.path, fix=fix
                 )

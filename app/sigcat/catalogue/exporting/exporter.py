@@ -60,8 +60,8 @@ class Exporter(NamedTuple):
     """Whether it exports struct types and nothing else."""
     has_types_beside: bool = False
     """Whether it writes struct types into separate files, next to the main one."""
-    is_unescaped: bool = False
-    """Whether it writes descriptions and comments as they are between marks of comments or texts."""
+    unescaped: tuple[str, ...] = ()
+    """Attributes that it writes as they are: as names, or between marks of comments or texts."""
     has_value_names: bool = False
     """Whether each allowed value is a name in the scope of its branch."""
     output_also: tuple[str, ...] = ()

@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from sigcat.catalogue.exporting.files import Export
 
 
+_COMMENTS = ("description", "comment")
+_CODE = (*_COMMENTS, "allowed")
+"""Attributes that vss-tools writes unescaped."""
 _ATTRIBUTES = Option("attr", "texts", "attribute to show at each node; may be repeated")
 _JSON_SCHEMA = (
     EXPAND,
@@ -154,7 +157,7 @@ def _exporter(name: str, text: str, suffix: str, media_type: str, options: tuple
     return Exporter(name, text, suffix, media_type, options, _run, same_as=f"vspec export {name}", **rest)
 
 
-def _file(name: str, text: str, suffix: str, media_type: str, *options: Option, **rest: bool) -> Exporter:
+def _file(name: str, text: str, suffix: str, media_type: str, *options: Option, **rest: Any) -> Exporter:
     return _exporter(name, text, suffix, media_type, (*options, *STRICTNESS), **rest)
 
 
@@ -167,17 +170,17 @@ VSS_TOOLS = (
     _file("csv", "table of all nodes", ".csv", "text/csv", *_CSV),
     _file("jsonschema", "JSON Schema of the values", ".json", "application/schema+json", *_JSON_SCHEMA),
     _file("id", "static ids of all nodes", ".yaml", "application/yaml", *_ID, has_types_beside=True),
-    _file("tree", "tree as text", ".txt", "text/plain", EXPAND, _ATTRIBUTES, is_unescaped=True),
-    _file("protobuf", "Protocol Buffers messages", ".proto", "text/plain", *_PROTOBUF, has_types_beside=True, has_value_names=True)._replace(run=_run_numbered),
-    _file("ddsidl", "DDS IDL", ".idl", "text/plain", Option("all-idl-features", "flag", "use all of IDL 4.2"), is_unescaped=True),
-    _file("franca", "Franca IDL", ".fidl", "text/plain", Option("franca-vss-version", "text", "version to write into the file"), is_unescaped=True),
-    _file("plantuml", "PlantUML class diagram", ".puml", "text/plain", EXPAND, _ATTRIBUTES),
+    _file("tree", "tree as text", ".txt", "text/plain", EXPAND, _ATTRIBUTES, unescaped=_COMMENTS),
+    _file("protobuf", "Protocol Buffers messages", ".proto", "text/plain", *_PROTOBUF, has_types_beside=True, has_value_names=True, unescaped=("allowed",))._replace(run=_run_numbered),
+    _file("ddsidl", "DDS IDL", ".idl", "text/plain", Option("all-idl-features", "flag", "use all of IDL 4.2"), unescaped=_CODE),
+    _file("franca", "Franca IDL", ".fidl", "text/plain", Option("franca-vss-version", "text", "version to write into the file"), unescaped=_CODE),
+    _file("plantuml", "PlantUML class diagram", ".puml", "text/plain", EXPAND, _ATTRIBUTES, unescaped=("description", "allowed")),
     _file("go", "Go structs", ".go", "text/plain", *_GO),
     _file("binary", "compact binary form for small targets", ".bin", "application/octet-stream", TYPES_OUTPUT),
     _folder("s2dm", "GraphQL schema (S2DM)", *_S2DM, *STRICTNESS, refuses_ending=True),
-    _folder("ros2interface", "ROS 2 messages and services", *_ROS2, is_unescaped=True),
+    _folder("ros2interface", "ROS 2 messages and services", *_ROS2, unescaped=_CODE),
     _folder("samm", "SAMM aspect models", *_SAMM, *STRICTNESS, output_also=("--target-folder", "-tf")),
     _folder("apigear", "ApiGear module and solution", *_APIGEAR, *STRICTNESS, output_also=("--output-dir",)),
     _folder("avro", "Avro IDL of the struct types", *_AVRO, *STRICTNESS, needs_types=True),
-    _folder("vhal", "Android vehicle properties", *_VHAL, output_also=("--aosp-workspace-path",), is_unescaped=True),
+    _folder("vhal", "Android vehicle properties", *_VHAL, output_also=("--aosp-workspace-path",), unescaped=_COMMENTS),
 )  # fmt: skip
