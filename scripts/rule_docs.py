@@ -29,6 +29,7 @@ _CATEGORIES: Mapping[str, str] = {
     "gateway": "Gateway",
     "migration": "Migrations",
     "export": "Exports",
+    "registry": "Registry",
     "request": "Requests to the service",
     "configuration": "Configuration of the service",
     "lint": "The linter's own comments and files",

@@ -286,6 +286,21 @@ INCLUDE_MISSPELLED = RuleCode("R017", "warning")
 NUMBER_IN_ANOTHER_BASE = RuleCode("R018", "warning")
 NODES_NESTED = RuleCode("R019", "error")
 
+# registry
+VERSION_NOT_SEMANTIC = RuleCode("E001", "error")
+PUBLISHED_NAME_UNFIT = RuleCode("E002", "error")
+VERSION_TAKEN = RuleCode("E003", "error")
+VERSION_TOO_LOW = RuleCode("E004", "error")
+NOT_PUBLISHED = RuleCode("E005", "error")
+BREAKS_A_PUBLISHED_FUNCTION = RuleCode("E006", "error")
+MAY_BREAK_A_PUBLISHED_FUNCTION = RuleCode("E007", "warning")
+PROVIDER_LOST = RuleCode("E008", "error")
+VERSION_NOT_DEPLOYABLE = RuleCode("E009", "error")
+LOG_CHANGED = RuleCode("E010", "error")
+REGISTRY_UNUSABLE = RuleCode("E011", "error")
+LINE_UNKNOWN = RuleCode("E012", "error")
+IMPORT_UNFIT = RuleCode("E013", "error")
+
 # request
 PARAMETER_THAT_DOES_NOT_FIT = RuleCode("Q001", "error")
 MORE_FINDINGS_THAN_SHOWN = RuleCode("Q002", "info")

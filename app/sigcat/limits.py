@@ -188,6 +188,14 @@ RUN_CHANGES = 20
 RUN_GAPS = 1_000
 """Passed time-outs of a signal that a picture shows."""
 
+# -- registry ---------------------------------------------------------------------------------------------------------
+
+REGISTRY_ROWS = 1_000
+"""Rows of an answer of the registry, such as users of a path; of more, their number is given."""
+
+REGISTRY_SECONDS = 60
+"""Seconds for which a command waits until others have written to the registry."""
+
 # -- requests and pages ---------------------------------------------------------------------------------------------
 
 NAME_CHARACTERS = 300

@@ -53,6 +53,11 @@ OTHERS = {
     "pull": "no project",
     "releases": "no project",
     "vehicles": "vehicles of the project, no tree: tests/cli/test_vehicles.py",
+    "publish": "tests/registry/test_commands.py",
+    "check": "the same",
+    "can-i-deploy": "the same; no tree",
+    "users": "the same",
+    "registry": "the same",
 }
 """Tests of each other command, and the reason for the difference."""
 READING = [

@@ -38,6 +38,11 @@ COMMANDS = (
     "normalize",
     "compare",
     "gateway",
+    "publish",
+    "check",
+    "can-i-deploy",
+    "users",
+    "registry",
     "schema",
     "rule",
     "pull",
@@ -49,7 +54,7 @@ COMMANDS = (
     "lsp",
 )
 """Names of the commands; each is in the module of its name."""
-_MODULES = {"try": "try_overlay", "version-bump": "version_bump"}
+_MODULES = {"try": "try_overlay", "version-bump": "version_bump", "can-i-deploy": "can_i_deploy"}
 """Modules of commands whose names cannot be names of modules."""
 
 

@@ -8,7 +8,7 @@ from sigcat.catalogue.model.definition import CORE_ATTRIBUTES, TYPES
 from sigcat.catalogue.model.interfaces import CATEGORIES
 from sigcat.data import INTERFACE_RULES
 from sigcat.findings import SEVERITIES
-from sigcat.project.read_project import CATALOGUE_KEYS, TOP_KEYS
+from sigcat.project.read_project import CATALOGUE_KEYS, REGISTRY_KEYS, TOP_KEYS
 from sigcat.project.read_vehicles import STATE_KEYS, VEHICLE_KEYS
 from sigcat.rules.checks import CHECKS
 from sigcat.rules.compiled import compiled_rules
@@ -83,8 +83,9 @@ def project_schema() -> Schema:
     vehicle = _table("A vehicle, composed of a catalogue.", _of_vehicle(VEHICLE_KEYS) | {"state": states})
     vehicle["required"] = ["id"]
     lint = _table("Settings of `sigcat lint`.", {key: _OF_LINT.get(key, _TEXTS) for key in FIELDS})
-    properties = _kinds(TOP_KEYS) | {"catalogue": {"type": "array", "items": catalogue}, "lint": lint}
-    properties["vehicle"] = {"type": "array", "items": vehicle}
+    registry = _table("The registry of published versions.", _kinds(REGISTRY_KEYS)) | {"required": ["database"]}
+    lists = {"catalogue": {"type": "array", "items": catalogue}, "vehicle": {"type": "array", "items": vehicle}}
+    properties = _kinds(TOP_KEYS) | lists | {"lint": lint, "registry": registry}
     return {"$schema": _DIALECT, "title": "sigcat.toml", **_table("A project of sigcat.", properties)}
 
 

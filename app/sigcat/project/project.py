@@ -13,6 +13,15 @@ from sigcat.rules.linting.options import LintOptions
 FILE_NAME = "sigcat.toml"
 
 
+class RegistrySettings(NamedTuple):
+    """Place of the registry of published versions."""
+
+    database: Path
+    """SQLite database, which the first publish creates."""
+    key: Path | None = None
+    """Private key that signs the log."""
+
+
 class Project(NamedTuple):
     """The values of the file; without a file, the defaults. Paths are relative to the current folder, or absolute."""
 
@@ -34,6 +43,7 @@ class Project(NamedTuple):
     shipped: bool | None = None
     """Whether to host what sigcat ships; None: the catalogues, and the functions unless the project has catalogues."""
     lint: LintOptions = LintOptions()
+    registry: RegistrySettings | None = None
     tables: Mapping[str, Any] = MappingProxyType({})
     """The values that others made of their tables."""
     lines: Lines = Lines("")
@@ -57,7 +67,7 @@ class Project(NamedTuple):
     @property
     def files(self) -> tuple[Path, ...]:
         """The project file and the files that it names: no command writes over them."""
-        named = (self.file, self.deployment)
+        named = (self.file, self.deployment, *(self.registry or ()))
         overlays = (path for vehicle in self.vehicles for path in vehicle.overlays)
         lists = (*self.rules, *self.units, *self.quantities, *self.dbc, *overlays)
         return (*(path for path in named if path is not None), *lists)

@@ -33,7 +33,7 @@ from sigcat.names import nearest
 from sigcat.open_files import read_bytes, size_of
 from sigcat.path_faults import path_fault
 from sigcat.project.chosen_tree import with_additions
-from sigcat.project.project import Project
+from sigcat.project.project import Project, RegistrySettings
 from sigcat.project.project_file import Reading, TableReader, paths_of, written_key
 from sigcat.project.read_vehicles import VEHICLE_KEYS, read_vehicles
 from sigcat.rules.linting.configuration import FIELDS as LINT_KEYS
@@ -46,10 +46,11 @@ CATALOGUE_KEYS: Mapping[str, type] = {
     "id": str, "title": str, "spec": str, "release": str, "standard-units": bool,
     **dict.fromkeys(("overlays", *_OF_CATALOGUES), list),
 }  # fmt: skip
+REGISTRY_KEYS: Mapping[str, type] = {"database": str, "key": str}
 TOP_KEYS: Mapping[str, type] = {
     "watch": bool, "shipped": bool, "deployment": str, "catalogue": list, "vehicle": list,
     **dict.fromkeys(("functions", "rules", *_OF_CATALOGUES, "dbc"), list),
-    **dict.fromkeys(("lint", "service"), dict),
+    **dict.fromkeys(("lint", "service", "registry"), dict),
 }  # fmt: skip
 _ADVICE = {
     "base": "Write it as `spec` of a [[catalogue]].",
@@ -122,6 +123,7 @@ def _project(data: Mapping[str, Any], reading: "Reading", readers: Mapping[str, 
         deployment=_deployment(data, reading),
         is_watching=bool(data.get("watch", False)),
         shipped=data.get("shipped"),
+        registry=_registry(data, reading),
         lint=lint._replace(rule_files=(*lists["rules"], *lint.rule_files), dbc=(*lists["dbc"], *lint.dbc)),
         tables=read,
         lines=reading.lines,
@@ -299,3 +301,18 @@ def _deployment(data: Mapping[str, Any], reading: Reading) -> Path | None:
     if message := path_fault(path):
         reading.report(codes.FILE_MISSING, message, "", 0, "deployment", value=text)
     return path
+
+
+def _registry(data: Mapping[str, Any], reading: Reading) -> RegistrySettings | None:
+    """Return the place of the registry, whose files may not exist yet; None if the project has none."""
+    values = data.get("registry")
+    if not isinstance(values, dict):
+        return None
+    reading.check(values, REGISTRY_KEYS, "registry")
+    database, key = values.get("database"), values.get("key")
+    if database is None or database == "":
+        message = "[registry] must have `database`, the path of a file."
+        reading.report(codes.SETTING_UNFIT, message, "registry", 0, "database", 'Write `database = "registry.db"`.')
+    if not isinstance(database, str):
+        return None
+    return RegistrySettings(reading.path(database), reading.path(key) if isinstance(key, str) else None)

@@ -16,7 +16,7 @@ Scope = Literal["node", "tree"]
 
 MAKERS = frozenset((
     "adapter", "composition", "configuration", "export", "function", "gateway", "import", "integration", "lint", "request",
-    "migration", "simulation",
+    "migration", "registry", "simulation",
 ))  # fmt: skip
 """Values of `check` for rules whose findings are made elsewhere, not by a check of this room."""
 REQUIRED = ("name", "title", "severity", "why", "check", "source")

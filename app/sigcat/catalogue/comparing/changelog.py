@@ -28,8 +28,13 @@ def changelog_entry(changes: Sequence[Change], new: str, date: str = "") -> str:
 
 def version_part(changes: Iterable[Change]) -> Part:
     """Return the part of the version that the worst change raises."""
-    classes = [change.compatibility for change in changes]
-    return _PARTS[worst(classes)] if classes else "none"
+    return part_of(change.compatibility for change in changes)
+
+
+def part_of(classes: Iterable[Class]) -> Part:
+    """Return the part of the version that the worst class raises."""
+    listed = tuple(classes)
+    return _PARTS[worst(listed)] if listed else "none"
 
 
 def next_version(version: str, part: Part) -> str:

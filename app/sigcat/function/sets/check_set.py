@@ -12,6 +12,7 @@ from sigcat.function.checks.circles import circles
 from sigcat.function.checks.order import contradiction, previous_calls
 from sigcat.function.code_files import CodeCheck
 from sigcat.function.document.document import Pointer
+from sigcat.function.exchange import Side
 from sigcat.function.function_file import CheckedFunction, check_files, read_function_file
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.runnable import Runnable
@@ -112,17 +113,24 @@ def _rivals(wiring: Wiring, functions: Mapping[str, ResolvedFunction]) -> Findin
 
 
 def _unprovided(wiring: Wiring, functions: Mapping[str, ResolvedFunction], catalogue: Catalogue) -> Findings:
-    """Signals of the standard come from the vehicle, and attributes are set before it drives."""
     for end in wiring.from_outside:
-        node = catalogue.get(end.identity)
-        if node is None or node.type == "attribute" or not node.definition.statements[0].file.overlay:
-            continue
-        if not end.data.external_provider:
+        if needs_provider(end, catalogue):
             message = f"No function provides {end.identity!r}, and it is not a signal of the standard."
             fix = "Add the function, or name the provider under `provider`."
             yield functions[end.function].finding(
                 codes.CONSUMED_AND_NOT_PROVIDED, end.pointer, message, fix, end.identity
             )
+
+
+def needs_provider(end: Side, catalogue: Catalogue) -> bool:
+    """Whether another function must provide a consumed signal.
+
+    Signals of the standard come from the vehicle, and attributes are set before it drives.
+    """
+    node = catalogue.get(end.identity)
+    if node is None or node.type == "attribute" or not node.definition.statements[0].file.overlay:
+        return False
+    return not end.data.external_provider
 
 
 def _unmapped(wiring: Wiring, functions: Mapping[str, ResolvedFunction], catalogue: Catalogue) -> Findings:

@@ -1,0 +1,80 @@
+"""`sigcat can-i-deploy FUNC@V --to LINE`."""
+
+import argparse
+from typing import TYPE_CHECKING
+
+from sigcat.cli.project_options import add_project_options
+from sigcat.cli.registry_options import read_registry
+from sigcat.terminal_text import printable
+
+if TYPE_CHECKING:
+    from sigcat.registry.deploying import Answer
+
+
+def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the command."""
+    parser = commands.add_parser(
+        "can-i-deploy",
+        help="say whether a version fits all vehicles of a line",
+        description=(
+            "Check a published version with every version of other functions that vehicles of the line run. Nothing is "
+            "recorded."
+        ),
+        epilog="Exit status: 0 yes; 1 no, or unknown because nothing is recorded for the line.",
+    )
+    parser.add_argument("function", metavar="FUNC@V", help="published version of a function")
+    parser.add_argument("--to", required=True, metavar="LINE", help="vehicle line")
+    parser.add_argument(
+        "--with", dest="others", action="append", default=[], metavar="OTHER@V",
+        help="version that ships together with it; may be repeated",
+    )  # fmt: skip
+    parser.add_argument("--format", choices=("text", "json"), default="text", help="default: %(default)s")
+    add_project_options(parser)
+    parser.set_defaults(run=can_i_deploy)
+
+
+def can_i_deploy(arguments: argparse.Namespace) -> int:
+    """Print the answer with its reasons; 0 only if it is yes."""
+    with read_registry(arguments) as connection:
+        from sigcat.registry.deploying import can_deploy
+        from sigcat.registry.reference import reference_of
+
+        references = [reference_of(text) for text in (arguments.function, *arguments.others)]
+        answer = can_deploy(connection, references, arguments.to)
+    if arguments.format == "json":
+        import json
+
+        print(json.dumps(_data(answer), indent=2, ensure_ascii=False))
+    else:
+        _print(answer)
+    return int(answer.decision != "yes")
+
+
+def _print(answer: "Answer") -> None:
+    deployed = ", ".join(map(str, answer.deployed))
+    for conflict in answer.conflicts:
+        print(conflict.finding.line_of_text)
+    if answer.finding is not None:
+        print(answer.finding.line_of_text)
+    checked = (
+        f"checked with {', '.join(map(str, answer.checked))}" if answer.checked else "no other function runs there"
+    )
+    reason = "" if answer.decision == "unknown" else f" ({checked})"
+    print(printable(f"{answer.decision}: {deployed} in line {answer.line}{reason}"))
+
+
+def _data(answer: "Answer") -> dict[str, object]:
+    return {
+        "decision": answer.decision,
+        "line": answer.line,
+        "deployed": [each._asdict() for each in answer.deployed],
+        "checked": [each._asdict() for each in answer.checked],
+        "conflicts": [
+            {
+                "rule": each.rule, "severity": each.severity, "message": each.message, "path": each.path,
+                "attribute": each.attribute, "sides": [side._asdict() for side in each.sides],
+            }
+            for each in answer.conflicts
+        ],
+        "finding": answer.finding._asdict() if answer.finding else None,
+    }  # fmt: skip

@@ -1,0 +1,72 @@
+"""`sigcat check FILE...`: published functions that a change breaks, before anything is published."""
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from sigcat.cli.published_files import published_files, read_catalogue
+from sigcat.cli.registry_options import add_report, print_report, read_registry
+from sigcat.cli.tree_options import add_tree_options, read_tree
+from sigcat.errors import InputRefused
+from sigcat.findings import has_errors, in_order
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from sigcat.catalogue.model.catalogue import Catalogue
+    from sigcat.findings import Finding
+    from sigcat.registry.storing.database import Snapshot
+
+
+def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the command."""
+    parser = commands.add_parser(
+        "check",
+        help="show which published functions a change breaks",
+        description=(
+            "Compare files with what published functions rely on, in the vehicle lines in which they run. Nothing is "
+            "published."
+        ),
+        epilog="Exit status: 1 if a published function breaks.",
+    )
+    parser.add_argument(
+        "files", type=Path, nargs="+", metavar="FILE", help="function, overlay, or root .vspec file of a catalogue"
+    )
+    add_report(parser)
+    add_tree_options(parser)
+    parser.set_defaults(run=check)
+
+
+def check(arguments: argparse.Namespace) -> int:
+    """Report what breaks; 1 if anything does."""
+    with read_registry(arguments) as connection:
+        findings = in_order(_findings(arguments, connection))
+    print_report(findings, arguments.format, arguments.output)
+    return int(has_errors(findings))
+
+
+def _findings(arguments: argparse.Namespace, connection: "Snapshot") -> "Iterator[Finding]":
+    from sigcat.registry.breaking import broken_by_catalogue, broken_by_functions
+    from sigcat.registry.candidates import read_functions
+    from sigcat.registry.member import file_member
+
+    files = published_files(arguments.files)
+    if files.functions:
+        members = [file_member(each) for each in read_functions(files.functions, read_tree(arguments))]
+        yield from (conflict.finding for conflict in broken_by_functions(connection, members))
+    for file in files.overlays:
+        yield from broken_by_catalogue(connection, _with_overlay(arguments, file), str(file))
+    for file in files.trees:
+        yield from broken_by_catalogue(connection, read_catalogue(arguments, file), str(file))
+
+
+def _with_overlay(arguments: argparse.Namespace, file: Path) -> "Catalogue":
+    """The catalogue with an overlay in its present form. Raises InputRefused if it brings errors."""
+    from sigcat.catalogue.comparing.trial import try_layer
+    from sigcat.catalogue.reading.layers import read_layer
+
+    base = read_tree(arguments, without=file)
+    trial = try_layer(base, read_layer(file, arguments.include_dirs, is_overlay=True))
+    if has_errors(trial.findings):
+        raise InputRefused("the overlay has errors; nothing was checked", trial.findings)
+    return trial.catalogue

@@ -1,0 +1,64 @@
+"""`sigcat publish FILE...`: functions, overlays and catalogues as versions in the registry."""
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from sigcat.cli.published_files import published_files, read_catalogue
+from sigcat.cli.registry_options import print_head, registry_of
+from sigcat.cli.tree_options import add_tree_options, read_tree
+from sigcat.errors import UsageError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from sigcat.registry.publish import Candidate
+
+
+def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the command."""
+    parser = commands.add_parser(
+        "publish",
+        help="publish functions, overlays and catalogues in the registry",
+        description=(
+            "Publish files as versions in the registry of the project: all of them, or none. A published version never "
+            "changes: the same bytes again change nothing, and other bytes are refused."
+        ),
+    )
+    parser.add_argument(
+        "files", type=Path, nargs="+", metavar="FILE", help="function, overlay, or root .vspec file of a catalogue"
+    )
+    parser.add_argument(
+        "--version", metavar="V", default="", help="version of SemVer 2.0 (default: that of the function file)"
+    )
+    parser.add_argument("--owner", metavar="TEAM", default="", help="owner of an overlay or a catalogue")
+    parser.add_argument("--draft", action="store_true", help="publish a draft, which may change")
+    add_tree_options(parser)
+    parser.set_defaults(run=publish)
+
+
+def publish(arguments: argparse.Namespace) -> int:
+    """Publish the files, and print each version. Raises InputRefused with every reason."""
+    registry = registry_of(arguments)
+    from sigcat.registry.publish import publish as publish_candidates
+
+    receipt = publish_candidates(registry, tuple(_candidates(arguments)), is_draft=arguments.draft)
+    for outcome in receipt.outcomes:
+        print(f"{outcome.kind} {outcome.reference}: {outcome.status}")
+    print_head(registry, receipt.head)
+    return 0
+
+
+def _candidates(arguments: argparse.Namespace) -> "Iterator[Candidate]":
+    from sigcat.registry.candidates import catalogue_candidate, function_candidates, overlay_candidate, read_functions
+
+    files = published_files(arguments.files)
+    if (files.overlays or files.trees) and not arguments.version:
+        raise UsageError("an overlay or a catalogue has no version: pass `--version V`")
+    if files.functions:
+        yield from function_candidates(read_functions(files.functions, read_tree(arguments)), arguments.version)
+    for file in files.overlays:
+        base = read_tree(arguments, without=file)
+        yield overlay_candidate(file, base, arguments.version, arguments.owner, arguments.include_dirs)
+    for file in files.trees:
+        yield catalogue_candidate(read_catalogue(arguments, file), arguments.version, arguments.owner)

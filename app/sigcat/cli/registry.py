@@ -1,0 +1,222 @@
+"""`sigcat registry`: list, show and change the registry, record deployments, verify, export and import."""
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeAlias
+
+from sigcat.cli.output import write_bytes, write_lines
+from sigcat.cli.output_options import add_output, refuse_overwriting
+from sigcat.cli.project_options import add_project_options
+from sigcat.cli.registry_options import add_report, print_head, print_report, read_registry, registry_of
+from sigcat.errors import UsageError, existing_file
+from sigcat.terminal_text import printable
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from sigcat.registry.reference import State
+    from sigcat.registry.storing.ledger import Registry
+
+Actions: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"  # noqa: SLF001 — argparse has no public name
+_KINDS, _RULES = ("function", "overlay", "catalogue"), ("backward", "full", "none")
+
+
+def add_parser(commands: Actions) -> None:
+    """Add the command with its actions."""
+    parser = commands.add_parser("registry", help="list, record, verify, export and import what is published")
+    actions = parser.add_subparsers(title="actions", metavar="ACTION")
+    _add_reading(actions)
+    _add_states(actions)
+    _add_lines(actions)
+    _add_transfer(actions)
+
+
+def _add(actions: Actions, name: str, text: str, run: "Callable[[argparse.Namespace], int]") -> argparse.ArgumentParser:
+    parser = actions.add_parser(name, help=text, description=f"{text[:1].upper()}{text[1:]}.")
+    add_project_options(parser)
+    parser.set_defaults(run=run)
+    return parser
+
+
+def _add_reading(actions: Actions) -> None:
+    listing = _add(actions, "list", "list versions with their states, owners and vehicle lines", list_versions)
+    listing.add_argument("--kind", choices=_KINDS, help="only this kind")
+    listing.add_argument("--line", metavar="LINE", help="only what vehicles of this line run")
+    showing = _add(actions, "show", "print the published bytes of a version", show)
+    _add_version(showing)
+    showing.add_argument("--resolved", action="store_true", help="print its Function JSON, or its nodes")
+    add_output(showing, "-o", "--output", metavar="FILE", help="write here instead of to standard output")
+    verifying = _add(actions, "verify", "check the log, its signatures and all content", verify)
+    verifying.add_argument("--public-key", type=Path, metavar="FILE", help="Ed25519 key (default: that of the project)")
+    verifying.add_argument("--head", metavar="HASH", default="", help="entry that must be in the log")
+    add_report(verifying)
+
+
+def _add_states(actions: Actions) -> None:
+    deprecating = _add(actions, "deprecate", "mark a version as deprecated", deprecate)
+    _add_version(deprecating)
+    deprecating.add_argument("--until", metavar="DATE", default="", help="day on which its support may end")
+    deprecating.add_argument("--successor", metavar="V", default="", help="version that replaces it")
+    retiring = _add(actions, "retire", "mark a version as retired, which no vehicle runs", retire)
+    _add_version(retiring)
+    ruling = _add(actions, "rule", "set the rule that new versions of a name follow", rule)
+    ruling.add_argument("name", metavar="NAME", help="published name")
+    ruling.add_argument("rule", choices=_RULES, metavar="RULE", help=", ".join(_RULES))
+    ruling.add_argument("--kind", choices=_KINDS, default="function", help="default: %(default)s")
+
+
+def _add_version(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("version", metavar="NAME@V", help="published version")
+    parser.add_argument("--kind", choices=_KINDS, default="function", help="default: %(default)s")
+
+
+def _add_lines(actions: Actions) -> None:
+    for name, text, action in (
+        ("record-deployment", "record that all vehicles of a line run a version, in place of others", "deployment"),
+        ("record-release", "record a version beside those that vehicles of a line keep", "release"),
+        ("support-ended", "record that no vehicle of a line runs a version any more", "support ended"),
+    ):
+        parser = _add(actions, name, text, record)
+        parser.add_argument("line", metavar="LINE", help="vehicle line")
+        parser.add_argument("version", metavar="FUNC@V", help="published version of a function")
+        parser.set_defaults(action=action)
+
+
+def _add_transfer(actions: Actions) -> None:
+    exporting = _add(actions, "export", "write everything as lines of JSON", export)
+    add_output(exporting, "-o", "--output", metavar="FILE", help="write here instead of to standard output")
+    importing = _add(actions, "import", "read an export into an empty registry", import_file)
+    importing.add_argument("file", type=Path, metavar="FILE", help="export")
+    making = _add(actions, "new-key", "make a key that signs the log", new_key)
+    making.add_argument(
+        "file", type=Path, metavar="FILE", help="file of the private key; the public one ends with .pub"
+    )
+
+
+def list_versions(arguments: argparse.Namespace) -> int:
+    """Print a line for each version."""
+    with read_registry(arguments) as connection:
+        from sigcat.registry.published import all_versions, lines_by_version, running
+
+        lines = lines_by_version(connection)
+        if arguments.line is None:
+            listed = all_versions(connection, arguments.kind)
+        else:
+            listed = tuple(each.published for each in running(connection, arguments.line))
+    for each in listed:
+        owner = f", owner {each.owner}" if each.owner else ""
+        until = f" until {each.until}" if each.until else ""
+        successor = f", successor {each.successor}" if each.successor else ""
+        where = f", in line {', '.join(lines[each.id])}" if each.id in lines else ""
+        print(printable(f"{each.kind} {each.reference}: {each.state}{until}{successor}{owner}{where}"))
+    return 0
+
+
+def show(arguments: argparse.Namespace) -> int:
+    """Write the bytes of a version."""
+    with read_registry(arguments) as connection:
+        from sigcat.registry.published import content_of, version_named
+        from sigcat.registry.reference import reference_of
+
+        published = version_named(connection, arguments.kind, reference_of(arguments.version))
+        data = content_of(connection, published.resolved if arguments.resolved else published.content)
+    write_bytes(data, arguments.output)
+    return 0
+
+
+def verify(arguments: argparse.Namespace) -> int:
+    """Report what was changed; 1 if anything was."""
+    registry = registry_of(arguments)
+    with read_registry(arguments) as connection:
+        from sigcat.registry.storing.verify import verify as verify_all
+
+        checked = verify_all(connection, arguments.public_key or registry.key, arguments.head)
+    print_report(checked.findings, arguments.format, arguments.output)
+    if not checked.findings:
+        entries = f"{checked.entries} {'entry' if checked.entries == 1 else 'entries'}"
+        print(f"verified: {entries}, head {checked.head or 'none'}", file=sys.stderr)
+    return int(bool(checked.findings))
+
+
+def deprecate(arguments: argparse.Namespace) -> int:
+    """Deprecate a version."""
+    return _set_state(arguments, "deprecated", arguments.until, arguments.successor)
+
+
+def retire(arguments: argparse.Namespace) -> int:
+    """Retire a version."""
+    return _set_state(arguments, "retired")
+
+
+def _set_state(arguments: argparse.Namespace, state: "State", until: str = "", successor: str = "") -> int:
+    registry = registry_of(arguments)
+    from sigcat.registry.lines import set_state
+    from sigcat.registry.reference import reference_of
+
+    reference = reference_of(arguments.version)
+    head = set_state(registry, arguments.kind, reference, state, until, successor)
+    return _done(registry, f"{arguments.kind} {reference}: {state}", head)
+
+
+def rule(arguments: argparse.Namespace) -> int:
+    """Set the rule of a name."""
+    registry = registry_of(arguments)
+    from sigcat.registry.lines import set_rule
+
+    head = set_rule(registry, arguments.kind, arguments.name, arguments.rule)
+    return _done(registry, f"{arguments.kind} {arguments.name}: rule {arguments.rule}", head)
+
+
+def record(arguments: argparse.Namespace) -> int:
+    """Record a deployment, a release or the end of support."""
+    registry = registry_of(arguments)
+    from sigcat.registry.lines import record as record_change
+    from sigcat.registry.reference import reference_of
+
+    reference = reference_of(arguments.version)
+    head = record_change(registry, arguments.action, arguments.line, reference)
+    return _done(registry, f"line {arguments.line}: {arguments.action} of {reference}", head)
+
+
+def export(arguments: argparse.Namespace) -> int:
+    """Write the export."""
+    registry = registry_of(arguments)
+    refuse_overwriting(arguments, (registry.database,))
+    with read_registry(arguments) as connection:
+        from sigcat.registry.storing.transfer import exported
+
+        write_lines(exported(connection), arguments.output)
+    return 0
+
+
+def import_file(arguments: argparse.Namespace) -> int:
+    """Read the export."""
+    registry = registry_of(arguments)
+    from sigcat.registry.storing.transfer import import_lines
+
+    with existing_file(arguments.file).open("rb") as lines:
+        head = import_lines(registry.database, lines, str(arguments.file))
+    return _done(registry, f"{arguments.file}: imported", head)
+
+
+def new_key(arguments: argparse.Namespace) -> int:
+    """Write a new pair of keys; a file that exists is never replaced."""
+    from sigcat.registry.storing.signing import new_key as make_key
+
+    public = arguments.file.with_name(f"{arguments.file.name}.pub")
+    for file in (arguments.file, public):
+        if file.exists():
+            raise UsageError(f"{file} is there already")
+    private_text, public_text = make_key()
+    arguments.file.touch(mode=0o600)
+    arguments.file.write_bytes(private_text)
+    public.write_bytes(public_text)
+    print(f"{public}: pass it to everyone that verifies the log", file=sys.stderr)
+    return 0
+
+
+def _done(registry: "Registry", text: str, head: str) -> int:
+    print(printable(text))
+    print_head(registry, head)
+    return 0

@@ -1,0 +1,67 @@
+"""The registry of the project that a command is in, and how its answers are printed."""
+
+import argparse
+import sys
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from sigcat.cli.output import write_text
+from sigcat.cli.output_options import FORMATS, add_output
+from sigcat.cli.project_options import project_of
+from sigcat.errors import UsageError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from sigcat.findings import Finding
+    from sigcat.registry.storing.database import Snapshot
+    from sigcat.registry.storing.ledger import Registry
+
+_HOW_TO = 'the project has no registry: add a table [registry] with `database = "registry.db"` to sigcat.toml'
+
+
+def registry_of(arguments: argparse.Namespace) -> "Registry":
+    """Return the registry of the project. Raises UsageError if it has none, or if the extra is missing."""
+    settings = project_of(arguments).registry
+    if settings is None:
+        raise UsageError(_HOW_TO)
+    try:
+        from sigcat.registry.storing.ledger import Registry
+    except ModuleNotFoundError as error:
+        if (error.name or "").partition(".")[0] != "sqlalchemy":
+            raise
+        raise UsageError("a registry needs the extra `registry`: run `pip install 'sigcat[registry]'`") from None
+    return Registry(settings.database, settings.key)
+
+
+@contextmanager
+def read_registry(arguments: argparse.Namespace) -> "Iterator[Snapshot]":
+    """One state of the registry, to read."""
+    registry = registry_of(arguments)
+    from sigcat.registry.storing.database import reading
+
+    with reading(registry.database) as connection:
+        yield connection
+
+
+def add_report(parser: argparse.ArgumentParser) -> None:
+    """Add --format and --output of a report of findings."""
+    parser.add_argument("--format", choices=FORMATS, default="text", help="form of the report (default: %(default)s)")
+    add_output(parser, "-o", "--output", metavar="FILE", help="write the report here")
+
+
+def print_head(registry: "Registry", head: str) -> None:
+    """Print the hash of the last entry, if the log is signed: whoever keeps it can prove later that none is missing."""
+    if registry.key is not None:
+        print(f"head of the log: {head}", file=sys.stderr)
+
+
+def print_report(findings: "Sequence[Finding]", form: str, output: "Path | None" = None) -> None:
+    """Print findings as `sigcat lint` does."""
+    from sigcat.data import INTERFACE_RULES
+    from sigcat.rules.compiled import compiled_rules
+    from sigcat.rules.report import report, sources_of
+
+    rules = tuple(compiled_rules(INTERFACE_RULES)) if form == "sarif" else ()
+    write_text(report(findings, form, sources_of(findings), rules), output)

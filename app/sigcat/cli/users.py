@@ -1,0 +1,78 @@
+"""`sigcat users PATH`."""
+
+import argparse
+from typing import TYPE_CHECKING
+
+from sigcat.cli.project_options import add_project_options
+from sigcat.cli.registry_options import read_registry
+from sigcat.terminal_text import printable
+
+if TYPE_CHECKING:
+    from sigcat.registry.users import User, Users
+
+
+def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the command."""
+    parser = commands.add_parser(
+        "users",
+        help="list the published functions that use a signal, a type, an error or a mode",
+        description=(
+            "List the users of a path or of the nodes below it, and what follows from them: a signal sets an error, an "
+            "error a safety reaction, also in other functions."
+        ),
+    )
+    parser.add_argument("path", metavar="PATH", help="path of a node, or name of an interface")
+    parser.add_argument(
+        "--all", action="store_true", help="all versions (default: those in vehicle lines, and the newest ones)"
+    )
+    parser.add_argument("--format", choices=("text", "json"), default="text", help="default: %(default)s")
+    add_project_options(parser)
+    parser.set_defaults(run=users)
+
+
+def users(arguments: argparse.Namespace) -> int:
+    """Print the users. Without any, this is said on standard output, too."""
+    with read_registry(arguments) as connection:
+        from sigcat.registry.users import users_of
+
+        found = users_of(connection, arguments.path, is_complete=arguments.all)
+    if arguments.format == "json":
+        import json
+
+        print(json.dumps(_data(found), indent=2, ensure_ascii=False))
+        return 0
+    for user in found.users:
+        print(printable(_line(user)))
+    if found.more:
+        print(f"{found.more} more are not shown")
+    if not found.users:
+        print(printable(f"No published function uses {arguments.path}."))
+    return 0
+
+
+def _line(user: "User") -> str:
+    published, use = user.published, user.use
+    parts = [
+        f"{published.reference} {use.verb} {use.element}",
+        f"call {use.call}" if use.call else "",
+        f"C variable {use.variable}" if use.variable else "",
+        f"through {' → '.join((*user.through, use.via) if use.via else user.through)}"
+        if user.through or use.via
+        else "",
+        f"owner {published.owner}",
+        f"in line {', '.join(user.lines)}" if user.lines else "in no line",
+    ]
+    return ", ".join(filter(None, parts))
+
+
+def _data(found: "Users") -> dict[str, object]:
+    return {
+        "users": [
+            {
+                "function": user.published.name, "version": user.published.version, "owner": user.published.owner,
+                "state": user.published.state, "lines": user.lines, "through": user.through, **user.use._asdict(), "values": dict(user.use.values),
+            }
+            for user in found.users
+        ],
+        "more": found.more,
+    }  # fmt: skip

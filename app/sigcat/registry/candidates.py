@@ -1,0 +1,108 @@
+"""Files to publish: read, resolved and checked against the catalogue of the project."""
+
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from sigcat import codes
+from sigcat.catalogue.comparing.diff_report import plain
+from sigcat.catalogue.comparing.trial import try_layer
+from sigcat.catalogue.model.catalogue import Catalogue, Node
+from sigcat.catalogue.reading.layers import read_layer
+from sigcat.errors import InputRefused
+from sigcat.findings import has_errors
+from sigcat.function.function_file import CheckedFunction
+from sigcat.function.function_json.model import FunctionJson, to_json
+from sigcat.function.sets.check_set import read_set
+from sigcat.registry.publish import Candidate
+from sigcat.registry.reference import refused
+from sigcat.registry.use import Use, uses_of
+from sigcat.registry.use import to_json as uses_json
+
+
+class ReadFunction(NamedTuple):
+    """A function of a file that has no errors."""
+
+    file: Path
+    content: bytes
+    checked: CheckedFunction
+    uses: tuple[Use, ...]
+
+    @property
+    def function(self) -> FunctionJson:
+        """The function."""
+        assert self.checked.function is not None
+        return self.checked.function
+
+
+def read_functions(files: Sequence[Path], catalogue: Catalogue) -> tuple[ReadFunction, ...]:
+    """Read the functions of files as one set, so that one may use definitions of another. Raises InputRefused."""
+    contents = [file.read_bytes() for file in files]
+    named = [(data, str(file)) for data, file in zip(contents, files, strict=True)]
+    members, over = read_set(named, catalogue)
+    findings = tuple(finding for member in members for finding in member.findings)
+    if has_errors(findings):
+        raise InputRefused("the functions have errors; nothing was changed in the registry", findings)
+    return tuple(
+        ReadFunction(file, data, member, uses_of(member.function, catalogue, over))
+        for file, data, member in zip(files, contents, members, strict=True)
+        if member.function is not None
+    )
+
+
+def function_candidates(functions: Iterable[ReadFunction], version: str = "") -> tuple[Candidate, ...]:
+    """Candidates of functions, under their own versions. Raises InputRefused if `version` contradicts one."""
+    return tuple(_function_candidate(each, version) for each in functions)
+
+
+def _function_candidate(read: ReadFunction, version: str) -> Candidate:
+    info = read.function.info
+    if version and info.version and info.version != version:
+        message = f"The version must be {info.version}, as the file says, not {version}."
+        finding = codes.VERSION_TAKEN.finding(message, str(read.file), fix="Change the version in the file.")
+        raise refused(finding)
+    chosen = version or info.version or ""
+    if not chosen:
+        message = f"{info.function_name} has no version."
+        fix = "Write `version: 1.0.0` in the file, or pass `--version 1.0.0`."
+        raise refused(codes.VERSION_NOT_SEMANTIC.finding(message, str(read.file), fix=fix))
+    owner = info.function_responsible.raw
+    resolved, uses = to_json(read.function), uses_json(read.uses)
+    return Candidate("function", info.function_name, chosen, owner, read.content, resolved, uses, str(read.file))
+
+
+def overlay_candidate(
+    file: Path, base: Catalogue, version: str, owner: str = "", include_dirs: Sequence[Path] = ()
+) -> Candidate:
+    """The candidate of an overlay over the catalogue without it. Raises InputRefused."""
+    trial = try_layer(base, read_layer(file, include_dirs, is_overlay=True))
+    if has_errors(trial.findings):
+        raise InputRefused("the overlay has errors; nothing was changed in the registry", trial.findings)
+    nodes = {node.path: _values(node) for node in trial.nodes}
+    content, resolved = file.read_bytes(), _nodes_json(nodes)
+    return Candidate(
+        "overlay", file.stem, version, owner, content, resolved, b"", str(file), all_nodes(trial.catalogue)
+    )
+
+
+def catalogue_candidate(catalogue: Catalogue, version: str, owner: str = "") -> Candidate:
+    """The candidate of a tree with its overlays: its content is every file that it was read from."""
+    nodes = all_nodes(catalogue)
+    files = {file.name: Path(file.name).read_text(encoding="utf-8") for file in catalogue.files}
+    content = json.dumps({"files": files}, ensure_ascii=False, indent=1).encode()
+    return Candidate("catalogue", catalogue.name, version, owner, content, _nodes_json(nodes), b"", "", nodes)
+
+
+def all_nodes(catalogue: Catalogue) -> Mapping[str, Mapping[str, Any]]:
+    """Attributes of all nodes by path."""
+    return {path: _values(node) for path, node in catalogue.nodes.items()}
+
+
+def _values(node: Node) -> Mapping[str, Any]:
+    values: Mapping[str, Any] = plain(dict(node.values))
+    return values
+
+
+def _nodes_json(nodes: Mapping[str, Mapping[str, Any]]) -> bytes:
+    return json.dumps(nodes, sort_keys=True, ensure_ascii=False).encode()

@@ -1,0 +1,144 @@
+"""Conflicts of functions that are deployed with those in a vehicle line, by the checks of a set of functions."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from sigcat import codes
+from sigcat.findings import Finding, Severity
+from sigcat.function.sets.check_set import check_set
+from sigcat.registry.member import NOWHERE, Member
+
+_ATTRIBUTES: Mapping[str, str] = {
+    codes.PROVIDED_AS_ANOTHER_DATATYPE.id: "datatype", codes.PROVIDED_IN_ANOTHER_UNIT.id: "unit",
+    codes.PROVIDED_BEYOND_THE_RANGE.id: "range", codes.TIMEOUT_SHORTER_THAN_PROVIDER.id: "timeout",
+    codes.PROVIDED_AT_LOWER_ASIL.id: "asil", codes.PROVIDED_TWICE.id: "provider", codes.PROVIDER_LOST.id: "provider",
+}  # fmt: skip
+
+
+class Side(NamedTuple):
+    """A function of a conflict."""
+
+    function: str
+    version: str
+    """Empty for a file."""
+    owner: str
+    calls: tuple[str, ...]
+
+    @property
+    def sentence(self) -> str:
+        """The side in a sentence."""
+        version = f" {self.version}" if self.version else ""
+        calls = f", call {', '.join(self.calls)}" if self.calls else ""
+        return f"{self.function}{version}{calls}, owner {self.owner}"
+
+
+class Conflict(NamedTuple):
+    """Two functions that do not fit, or one that loses its provider."""
+
+    rule: str
+    severity: Severity
+    message: str
+    path: str
+    attribute: str
+    """Attribute of the signal in which both differ."""
+    sides: tuple[Side, ...]
+    """The function at fault first."""
+    fix: str
+    place: tuple[str, int, int] = NOWHERE
+    """File, line and column in a file that is deployed."""
+    lines: tuple[str, ...] = ()
+    """Vehicle lines."""
+
+    @property
+    def finding(self) -> Finding:
+        """The conflict for a report."""
+        sides = "; ".join(side.sentence for side in self.sides)
+        where = f"; in line {', '.join(self.lines)}" if self.lines else ""
+        message = f"{self.message} ({sides}{where})"
+        return Finding(self.rule, self.severity, message, *self.place, path=self.path, fix=self.fix)
+
+
+def conflicts(deployed: Sequence[Member], field: Sequence[Member], replaced: Sequence[Member]) -> tuple[Conflict, ...]:
+    """Conflicts that a deployment brings. `field` are all versions of other functions in the vehicles of a line.
+
+    `replaced` are the versions of the deployed functions that run there now.
+    """
+    others = [each for each in field if each.name not in {member.name for member in deployed}]
+    alone = _mismatches(deployed, ())
+    found = [*alone, *(each for other in others for each in _with_other(deployed, other, alone))]
+    found += _lost(deployed, others, replaced)
+    return tuple(dict.fromkeys(found))
+
+
+def _with_other(deployed: Sequence[Member], other: Member, known: Sequence[Conflict]) -> Iterator[Conflict]:
+    if any(not member.elements.isdisjoint(other.elements) for member in deployed):
+        seen = {(each.rule, each.message) for each in known}
+        yield from (each for each in _mismatches(deployed, (other,)) if (each.rule, each.message) not in seen)
+
+
+def _mismatches(deployed: Sequence[Member], others: Sequence[Member]) -> tuple[Conflict, ...]:
+    members = (*deployed, *others)
+    findings = check_set([member.checked for member in members], is_whole=False)
+    return tuple(_conflict(finding, deployed, members) for finding in findings)
+
+
+def _conflict(finding: Finding, deployed: Sequence[Member], members: Sequence[Member]) -> Conflict:
+    first = next((each for each in members if each.checked.document.name == finding.file), members[0])
+    second = next((each for each in members if each is not first and each.calls(finding.path)), None)
+    shown = first if first in deployed else second
+    place = shown.place(finding.path) if shown is not None else NOWHERE
+    sides = tuple(_side(each, finding.path) for each in (first, second) if each is not None)
+    attribute = _ATTRIBUTES.get(finding.rule, "")
+    return Conflict(finding.rule, finding.severity, finding.message, finding.path, attribute, sides, finding.fix, place)
+
+
+def _side(member: Member, path: str) -> Side:
+    return Side(member.name, member.version, member.owner, member.calls(path))
+
+
+# -- providers ----------------------------------------------------------------------------------------------------
+
+
+def _lost(deployed: Sequence[Member], others: Sequence[Member], replaced: Sequence[Member]) -> Iterator[Conflict]:
+    """Consumers that have no provider in some vehicle, and had one before, or need it for the first time.
+
+    A vehicle has one version of each function.
+    """
+    providers = _by_name((*deployed, *others))
+    for consumer in (*deployed, *others):
+        now = [each for each in replaced if consumer in deployed and each.name == consumer.name]
+        for path in consumer.needed:
+            before = [each for each in replaced if each.provides(path)]
+            is_new = consumer in deployed and (not now or any(path not in each.needed for each in now))
+            if (is_new or before) and not _is_provided(path, consumer, providers):
+                yield _lost_provider(path, consumer, before, deployed)
+
+
+def _by_name(members: Iterable[Member]) -> Mapping[str, Sequence[Member]]:
+    found: dict[str, list[Member]] = {}
+    for member in members:
+        found.setdefault(member.name, []).append(member)
+    return found
+
+
+def _is_provided(path: str, consumer: Member, providers: Mapping[str, Sequence[Member]]) -> bool:
+    """Whether every vehicle has a provider: the consumer itself, or a function that provides it in all of its versions."""
+    return consumer.provides(path) or any(
+        all(version.provides(path) for version in versions)
+        for name, versions in providers.items()
+        if name != consumer.name
+    )
+
+
+def _lost_provider(path: str, consumer: Member, before: Sequence[Member], deployed: Sequence[Member]) -> Conflict:
+    rule = codes.PROVIDER_LOST
+    message = f"No function provides {path!r} to {consumer.label} in every vehicle."
+    if before:
+        message = f"Removing {path} breaks {consumer.label}: no other function provides it in every vehicle."
+    sides = (_side(consumer, path), *(_side(each, path) for each in before))
+    named = consumer if consumer in deployed else next(
+        (member for member in deployed if member.name in {each.name for each in before}), deployed[0]
+    )  # fmt: skip
+    fix = "Deploy a provider with it, or keep the signal."
+    attribute = _ATTRIBUTES[rule.id]
+    return Conflict(rule.id, rule.severity, message, path, attribute, sides, fix, named.place(path))

@@ -1,0 +1,102 @@
+"""Record what vehicle lines run, and the states of versions."""
+
+import datetime as dt
+import re
+
+from sqlalchemy import Connection
+
+from sigcat import codes
+from sigcat.registry.deploying import deployable
+from sigcat.registry.published import names_of, running, version_named
+from sigcat.registry.reference import Kind, Reference, Rule, State, name_problem, refused, unknown
+from sigcat.registry.storing.entry import Action
+from sigcat.registry.storing.ledger import Registry, head, ledger_of
+
+_DATE = re.compile(r"[0-9]{4}-[0-9]{2}-[0-9]{2}", re.ASCII)
+
+
+def record(registry: Registry, action: Action, line: str, reference: Reference) -> str:
+    """Record a deployment, a release or the end of support, and return the head of the log. Raises InputRefused."""
+    problem = name_problem(line)
+    if problem is not None:
+        raise refused(problem)
+    with ledger_of(registry) as ledger:
+        if action == "support ended":
+            _check_running(ledger.connection, line, reference)
+        else:
+            _check_spelling(ledger.connection, line)
+            deployable(ledger.connection, reference)
+        if not (action == "release" and _runs(ledger.connection, line, reference)):
+            ledger.append(action, {"line": line, "name": reference.name, "version": reference.version})
+        return _head(ledger.connection)
+
+
+def set_state(
+    registry: Registry, kind: Kind, reference: Reference, state: State, until: str = "", successor: str = ""
+) -> str:
+    """Deprecate or retire a version, and return the head of the log. Raises InputRefused."""
+    _check_date(until)
+    with ledger_of(registry) as ledger:
+        published = version_named(ledger.connection, kind, reference)
+        if published.state == "draft":
+            message = f"{reference} is a draft, and no function relies on it."
+            raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message, path=reference.name, fix="Publish it first."))
+        if successor:
+            version_named(ledger.connection, kind, Reference(reference.name, successor))
+        _check_retired(ledger.connection, reference, state)
+        data = {"kind": kind, "name": reference.name, "version": reference.version, "state": state}
+        ledger.append("state", {**data, "until": until, "successor": successor})
+        return _head(ledger.connection)
+
+
+def set_rule(registry: Registry, kind: Kind, name: str, rule: Rule) -> str:
+    """Set the rule of a name, and return the head of the log. Raises InputRefused."""
+    with ledger_of(registry) as ledger:
+        known = names_of(ledger.connection, kind)
+        if name not in known:
+            raise unknown(kind, name, known)
+        ledger.append("rule", {"kind": kind, "name": name, "rule": rule})
+        return _head(ledger.connection)
+
+
+def _check_running(connection: Connection, line: str, reference: Reference) -> None:
+    if line not in names_of(connection, "line"):
+        raise unknown("line", line, names_of(connection, "line"))
+    if not _runs(connection, line, reference):
+        message = f"{reference} does not run in line {line}."
+        raise refused(codes.NOT_PUBLISHED.finding(message, path=reference.name))
+
+
+def _runs(connection: Connection, line: str, reference: Reference) -> bool:
+    return any(each.published.reference == reference for each in running(connection, line))
+
+
+def _check_spelling(connection: Connection, line: str) -> None:
+    known = next((name for name in names_of(connection, "line") if name.casefold() == line.casefold()), line)
+    if known != line:
+        message = f"The name must be {known!r}, as it is recorded, not {line!r}."
+        raise refused(codes.PUBLISHED_NAME_UNFIT.finding(message, fix="Use the same case."))
+
+
+def _check_retired(connection: Connection, reference: Reference, state: State) -> None:
+    """Refuse to retire a version that vehicles run."""
+    lines = [each.line for each in running(connection) if each.published.reference == reference]
+    if state == "retired" and lines:
+        message = f"{reference} runs in line {', '.join(lines)}."
+        fix = f"Record the end of its support: `sigcat registry support-ended {lines[0]} {reference.name}@{reference.version}`."
+        raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message, path=reference.name, fix=fix))
+
+
+def _check_date(text: str) -> None:
+    try:
+        is_date = not text or (_DATE.fullmatch(text) is not None and bool(dt.date.fromisoformat(text)))
+    except ValueError:
+        is_date = False
+    if not is_date:
+        message = f"The date must be written as 2027-01-31, not {text[:40]!r}."
+        raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message))
+
+
+def _head(connection: Connection) -> str:
+    last = head(connection)
+    return last.hash if last else ""

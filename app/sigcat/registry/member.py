@@ -1,0 +1,78 @@
+"""Functions of a vehicle line as the checks of a set take them."""
+
+from typing import NamedTuple
+
+from sqlalchemy import Connection
+
+from sigcat.function.document.read_json import read_json
+from sigcat.function.exchange import exchange_of, parts_of
+from sigcat.function.function_file import CheckedFunction
+from sigcat.function.function_json.reading import read_function
+from sigcat.registry.candidates import ReadFunction
+from sigcat.registry.published import Published, content_of
+from sigcat.registry.reference import Reference
+from sigcat.registry.use import Use, from_json
+
+NOWHERE = ("", 0, 0)
+"""The place of an element without a file."""
+
+
+class Member(NamedTuple):
+    """A function in a set: a published version, or a file that is not published yet."""
+
+    name: str
+    version: str
+    """Empty for a file."""
+    owner: str
+    checked: CheckedFunction
+    uses: tuple[Use, ...]
+
+    @property
+    def label(self) -> str:
+        """Name and version."""
+        return str(Reference(self.name, self.version)) if self.version else self.name
+
+    @property
+    def elements(self) -> frozenset[str]:
+        """Identities of everything that it exchanges."""
+        return frozenset(use.element for use in self.uses)
+
+    @property
+    def needed(self) -> tuple[str, ...]:
+        """Identities of signals that another function must provide."""
+        return tuple(dict.fromkeys(use.element for use in self.uses if use.is_needed))
+
+    def provides(self, element: str) -> bool:
+        """Whether it provides a signal."""
+        return any(use.element == element and use.provides for use in self.uses)
+
+    def calls(self, element: str) -> tuple[str, ...]:
+        """Names of the calls that use an element."""
+        found = (use.call for use in self.uses if element in (use.element, use.path, use.name) and use.call)
+        return tuple(dict.fromkeys(found))
+
+    def place(self, element: str) -> tuple[str, int, int]:
+        """File, line and column of an element, of which the user has a file; a published version has none."""
+        resolved = self.checked.resolved
+        if resolved is None or self.version:
+            return NOWHERE
+        for side in exchange_of(parts_of([resolved.function])).sides:
+            if element == side.identity:
+                position = resolved.position(side.pointer)
+                return self.checked.document.name, position.line, position.column
+        return self.checked.document.name, 0, 0
+
+
+def published_member(connection: Connection, published: Published) -> Member:
+    """The function of a published version."""
+    document = read_json(content_of(connection, published.resolved), str(published.reference))
+    resolved, findings = read_function(document)
+    checked = CheckedFunction(document, resolved, findings)
+    uses = from_json(content_of(connection, published.uses))
+    return Member(published.name, published.version, published.owner, checked, uses)
+
+
+def file_member(read: ReadFunction) -> Member:
+    """The function of a file."""
+    info = read.function.info
+    return Member(info.function_name, "", info.function_responsible.raw, read.checked, read.uses)

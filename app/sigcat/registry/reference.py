@@ -1,0 +1,58 @@
+"""Published names, and references such as `CoreAcc@1.2.0`."""
+
+import re
+from collections.abc import Iterable
+from typing import Literal, NamedTuple, get_args
+
+from sigcat import codes
+from sigcat.errors import InputRefused
+from sigcat.findings import Finding, shown
+from sigcat.names import did_you_mean
+
+Kind = Literal["function", "overlay", "catalogue", "line"]
+KINDS: tuple[Kind, ...] = get_args(Kind)
+State = Literal["draft", "published", "deprecated", "retired"]
+STATES: tuple[State, ...] = get_args(State)
+Rule = Literal["backward", "full", "none"]
+RULES: tuple[Rule, ...] = get_args(Rule)
+DEPLOYABLE: frozenset[State] = frozenset(("published", "deprecated"))
+
+_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,99}", re.ASCII)
+
+
+class Reference(NamedTuple):
+    """A version of a name."""
+
+    name: str
+    version: str
+
+    def __str__(self) -> str:
+        return f"{self.name} {self.version}"
+
+
+def name_problem(name: str) -> Finding | None:
+    """Return why a name cannot be published; None if it can."""
+    if _NAME.fullmatch(name):
+        return None
+    message = f"A published name must be ASCII letters, digits, '.', '_' and '-', not {shown(name)}."
+    return codes.PUBLISHED_NAME_UNFIT.finding(message, fix="Use a name such as SUV-2025.")
+
+
+def reference_of(text: str) -> Reference:
+    """Return the reference that a command names. Raises InputRefused."""
+    name, sign, version = text.partition("@")
+    if not (sign and name and version):
+        message = f"A version must be named as NAME@VERSION, not {shown(text)}."
+        raise refused(codes.NOT_PUBLISHED.finding(message, fix="Write it such as CoreAcc@1.2.0."))
+    return Reference(name, version)
+
+
+def unknown(kind: str, name: str, known: Iterable[str]) -> InputRefused:
+    """The refusal of a name that is not in the registry, with near ones."""
+    message = f"The registry has no {kind} {shown(name)}."
+    return refused(codes.NOT_PUBLISHED.finding(message, path=name, fix=did_you_mean(name, known)))
+
+
+def refused(*findings: Finding) -> InputRefused:
+    """The refusal of a command for these findings; nothing was changed."""
+    return InputRefused("nothing was changed in the registry", findings)

@@ -1,0 +1,53 @@
+"""Entries of the log: each has the hash of the one before it."""
+
+import json
+from collections.abc import Mapping
+from typing import Any, Literal, NamedTuple
+
+from sigcat.digest import digest_of
+
+Action = Literal["publish", "rule", "state", "deployment", "release", "support ended"]
+BEGIN = "0" * 64
+"""The hash before the first entry."""
+
+
+class Entry(NamedTuple):
+    """A change of the registry."""
+
+    number: int
+    """Position in the log, from 1 on."""
+    at: str
+    """Time in UTC, as the clock of the writer says it."""
+    action: Action
+    data: Mapping[str, Any]
+
+    @property
+    def text(self) -> str:
+        """The entry as stable text."""
+        return json.dumps(self._asdict(), sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+
+
+class Link(NamedTuple):
+    """An entry in the chain."""
+
+    number: int
+    text: str
+    previous: str
+    hash: str
+    signature: str = ""
+    """Ed25519 over the hash, in hexadecimal; empty without a key."""
+
+    @property
+    def entry(self) -> Entry:
+        """The entry that the text holds."""
+        return Entry(**json.loads(self.text))
+
+
+def linked(entry: Entry, previous: str) -> Link:
+    """The entry behind another one; not signed."""
+    return Link(entry.number, entry.text, previous, hash_of(previous, entry.text))
+
+
+def hash_of(previous: str, text: str) -> str:
+    """The hash of an entry and of all entries before it."""
+    return digest_of(f"{previous}\n{text}".encode())

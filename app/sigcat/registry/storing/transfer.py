@@ -1,0 +1,80 @@
+"""Export and import a registry: its log and all content, byte for byte, as lines of JSON."""
+
+import base64
+import binascii
+import json
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+from sqlalchemy import Connection, insert, select
+from sqlalchemy.exc import SQLAlchemyError
+
+from sigcat import codes
+from sigcat.errors import InputRefused
+from sigcat.registry.reference import refused
+from sigcat.registry.storing.database import writing
+from sigcat.registry.storing.entry import Link
+from sigcat.registry.storing.replay import apply
+from sigcat.registry.storing.tables import CONTENTS, LOG, SCHEMA
+from sigcat.registry.storing.verify import read_log, verify
+
+_FORMAT = "sigcat registry"
+
+
+def exported(connection: Connection) -> Iterator[str]:
+    """Yield the lines of an export: a head, content by digest, the log in order."""
+    yield _line({"format": _FORMAT, "schema": SCHEMA})
+    for digest, data in connection.execute(select(CONTENTS).order_by(CONTENTS.c.digest)):
+        yield _line({"content": digest, "data": base64.b64encode(data).decode("ascii")})
+    for link in read_log(connection):
+        yield _line(link._asdict())
+
+
+def import_lines(database: Path, lines: Iterable[bytes], name: str) -> str:
+    """Write an export into an empty registry, and return the head of its log. Raises InputRefused; then nothing is kept."""
+    with writing(database) as connection:
+        if connection.execute(select(LOG.c.number).limit(1)).first() is not None:
+            raise _unfit("The registry must be empty to import another one.", name, fix="Name a new `database`.")
+        _read(connection, lines, name)
+        checked = verify(connection)
+        if checked.findings:
+            raise InputRefused("nothing was imported", checked.findings)
+        return checked.head
+
+
+def _read(connection: Connection, lines: Iterable[bytes], name: str) -> None:
+    number = 0
+    for number, line in enumerate(lines, 1):
+        try:
+            _read_line(connection, json.loads(line), is_first=number == 1)
+        except _UNREADABLE:
+            message = f"Line {number} is not a line of an export of schema {SCHEMA}."
+            raise _unfit(message, name, number) from None
+    if not number:
+        raise _unfit("The file is empty.", name)
+
+
+_UNREADABLE = (ValueError, TypeError, KeyError, AttributeError, binascii.Error, RecursionError, SQLAlchemyError)
+"""Errors of a line of any content."""
+
+
+def _read_line(connection: Connection, line: Any, *, is_first: bool) -> None:
+    if is_first:
+        if line != {"format": _FORMAT, "schema": SCHEMA}:
+            raise ValueError(line)
+    elif "content" in line:
+        data = base64.b64decode(line["data"], validate=True)
+        connection.execute(insert(CONTENTS).values(digest=line["content"], data=data))
+    else:
+        link = Link(**line)
+        connection.execute(insert(LOG).values(**link._asdict()))
+        apply(connection, link.entry)
+
+
+def _unfit(message: str, name: str, line: int = 0, fix: str = "") -> InputRefused:
+    return refused(codes.IMPORT_UNFIT.finding(message, name, line, fix=fix or "Export the registry again."))
+
+
+def _line(values: Any) -> str:
+    return json.dumps(values, sort_keys=True, ensure_ascii=False) + "\n"

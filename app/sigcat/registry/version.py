@@ -1,0 +1,72 @@
+"""Versions of SemVer 2.0: reading, order, and the part that rises between two of them."""
+
+import re
+from functools import total_ordering
+from typing import NamedTuple
+
+from sigcat.catalogue.comparing.changelog import Part
+
+_NUMBER = r"(?:0|[1-9][0-9]{0,8})"
+_IDENTIFIER = r"(?:0|[1-9][0-9]*|[0-9]*[A-Za-z-][0-9A-Za-z-]*)"
+_VERSION = re.compile(
+    rf"({_NUMBER})\.({_NUMBER})\.({_NUMBER})"
+    rf"(?:-({_IDENTIFIER}(?:\.{_IDENTIFIER})*))?(?:\+[0-9A-Za-z-]+(?:\.[0-9A-Za-z-]+)*)?"
+)
+_LONGEST = 100
+"""Characters of a version."""
+
+
+@total_ordering
+class Version(NamedTuple):
+    """A version. Equal in precedence are those that differ only in build metadata."""
+
+    text: str
+    numbers: tuple[int, int, int]
+    prerelease: tuple[str, ...]
+
+    @property
+    def release(self) -> str:
+        """The version without build metadata."""
+        return self.text.partition("+")[0]
+
+    @property
+    def _key(self) -> tuple[object, ...]:
+        identifiers = tuple((0, int(each), "") if each.isdigit() else (1, 0, each) for each in self.prerelease)
+        return (self.numbers, not self.prerelease, identifiers)
+
+    def __lt__(self, other: object) -> bool:
+        """Order by precedence."""
+        assert isinstance(other, Version)
+        return self._key < other._key
+
+    def __eq__(self, other: object) -> bool:
+        """Compare precedence."""
+        return isinstance(other, Version) and self._key == other._key
+
+    def __hash__(self) -> int:
+        return hash(self._key)
+
+
+def version_of(text: str) -> Version | None:
+    """Return the version; None if the text is not one."""
+    match = _VERSION.fullmatch(text) if len(text) <= _LONGEST and text.isascii() else None
+    if match is None:
+        return None
+    major, minor, patch, prerelease = match.groups()
+    return Version(text, (int(major), int(minor), int(patch)), tuple(prerelease.split(".")) if prerelease else ())
+
+
+_PARTS: tuple[Part, ...] = ("major", "minor", "patch", "none")
+
+
+def raised_part(old: Version, new: Version) -> Part:
+    """The part that rises. Before 1.0.0 the second number is that of breaking changes, as package managers read it."""
+    changed = next((index for index in range(3) if old.numbers[index] != new.numbers[index]), 3)
+    if old.numbers[0] == new.numbers[0] == 0 and changed < 3:
+        return ("major", "major", "minor")[changed]
+    return _PARTS[changed]
+
+
+def is_enough(raised: Part, needed: Part) -> bool:
+    """Whether a version rises by the part that its changes need."""
+    return _PARTS.index(raised) <= _PARTS.index(needed)

@@ -1,0 +1,245 @@
+"""The commands of the registry, as a team and its pipeline use them."""
+
+import json
+import re
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import pytest
+
+from sigcat.cli import main
+from sigcat.data import EXAMPLES
+
+CORE, MPC, WHEELS = (
+    EXAMPLES / name / "function.yaml" for name in ("core_acc", "eco_control_mpc", "wheel_speed_calculation")
+)
+PROPOSAL = "Vehicle.ADAS.EcoControl.AccelerationProposal"
+Run = Callable[..., tuple[int, str]]
+
+
+@pytest.fixture
+def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Run:
+    """Run a command in a project with a registry; its status and everything that it prints."""
+    monkeypatch.chdir(tmp_path)
+    Path("sigcat.toml").write_text('[registry]\ndatabase = "registry.db"\n', encoding="utf-8")
+
+    def command(*arguments: object) -> tuple[int, str]:
+        status = main([str(each) for each in arguments])
+        printed = capsys.readouterr()
+        return status, printed.out + printed.err
+
+    return command
+
+
+@pytest.fixture
+def field(run: Run) -> Run:
+    """The same, with three functions, of which two run in a line."""
+    assert run("publish", CORE, MPC, WHEELS)[0] == 0
+    for name in ("CoreAcc", "EcoControlMpc"):
+        assert run("registry", "record-deployment", "SUV-2025", f"{name}@1.0.0")[0] == 0
+    return run
+
+
+def edited(source: Path, name: str, *changes: tuple[str, str]) -> Path:
+    text = source.read_text(encoding="utf-8")
+    for pattern, replacement in changes:
+        text, count = re.subn(pattern, replacement, text)
+        assert count, pattern
+    file = Path(name)
+    file.write_text(text, encoding="utf-8")
+    return file
+
+
+def without_proposal(version: str) -> Path:
+    return edited(
+        MPC, "mpc.function.yaml", (r"version: 1.0.0", f"version: {version}"),
+        (rf"          - path: {PROPOSAL}\n(            .*\n)*", ""),
+    )  # fmt: skip
+
+
+def test_without_a_registry_commands_say_how_to_add_one_and_create_no_file(run: Run, tmp_path: Path) -> None:
+    Path("sigcat.toml").write_text("", encoding="utf-8")
+    for arguments in (("publish", CORE), ("check", CORE), ("users", "Vehicle.Speed"), ("registry", "list"),
+                      ("can-i-deploy", "CoreAcc@1.0.0", "--to", "SUV")):  # fmt: skip
+        status, text = run(*arguments)
+        assert (status, "[registry]" in text) == (2, True), arguments
+    assert [each.name for each in tmp_path.iterdir()] == ["sigcat.toml"]
+
+
+def test_an_overlay_that_breaks_published_functions_is_reported_with_function_call_owner_and_line(field: Run) -> None:
+    Path("speed.vspec").write_text("Vehicle.Speed:\n  type: sensor\n  datatype: float\n  unit: m/s\n", encoding="utf-8")
+    status, text = field("check", "speed.vspec")
+    assert status == 1
+    assert (
+        "speed.vspec:4:9: error E006 Changing `unit` of Vehicle.Speed from km/h to m/s breaks CoreAcc 1.0.0, call"
+        " CoreAcc_Step, owner Longitudinal control team, in line SUV-2025." in text
+    )
+    status, text = field("check", "speed.vspec", "--format", "sarif")
+    results = json.loads(text)["runs"][0]["results"]
+    assert status == 1
+    assert {each["ruleId"] for each in results} == {"E006"}
+    Path("speed.vspec").write_text(
+        "Vehicle.Speed:\n  type: sensor\n  datatype: float\n  delete: true\n", encoding="utf-8"
+    )
+    status, text = field("check", "speed.vspec", "--format", "github")
+    assert status == 1
+    assert "Removing Vehicle.Speed breaks CoreAcc 1.0.0, call CoreAcc_Step" in text
+
+
+def test_an_overlay_that_breaks_nothing_passes(field: Run) -> None:
+    Path("new.vspec").write_text(
+        "Vehicle.Own: {type: sensor, datatype: float, description: A new signal.}\n", encoding="utf-8"
+    )
+    assert field("check", "new.vspec")[0] == 0
+
+
+def test_a_function_without_an_output_breaks_its_consumer_before_it_is_published(field: Run) -> None:
+    status, text = field("check", without_proposal("2.0.0"))
+    assert status == 1
+    assert f"error E008 Removing {PROPOSAL} breaks CoreAcc 1.0.0" in text
+    assert "owner Longitudinal control team" in text
+    assert "in line SUV-2025" in text
+    assert field("check", MPC, CORE)[0] == 0
+
+
+def test_a_deployment_is_refused_while_vehicles_need_what_it_no_longer_provides(field: Run) -> None:
+    assert field("publish", without_proposal("1.1.0"))[0] == 1
+    assert field("publish", without_proposal("2.0.0"))[0] == 0
+    status, text = field("can-i-deploy", "EcoControlMpc@2.0.0", "--to", "SUV-2025")
+    assert (status, text.splitlines()[-1][:3]) == (1, "no:")
+    core = edited(CORE, "core.function.yaml", ("version: 1.0.0", "version: 1.1.0"), (rf"          - path: {PROPOSAL}\n(            .*\n)*", ""), (r"          - interface: CoreAcc_ProposalTimeout_ErrorSts\n.*\n", ""))  # fmt: skip
+    assert field("registry", "rule", "CoreAcc", "none")[0] == 0
+    assert field("publish", core)[0] == 0
+    assert field("can-i-deploy", "EcoControlMpc@2.0.0", "--to", "SUV-2025", "--with", "CoreAcc@1.1.0")[0] == 0
+    assert field("registry", "record-release", "SUV-2025", "CoreAcc@1.1.0")[0] == 0
+    assert field("can-i-deploy", "EcoControlMpc@2.0.0", "--to", "SUV-2025")[0] == 1  # cars that keep 1.0.0
+    assert field("registry", "support-ended", "SUV-2025", "CoreAcc@1.0.0")[0] == 0
+    status, text = field("can-i-deploy", "EcoControlMpc@2.0.0", "--to", "SUV-2025", "--format", "json")
+    assert (status, json.loads(text)["decision"]) == (0, "yes")
+
+
+def test_an_incompatible_pair_is_named_with_function_version_owner_call_path_and_attribute(field: Run) -> None:
+    Path("as_double.vspec").write_text(
+        f"{PROPOSAL}:\n  type: sensor\n  datatype: double\n  unit: m/s^2\n", encoding="utf-8"
+    )
+    assert (
+        field(
+            "publish", edited(MPC, "mpc.function.yaml", ("version: 1.0.0", "version: 3.0.0")), "-l", "as_double.vspec"
+        )[0]
+        == 0
+    )
+    status, text = field("can-i-deploy", "EcoControlMpc@3.0.0", "--to", "SUV-2025", "--format", "json")
+    answer = json.loads(text)
+    assert (status, answer["decision"]) == (1, "no")
+    (conflict,) = [each for each in answer["conflicts"] if each["severity"] == "error"]
+    assert (conflict["path"], conflict["attribute"]) == (PROPOSAL, "datatype")
+    assert sorted((each["function"], each["version"], *each["calls"]) for each in conflict["sides"]) == [
+        ("CoreAcc", "1.0.0", "CoreAcc_Step"), ("EcoControlMpc", "3.0.0", "EcoControlMpc_Step"),
+    ]  # fmt: skip
+    assert {each["owner"] for each in conflict["sides"]} == {"Longitudinal control team", "Energy management team"}
+
+
+def test_a_line_without_deployments_is_unknown_and_never_safe(field: Run) -> None:
+    status, text = field("can-i-deploy", "CoreAcc@1.0.0", "--to", "SUV-2052")
+    assert status == 1
+    assert "Did you mean 'SUV-2025'?" in text
+    assert text.splitlines()[-1] == "unknown: CoreAcc 1.0.0 in line SUV-2052"
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("can-i-deploy", "CoreAc@1.0.0", "--to", "SUV-2025"),
+        ("can-i-deploy", "CoreAcc@9.0.0", "--to", "SUV-2025"),
+        ("can-i-deploy", "CoreAcc", "--to", "SUV-2025"),
+        ("registry", "show", "CoreAcc@1.0"),
+        ("registry", "record-release", "SUV-2025", "Nothing@1.0.0"),
+        ("registry", "support-ended", "SUV", "CoreAcc@1.0.0"),
+        ("registry", "rule", "Nothing", "full"),
+        ("registry", "deprecate", "CoreAcc@1.0.0", "--successor", "7.0.0"),
+    ],
+)  # fmt: skip
+def test_what_is_not_in_the_registry_is_a_finding(field: Run, arguments: Sequence[str]) -> None:
+    status, text = field(*arguments)
+    assert (status, "error E005" in text) == (1, True)
+
+
+def test_users_are_direct_and_through_errors_reactions_and_modes(field: Run) -> None:
+    status, text = field("users", "Vehicle.Chassis.Brake.CylP")
+    assert status == 0
+    lines = text.splitlines()
+    assert lines[0].startswith(
+        "CoreAcc 1.0.0 consumes Vehicle.Chassis.Brake.CylP, call CoreAcc_Step, C variable core_inputs"
+    )
+    assert [line.split(",")[0] for line in lines[1:]] == [
+        "CoreAcc 1.0.0 reports CoreAcc_BrakePressureTimeout_ErrorSts",
+        "CoreAcc 1.0.0 reacts to AccReqInvalid_SftyCondSts",
+        "CoreAcc 1.0.0 sends CoreAcc_Mode_Out",
+    ]
+    _, text = field("users", "Vehicle.Function.CoreAcc.Error.BrakePressureTimeout", "--format", "json")
+    assert json.loads(text)["users"][0]["name"] == "CoreAcc_BrakePressureTimeout_ErrorSts"
+    assert field("users", "Vehicle.Nothing") == (0, "No published function uses Vehicle.Nothing.\n")
+
+
+def test_users_of_a_branch_are_those_of_the_nodes_below_it(field: Run) -> None:
+    _, text = field("users", "Vehicle.ADAS.EcoControl", "--format", "json")
+    assert PROPOSAL in {each["path"] for each in json.loads(text)["users"]}
+    _, text = field("users", "Vehicle.ADAS.EcoCont")
+    assert text.startswith("No published function")
+
+
+def test_a_published_file_is_shown_byte_for_byte_and_a_list_has_owners_and_lines(field: Run) -> None:
+    assert field("registry", "show", "CoreAcc@1.0.0")[1] == CORE.read_text(encoding="utf-8")
+    assert field("registry", "list", "--line", "SUV-2025")[1].splitlines() == [
+        "function CoreAcc 1.0.0: published, owner Longitudinal control team, in line SUV-2025",
+        "function EcoControlMpc 1.0.0: published, owner Energy management team, in line SUV-2025",
+    ]
+
+
+def test_a_faulty_function_is_not_published_and_none_of_the_others(run: Run) -> None:
+    faulty = edited(MPC, "mpc.function.yaml", (PROPOSAL, "Vehicle.ADAS.EcoControl.AcelerationProposal"))
+    status, text = run("publish", CORE, faulty)
+    assert (status, "error F0" in text) == (1, True)
+    assert run("registry", "list")[1] == ""
+    assert not Path("registry.db").exists()
+
+
+STRUCT = """
+Types: {type: branch, description: Types.}
+Types.Lane: {type: struct, description: A lane.}
+Types.Lane.Width: {type: property, datatype: float, description: Width., unit: m}
+Types.Lane.Quality: {type: property, datatype: uint8, description: Quality.}
+"""
+
+
+def test_a_property_of_a_struct_has_the_users_of_its_signals(run: Run) -> None:
+    Path("types.vspec").write_text(STRUCT, encoding="utf-8")
+    Path("lane.vspec").write_text(
+        "Vehicle.Lane: {type: sensor, datatype: Types.Lane, description: The lane.}\n", encoding="utf-8"
+    )
+    Path("sigcat.toml").write_text(
+        'types = ["types.vspec"]\n[registry]\ndatabase = "registry.db"\n[[catalogue]]\nid = "own"\nrelease = "shipped"\n'
+        'overlays = ["lane.vspec"]\n', encoding="utf-8",
+    )  # fmt: skip
+    function = _lane_function()
+    assert run("publish", function)[0] == 0
+    _, text = run("users", "Types.Lane.Width")
+    assert "Lanes 1.0.0 consumes Types.Lane.Width, call Lanes_Step, through Vehicle.Lane" in text
+    Path("types.vspec").write_text(STRUCT.replace("unit: m}", "unit: cm}"), encoding="utf-8")
+    Path("lane2.vspec").write_text(
+        "Vehicle.Other: {type: sensor, datatype: float, description: Other.}\n", encoding="utf-8"
+    )
+    status, text = run("check", "lane2.vspec")
+    assert status == 1
+    assert "Changing `unit` of Types.Lane.Width from m to cm breaks Lanes 1.0.0" in text
+
+
+def _lane_function() -> Path:
+    file = Path("lanes.function.yaml")
+    file.write_text(
+        "function: Lanes\ndescription: Lanes.\nresponsible: Lane team\nversion: 1.0.0\n"
+        "define: {scheduling: {Step: {cycleTime: 10, priority: 1, asil: QM, description: Runs.}}}\n"
+        "components: [{name: Lanes, runnables: [{interface: Lanes_Step, data: [{path: Vehicle.Lane, role: consumed}]}]}]\n",
+        encoding="utf-8",
+    )  # fmt: skip
+    return file

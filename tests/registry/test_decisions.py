@@ -1,0 +1,128 @@
+"""Decisions of `check` and `can-i-deploy`, beside an oracle that validates every vehicle as a whole again."""
+
+import random
+from collections.abc import Mapping, Sequence
+from itertools import product
+
+import pytest
+
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.function.function_file import CheckedFunction
+from sigcat.function.sets.check_set import check_set
+from sigcat.registry.breaking import broken_by_catalogue
+from sigcat.registry.deploying import can_deploy
+from sigcat.registry.reference import Reference
+from sigcat.registry.storing.database import in_memory
+from tests.needs import IS_SLOW_RUN
+from tests.registry.parts import NAMES, SIGNALS, add, candidate, catalogue, checked, declaration, deploy
+
+HISTORIES = 10_000 if IS_SLOW_RUN else 300
+PARTS = 20
+"""Parts of the histories, so that several processes share them."""
+_UNPROVIDED = "F103"
+_OTHER = {"S0": "uint8", "S2": "uint16"}
+CATALOGUES = (catalogue(), catalogue(_OTHER))
+
+
+class History:
+    """A random history: versions of functions, a vehicle line, and a deployment to ask about."""
+
+    def __init__(self, seed: int) -> None:
+        self.random = random.Random(seed)
+        self.versions: dict[Reference, tuple[bytes, Catalogue]] = {}
+        for name in NAMES[: self.random.randint(2, 4)]:
+            for number in range(self.random.randint(1, 3)):
+                self.versions[Reference(name, f"1.{number}.0")] = self._function(name, f"1.{number}.0")
+        self.names = tuple(dict.fromkeys(each.name for each in self.versions))
+        self.field = [each for each in self.versions if self.random.random() < 0.6]
+        count = min(len(self.names), self.random.choice((1, 1, 2)))
+        chosen = self.random.sample(self.names, count)
+        self.deployed = [self.random.choice([each for each in self.versions if each.name == name]) for name in chosen]
+
+    def _function(self, name: str, version: str) -> tuple[bytes, Catalogue]:
+        own = SIGNALS[NAMES.index(name)] if self.random.random() < 0.9 else self.random.choice(SIGNALS)
+        provided = [own] if self.random.random() < 0.9 else []
+        consumed = [each for each in self.random.sample(SIGNALS, self.random.randint(0, 2)) if each != own]
+        over = CATALOGUES[self.random.random() < 0.1]
+        return declaration(name, provided, consumed, version), over
+
+
+Functions = Mapping[Reference, CheckedFunction]
+
+
+def errors(members: Sequence[CheckedFunction]) -> set[tuple[str, str, str]]:
+    found = check_set(members, is_whole=False)
+    return {(each.rule, each.file, each.message) for each in found if each.severity == "error"}
+
+
+def unprovided(members: Sequence[CheckedFunction]) -> set[tuple[str, str]]:
+    found = [each for each in check_set(members, CATALOGUES[0]) if each.rule == _UNPROVIDED]
+    return {(each.file.partition("@")[0], each.path) for each in found}
+
+
+def fits(history: History) -> bool:
+    """Whether no vehicle has an error that it had not before: each vehicle has one version of each function."""
+    functions = {
+        ref: checked(text, over, f"{ref.name}@{ref.version}") for ref, (text, over) in history.versions.items()
+    }
+    new = [functions[each] for each in history.deployed]
+    names = [each.name for each in history.deployed]
+    others = [
+        [functions[each] for each in history.field if each.name == name] for name in history.names if name not in names
+    ]
+    before: list[list[CheckedFunction | None]] = [
+        [functions[each] for each in history.field if each.name == name] or [None] for name in names
+    ]
+    for vehicle in product(*filter(None, others)):
+        if errors([*vehicle, *new]) - errors(vehicle):
+            return False
+        missing = unprovided([*vehicle, *new])
+        for old in product(*before):
+            if missing - unprovided([*vehicle, *(each for each in old if each is not None)]):
+                return False
+    return True
+
+
+@pytest.mark.parametrize("part", range(PARTS))
+def test_a_deployment_is_allowed_if_no_vehicle_gets_an_error(part: int) -> None:
+    decisions: list[str] = []
+    for seed in range(part, HISTORIES, PARTS):
+        history = History(seed)
+        with in_memory() as connection:
+            add(connection, *(candidate(text, over) for text, over in history.versions.values()))
+            deploy(connection, "SUV-2025", history.field)
+            answer = can_deploy(connection, history.deployed, "SUV-2025")
+        expected = "unknown" if not history.field else "yes" if fits(history) else "no"
+        assert answer.decision == expected, (seed, history.field, history.deployed, answer.conflicts)
+        decisions.append(answer.decision)
+    assert {"yes", "no"} <= set(decisions)
+
+
+@pytest.mark.parametrize("part", range(PARTS))
+def test_a_change_of_the_catalogue_breaks_the_functions_that_can_no_longer_be_built_the_same(part: int) -> None:
+    found: list[bool] = []
+    for seed in range(part, HISTORIES, PARTS):
+        chance = random.Random(seed)
+        text = declaration("Alpha", chance.sample(SIGNALS, 1), chance.sample(SIGNALS, 1))
+        gone = chance.sample(SIGNALS, chance.randint(0, 1))
+        datatypes = {name: chance.choice(("float", "uint8", "uint16")) for name in chance.sample(SIGNALS, 1)}
+        after = catalogue(datatypes, without=gone, text="Other words.")
+        if checked(text, CATALOGUES[0]).sound is None:  # it provides what it consumes
+            continue
+        with in_memory() as connection:
+            add(connection, candidate(text, CATALOGUES[0]))
+            broken = broken_by_catalogue(connection, after, "tree.vspec")
+        is_broken = any(each.severity == "error" for each in broken)
+        assert is_broken is not _is_the_same(text, after), (seed, broken)
+        found.append(is_broken)
+    assert {True, False} == set(found)
+
+
+def _is_the_same(text: bytes, after: Catalogue) -> bool:
+    """Whether a function can be built over a catalogue with the datatypes that it has."""
+    built = checked(text, after)
+    if built.sound_function is None:
+        return False
+    before = checked(text, CATALOGUES[0]).sound_function
+    assert before is not None
+    return before.datatypes == built.sound_function.datatypes

@@ -1,0 +1,212 @@
+"""What publish accepts, and what it refuses."""
+
+import sqlite3
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from sigcat.errors import InputRefused
+from sigcat.registry.lines import record, set_rule, set_state
+from sigcat.registry.publish import Candidate, publish
+from sigcat.registry.published import all_versions, content_of, version_named
+from sigcat.registry.reference import Reference
+from sigcat.registry.storing.database import reading
+from sigcat.registry.storing.ledger import Registry
+from sigcat.registry.version import raised_part, version_of
+from tests.registry.parts import candidate, catalogue, declaration, plain_candidate
+
+CATALOGUE = catalogue()
+
+
+@pytest.fixture
+def registry(tmp_path: Path) -> Registry:
+    return Registry(tmp_path / "registry.db")
+
+
+def alpha(version: str, provided: tuple[str, ...] = ("S0", "S1"), consumed: tuple[str, ...] = ()) -> Candidate:
+    return candidate(declaration("Alpha", provided, consumed, version), CATALOGUE)
+
+
+def outcome(registry: Registry, *candidates: Candidate, draft: bool = False) -> list[str]:
+    """Statuses, or the rules of the findings."""
+    try:
+        return [each.status for each in publish(registry, candidates, is_draft=draft).outcomes]
+    except InputRefused as refused:
+        return [each.rule for each in refused.findings]
+
+
+def stored(registry: Registry) -> list[tuple[str, str, str]]:
+    with reading(registry.database) as connection:
+        return [(each.name, each.version, each.state) for each in all_versions(connection)]
+
+
+def test_the_same_bytes_again_change_nothing_and_other_bytes_are_refused(registry: Registry) -> None:
+    assert outcome(registry, alpha("1.0.0")) == ["published"]
+    assert outcome(registry, alpha("1.0.0")) == ["unchanged"]
+    assert outcome(registry, alpha("1.0.0", ("S0", "S1", "S2"))) == ["E003"]
+    assert outcome(registry, alpha("1.0.0", ("S0",)), draft=True) == ["E003"]
+
+
+def test_versions_that_differ_in_build_metadata_are_one_version(registry: Registry) -> None:
+    assert outcome(registry, plain_candidate("name", "1.0.0+a")) == ["published"]
+    assert outcome(registry, plain_candidate("name", "1.0.0+b")) == ["unchanged"]
+    assert outcome(registry, plain_candidate("name", "1.0.0+b", b"other")) == ["E003"]
+
+
+def test_the_same_bytes_over_a_catalogue_with_other_signals_are_another_version(registry: Registry) -> None:
+    outcome(registry, alpha("1.0.0"))
+    other = candidate(declaration("Alpha", ("S0", "S1"), (), "1.0.0"), catalogue({"S0": "uint8"}))
+    assert outcome(registry, other) == ["E003"]
+
+
+def test_two_files_with_one_version_in_one_command_are_refused_together(registry: Registry) -> None:
+    assert outcome(registry, alpha("1.0.0"), alpha("1.0.0", ("S0",))) == ["E003"]
+    assert stored(registry) == []
+
+
+def test_a_draft_changes_until_it_is_published(registry: Registry) -> None:
+    assert outcome(registry, alpha("1.0.0"), draft=True) == ["draft"]
+    assert outcome(registry, alpha("1.0.0", ("S0",)), draft=True) == ["draft"]
+    assert stored(registry) == [("Alpha", "1.0.0", "draft")]
+    assert outcome(registry, alpha("1.0.0", ("S0", "S2"))) == ["published"]
+    with reading(registry.database) as connection:
+        version = version_named(connection, "function", Reference("Alpha", "1.0.0"))
+        assert content_of(connection, version.content) == declaration("Alpha", ("S0", "S2"))
+
+
+@pytest.mark.parametrize(
+    ("provided", "consumed", "refused", "accepted"),
+    [
+        (("S0",), (), ("1.1.0", "1.0.1"), "2.0.0"),  # an output is gone
+        (("S0", "S1", "S2"), (), ("1.0.1",), "1.1.0"),  # an output is new
+        (("S0", "S1"), ("S3",), ("1.0.1",), "1.1.0"),  # it needs another provider
+        (("S0", "S1"), (), (), "1.0.1"),
+    ],
+)
+def test_a_version_rises_by_the_part_that_its_worst_change_needs(
+    registry: Registry, provided: tuple[str, ...], consumed: tuple[str, ...], refused: tuple[str, ...], accepted: str
+) -> None:
+    outcome(registry, alpha("1.0.0"))
+    for version in refused:
+        assert outcome(registry, alpha(version, provided, consumed)) == ["E004"], version
+    assert outcome(registry, alpha(accepted, provided, consumed)) == ["published"]
+
+
+def test_the_rule_full_refuses_what_breaks_others_and_the_rule_none_refuses_nothing(registry: Registry) -> None:
+    outcome(registry, alpha("1.0.0"))
+    set_rule(registry, "function", "Alpha", "full")
+    assert outcome(registry, alpha("2.0.0", ("S0",))) == ["E004"]
+    set_rule(registry, "function", "Alpha", "none")
+    assert outcome(registry, alpha("1.0.1", ("S0",))) == ["published"]
+
+
+VERSIONS = ("", "1", "1.2", "v1.0.0", "01.0.0", "1.0.0-", "1.0.0-01", "1.0.0+", "1.0.0 ", "1.0.0\n", "١.0.0", "1.0.0-é",
+            "-1.0.0", "1.0.9999999999", f"1.0.0-{'a' * 200}", "latest", "1.0.0/2")  # fmt: skip
+
+
+@pytest.mark.parametrize("version", VERSIONS)
+def test_a_version_that_is_none_is_refused(registry: Registry, version: str) -> None:
+    assert outcome(registry, plain_candidate("name", version)) == ["E001"]
+    assert not registry.database.exists()
+
+
+NAMES = ("", ".", "..", "a/b", "../a", "a\\b", "a b", "a\n", "a@1", "-a", "Vеhicle", "CoreＡcc", "a\u202eb", "x" * 101)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_name_with_slashes_or_letters_that_look_alike_is_refused(registry: Registry, name: str) -> None:
+    assert outcome(registry, plain_candidate(name, "1.0.0")) == ["E002"]
+    assert not registry.database.exists()
+    with pytest.raises(InputRefused):
+        record(registry, "release", name, Reference("Alpha", "1.0.0"))
+
+
+def test_a_name_in_another_case_is_refused(registry: Registry) -> None:
+    outcome(registry, plain_candidate("Body", "1.0.0"))
+    assert outcome(registry, plain_candidate("body", "1.0.0")) == ["E002"]
+
+
+def test_versions_are_in_the_order_of_semver() -> None:
+    ordered = "1.0.0-alpha 1.0.0-alpha.1 1.0.0-alpha.beta 1.0.0-beta.2 1.0.0-beta.11 1.0.0-rc.1 1.0.0 1.0.1 1.2.0 1.10.0 2.0.0"
+    versions = [version for text in ordered.split() if (version := version_of(text)) is not None]
+    assert len(versions) == len(ordered.split())
+    assert all(a < b for a, b in pairwise(versions))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "part"),
+    [
+        ("1.2.3", "2.0.0", "major"),
+        ("1.2.3", "1.3.0", "minor"),
+        ("1.2.3", "1.2.4", "patch"),
+        ("0.1.0", "0.2.0", "major"),
+    ],
+)
+def test_the_part_that_rises(old: str, new: str, part: str) -> None:
+    before, after = version_of(old), version_of(new)
+    assert before is not None
+    assert after is not None
+    assert raised_part(before, after) == part
+
+
+def test_a_document_of_ten_megabytes_is_published_byte_for_byte(registry: Registry) -> None:
+    content = b"# \xc3\xa9\r\n" * 1_500_000
+    assert outcome(registry, plain_candidate("large", "1.0.0", content)) == ["published"]
+    with reading(registry.database) as connection:
+        version = version_named(connection, "overlay", Reference("large", "1.0.0"))
+        assert content_of(connection, version.content) == content
+
+
+def test_a_version_in_a_vehicle_line_is_not_retired_and_a_draft_is_not_deployed(registry: Registry) -> None:
+    reference = Reference("Alpha", "1.0.0")
+    outcome(registry, alpha("1.0.0"), draft=True)
+    with pytest.raises(InputRefused, match="nothing was changed"):
+        record(registry, "deployment", "SUV-2025", reference)
+    outcome(registry, alpha("1.0.0"))
+    record(registry, "deployment", "SUV-2025", reference)
+    with pytest.raises(InputRefused):
+        record(registry, "release", "suv-2025", reference)
+    set_state(registry, "function", reference, "deprecated", "2040-01-31")
+    with pytest.raises(InputRefused):
+        set_state(registry, "function", reference, "retired")
+    record(registry, "support ended", "SUV-2025", reference)
+    set_state(registry, "function", reference, "retired")
+    with pytest.raises(InputRefused):
+        record(registry, "deployment", "SUV-2025", reference)
+
+
+@pytest.mark.parametrize("date", ["soon", "2027-02-30", "27-01-01", "2027-1-1"])
+def test_a_date_that_is_none_is_refused(registry: Registry, date: str) -> None:
+    outcome(registry, alpha("1.0.0"))
+    with pytest.raises(InputRefused):
+        set_state(registry, "function", Reference("Alpha", "1.0.0"), "deprecated", date)
+
+
+@pytest.mark.parametrize("pragma", ["user_version = 2", "application_id = 7"])
+def test_a_database_of_a_newer_schema_or_another_program_is_refused(registry: Registry, pragma: str) -> None:
+    outcome(registry, alpha("1.0.0"))
+    with sqlite3.connect(registry.database) as connection:
+        connection.execute(f"PRAGMA {pragma}")
+    connection.close()
+    assert outcome(registry, alpha("1.1.0")) == ["E011"]
+    with pytest.raises(InputRefused), reading(registry.database):
+        pass
+
+
+def test_a_file_that_is_no_database_is_refused_and_kept(registry: Registry) -> None:
+    registry.database.write_bytes(b"important" * 1000)
+    assert outcome(registry, alpha("1.0.0")) == ["E011"]
+    assert registry.database.read_bytes() == b"important" * 1000
+
+
+def test_a_database_of_another_program_is_kept(registry: Registry) -> None:
+    with sqlite3.connect(registry.database) as connection:
+        connection.execute("CREATE TABLE theirs (id INTEGER)")
+    connection.close()
+    assert outcome(registry, alpha("1.0.0")) == ["E011"]
+
+
+def test_reading_creates_no_file(registry: Registry) -> None:
+    assert stored(registry) == []
+    assert not registry.database.exists()

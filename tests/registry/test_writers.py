@@ -1,0 +1,121 @@
+"""Writers at the same time, writers that are killed, and disks that are full."""
+
+import multiprocessing
+import os
+import random
+import resource
+import signal
+import time
+from pathlib import Path
+
+import pytest
+
+from sigcat.errors import InputRefused
+from sigcat.registry.publish import publish
+from sigcat.registry.published import all_versions
+from sigcat.registry.storing.database import reading
+from sigcat.registry.storing.ledger import Registry
+from sigcat.registry.storing.verify import verify
+from tests.needs import IS_SLOW_RUN
+from tests.registry.parts import plain_candidate
+
+WRITERS, VERSIONS = 20, 5
+KILLS = 100 if IS_SLOW_RUN else 10
+_FORK = multiprocessing.get_context("fork")
+
+
+def versions_in(database: Path) -> list[str]:
+    with reading(database) as connection:
+        assert verify(connection).findings == ()
+        return [each.version for each in all_versions(connection)]
+
+
+def _write(arguments: tuple[Path, int]) -> int:
+    """Publish versions of one name, and one that all writers publish with other bytes; return how many of these won."""
+    database, writer = arguments
+    for number in range(VERSIONS):
+        publish(Registry(database), [plain_candidate("shared", f"1.{writer}.{number}")])
+    try:
+        publish(Registry(database), [plain_candidate("shared", "2.0.0", str(writer).encode())])
+    except InputRefused as refused:
+        return 0 if [each.rule for each in refused.findings] == ["E003"] else 100
+    return 1
+
+
+def test_twenty_writers_of_one_name_make_no_version_twice_and_lose_none(tmp_path: Path) -> None:
+    database = tmp_path / "registry.db"
+    with _FORK.Pool(WRITERS) as pool:
+        winners = pool.map(_write, [(database, writer) for writer in range(WRITERS)])
+    assert sum(winners) == 1
+    expected = [f"1.{writer}.{number}" for writer in range(WRITERS) for number in range(VERSIONS)]
+    assert versions_in(database) == [*expected, "2.0.0"]
+
+
+def test_equal_bytes_of_parallel_writers_are_published_once_and_unchanged_for_the_others(tmp_path: Path) -> None:
+    database = tmp_path / "registry.db"
+    with _FORK.Pool(WRITERS) as pool:
+        found = pool.starmap(_publish_same, [(database,)] * WRITERS)
+    assert sorted(found) == ["published", *["unchanged"] * (WRITERS - 1)]
+    assert versions_in(database) == ["1.0.0"]
+
+
+def _publish_same(database: Path) -> str:
+    return publish(Registry(database), [plain_candidate("same", "1.0.0")]).outcomes[0].status
+
+
+@pytest.mark.parametrize("seed", range(KILLS))
+def test_after_a_kill_every_answered_version_is_there_and_every_other_is_whole_or_absent(
+    tmp_path: Path, seed: int
+) -> None:
+    database, answers = tmp_path / "registry.db", tmp_path / "answers"
+    process = _FORK.Process(target=_publish_until_killed, args=(database, answers))
+    process.start()
+    while not answers.exists():
+        time.sleep(0.001)
+    time.sleep(random.Random(seed).uniform(0, 0.2))
+    process.kill()
+    process.join()
+    answered = answers.read_text(encoding="utf-8").split()
+    found = versions_in(database)
+    assert found[: len(answered)] == answered
+    assert len(found) - len(answered) in (0, 1)
+    assert publish(Registry(database), [plain_candidate("after", "1.0.0")]).outcomes[0].status == "published"
+
+
+def _publish_until_killed(database: Path, answers: Path) -> None:
+    for number in range(100_000):
+        content = random.Random(number).randbytes(20_000)
+        publish(Registry(database), [plain_candidate("killed", f"1.{number}.0", content)])
+        with answers.open("a", encoding="utf-8") as file:
+            file.write(f"1.{number}.0\n")
+
+
+def test_a_full_disk_is_a_finding_and_nothing_is_published_by_half(tmp_path: Path) -> None:
+    database = tmp_path / "registry.db"
+    publish(Registry(database), [plain_candidate("small", "1.0.0")])
+    with _FORK.Pool(1) as pool:
+        rules, fix = pool.apply(_publish_on_full_disk, (database,))
+    assert rules == ["E011"]
+    assert fix
+    assert versions_in(database) == ["1.0.0"]
+    big = [plain_candidate("big", "1.0.0", os.urandom(3_000_000)), plain_candidate("second", "1.0.0")]
+    assert len(publish(Registry(database), big).outcomes) == 2
+
+
+def _publish_on_full_disk(database: Path) -> tuple[list[str], str]:
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1_000_000, 1_000_000))
+    big = [plain_candidate("second", "1.0.0"), plain_candidate("big", "1.0.0", os.urandom(3_000_000))]
+    try:
+        publish(Registry(database), big)
+    except InputRefused as refused:
+        return [each.rule for each in refused.findings], refused.findings[0].fix
+    return [], ""
+
+
+@pytest.mark.parametrize("folder", ["/proc", "/nowhere/at/all"])
+def test_a_place_that_cannot_be_written_is_a_finding(folder: str) -> None:
+    database = Path(folder, "registry.db")
+    with pytest.raises(InputRefused) as refused:
+        publish(Registry(database), [plain_candidate("small", "1.0.0")])
+    assert [(each.rule, each.file) for each in refused.value.findings] == [("E011", str(database))]
