@@ -243,3 +243,106 @@ def _lane_function() -> Path:
         encoding="utf-8",
     )  # fmt: skip
     return file
+
+
+TREE = "Vehicle: {type: branch, description: A vehicle.}\nVehicle.Speed: {type: sensor, datatype: float, unit: km/h, description: Speed.}\n"
+
+
+def test_a_catalogue_is_published_with_its_overlays_and_the_same_bytes_from_any_folder(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    Path("sigcat.toml").write_text(
+        '[registry]\ndatabase = "registry.db"\n[[catalogue]]\nid = "fleet"\nspec = "Fleet.vspec"\noverlays = ["own.vspec"]\n',
+        encoding="utf-8",
+    )
+    Path("Fleet.vspec").write_bytes(TREE.replace("\n", "\r\n").encode())
+    overlay = Path("own.vspec")
+    overlay.write_text(
+        "Vehicle.Own: {type: sensor, datatype: float, unit: km/h, description: Own.}\n", encoding="utf-8"
+    )
+    assert run("publish", "Fleet.vspec", "--version", "1.0.0") == (0, "catalogue fleet 1.0.0: published\n")
+    _, text = run("registry", "show", "fleet@1.0.0", "--kind", "catalogue")
+    files = json.loads(text)["files"]
+    assert list(files)[:2] == ["Fleet.vspec", "own.vspec"]
+    assert files["Fleet.vspec"].encode() == Path("Fleet.vspec").read_bytes()
+    assert not [name for name in files if Path(name).is_absolute()]
+    Path("below").mkdir()
+    monkeypatch.chdir("below")
+    assert run("publish", "../Fleet.vspec", "--version", "1.0.0") == (0, "catalogue fleet 1.0.0: unchanged\n")
+    monkeypatch.chdir(tmp_path)
+    overlay.write_text(overlay.read_text(encoding="utf-8").replace("km/h", "m/s"), encoding="utf-8")
+    status, text = run("publish", "Fleet.vspec", "--version", "1.1.0")
+    assert (status, "Publish it as 2.0.0." in text) == (1, True)
+
+
+def test_a_tree_that_breaks_a_published_function_is_reported(field: Run) -> None:
+    Path("Other.vspec").write_text(TREE.replace("km/h", "m/s"), encoding="utf-8")
+    status, text = field("check", "Other.vspec")
+    assert status == 1
+    assert "Other.vspec:2:" in text
+    assert "Removing Vehicle.Mass breaks CoreAcc 1.0.0" in text
+
+
+def test_an_overlay_is_compared_with_its_version_before(run: Run) -> None:
+    overlay = Path("own.vspec")
+    overlay.write_text("Vehicle.Own: {type: sensor, datatype: float, description: Own.}\n", encoding="utf-8")
+    assert run("publish", overlay)[0] == 2  # an overlay has no version
+    assert run("publish", overlay, "--version", "1.0.0", "--owner", "Platform team")[0] == 0
+    overlay.write_text("Vehicle.Other: {type: sensor, datatype: float, description: Other.}\n", encoding="utf-8")
+    status, text = run("publish", overlay, "--version", "1.1.0")
+    assert (status, "Removing Vehicle.Own is breaking" in text) == (1, True)
+    assert run("publish", overlay, "--version", "2.0.0")[0] == 0
+
+
+def test_an_answer_is_bounded(field: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("sigcat.cli.registry.REGISTRY_ROWS", 1)
+    monkeypatch.setattr("sigcat.cli.registry_options.REGISTRY_ROWS", 1)
+    monkeypatch.setattr("sigcat.registry.users.REGISTRY_ROWS", 1)
+    assert field("registry", "list")[1].splitlines()[1:] == ["2 more are not shown"]
+    assert field("users", "Vehicle.Speed")[1].splitlines()[1:] == ["1 more are not shown"]
+
+
+def test_a_key_is_made_once_and_its_owner_alone_reads_it(field: Run) -> None:
+    assert field("registry", "new-key", "registry.key")[0] == 0
+    assert Path("registry.key").stat().st_mode & 0o777 == 0o600
+    assert field("registry", "new-key", "registry.key")[0] == 2
+    with Path("sigcat.toml").open("a", encoding="utf-8") as project:
+        project.write('key = "registry.key"\n')
+    status, text = field("registry", "verify")
+    assert (status, "The last entry of the log is not signed." in text) == (1, True)
+    status, text = field("registry", "deprecate", "CoreAcc@1.0.0")
+    head = text.split()[-1]
+    assert field("registry", "verify", "--public-key", "registry.key.pub", "--head", head)[0] == 0
+    assert field("registry", "verify", "--head", "0" * 64)[0] == 1
+
+
+def test_an_export_and_an_import_of_a_project_are_the_same(field: Run) -> None:
+    assert field("registry", "export", "-o", "all.jsonl")[0] == 0
+    status, text = field("registry", "export", "-o", "registry.db")
+    assert (status, "would be lost" in text) == (2, True)
+    project = Path("sigcat.toml")
+    project.write_text('[registry]\ndatabase = "second.db"\n', encoding="utf-8")
+    assert field("registry", "import", "all.jsonl")[0] == 0
+    assert field("registry", "export", "-o", "again.jsonl")[0] == 0
+    assert Path("again.jsonl").read_bytes() == Path("all.jsonl").read_bytes()
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "registry = 1\n",
+        "[registry]\n",
+        '[registry]\nbase = "x"\n',
+        "[registry]\ndatabase = 1\n",
+        '[registry]\ndatabase = ""\n',
+    ],
+)
+def test_a_wrong_table_of_the_project_is_a_finding_with_its_line(run: Run, text: str) -> None:
+    Path("sigcat.toml").write_text(text, encoding="utf-8")
+    status, printed = run("registry", "list")
+    assert (status, printed.startswith("sigcat.toml:")) == (2, True)
+    assert "Traceback" not in printed
+
+
+def test_config_shows_the_registry(run: Run) -> None:
+    assert re.search(r"^registry.database = registry.db +# sigcat.toml:2$", run("config", "--show")[1], re.MULTILINE)

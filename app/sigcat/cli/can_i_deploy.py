@@ -4,7 +4,8 @@ import argparse
 from typing import TYPE_CHECKING
 
 from sigcat.cli.project_options import add_project_options
-from sigcat.cli.registry_options import read_registry
+from sigcat.cli.registry_options import print_more, read_registry
+from sigcat.limits import REGISTRY_ROWS
 from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
@@ -52,7 +53,8 @@ def can_i_deploy(arguments: argparse.Namespace) -> int:
 
 def _print(answer: "Answer") -> None:
     deployed = ", ".join(map(str, answer.deployed))
-    for conflict in answer.conflicts:
+    print_more(len(answer.conflicts))
+    for conflict in answer.conflicts[:REGISTRY_ROWS]:
         print(conflict.finding.line_of_text)
     if answer.finding is not None:
         print(answer.finding.line_of_text)
@@ -74,7 +76,7 @@ def _data(answer: "Answer") -> dict[str, object]:
                 "rule": each.rule, "severity": each.severity, "message": each.message, "path": each.path,
                 "attribute": each.attribute, "sides": [side._asdict() for side in each.sides],
             }
-            for each in answer.conflicts
+            for each in answer.conflicts[:REGISTRY_ROWS]
         ],
         "finding": answer.finding._asdict() if answer.finding else None,
     }  # fmt: skip

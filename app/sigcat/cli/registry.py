@@ -8,8 +8,17 @@ from typing import TYPE_CHECKING, TypeAlias
 from sigcat.cli.output import write_bytes, write_lines
 from sigcat.cli.output_options import add_output, refuse_overwriting
 from sigcat.cli.project_options import add_project_options
-from sigcat.cli.registry_options import add_report, print_head, print_report, read_registry, registry_of
+from sigcat.cli.registry_options import (
+    add_report,
+    needing_extra,
+    print_head,
+    print_more,
+    print_report,
+    read_registry,
+    registry_of,
+)
 from sigcat.errors import UsageError, existing_file
+from sigcat.limits import REGISTRY_ROWS
 from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
@@ -104,7 +113,8 @@ def list_versions(arguments: argparse.Namespace) -> int:
             listed = all_versions(connection, arguments.kind)
         else:
             listed = tuple(each.published for each in running(connection, arguments.line))
-    for each in listed:
+    print_more(len(listed))
+    for each in listed[:REGISTRY_ROWS]:
         owner = f", owner {each.owner}" if each.owner else ""
         until = f" until {each.until}" if each.until else ""
         successor = f", successor {each.successor}" if each.successor else ""
@@ -202,8 +212,8 @@ def import_file(arguments: argparse.Namespace) -> int:
 
 def new_key(arguments: argparse.Namespace) -> int:
     """Write a new pair of keys; a file that exists is never replaced."""
-    from sigcat.registry.storing.signing import new_key as make_key
-
+    with needing_extra():
+        from sigcat.registry.storing.signing import new_key as make_key
     public = arguments.file.with_name(f"{arguments.file.name}.pub")
     for file in (arguments.file, public):
         if file.exists():

@@ -3,6 +3,7 @@
 import argparse
 import sys
 from contextlib import contextmanager
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -10,6 +11,7 @@ from sigcat.cli.output import write_text
 from sigcat.cli.output_options import FORMATS, add_output
 from sigcat.cli.project_options import project_of
 from sigcat.errors import UsageError
+from sigcat.limits import REGISTRY_ROWS
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -26,13 +28,23 @@ def registry_of(arguments: argparse.Namespace) -> "Registry":
     settings = project_of(arguments).registry
     if settings is None:
         raise UsageError(_HOW_TO)
-    try:
+    with needing_extra():
         from sigcat.registry.storing.ledger import Registry
+
+        if settings.key is not None:
+            import_module("sigcat.registry.storing.signing")
+    return Registry(settings.database, settings.key)
+
+
+@contextmanager
+def needing_extra() -> "Iterator[None]":
+    """Report packages that are missing in the block. Raises UsageError."""
+    try:
+        yield
     except ModuleNotFoundError as error:
-        if (error.name or "").partition(".")[0] != "sqlalchemy":
+        if (error.name or "").partition(".")[0] not in ("sqlalchemy", "cryptography"):
             raise
         raise UsageError("a registry needs the extra `registry`: run `pip install 'sigcat[registry]'`") from None
-    return Registry(settings.database, settings.key)
 
 
 @contextmanager
@@ -57,11 +69,19 @@ def print_head(registry: "Registry", head: str) -> None:
         print(f"head of the log: {head}", file=sys.stderr)
 
 
+def print_more(count: int) -> None:
+    """Say how many of so many rows are not shown."""
+    if count > REGISTRY_ROWS:
+        print(f"{count - REGISTRY_ROWS} more are not shown", file=sys.stderr)
+
+
 def print_report(findings: "Sequence[Finding]", form: str, output: "Path | None" = None) -> None:
     """Print findings as `sigcat lint` does."""
     from sigcat.data import INTERFACE_RULES
     from sigcat.rules.compiled import compiled_rules
     from sigcat.rules.report import report, sources_of
 
+    kept = findings[:REGISTRY_ROWS]
     rules = tuple(compiled_rules(INTERFACE_RULES)) if form == "sarif" else ()
-    write_text(report(findings, form, sources_of(findings), rules), output)
+    print_more(len(findings))
+    write_text(report(kept, form, sources_of(kept), rules), output)

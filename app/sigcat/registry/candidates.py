@@ -1,6 +1,7 @@
 """Files to publish: read, resolved and checked against the catalogue of the project."""
 
 import json
+import os
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -10,6 +11,7 @@ from sigcat.catalogue.comparing.diff_report import plain
 from sigcat.catalogue.comparing.trial import try_layer
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.reading.layers import read_layer
+from sigcat.data import OVERLAYS, VSPEC
 from sigcat.errors import InputRefused
 from sigcat.findings import has_errors
 from sigcat.function.function_file import CheckedFunction
@@ -89,9 +91,18 @@ def overlay_candidate(
 def catalogue_candidate(catalogue: Catalogue, version: str, owner: str = "") -> Candidate:
     """The candidate of a tree with its overlays: its content is every file that it was read from."""
     nodes = all_nodes(catalogue)
-    files = {file.name: Path(file.name).read_text(encoding="utf-8") for file in catalogue.files}
+    paths = [Path(file.name) for file in catalogue.files]
+    files = {_name_of(path, paths[0].parent): path.read_bytes().decode("utf-8") for path in paths}
     content = json.dumps({"files": files}, ensure_ascii=False, indent=1).encode()
     return Candidate("catalogue", catalogue.name, version, owner, content, _nodes_json(nodes), b"", "", nodes)
+
+
+def _name_of(file: Path, folder: Path) -> str:
+    """The name of a file of a catalogue, which is the same on every machine."""
+    for shipped in (VSPEC, OVERLAYS):
+        if file.is_relative_to(shipped):
+            return f"sigcat/{shipped.name}/{file.relative_to(shipped).as_posix()}"
+    return Path(os.path.relpath(file, folder)).as_posix()
 
 
 def all_nodes(catalogue: Catalogue) -> Mapping[str, Mapping[str, Any]]:
