@@ -1,8 +1,9 @@
 """Functions that a change breaks, before anything is published: of a catalogue, or of functions."""
 
-from collections.abc import Iterator, Mapping, Sequence
+import json
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from sqlalchemy import Connection
+from sqlalchemy import Connection, select
 
 from sigcat import codes
 from sigcat.catalogue.comparing.compatibility import ROWS, Vocabularies
@@ -12,6 +13,7 @@ from sigcat.registry.changes import UseChange, relied_changes
 from sigcat.registry.conflicts import Conflict, Side, conflicts
 from sigcat.registry.member import Member, published_member
 from sigcat.registry.published import Published, content_of, current, lines_by_version, running
+from sigcat.registry.storing.tables import USES
 from sigcat.registry.use import Use, from_json
 
 _ABOUT = {"breaking": codes.BREAKS_A_PUBLISHED_FUNCTION, "risky": codes.MAY_BREAK_A_PUBLISHED_FUNCTION}
@@ -19,27 +21,54 @@ _ABOUT = {"breaking": codes.BREAKS_A_PUBLISHED_FUNCTION, "risky": codes.MAY_BREA
 
 def broken_by_catalogue(connection: Connection, catalogue: Catalogue, file: str) -> tuple[Finding, ...]:
     """Findings about published functions that rely on what a catalogue no longer has, or has otherwise."""
+    changes = _changes(connection, catalogue)
+    users = _users(connection, {path for path, _ in changes})
     lines = lines_by_version(connection)
     found = (
         finding
         for published in current(connection)
-        for finding in _broken_uses(connection, published, catalogue, lines.get(published.id, ()), file)
+        if published.id in users
+        for finding in _broken_uses(connection, published, changes, catalogue, lines.get(published.id, ()), file)
     )
     return tuple(dict.fromkeys(found))
 
 
-def _broken_uses(
-    connection: Connection, published: Published, catalogue: Catalogue, lines: Sequence[str], file: str
-) -> Iterator[Finding]:
-    uses = [use for use in from_json(content_of(connection, published.uses)) if use.is_in_catalogue and use.path]
-    calls = _calls(uses)
+_Changes = Mapping[tuple[str, str], tuple[UseChange, ...]]
+"""Changes by the path of a node and the attributes that a function relies on."""
+
+
+def _changes(connection: Connection, catalogue: Catalogue) -> _Changes:
+    """Changes that break a function, or may. What functions rely on is compared once, however many they are."""
     vocabularies = Vocabularies(catalogue.vocabulary, catalogue.vocabulary)
-    for path, use in {use.path: use for use in uses}.items():
+    found: dict[tuple[str, str], tuple[UseChange, ...]] = {}
+    for path, relied in connection.execute(select(USES.c.path, USES.c.relied).distinct()):
         node = catalogue.get(path)
-        for change in relied_changes(path, use.values, None if node is None else node.values, vocabularies):
-            if change.compatibility in _ABOUT:
-                side = Side(published.name, published.version, published.owner, calls[path])
-                yield _finding(change, side, lines, _place(change, catalogue, file), use.via)
+        if relied:
+            changes = relied_changes(path, json.loads(relied), None if node is None else node.values, vocabularies)
+            found[path, relied] = tuple(change for change in changes if change.compatibility in _ABOUT)
+    return {key: changes for key, changes in found.items() if changes}
+
+
+def _users(connection: Connection, paths: Iterable[str]) -> frozenset[int]:
+    """Versions that use one of the paths."""
+    chosen = (select(USES.c.version_id).where(USES.c.path == path) for path in paths)
+    return frozenset(version for each in chosen for version in connection.execute(each).scalars())
+
+
+def _broken_uses(
+    connection: Connection,
+    published: Published,
+    changes: _Changes,
+    catalogue: Catalogue,
+    lines: Sequence[str],
+    file: str,
+) -> Iterator[Finding]:
+    uses = from_json(content_of(connection, published.uses))
+    calls = _calls(uses)
+    for path, use in {use.path: use for use in uses}.items():
+        for change in changes.get((path, use.relied), ()):
+            side = Side(published.name, published.version, published.owner, calls[path])
+            yield _finding(change, side, lines, _place(change, catalogue, file), use.via)
 
 
 def _calls(uses: Sequence[Use]) -> Mapping[str, tuple[str, ...]]:

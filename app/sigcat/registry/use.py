@@ -56,6 +56,11 @@ class Use(NamedTuple):
         return self.name if self.verb in _BY_NAME else self.path or self.name
 
     @property
+    def relied(self) -> str:
+        """The attributes of a node of the catalogue as stable text; empty if a function defines it, or nothing."""
+        return json.dumps(dict(self.values), sort_keys=True) if self.is_in_catalogue and self.path else ""
+
+    @property
     def provides(self) -> bool:
         """Whether others may rely on it."""
         return self.verb in PROVIDING

@@ -42,7 +42,7 @@ def _index_uses(connection: Connection, version_id: int, data: _Data) -> None:
         return
     stored = connection.execute(select(CONTENTS.c.data).where(CONTENTS.c.digest == data["uses"])).scalar_one()
     rows = [
-        {"version_id": version_id, "number": number, "path": use.path, "element": use.element}
+        {"version_id": version_id, "number": number, "path": use.path, "element": use.element, "relied": use.relied}
         for number, use in enumerate(from_json(stored))
     ]
     if rows:

@@ -44,7 +44,8 @@ USES = Table(
     Column("number", Integer, primary_key=True),
     Column("path", String, nullable=False),
     Column("element", String, nullable=False),
-    Index("uses_path", "path"),
+    Column("relied", String, nullable=False),
+    Index("uses_path", "path", "relied"),
     Index("uses_element", "element"),
 )  # fmt: skip
 DEPLOYMENTS = Table(
