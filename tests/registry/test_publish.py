@@ -174,6 +174,8 @@ def test_a_version_in_a_vehicle_line_is_not_retired_and_a_draft_is_not_deployed(
     set_state(registry, "function", reference, "retired")
     with pytest.raises(InputRefused):
         record(registry, "deployment", "SUV-2025", reference)
+    with pytest.raises(InputRefused):
+        set_state(registry, "function", reference, "deprecated")
 
 
 @pytest.mark.parametrize("date", ["soon", "2027-02-30", "27-01-01", "2027-1-1"])

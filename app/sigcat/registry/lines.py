@@ -41,6 +41,9 @@ def set_state(
         if published.state == "draft":
             message = f"{reference} is a draft, and no function relies on it."
             raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message, path=reference.name, fix="Publish it first."))
+        if published.state == "retired":
+            message = f"{reference} is retired, and stays so."
+            raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message, path=reference.name))
         if successor:
             version_named(ledger.connection, kind, Reference(reference.name, successor))
         _check_retired(ledger.connection, reference, state)
