@@ -1,6 +1,8 @@
 """Functions of a vehicle line as the checks of a set take them."""
 
-from typing import NamedTuple
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property, partial
 
 from sqlalchemy import Connection
 
@@ -17,22 +19,29 @@ NOWHERE = ("", 0, 0)
 """The place of an element without a file."""
 
 
-class Member(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Member:
     """A function in a set: a published version, or a file that is not published yet."""
 
     name: str
     version: str
     """Empty for a file."""
     owner: str
-    checked: CheckedFunction
     uses: tuple[Use, ...]
+    load: Callable[[], CheckedFunction]
+    """Read the function: most functions of a line have nothing to do with those that are deployed."""
+
+    @cached_property
+    def checked(self) -> CheckedFunction:
+        """The function as it was read and checked."""
+        return self.load()
 
     @property
     def label(self) -> str:
         """Name and version."""
         return str(Reference(self.name, self.version)) if self.version else self.name
 
-    @property
+    @cached_property
     def elements(self) -> frozenset[str]:
         """Identities of everything that it exchanges."""
         return frozenset(use.element for use in self.uses)
@@ -65,14 +74,18 @@ class Member(NamedTuple):
 
 def published_member(connection: Connection, published: Published) -> Member:
     """The function of a published version."""
+    uses = from_json(content_of(connection, published.uses))
+    load = partial(_read, connection, published)
+    return Member(published.name, published.version, published.owner, uses, load)
+
+
+def _read(connection: Connection, published: Published) -> CheckedFunction:
     document = read_json(content_of(connection, published.resolved), str(published.reference))
     resolved, findings = read_function(document)
-    checked = CheckedFunction(document, resolved, findings)
-    uses = from_json(content_of(connection, published.uses))
-    return Member(published.name, published.version, published.owner, checked, uses)
+    return CheckedFunction(document, resolved, findings)
 
 
 def file_member(read: ReadFunction) -> Member:
     """The function of a file."""
     info = read.function.info
-    return Member(info.function_name, "", info.function_responsible.raw, read.checked, read.uses)
+    return Member(info.function_name, "", info.function_responsible.raw, read.uses, lambda: read.checked)
