@@ -98,14 +98,14 @@ def running(connection: Connection, line: str | None = None) -> tuple[Running, .
     if line is not None:
         chosen = chosen.where(lines.c.name == line)
     rows = (Running(row[0], row[1], Published._make(row[2:])) for row in connection.execute(chosen))
-    return tuple(sorted(rows, key=lambda each: (each.line, each.published.name, each.published.precedence)))
+    return tuple(sorted(rows, key=lambda each: (each.line, each.published.name, each.published.precedence.key)))
 
 
 def current(connection: Connection) -> tuple[Published, ...]:
     """Versions of functions that matter: those in vehicles, and the newest published one of each name."""
     newest = {each.name: each for each in all_versions(connection, "function") if each.state in DEPLOYABLE}
     found = {each.id: each for each in (*newest.values(), *(each.published for each in running(connection)))}
-    return tuple(sorted(found.values(), key=lambda each: (each.name, each.precedence)))
+    return tuple(sorted(found.values(), key=lambda each: (each.name, each.precedence.key)))
 
 
 def lines_by_version(connection: Connection) -> Mapping[int, tuple[str, ...]]:
@@ -127,4 +127,4 @@ def _versions(connection: Connection, chosen: Select[tuple[object, ...]]) -> tup
 
 def in_order(versions: Iterable[Published]) -> tuple[Published, ...]:
     """Versions by kind, name and precedence."""
-    return tuple(sorted(versions, key=lambda each: (each.kind, each.name, each.precedence)))
+    return tuple(sorted(versions, key=lambda each: (each.kind, each.name, each.precedence.key)))

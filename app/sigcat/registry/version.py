@@ -23,28 +23,25 @@ class Version(NamedTuple):
     text: str
     numbers: tuple[int, int, int]
     prerelease: tuple[str, ...]
+    key: tuple[object, ...]
+    """Value by which versions are in order."""
 
     @property
     def release(self) -> str:
         """The version without build metadata."""
         return self.text.partition("+")[0]
 
-    @property
-    def _key(self) -> tuple[object, ...]:
-        identifiers = tuple((0, int(each), "") if each.isdigit() else (1, 0, each) for each in self.prerelease)
-        return (self.numbers, not self.prerelease, identifiers)
-
     def __lt__(self, other: object) -> bool:
         """Order by precedence."""
         assert isinstance(other, Version)
-        return self._key < other._key
+        return self.key < other.key
 
     def __eq__(self, other: object) -> bool:
         """Compare precedence."""
-        return isinstance(other, Version) and self._key == other._key
+        return isinstance(other, Version) and self.key == other.key
 
     def __hash__(self) -> int:
-        return hash(self._key)
+        return hash(self.key)
 
 
 def version_of(text: str) -> Version | None:
@@ -53,7 +50,9 @@ def version_of(text: str) -> Version | None:
     if match is None:
         return None
     major, minor, patch, prerelease = match.groups()
-    return Version(text, (int(major), int(minor), int(patch)), tuple(prerelease.split(".")) if prerelease else ())
+    numbers, parts = (int(major), int(minor), int(patch)), tuple(prerelease.split(".")) if prerelease else ()
+    identifiers = tuple((0, int(each), "") if each.isdigit() else (1, 0, each) for each in parts)
+    return Version(text, numbers, parts, (numbers, not parts, identifiers))
 
 
 _PARTS: tuple[Part, ...] = ("major", "minor", "patch", "none")

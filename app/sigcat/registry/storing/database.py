@@ -8,6 +8,7 @@ import sqlite3
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from functools import lru_cache
 from pathlib import Path
 from typing import TypeAlias
 
@@ -75,7 +76,10 @@ def _connected(database: Path) -> Iterator[Connection]:
         yield connection
 
 
+@lru_cache(maxsize=8)
 def _engine(file: str) -> Engine:
+    """The engine of a file, which keeps compiled statements and no connection."""
+
     def connect() -> sqlite3.Connection:
         return sqlite3.connect(file, timeout=REGISTRY_SECONDS, isolation_level=None)
 
