@@ -91,8 +91,20 @@ class Sides:
 
     def decide(self, entry: str, more: str) -> None:
         """Add to an entry of the table."""
-        table = self._trees / "table.yaml"
-        table.write_text(table.read_text().replace(entry, entry + more))
+        self._change("table.yaml", entry, entry + more)
+
+    def new(self, text: str, other: str) -> None:
+        """Change the new tree."""
+        self._change("new.vspec", text, other)
+
+    def old(self, text: str, other: str) -> None:
+        """Change the old tree."""
+        self._change("old.vspec", text, other)
+
+    def _change(self, name: str, text: str, other: str) -> None:
+        tree = self._trees / name
+        assert text in tree.read_text(encoding="utf-8")
+        tree.write_text(tree.read_text(encoding="utf-8").replace(text, other), encoding="utf-8")
 
     def run(self, *options: str, back: bool = False) -> Result:
         """Migrate the folder."""

@@ -91,3 +91,42 @@ def test_names_of_releases_change(tmp_path, monkeypatch, capsys):
     assert lines[2:] == PIPELINE.splitlines()[2:]
     assert main(["migrate", "v5.0", "v6.0", "--accept-guesses"]) == 0
     assert "clone -b v6.0" in workflow.read_text(encoding="utf-8")
+
+
+VEHICLES = """\
+[[vehicle]]
+id = "coupe"
+without = ["Vehicle.Lamp", 'Vehicle.Door.Row1.Right', "Vehicle.Door.*", "units.yaml"]  # kept
+attributes = {"Vehicle.Speed" = 36, "Vehicle.Trip" = 1.5, steering = "left"}
+
+[vehicle.instances]
+"Vehicle.Door" = 2
+"""
+MIGRATED_VEHICLES = """\
+[[vehicle]]
+id = "coupe"
+without = ["Vehicle.Light", 'Vehicle.Door.Row1.PassengerSide', "Vehicle.Door.*", "units.yaml"]  # kept
+attributes = {"Vehicle.Speed" = 10, "Vehicle.Trip" = 1500, steering = "left"}
+
+[vehicle.instances]
+"Vehicle.Door" = 2
+"""
+
+
+def test_vehicles_of_the_project_name_the_new_nodes_and_values(sides):
+    before = VEHICLES.replace(', "Vehicle.Door.*"', "")
+    sides.write("sigcat.toml", before)
+    for _ in range(2):
+        result = sides.run()
+        assert (result.status, sides.text("sigcat.toml")) == (0, MIGRATED_VEHICLES.replace(', "Vehicle.Door.*"', "")), (
+            result
+        )
+
+
+def test_what_a_vehicle_names_and_is_not_certain_is_reported_at_its_place(sides):
+    text = '[[vehicle]]\nid = "a"\nwithout = ["Vehicle.Gone"]\nattributes = {"Vehicle.Level" = 50}\n'
+    sides.write("sigcat.toml", text)
+    result = sides.run()
+    assert (result.status, sides.text("sigcat.toml")) == (1, text)
+    assert "sigcat.toml:3:12: error D003 Vehicle.Gone was removed" in result.messages
+    assert "sigcat.toml:4:15: error D004 Vehicle.Level: the unit changed from percent to l" in result.messages

@@ -1,5 +1,8 @@
 """Values with another name in the new tree: by their number, or by a table. The numbers of the code stay."""
 
+import csv
+import json
+
 import pytest
 
 from tests.migration.test_functions import HEAD, TAIL
@@ -106,6 +109,26 @@ def test_a_table_is_written_again(sides):
     for _ in range(2):
         assert sides.run("--write-table", str(sides.folder / "moves.yaml")).status == 0
     assert sides.text("moves.yaml").startswith("from:")
+
+
+def test_a_name_with_special_signs_stays_one_cell(sides):
+    sides.decide("SLOW: ECO", ", OLD: 'R, \"A\" or é'")
+    sides.new(", RACE]", ", 'R, \"A\" or é']")
+    sides.write("drive.csv", 'time,Vehicle.Profile,Other\n0,OLD,OLD\n1, SLOW ,"a,b"\n2,"[""OLD"", ""SLOW""]",\n')
+    assert sides.run().status == 0
+    rows = list(csv.reader(sides.text("drive.csv").splitlines()))
+    assert rows[1:3] == [["0", 'R, "A" or é', "OLD"], ["1", "ECO", "a,b"]]
+    assert json.loads(rows[3][1]) == ['R, "A" or é', "ECO"]
+
+
+def test_comments_of_a_list_of_values_stay(sides):
+    sides.new(", RACE]", "]")
+    sides.old(", OLD]", "]")
+    before = "Vehicle.Profile:\n  allowed:\n    - SLOW   # first\n    # for trucks\n    - 'FAST 1'  # second\n"
+    sides.write("overlay.vspec", before)
+    assert sides.run().status == 0
+    after = before.replace("Profile", "Drive.Profile").replace("SLOW", "ECO").replace("FAST 1", "SPORT")
+    assert sides.text("overlay.vspec") == after
 
 
 def test_the_way_back_restores_names_of_the_same_numbers(sides):

@@ -3,6 +3,7 @@
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import chain
 from pathlib import Path
 from typing import NamedTuple
 
@@ -21,7 +22,7 @@ from sigcat.migration.include_changes import Included, include_changes, included
 from sigcat.migration.migration import Migration
 from sigcat.migration.overlay_changes import OverlayFile, overlay_changes
 from sigcat.migration.record import RECORD, Record, folder_of_record, read_record, record_bytes, releases_of
-from sigcat.migration.release_changes import pipeline_changes, project_changes
+from sigcat.migration.release_changes import pipeline_changes, project_changes, vehicle_changes
 from sigcat.migration.table import is_table, read_table, release_of, tables_between
 from sigcat.migration.trace_changes import migrated_trace
 from sigcat.migration.yaml_changes import yaml_changes
@@ -144,7 +145,10 @@ def _migrated(path: Path, project: Project, migration: Migration, included: Incl
     record = project.records[folder_of_record(path, project.folder)]
     current = [signal for signal, release in releases_of(record, path, data).items() if release == releases.new_id]
     if path.name in _PROJECTS:
-        found = migrated(name, data, project_changes(text, releases.old, releases.new))
+        values: list[str] = []
+        of_vehicles = vehicle_changes(name, text, migration, current, values)
+        found = migrated(name, data, chain(project_changes(text, releases.old, releases.new), of_vehicles))
+        found = found._replace(values=tuple(values))
     elif _is_pipeline(path):
         accepts = migration.accepts_guesses
         outcomes = pipeline_changes(name, text, releases.old, releases.new, accepts_guesses=accepts)

@@ -97,8 +97,13 @@ def _statements(overlay: OverlayFile) -> Iterator[Statement]:
         if not isinstance(key, ScalarNode):
             continue
         path = f"{overlay.prefix}.{key.value}" if overlay.prefix else key.value
-        fate = overlay.migration.fate(path) if _WILDCARD not in path else _of_wildcard(path, overlay.migration)
+        fate = fate_of(path, overlay.migration)
         yield Statement(key, value, entries_of(value), path, fate, Place.of(overlay.file, key))
+
+
+def fate_of(path: str, migration: Migration) -> Fate:
+    """Return what becomes of a path, which may have wildcards."""
+    return _of_wildcard(path, migration) if _WILDCARD in path else migration.fate(path)
 
 
 def _of_wildcard(path: str, migration: Migration) -> Fate:
@@ -192,7 +197,9 @@ def _attributes(
     if statement.fate.path == statement.path and same(dict(old), dict(new)):
         yield from _own_unit(statement, overlay)
         return
-    for name in _REPEATED:
+    names = overlay.migration.value_names(statement.path, statement.fate.path)
+    is_renamed = [names.get(each, each) for each in old.get("allowed") or ()] == new.get("allowed")
+    for name in _REPEATED if not is_renamed else (each for each in _REPEATED if each != "allowed"):
         yield from _repeated(statement, name, old.get(name), new.get(name), overlay)
     yield from _names(statement, overlay)
     change = _unit_of_values(statement, old, new, overlay.migration)

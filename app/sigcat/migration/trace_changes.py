@@ -13,13 +13,11 @@ from sigcat.findings import Finding
 from sigcat.function.function_json.conversion import IDENTITY, Linear
 from sigcat.migration.changed_text import Migrated, Place, not_convertible, undecided, value_removed
 from sigcat.migration.migration import Fate, Migration
+from sigcat.migration.named_cells import names_in, renamed
 from sigcat.migration.numbers import converted_value, is_whole, rounded
 
 _CELL = re.compile(r'[ \t]*"[^"]*(?:""[^"]*)*"[ \t]*(?=,|$)|[^,]*(?=,|$)')
 _NUMBER = re.compile(r"(?<![\w.])[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?(?![\w.])")
-
-_WORD = re.compile(r"[^\s,\"\[\]](?:[^,\"\[\]]*[^\s,\"\[\]])?")
-"""A value in a cell, or in a list of values."""
 
 
 class Conversion(NamedTuple):
@@ -90,7 +88,7 @@ def _removed_values(file: str, rows: Sequence[str], columns: Sequence[Column]) -
     for number, row in enumerate(rows, 2) if removed else ():
         cells = _cells(row)
         for index, conversion in removed.items():
-            for value in conversion.removed.intersection(_WORD.findall(cells[index])) if index < len(cells) else ():
+            for value in conversion.removed.intersection(names_in(cells[index])) if index < len(cells) else ():
                 finding = value_removed(conversion.path, value, _place(file, number, cells, index))
                 found.setdefault(index, {}).setdefault(value, finding)
     return {index: tuple(findings.values()) for index, findings in found.items()}
@@ -197,7 +195,7 @@ def _rounded(conversion: Conversion, place: Place) -> Finding:
 def _value(cell: str, conversion: Conversion) -> tuple[str, bool]:
     """Return a cell in the new unit, number by number, and whether it was rounded."""
     if conversion.names or conversion.removed:
-        return _WORD.sub(lambda match: conversion.names.get(match[0], match[0]), cell), False
+        return renamed(cell, conversion.names), False
     is_rounded = False
 
     def converted(match: re.Match[str]) -> str:

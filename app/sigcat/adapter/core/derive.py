@@ -24,6 +24,7 @@ from sigcat.adapter.core.planning import INIT, TERMINATE, Context, ListedCall, c
 from sigcat.adapter.core.structs import wire_structs
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, has_errors
+from sigcat.function.checks.types import circular_types
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.walk import data, methods, parameters, runnables
@@ -40,6 +41,9 @@ class Planned(NamedTuple):
 
 def derive(function: ResolvedFunction) -> Planned:
     """The plan of the core. Raises InputRefused with all obstacles."""
+    circular = function.findings(circular_types(function.function.datatypes))
+    if circular:
+        raise InputRefused(f"The core of {function.name} cannot be generated.", circular)
     context = context_of(function.function)
     plan = _planned(context)
     findings = function.findings(context.problems)

@@ -3,9 +3,10 @@
 from collections.abc import Iterator, Sequence
 
 from sigcat import codes
+from sigcat.function.checks.circles import circles
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem
-from sigcat.function.function_json.datatype import EnumerationValue
+from sigcat.function.function_json.datatype import Datatype, EnumerationValue
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.primitive_types import integer_limits
 from sigcat.function.function_json.walk import references
@@ -19,9 +20,25 @@ def check_types(function: FunctionJson) -> Iterator[Problem]:
         if reference not in defined:
             message = f"The datatype must be one of the document's `Datatypes`, not {reference!r}."
             yield Problem(codes.TYPE_UNDEFINED, pointer, message, did_you_mean(reference, defined))
+    yield from circular_types(function.datatypes)
     for index, datatype in enumerate(function.datatypes):
         at = ("Datatypes", index, "Symbols")
         yield from _numbers(datatype.symbols or (), integer_limits(datatype.c_definition), datatype.c_definition, at)
+
+
+def circular_types(datatypes: Sequence[Datatype]) -> Iterator[Problem]:
+    """Yield a problem for each circle of datatypes, at its first one."""
+    parts = {
+        each.reference: [*(f.datatype for f in each.fields or ()), *filter(None, [each.element])] for each in datatypes
+    }
+    found = circles(parts, "datatype", "Fields")
+    reported = set[str]()
+    for index, datatype in enumerate(datatypes):
+        if datatype.reference in found and datatype.reference not in reported:
+            reported |= {each.name for each in found[datatype.reference]}
+            message = f"A datatype must not contain itself; {datatype.reference!r} does."
+            fix = "Give the member another datatype, such as the number of an entry."
+            yield Problem(codes.TYPE_CONTAINS_ITSELF, ("Datatypes", index, "typeRef"), message, fix)
 
 
 def _numbers(

@@ -15,7 +15,7 @@ def scalar(value: Any, *, in_flow: bool = False) -> str:
     """A value in YAML; a text without quotes only where nothing else can be meant."""
     if isinstance(value, str):
         is_plain = _PLAIN.fullmatch(value) and value.lower() not in _WORDS and not (in_flow and _IN_FLOW.search(value))
-        return value if is_plain else json.dumps(value, ensure_ascii=True)
+        return value if is_plain else json.dumps(value, ensure_ascii=not value.isprintable())
     if isinstance(value, float):
         return _float(value)
     return json.dumps(value)
