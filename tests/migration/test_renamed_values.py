@@ -96,9 +96,9 @@ def test_what_is_left_is_reported_until_it_is_decided(sides):
 
 
 @pytest.mark.parametrize("option", ["--write-table", "--report"])
-@pytest.mark.parametrize("name", ["drive.csv", "overlay.vspec", "faults.yaml"])
+@pytest.mark.parametrize("name", ["drive.csv", "overlay.vspec", "faults.yaml", ".sigcat-migrated"])
 def test_no_file_of_the_project_is_lost_to_an_output(sides, option, name):
-    before, _ = FILES[name]
+    before, _ = FILES.get(name, ("{}", ""))
     path = sides.write(name, before)
     result = sides.run(option, str(path))
     assert (result.status, sides.text(name)) == (2, before)

@@ -108,7 +108,9 @@ def files_in(paths: Sequence[Path]) -> tuple[Path, ...]:
 
 def migratable(paths: Sequence[Path]) -> Iterator[Path]:
     """Yield the files below paths that a migration may rewrite. Tables of moves are none. Raises NotFound."""
-    return (path for path in files_in(paths) if _may_change(path) and not is_table(path))
+    for path in files_in(paths):
+        if path.name == RECORD or (_may_change(path) and not is_table(path)):
+            yield path
 
 
 def _walk(folder: Path) -> Iterator[Path]:

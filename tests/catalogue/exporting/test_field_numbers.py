@@ -66,6 +66,27 @@ def test_texts_of_an_enumeration_keep_their_numbers(lock):
     assert (found["ECO"], found["SPORT"], found["SNOW"]) == (0, 1, 2)
 
 
+def test_a_removed_text_keeps_its_number(lock):
+    proto(MODE.format("PARK, REVERSE, NEUTRAL"), lock)
+    found = numbers(proto(MODE.format("PARK, NEUTRAL, DRIVE"), lock))
+    assert (found["PARK"], found["REVERSE"], found["NEUTRAL"], found["DRIVE"]) == (0, 1, 2, 3)
+
+
+def test_after_the_largest_number_there_is_none(lock):
+    lock.write_bytes(lock_bytes(Lock({"Vehicle": {"B": 2**29 - 1}}, {})))
+    with pytest.raises(UsageError, match="no larger one"):
+        proto(signal("Vehicle.A"), lock)
+
+
+def test_fields_that_two_branches_gave_one_number_are_named(lock):
+    lock.write_bytes(lock_bytes(Lock({"Vehicle": {"A": 1, "W": 2, "Y": 2}}, {})))
+    with pytest.raises(InputRefused) as refused:
+        read_lock(lock)
+    (finding,) = refused.value.findings
+    assert finding.message == "Vehicle.W and Vehicle.Y must not both have the number 2."
+    assert "take the file from git" in finding.fix
+
+
 def test_a_static_uid_in_the_tree_is_no_number_of_the_lock(lock):
     assert numbers(proto(signal("Vehicle.A", staticUID="0x1000"), lock)) == {"A": 1}
 

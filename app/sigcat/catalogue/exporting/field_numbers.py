@@ -13,7 +13,7 @@ from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.datatypes import element_of
 from sigcat.catalogue.model.definition import Definition
-from sigcat.errors import InputRefused
+from sigcat.errors import InputRefused, UsageError
 from sigcat.limits import DEFAULT_LIMITS, Limits
 
 ATTRIBUTE = "staticUID"
@@ -22,7 +22,7 @@ _PER_NUMBER = 8
 """vss-tools divides the attribute by this."""
 _LARGEST = 2**29 - 1
 _RESERVED = range(19_000, 20_000)
-_SHAPE = 'Write {"messages": {"Vehicle": {"Speed": 1}}, "enumerations": {"Vehicle.Mode": ["ECO"]}}, or remove the file.'
+_SHAPE = "Give the newer field an unused number, or take the file from git. Without it, all fields get other numbers."
 
 Messages = Mapping[str, Mapping[str, int]]
 Enumerations = Mapping[str, Sequence[str]]
@@ -42,7 +42,9 @@ def read_lock(path: Path, limits: Limits = DEFAULT_LIMITS) -> Lock:
     """Read a lock. Raises InputRefused if the file is not one."""
     if path.stat().st_size > limits.file_bytes:
         message = f"The file has {path.stat().st_size:,} bytes; the limit is {limits.file_bytes:,}."
-        raise InputRefused(f"{path} is not a lock of numbers", (codes.FILE_TOO_LARGE.finding(message, str(path)),))
+        raise InputRefused(
+            f"{path} is not a file of --keep-numbers-of", (codes.FILE_TOO_LARGE.finding(message, str(path)),)
+        )
     try:
         content = json.loads(path.read_bytes())
     except (ValueError, RecursionError) as error:
@@ -86,6 +88,11 @@ def _numbers(known: Mapping[str, int], node: Node) -> Mapping[str, int]:
 
 
 def _next(number: int) -> int:
+    """Return the number after the largest one. Raises UsageError if Protocol Buffers have none."""
+    if number >= _LARGEST:
+        raise UsageError(
+            f"a message has the number {_LARGEST}, and Protocol Buffers have no larger one: change it in the file"
+        )
     return _RESERVED.stop if number + 1 in _RESERVED else number + 1
 
 
@@ -97,8 +104,8 @@ def _labels(node: Node) -> Sequence[Any]:
 
 
 def _ordered(known: Sequence[str], node: Node) -> Sequence[str]:
-    labels = [str(label) for label in _labels(node)]
-    return [*(label for label in known if label in labels), *(label for label in labels if label not in known)]
+    """Return the texts in the order of their numbers. One that is gone keeps its place: vss-tools counts by position."""
+    return [*known, *(str(label) for label in _labels(node) if str(label) not in known)]
 
 
 def _numbered(node: Node, numbers: Mapping[str, int], enumerations: Enumerations) -> Node:
@@ -127,6 +134,8 @@ def _problems(content: Any) -> Iterator[str]:
     for path, labels in content["enumerations"].items():
         if not isinstance(labels, list) or not all(isinstance(label, str) for label in labels):
             yield f"{path[:100]} must have a list of texts."
+        elif len(set(labels)) < len(labels):
+            yield f"{path[:100]} must not have a text twice."
 
 
 def _problems_of_fields(path: str, fields: Any) -> Iterator[str]:
@@ -136,11 +145,15 @@ def _problems_of_fields(path: str, fields: Any) -> Iterator[str]:
     for name, number in fields.items():
         if type(number) is not int or not 1 <= number <= _LARGEST or number in _RESERVED:
             yield f"The number of {path[:100]}.{name[:100]} must be from 1 to {_LARGEST}, and not from 19000 to 19999."
-    if len(set(map(str, fields.values()))) < len(fields):
-        yield f"{path[:100]} must not have a number twice."
+    first: dict[Any, str] = {}
+    for name, number in fields.items():
+        other = first.setdefault(str(number), name)
+        if other != name:
+            yield f"{path[:100]}.{other[:100]} and {path[:100]}.{name[:100]} must not both have the number {number}."
 
 
 def _refused(path: Path, message: str, line: int = 1) -> InputRefused:
     return InputRefused(
-        f"{path} is not a lock of numbers", (codes.NOT_A_MAPPING.finding(message, str(path), line, 1, fix=_SHAPE),)
+        f"{path} is not a file of --keep-numbers-of",
+        (codes.NOT_A_MAPPING.finding(message, str(path), line, 1, fix=_SHAPE),),
     )
