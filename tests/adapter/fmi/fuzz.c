@@ -30,6 +30,8 @@ fmi3Status fmi3SerializedFMUStateSize(fmi3Instance, fmi3FMUState, size_t *);
 fmi3Status fmi3SerializeFMUState(fmi3Instance, fmi3FMUState, fmi3Byte[], size_t);
 fmi3Status fmi3DeserializeFMUState(fmi3Instance, const fmi3Byte[], size_t, fmi3FMUState *);
 fmi3Status fmi3EnterEventMode(fmi3Instance);
+fmi3Status fmi3EnterStepMode(fmi3Instance);
+fmi3Status fmi3UpdateDiscreteStates(fmi3Instance, fmi3Boolean *, fmi3Boolean *, fmi3Boolean *, fmi3Boolean *, fmi3Boolean *, fmi3Float64 *);
 fmi3Status fmi3ActivateModelPartition(fmi3Instance, fmi3ValueReference, fmi3Float64);
 fmi3Status fmi3GetNumberOfContinuousStates(fmi3Instance, size_t *);
 
@@ -130,6 +132,19 @@ static fmi3Status save(void)
     }
 }
 
+static fmi3Status change_mode(void)
+{
+    fmi3Boolean flags[5] = {false, false, false, false, false};
+    double next = 0.0;
+    switch (any(3U)) {
+        case 0U: return fmi3EnterEventMode(instance);
+        case 1U: return fmi3EnterStepMode(instance);
+        default:
+            return fmi3UpdateDiscreteStates(
+                instance, any(50U) ? &flags[0] : NULL, &flags[1], &flags[2], &flags[3], &flags[4], any(50U) ? &next : NULL);
+    }
+}
+
 static fmi3Status call(const char *token)
 {
     size_t found = 0;
@@ -140,12 +155,12 @@ static fmi3Status call(const char *token)
                 fmi3FreeInstance(instance);
                 now = 0.0;
                 instance = fmi3InstantiateCoSimulation(
-                    any(9U) ? "x" : NULL, any(9U) ? token : "wrong", NULL, false, true, any(9U) == 0U, false, NULL, 0U, NULL, said, NULL);
+                    any(9U) ? "x" : NULL, any(9U) ? token : "wrong", NULL, false, true, any(2U) == 0U, false, NULL, 0U, NULL, said, NULL);
             }
             return fmi3OK;
         case 1U: return fmi3EnterInitializationMode(instance, false, 0.0, any(4U) ? 0.0 : any_number(), any(2U) == 0U, any_number());
         case 2U: return fmi3ExitInitializationMode(instance);
-        case 3U: return any(30U) ? fmi3EnterEventMode(instance) : fmi3Terminate(instance);
+        case 3U: return any(30U) ? change_mode() : fmi3Terminate(instance);
         case 4U:
             if (any(30U) == 0U) {
                 now = 0.0;

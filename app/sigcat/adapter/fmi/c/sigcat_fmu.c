@@ -3,6 +3,8 @@
  *
  * A step from t to t + h hands over the inputs that were set, as received at t, and runs every call that is due at t or
  * later, and before t + h, at its own time. A call that is due at t + h runs in the next step, after the inputs of that time.
+ *
+ * With event mode, inputs that are set in it are received at that time, and the calls that are due run in it.
  */
 
 #include "sigcat_fmi3.h"
@@ -13,17 +15,23 @@
 
 #define ROUNDS 100000U /* of calls at one time; after so many, they trigger each other without end */
 #define NANOSECONDS 1e9
+#define OUT_OF_RANGE "A parameter is out of its range; none of its function has changed."
+#define ENDLESS "Calls trigger each other without end."
 #define LONGEST 9e6 /* s: a double holds every nanosecond of it */
 
 static const size_t sizes[] = {4U, 8U, 1U, 1U, 2U, 2U, 4U, 4U, 8U, 8U, 1U}; /* by sigcat_type */
 
-typedef enum { INSTANTIATED, INITIALIZATION, STEP, TERMINATED } phase;
+typedef enum { INSTANTIATED, INITIALIZATION, EVENT, STEP, TERMINATED } phase;
+
+/* How an importer uses an instance. */
+typedef enum { WITHOUT_EVENTS, WITH_EVENTS } usage;
 
 /* What is saved with the state of an instance, besides values and cores. */
 typedef struct {
     uint64_t now; /* since the start, in ns */
     double start; /* in s */
     phase phase;
+    usage usage;
 } progress;
 
 typedef struct {
@@ -165,6 +173,16 @@ static bool run_calls(component *self)
     return rounds < ROUNDS;
 }
 
+/* Whether a call or a window of supervision is due now. */
+static bool is_due(const component *self)
+{
+    bool found = false;
+    for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
+        found = found || (sigcat_model.functions[i]->next_time(self->states[i]) <= self->at.now);
+    }
+    return found;
+}
+
 static uint64_t next_time(const component *self, uint64_t end)
 {
     uint64_t found = end;
@@ -209,9 +227,9 @@ static bool create_states(component *self)
     return is_whole;
 }
 
-static void begin_again(component *self)
+static void begin_again(component *self, usage wanted)
 {
-    const progress beginning = {0U, 0.0, INSTANTIATED};
+    const progress beginning = {0U, 0.0, INSTANTIATED, wanted};
     self->at = beginning;
     (void)memcpy(self->values, sigcat_model.values, sigcat_model.value_count);
     (void)memset(self->is_set, 0, sigcat_model.input_count * sizeof(bool));
@@ -274,41 +292,46 @@ static fmi3Instance refused(fmi3LogMessageCallback log, fmi3InstanceEnvironment 
     return NULL;
 }
 
+static fmi3Instance instantiated(
+    fmi3String name, fmi3String token, fmi3Boolean is_logging, fmi3InstanceEnvironment environment, fmi3LogMessageCallback log,
+    usage wanted)
+{
+    component *self;
+    if ((name == NULL) || (name[0] == '\0')) {
+        return refused(log, environment, "The instance must have a name.");
+    }
+    if ((token == NULL) || (strcmp(token, sigcat_model.token) != 0)) {
+        return refused(log, environment, "The instantiation token must be that of modelDescription.xml.");
+    }
+    if (sigcat_model.is_single && is_instantiated) {
+        return refused(log, environment, "The code has global variables: a process can have one instance.");
+    }
+    self = new_component();
+    if (self == NULL) {
+        return refused(log, environment, "No memory is left.");
+    }
+    self->environment = environment;
+    self->log = log;
+    self->is_logging = is_logging;
+    begin_again(self, wanted);
+    is_instantiated = true;
+    return self;
+}
+
 SIGCAT_EXPORT fmi3Instance FMI3(InstantiateCoSimulation)(
     fmi3String instanceName, fmi3String instantiationToken, fmi3String resourcePath, fmi3Boolean visible, fmi3Boolean loggingOn,
     fmi3Boolean eventModeUsed, fmi3Boolean earlyReturnAllowed, const fmi3ValueReference requiredIntermediateVariables[],
     size_t nRequiredIntermediateVariables, fmi3InstanceEnvironment instanceEnvironment, fmi3LogMessageCallback logMessage,
     fmi3IntermediateUpdateCallback intermediateUpdate)
 {
-    component *self;
     (void)resourcePath;
     (void)visible;
     (void)earlyReturnAllowed;
     (void)requiredIntermediateVariables;
     (void)nRequiredIntermediateVariables;
     (void)intermediateUpdate;
-    if ((instanceName == NULL) || (instanceName[0] == '\0')) {
-        return refused(logMessage, instanceEnvironment, "The instance must have a name.");
-    }
-    if ((instantiationToken == NULL) || (strcmp(instantiationToken, sigcat_model.token) != 0)) {
-        return refused(logMessage, instanceEnvironment, "The instantiation token must be that of modelDescription.xml.");
-    }
-    if (eventModeUsed) {
-        return refused(logMessage, instanceEnvironment, "This FMU has no event mode.");
-    }
-    if (sigcat_model.is_single && is_instantiated) {
-        return refused(logMessage, instanceEnvironment, "The code has global variables: a process can have one instance.");
-    }
-    self = new_component();
-    if (self == NULL) {
-        return refused(logMessage, instanceEnvironment, "No memory is left.");
-    }
-    self->environment = instanceEnvironment;
-    self->log = logMessage;
-    self->is_logging = loggingOn;
-    begin_again(self);
-    is_instantiated = true;
-    return self;
+    return instantiated(
+        instanceName, instantiationToken, loggingOn, instanceEnvironment, logMessage, eventModeUsed ? WITH_EVENTS : WITHOUT_EVENTS);
 }
 
 SIGCAT_EXPORT void FMI3(FreeInstance)(fmi3Instance instance)
@@ -354,15 +377,15 @@ SIGCAT_EXPORT fmi3Status FMI3(ExitInitializationMode)(fmi3Instance instance)
         sigcat_model.functions[i]->start(self->states[i], self->at.now);
         sigcat_model.functions[i]->send(self->states[i], &self->host);
     }
-    self->at.phase = STEP;
+    self->at.phase = (self->at.usage == WITH_EVENTS) ? EVENT : STEP;
     return is_ready ? fmi3OK : told(self, fmi3Warning, "Init of a function has failed: its safety reactions are active.");
 }
 
 SIGCAT_EXPORT fmi3Status FMI3(Terminate)(fmi3Instance instance)
 {
-    component *const self = in_phase(instance, STEP, "fmi3Terminate ends the step mode.");
-    if (self == NULL) {
-        return fmi3Error;
+    component *const self = (component *)instance;
+    if ((self == NULL) || ((self->at.phase != STEP) && (self->at.phase != EVENT))) {
+        return told(self, fmi3Error, "fmi3Terminate ends the step mode or the event mode.");
     }
     for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
         sigcat_model.functions[i]->terminate_at(self->states[i], self->at.now);
@@ -385,8 +408,55 @@ SIGCAT_EXPORT fmi3Status FMI3(Reset)(fmi3Instance instance)
     if (!create_states(self)) {
         return told(self, fmi3Fatal, "No memory is left.");
     }
-    begin_again(self);
+    begin_again(self, self->at.usage);
     return fmi3OK;
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(EnterEventMode)(fmi3Instance instance)
+{
+    component *const self = in_phase(instance, STEP, "fmi3EnterEventMode is called in step mode.");
+    if (self == NULL) {
+        return fmi3Error;
+    }
+    if (self->at.usage != WITH_EVENTS) {
+        return told(self, fmi3Error, "An instance has an event mode if it is instantiated with eventModeUsed.");
+    }
+    self->at.phase = EVENT;
+    return fmi3OK;
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(EnterStepMode)(fmi3Instance instance)
+{
+    component *const self = in_phase(instance, EVENT, "fmi3EnterStepMode ends the event mode.");
+    if (self == NULL) {
+        return fmi3Error;
+    }
+    self->at.phase = STEP;
+    return fmi3OK;
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(UpdateDiscreteStates)(
+    fmi3Instance instance, fmi3Boolean *discreteStatesNeedUpdate, fmi3Boolean *terminateSimulation,
+    fmi3Boolean *nominalsOfContinuousStatesChanged, fmi3Boolean *valuesOfContinuousStatesChanged, fmi3Boolean *nextEventTimeDefined,
+    fmi3Float64 *nextEventTime)
+{
+    component *const self = in_phase(instance, EVENT, "fmi3UpdateDiscreteStates is called in event mode.");
+    if ((self == NULL) || (discreteStatesNeedUpdate == NULL) || (terminateSimulation == NULL)
+        || (nominalsOfContinuousStatesChanged == NULL) || (valuesOfContinuousStatesChanged == NULL) || (nextEventTimeDefined == NULL)
+        || (nextEventTime == NULL)) {
+        return told(self, fmi3Error, "fmi3UpdateDiscreteStates needs places for its results.");
+    }
+    *discreteStatesNeedUpdate = false;
+    *terminateSimulation = false;
+    *nominalsOfContinuousStatesChanged = false;
+    *valuesOfContinuousStatesChanged = false;
+    *nextEventTimeDefined = false;
+    *nextEventTime = 0.0;
+    if (!take_parameters(self)) {
+        return told(self, fmi3Error, OUT_OF_RANGE);
+    }
+    receive_inputs(self);
+    return run_calls(self) ? fmi3OK : told(self, fmi3Error, ENDLESS);
 }
 
 /* In s since the start of the simulation to ns since then; false if it is not a time of this instance. */
@@ -422,12 +492,13 @@ SIGCAT_EXPORT fmi3Status FMI3(DoStep)(
         return told(self, fmi3Error, "A step must be longer than 0, and end within 9e6 s.");
     }
     if (!take_parameters(self)) {
-        return told(self, fmi3Error, "A parameter is out of its range; none of its function has changed.");
+        return told(self, fmi3Error, OUT_OF_RANGE);
     }
     receive_inputs(self);
     if (!run_until(self, end)) {
-        return told(self, fmi3Error, "Calls trigger each other without end.");
+        return told(self, fmi3Error, ENDLESS);
     }
+    *eventHandlingNeeded = (self->at.usage == WITH_EVENTS) && is_due(self);
     *lastSuccessfulTime = currentCommunicationPoint + communicationStepSize;
     return fmi3OK;
 }
@@ -680,8 +751,13 @@ SIGCAT_EXPORT fmi3Status FMI3(GetFMUState)(fmi3Instance instance, fmi3FMUState *
 SIGCAT_EXPORT fmi3Status FMI3(SetFMUState)(fmi3Instance instance, fmi3FMUState FMUState)
 {
     component *const self = saving(instance, FMUState);
+    progress saved;
     if (self == NULL) {
         return fmi3Error;
+    }
+    (void)memcpy(&saved, FMUState, sizeof(saved));
+    if (saved.usage != self->at.usage) {
+        return told(self, fmi3Error, "The state is one of an instance that is used in another way, with or without event mode.");
     }
     restore(self, (const unsigned char *)FMUState);
     return fmi3OK;
@@ -798,7 +874,6 @@ SIGCAT_EXPORT fmi3Instance FMI3(InstantiateScheduledExecution)(
         return not_offered(instance); \
     }
 
-NOT_OFFERED(EnterEventMode, fmi3Instance instance)
 NOT_OFFERED(GetString, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, fmi3String
     values[], size_t nValues)
 NOT_OFFERED(GetBinary, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, size_t
@@ -840,9 +915,6 @@ NOT_OFFERED(SetShiftDecimal, fmi3Instance instance, const fmi3ValueReference val
 NOT_OFFERED(SetShiftFraction, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const
     fmi3UInt64 counters[], const fmi3UInt64 resolutions[])
 NOT_OFFERED(EvaluateDiscreteStates, fmi3Instance instance)
-NOT_OFFERED(UpdateDiscreteStates, fmi3Instance instance, fmi3Boolean *discreteStatesNeedUpdate, fmi3Boolean *terminateSimulation,
-    fmi3Boolean *nominalsOfContinuousStatesChanged, fmi3Boolean *valuesOfContinuousStatesChanged, fmi3Boolean
-    *nextEventTimeDefined, fmi3Float64 *nextEventTime)
 NOT_OFFERED(EnterContinuousTimeMode, fmi3Instance instance)
 NOT_OFFERED(CompletedIntegratorStep, fmi3Instance instance, fmi3Boolean noSetFMUStatePriorToCurrentPoint, fmi3Boolean
     *enterEventMode, fmi3Boolean *terminateSimulation)
@@ -854,7 +926,6 @@ NOT_OFFERED(GetContinuousStates, fmi3Instance instance, fmi3Float64 continuousSt
 NOT_OFFERED(GetNominalsOfContinuousStates, fmi3Instance instance, fmi3Float64 nominals[], size_t nContinuousStates)
 NOT_OFFERED(GetNumberOfEventIndicators, fmi3Instance instance, size_t *nEventIndicators)
 NOT_OFFERED(GetNumberOfContinuousStates, fmi3Instance instance, size_t *nContinuousStates)
-NOT_OFFERED(EnterStepMode, fmi3Instance instance)
 NOT_OFFERED(GetOutputDerivatives, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences,
     const fmi3Int32 orders[], fmi3Float64 values[], size_t nValues)
 NOT_OFFERED(ActivateModelPartition, fmi3Instance instance, fmi3ValueReference clockReference, fmi3Float64 activationTime)
