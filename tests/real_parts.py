@@ -331,10 +331,12 @@ KINDS = (
         "FMUs in an importer of others",
         (
             "tests/adapter/fmi/test_fmus.py",
+            "tests/adapter/fmi/test_event_mode.py",
             "tests/adapter/fmi/test_fmi2.py",
             "tests/adapter/fmi/test_hostile.py",
             "tests/adapter/fmi/test_player.py",
             "tests/adapter/fmi/test_random.py",
+            "tests/adapter/fmi/test_scheduled_execution.py",
             "tests/adapter/fmi/test_state.py",
             "tests/comparison/running/test_fmi.py",
         ),

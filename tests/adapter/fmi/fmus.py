@@ -30,9 +30,12 @@ class Built(NamedTuple):
     files: Sequence[Path]
 
 
-def built(files: Sequence[Path], folder: Path, *options: str, version: str = "3.0") -> Built:
-    """The FMU of a set of functions, by the commands that a user types."""
-    (folder / "deployment.yaml").write_text(f"name: {NAME}\nfmi: {{fmus: set, version: '{version}'}}\n")
+def built(
+    files: Sequence[Path], folder: Path, *options: str, version: str = "3.0", is_scheduled: bool = False
+) -> Built:
+    """The FMU of a set of functions, or of one function for scheduled execution, by the commands that a user types."""
+    settings = "{interface: scheduledExecution}" if is_scheduled else f"{{fmus: set, version: '{version}'}}"
+    (folder / "deployment.yaml").write_text(f"name: {NAME}\nfmi: {settings}\n")
     document, made = folder / "fmi.json", folder / "made"
     paths = [str(each) for each in files]
     deployment = ["--deployment", str(folder / "deployment.yaml")]
@@ -40,12 +43,14 @@ def built(files: Sequence[Path], folder: Path, *options: str, version: str = "3.
     assert main(["generate", "fmi", str(document), "-o", str(made)]) == 0
     functions = read_functions([(each.read_bytes(), str(each)) for each in files], interfaces()).functions
     ordered = sorted(functions, key=lambda each: each.name)
-    return packed(ordered, folder, *options, has_arrays=version == "3.0")
+    return packed(ordered, folder, *options, has_arrays=version == "3.0", name=None if is_scheduled else NAME)
 
 
-def packed(functions: Sequence[ResolvedFunction], folder: Path, *options: str, has_arrays: bool = True) -> Built:
+def packed(
+    functions: Sequence[ResolvedFunction], folder: Path, *options: str, has_arrays: bool = True, name: str | None = NAME
+) -> Built:
     """The FMU that is generated in a folder, built and packed."""
-    (unit,) = units_of(functions, NAME, has_arrays=has_arrays)
+    (unit,) = units_of(functions, name, has_arrays=has_arrays)
     files = [Path(member.function.document.name) for member in unit.connections.members]
     settings = [
         f"-D{member.plan.code_setting}={file.parent.absolute()}"

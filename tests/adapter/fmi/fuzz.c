@@ -1,5 +1,6 @@
 /*
- * Calls functions of an FMU at random, in any phase and with any arguments: `fuzz TOKEN SEED CALLS`.
+ * Calls functions of an FMU at random, in any phase and with any arguments: `fuzz TOKEN SEED CALLS USAGE`.
+ * USAGE is `steps` for co-simulation, or `clocks` for scheduled execution.
  * The sanitizers end it at the first fault.
  */
 
@@ -12,6 +13,9 @@
 fmi3Instance fmi3InstantiateCoSimulation(
     fmi3String, fmi3String, fmi3String, fmi3Boolean, fmi3Boolean, fmi3Boolean, fmi3Boolean, const fmi3ValueReference[], size_t,
     fmi3InstanceEnvironment, fmi3LogMessageCallback, fmi3IntermediateUpdateCallback);
+fmi3Instance fmi3InstantiateScheduledExecution(
+    fmi3String, fmi3String, fmi3String, fmi3Boolean, fmi3Boolean, fmi3InstanceEnvironment, fmi3LogMessageCallback, fmi3ClockUpdateCallback,
+    fmi3LockPreemptionCallback, fmi3UnlockPreemptionCallback);
 void fmi3FreeInstance(fmi3Instance);
 fmi3Status fmi3EnterInitializationMode(fmi3Instance, fmi3Boolean, fmi3Float64, fmi3Float64, fmi3Boolean, fmi3Float64);
 fmi3Status fmi3ExitInitializationMode(fmi3Instance);
@@ -71,6 +75,10 @@ static fmi3FMUState state;
 static double now;
 static unsigned counts[5];
 static fmi3Byte bytes[1U << 16];
+static bool has_clocks;
+static bool is_locked;
+static unsigned depth;
+static unsigned progress; /* steps and activations that were accepted */
 
 static fmi3Status access(void)
 {
@@ -106,7 +114,56 @@ static fmi3Status step(void)
     const fmi3Status status = (length > 1000.0) ? fmi3Discard
         : fmi3DoStep(instance, is_right ? now : any_number(), length, true, &event, &end, &early, any(50U) ? &last : NULL);
     now = (status == fmi3OK) ? last : now;
+    progress += (status == fmi3OK) ? 1U : 0U;
     return status;
+}
+
+static fmi3Status activate(void)
+{
+    const bool is_right = any(8U) > 0U;
+    const double time = now + ((double)any(20U) / 1000.0);
+    const fmi3Status status =
+        fmi3ActivateModelPartition(instance, is_right ? any(16U) : any(UINT32_MAX), is_right ? time : any_number());
+    if ((status == fmi3OK) && is_right) {
+        now = time;
+        progress++;
+    }
+    return status;
+}
+
+static void lock(void)
+{
+    if (is_locked) {
+        abort();
+    }
+    is_locked = true;
+}
+
+/* Another task preempts the one that has unlocked, sometimes. */
+static void unlock(void)
+{
+    if (!is_locked) {
+        abort();
+    }
+    is_locked = false;
+    if ((depth == 0U) && (any(3U) == 0U)) {
+        depth++;
+        (void)activate();
+        depth--;
+    }
+}
+
+static void instantiate(const char *token)
+{
+    const char *const name = any(9U) ? "x" : NULL;
+    const char *const given = any(9U) ? token : "wrong";
+    now = 0.0;
+    if (has_clocks != (any(9U) == 0U)) {
+        instance = fmi3InstantiateScheduledExecution(
+            name, given, NULL, false, true, NULL, said, NULL, any(9U) ? lock : NULL, any(9U) ? unlock : NULL);
+    } else {
+        instance = fmi3InstantiateCoSimulation(name, given, NULL, false, true, any(2U) == 0U, false, NULL, 0U, NULL, said, NULL);
+    }
 }
 
 static fmi3Status save(void)
@@ -153,9 +210,7 @@ static fmi3Status call(const char *token)
             if (any(20U) == 0U) {
                 (void)fmi3FreeFMUState(instance, &state);
                 fmi3FreeInstance(instance);
-                now = 0.0;
-                instance = fmi3InstantiateCoSimulation(
-                    any(9U) ? "x" : NULL, any(9U) ? token : "wrong", NULL, false, true, any(2U) == 0U, false, NULL, 0U, NULL, said, NULL);
+                instantiate(token);
             }
             return fmi3OK;
         case 1U: return fmi3EnterInitializationMode(instance, false, 0.0, any(4U) ? 0.0 : any_number(), any(2U) == 0U, any_number());
@@ -166,7 +221,7 @@ static fmi3Status call(const char *token)
                 now = 0.0;
                 return fmi3Reset(instance);
             }
-            return fmi3ActivateModelPartition(instance, any(9U), any_number());
+            return activate();
         case 5U: return fmi3GetNumberOfContinuousStates(instance, &found);
         case 6U:
         case 7U:
@@ -174,7 +229,7 @@ static fmi3Status call(const char *token)
         case 9U:
         case 10U:
         case 11U:
-        case 12U: return step();
+        case 12U: return (has_clocks != (any(9U) == 0U)) ? activate() : step();
         default: return access();
     }
 }
@@ -182,10 +237,11 @@ static fmi3Status call(const char *token)
 int main(int count, char **arguments)
 {
     unsigned long calls;
-    if (count != 4) {
+    if (count != 5) {
         return EXIT_FAILURE;
     }
     seed = strtoull(arguments[2], NULL, 10) * UINT64_C(2654435761) + 1U;
+    has_clocks = strcmp(arguments[4], "clocks") == 0;
     calls = strtoul(arguments[3], NULL, 10);
     for (unsigned long i = 0; i < calls; i++) {
         const fmi3Status status = call(arguments[1]);
@@ -197,6 +253,6 @@ int main(int count, char **arguments)
     (void)fmi3FreeFMUState(instance, &state);
     fmi3FreeInstance(instance);
     free(state);
-    (void)printf("%u ok, %u refused\n", counts[fmi3OK], counts[fmi3Error]);
+    (void)printf("%u ok, %u refused, %u steps\n", counts[fmi3OK], counts[fmi3Error], progress);
     return EXIT_SUCCESS;
 }

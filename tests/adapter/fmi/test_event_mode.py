@@ -26,7 +26,7 @@ KINDS = {"Enumeration": "Int64"}
 def points_of(trace, made, end):
     """The rows of a trace, each at a time of its own that is not on the grid of communication points; the first ones at 0."""
     chance, shapes = random.Random(1), made.connections.received
-    found = {0: {}}
+    found: dict[int, dict[str, object]] = {0: {}}
     for row in csv.DictReader(trace.open(newline="", encoding="utf-8")):
         at = nanoseconds(row["time"]) or 0
         point = 0 if at == 0 else at + chance.randrange(1, GRID)

@@ -14,11 +14,14 @@ HERE = Path(__file__).parent
 CALLS = 1_000_000 if IS_SLOW_RUN else 100_000
 
 
-@pytest.fixture(scope="module")
-def fuzzed(tmp_path_factory):
-    """A program with an FMU in it, and the token of the FMU."""
+@pytest.fixture(scope="module", params=["steps", "clocks"])
+def fuzzed(request, tmp_path_factory):
+    """A program with an FMU in it, the token of the FMU, and how it is used."""
     folder = tmp_path_factory.mktemp("fuzz")
-    assert main(["integrate", "fmi", str(HERE / "averaging/function.yaml"), "-o", str(folder / "fmi.json")]) == 0
+    interface = {"steps": "coSimulation", "clocks": "scheduledExecution"}[request.param]
+    (folder / "deployment.yaml").write_text(f"name: Fuzzed\nfmi: {{interface: {interface}}}\n")
+    options = ["--deployment", str(folder / "deployment.yaml"), "-o", str(folder / "fmi.json")]
+    assert main(["integrate", "fmi", str(HERE / "averaging/function.yaml"), *options]) == 0
     assert main(["generate", "fmi", str(folder / "fmi.json"), "-o", str(folder)]) == 0
     (fmu,) = json.loads((folder / "fmi.json").read_text())["FmuList"]
     sources = folder / fmu["Name"] / "sources"
@@ -36,15 +39,17 @@ def fuzzed(tmp_path_factory):
     files = [*sorted(sources.glob("*.c")), HERE / "averaging/averaging.c", HERE / "fuzz.c"]
     command = ["gcc", *flags, f"-I{sources}", f"-I{HERE / 'averaging'}", *map(str, files), "-o", str(folder / "fuzz")]
     subprocess.run(command, check=True)
-    return folder / "fuzz", fmu["InstantiationToken"]
+    return folder / "fuzz", fmu["InstantiationToken"], request.param
 
 
 @pytest.mark.parametrize("seed", range(1, 4))
 @c_compiler
 def test_random_calls_never_crash(fuzzed, seed):
-    program, token = fuzzed
-    done = subprocess.run([program, token, str(seed), str(CALLS)], capture_output=True, text=True, check=False)
+    program, token, usage = fuzzed
+    done = subprocess.run([program, token, str(seed), str(CALLS), usage], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr[-3000:]
-    found = re.fullmatch(r"(\d+) ok, (\d+) refused\n", done.stdout)
+    found = re.fullmatch(r"(\d+) ok, (\d+) refused, (\d+) steps\n", done.stdout)
     assert found, done.stdout
-    assert all(int(each) > CALLS / 20 for each in found.groups())
+    ok, refused, steps = map(int, found.groups())
+    assert min(ok, refused) > CALLS / 20
+    assert steps > CALLS / 1000

@@ -10,6 +10,7 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.adapter.core.cores import plans
 from sigcat.adapter.core.identifiers import identifier
+from sigcat.adapter.fmi.clocks import clocks_of
 from sigcat.adapter.fmi.variables import Layout, Variable, layout_of
 from sigcat.adapter.host.connections import Connections, Member, connect
 from sigcat.findings import Finding
@@ -20,7 +21,7 @@ from sigcat.function.function_json.walk import methods, parts
 from sigcat.integration.application import Application, application, joined
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 from sigcat.integration.finding_collector import FindingCollector, Subject
-from sigcat.integration.fmi.model import EnumerationItem, FmiIntegration, Fmu, FmuConnection, FmuVariable
+from sigcat.integration.fmi.model import EnumerationItem, FmiIntegration, Fmu, FmuClock, FmuConnection, FmuVariable
 from sigcat.integration.fmi.settings import NO_SETTINGS, FmiSettings
 from sigcat.integration.report import Entry, FieldTarget, entries
 
@@ -62,6 +63,7 @@ def derive(
             version=app.version,
         ),
         version="2.0" if settings.version == "2.0" else None,
+        interface="scheduledExecution" if settings.interface == "scheduledExecution" else None,
         license=Text(settings.license),
         copyright=Text(settings.copyright) if settings.copyright else None,
         fmus=tuple(_fmu(unit, settings) for unit in units),
@@ -89,13 +91,15 @@ def _fmu(unit: Unit, settings: FmiSettings) -> Fmu:
     members = unit.connections.members
     cycles = [call.cycle for member in members for call in member.plan.steps if call.cycle]
     variables = tuple(_variable(index, each) for index, each in enumerate(unit.layout.variables))
+    clocks = clocks_of(unit.connections, unit.layout) if settings.interface == "scheduledExecution" else None
     return Fmu(
         name=unit.name,
         description=joined((each.plan.description for each in members), " "),
         functions=tuple(each.function.name for each in members),
-        token=token_of(unit.name, variables),
+        token=token_of(unit.name, (*variables, *(clocks or ()))),
         step_size=settings.step_size or (_milliseconds(min(cycles)) if cycles else _DEFAULT_STEP_MS),
         variables=variables,
+        clocks=clocks,
     )
 
 
@@ -104,7 +108,7 @@ def _milliseconds(nanoseconds: int) -> int | float:
     return nanoseconds / 10**6 if rest else whole
 
 
-def token_of(name: str, variables: Sequence[FmuVariable]) -> str:
+def token_of(name: str, variables: Sequence[FmuVariable | FmuClock]) -> str:
     """The instantiation token: it changes with everything that an importer reads of the variables."""
     read = [name, *(each.model_dump(mode="json", by_alias=True) for each in variables)]
     return f"sigcat_{hashlib.sha256(json.dumps(read, sort_keys=True).encode()).hexdigest()[:32]}"

@@ -14,6 +14,7 @@ from sigcat import __version__, codes
 from sigcat.adapter.core.generate import core_files
 from sigcat.adapter.core.plan import CorePlan
 from sigcat.adapter.files import GeneratedFile, shipped, within
+from sigcat.adapter.fmi.clocks import clocks_of, is_inside
 from sigcat.adapter.fmi.derive import Unit, units_of
 from sigcat.adapter.fmi.variables import Variable
 from sigcat.adapter.host.glue import HOST_HEADER, glue_file
@@ -32,6 +33,7 @@ from sigcat.limits import Limits
 _C = Path(__file__).with_name("c")
 _C2 = Path(__file__).with_name("c2")
 _CPP = frozenset((".cc", ".cpp", ".cxx", ".c++", ".C"))
+_FREE = {"name": "", "description": ""}
 _AGAIN = "Integrate the functions again."
 
 
@@ -50,6 +52,13 @@ class _Source(NamedTuple):
     """Sources of the core and of its caller."""
 
 
+class _Call(NamedTuple):
+    """A call in the tables of an FMU."""
+
+    name: str
+    is_inside: bool
+
+
 class _FmuPlan(NamedTuple):
     """Plan of the files of an FMU."""
 
@@ -62,6 +71,8 @@ class _FmuPlan(NamedTuple):
     """Function, receiver, offset, and the first input of the same variable."""
     outputs: tuple[tuple[int, int, tuple[int, ...]], ...]
     """Offset, size and the inputs that get it."""
+    calls: tuple[_Call, ...]
+    """Calls with a clock."""
     parameters: tuple[int, ...]
     values: bytes
     is_single: bool
@@ -111,6 +122,8 @@ def report(data: bytes, name: str, limits: Limits) -> tuple[Entry, ...]:
     for fmu in model.fmus:
         place = FieldTarget(f"{fmu.name}/modelDescription.xml")
         made += entries(fmu.name, fmu.name, "FMU", fmu, dict.fromkeys(_aliases(fmu), place))
+        for clock in fmu.clocks or ():
+            made += entries(fmu.name, clock.name, "clock", clock, dict.fromkeys(_aliases(clock), place))
         for each in fmu.variables:
             made += entries(fmu.name, each.name, "variable", each, dict.fromkeys(_aliases(each), place))
     for one in model.connections:
@@ -128,6 +141,7 @@ def _check(model: FmiIntegration, units: Sequence[Unit]) -> None:
     if [each.name for each in units] != [each.name for each in model.fmus]:
         raise _unlike("/FmuList", "The FMUs must be those of the functions of the document.")
     for index, (fmu, unit) in enumerate(zip(model.fmus, units, strict=True)):
+        _check_clocks(fmu, unit, model, index)
         at = f"/FmuList/{index}/VariableList"
         if len(fmu.variables) != len(unit.layout.variables):
             message = f"{fmu.name} must have {len(unit.layout.variables)} variables, as its functions, not {len(fmu.variables)}."
@@ -139,6 +153,21 @@ def _check(model: FmiIntegration, units: Sequence[Unit]) -> None:
                     f"{each.name} must have the type, dimension, causality and start value that its function gives it."
                 )
                 raise _unlike(f"{at}/{number}", message)
+
+
+def _check_clocks(fmu: Fmu, unit: Unit, model: FmiIntegration, index: int) -> None:
+    at = f"/FmuList/{index}/ClockList"
+    if (fmu.clocks is None) != (model.interface is None):
+        raise _unlike(at, f"{fmu.name} must have clocks if and only if its interface is scheduledExecution.")
+    if fmu.clocks is None:
+        return
+    if model.version is not None or len(unit.connections.members) != 1:
+        raise _unlike(at, f"{fmu.name} must be an FMU of FMI 3.0 with one function, as its calls have clocks.")
+    known = [each.model_copy(update=_FREE) for each in clocks_of(unit.connections, unit.layout)]
+    if [each.model_copy(update=_FREE) for each in fmu.clocks] != known:
+        raise _unlike(
+            at, f"{fmu.name} must have the clocks of its calls: value reference, interval, shift and priority."
+        )
 
 
 def _unlike(pointer: str, message: str) -> InputRefused:
@@ -163,11 +192,17 @@ def _plan(fmu: Fmu, unit: Unit, model: FmiIntegration) -> _FmuPlan:
         variables=tuple(zip(fmu.variables, layout.variables, strict=True)),
         inputs=tuple(inputs),
         outputs=tuple(zip(layout.outputs, _sizes(unit), connections.routes, strict=True)),
+        calls=tuple(_calls(unit)) if fmu.clocks is not None else (),
         parameters=layout.parameters, values=layout.values,
         is_single=has_globals, is_copied=not has_globals and not is_cpp, is_cpp=is_cpp,
         languages=tuple(_languages(sources, model)),
         units=tuple(dict.fromkeys(each.unit for each in fmu.variables if each.unit)),
     )  # fmt: skip
+
+
+def _calls(unit: Unit) -> Iterator[_Call]:
+    for each in unit.connections.members[0].plan.steps:
+        yield _Call(each.name, is_inside(each, unit.connections))
 
 
 def _languages(sources: Sequence[_Source], model: FmiIntegration) -> Iterator[tuple[str, tuple[str, ...]]]:

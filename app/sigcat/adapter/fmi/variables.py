@@ -183,7 +183,7 @@ def _variables(places: Sequence[_Place], *, has_arrays: bool) -> Iterator[Variab
     for place in sorted(
         places, key=lambda each: each.causality != "output"
     ):  # an output has the name that it has everywhere
-        name = _free(_structured(place.name), place.causality, taken)
+        name = free_name(place.name, place.causality, taken)
         leaves = list(_leaves(name, place.shape, place.offset))
         for leaf in leaves if has_arrays else _elements(leaves):
             taken.add(leaf.name)
@@ -276,10 +276,10 @@ def _structured(name: str) -> str:
     return "".join(("'", re.sub(r"[^A-Za-z0-9_ .:,/-]", "_", name), "'"))
 
 
-def _free(name: str, causality: Causality, taken: Iterable[str]) -> str:
-    """A name that no other variable has: what is received beside what is sent, as the state of a safety reaction."""
-    known = set(taken)
+def free_name(name: str, role: str, taken: Iterable[str]) -> str:
+    """The name in the structured form that no other variable has: what is received beside what is sent, as the state of a safety reaction."""
+    name, known = _structured(name), set(taken)
     if name not in known:
         return name
-    longer = f"{name}.{'received' if causality == 'input' else causality}"
+    longer = f"{name}.{'received' if role == 'input' else role}"
     return next(each for each in (longer, *(f"{longer}{n}" for n in range(2, 1000))) if each not in known)

@@ -45,6 +45,23 @@ class FmuVariable(WireModel):
     description: Text = always("Description", "What it means.")
 
 
+class FmuClock(WireModel):
+    """An input clock: the importer activates a call by it."""
+
+    name: FmiVariableName = always("Name", "Name of the call.")
+    reference: Annotated[Integer, Field(ge=0, le=2**32 - 1)] = always(
+        "ValueReference", "Number by which importers activate it; it follows those of the variables."
+    )
+    interval: Annotated[Integer, Field(ge=1)] | None = own(
+        "Interval", "Time between two activations; absent if a signal triggers the call.", unit="ns"
+    )
+    shift: Annotated[Integer, Field(ge=0)] = always("Shift", "Time of the first activation.", unit="ns")
+    priority: Annotated[Integer, Field(ge=0, le=2**32 - 1)] = always(
+        "Priority", "Order of activations at one time: the smallest first."
+    )
+    description: Text = always("Description", "What the call does.")
+
+
 class Fmu(WireModel):
     """A functional mock-up unit."""
 
@@ -54,6 +71,7 @@ class Fmu(WireModel):
     token: CIdentifier = always("InstantiationToken", "Digest of the functions and of the variables.")
     step_size: Annotated[Number, Field(gt=0)] = always("StepSize", "Proposed step.", unit="ms")
     variables: Listed[FmuVariable] = always("VariableList", "Variables, by value reference.")
+    clocks: Listed[FmuClock] | None = own("ClockList", "Clocks of its calls, for scheduled execution.")
 
 
 class FmuConnection(WireModel):
@@ -71,6 +89,9 @@ class FmiIntegration(WireModel):
     meta: MetaInfo = always("MetaInfo", "Who is responsible for the document, and its version.")
     info: FunctionInfo = always("FmiInformation", "Name, description and responsible team of the set.")
     version: Literal["2.0"] | None = own("FmiVersion", "2.0 for FMI 2.0; absent for FMI 3.0.")
+    interface: Literal["scheduledExecution"] | None = own(
+        "InterfaceType", "scheduledExecution if importers activate calls; absent for co-simulation."
+    )
     license: Text = always("License", "License of the FMUs.")
     copyright: Text | None = own("Copyright", "Copyright notice of the FMUs.")
     fmus: Listed[Fmu] = always("FmuList", "The FMUs.")

@@ -1,10 +1,13 @@
 /*
- * The functions of FMI 3.0 for co-simulation, over the cores of functions.
+ * The functions of FMI 3.0 for co-simulation and scheduled execution, over the cores of functions.
  *
  * A step from t to t + h hands over the inputs that were set, as received at t, and runs every call that is due at t or
  * later, and before t + h, at its own time. A call that is due at t + h runs in the next step, after the inputs of that time.
  *
  * With event mode, inputs that are set in it are received at that time, and the calls that are due run in it.
+ *
+ * In scheduled execution, the importer activates each call by its clock. Other calls that are due wait for their clocks. Everything
+ * but the code of a call is locked against preemption.
  */
 
 #include "sigcat_fmi3.h"
@@ -21,10 +24,12 @@
 
 static const size_t sizes[] = {4U, 8U, 1U, 1U, 2U, 2U, 4U, 4U, 8U, 8U, 1U}; /* by sigcat_type */
 
-typedef enum { INSTANTIATED, INITIALIZATION, EVENT, STEP, TERMINATED } phase;
+typedef enum { INSTANTIATED, INITIALIZATION, EVENT, STEP, ACTIVATION, TERMINATED } phase;
 
 /* How an importer uses an instance. */
-typedef enum { WITHOUT_EVENTS, WITH_EVENTS } usage;
+typedef enum { WITHOUT_EVENTS, WITH_EVENTS, SCHEDULED } usage;
+
+static const phase after_initialization[] = {STEP, EVENT, ACTIVATION}; /* by usage */
 
 /* What is saved with the state of an instance, besides values and cores. */
 typedef struct {
@@ -38,11 +43,14 @@ typedef struct {
     fmi3InstanceEnvironment environment;
     fmi3LogMessageCallback log;
     bool is_logging;
+    fmi3LockPreemptionCallback lock; /* NULL without preemption, as the other one */
+    fmi3UnlockPreemptionCallback unlock;
     sigcat_host host;
     progress at;
     unsigned char *values;
     bool *is_set; /* of each input: whether it was set since the last step */
     bool *has_parameters; /* of each function: whether one was set since the last step */
+    bool *is_waiting; /* of each call: whether it is due, and its clock was not activated yet */
     void **states;
 } component;
 
@@ -138,26 +146,54 @@ static bool take_parameters(component *self)
 
 /* -- calls ------------------------------------------------------------------------------------------------------- */
 
+static void lock(const component *self)
+{
+    if (self->lock != NULL) {
+        self->lock();
+    }
+}
+
+static void unlock(const component *self)
+{
+    if (self->unlock != NULL) {
+        self->unlock();
+    }
+}
+
+static void run_call(component *self, uint32_t number, uint32_t call)
+{
+    const sigcat_function *const function = sigcat_model.functions[number];
+    void *const state = self->states[number];
+    function->set_input(state, call, self->at.now);
+    function->begin(state, call, self->at.now);
+    function->send(state, &self->host);
+    unlock(self);
+    function->run(state, call);
+    lock(self);
+    function->get_output(state, call, self->at.now);
+    function->send(state, &self->host);
+}
+
 /* Functions take turns, in the order of the set, as in a simulation. */
 static bool run_calls_once(component *self)
 {
     bool any = false;
     for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
-        const sigcat_function *const function = sigcat_model.functions[i];
-        void *const state = self->states[i];
-        const uint64_t now = self->at.now;
-        const uint32_t call = function->next_call(state, now);
+        const uint32_t call = sigcat_model.functions[i]->next_call(self->states[i], self->at.now);
         if (call != SIGCAT_NONE) {
-            function->set_input(state, call, now);
-            function->begin(state, call, now);
-            function->send(state, &self->host);
-            function->run(state, call);
-            function->get_output(state, call, now);
-            function->send(state, &self->host);
+            run_call(self, i, call);
             any = true;
         }
     }
     return any;
+}
+
+static void supervise(component *self)
+{
+    for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
+        sigcat_model.functions[i]->supervise(self->states[i], self->at.now);
+        sigcat_model.functions[i]->send(self->states[i], &self->host);
+    }
 }
 
 static bool run_calls(component *self)
@@ -166,10 +202,37 @@ static bool run_calls(component *self)
     while ((rounds < ROUNDS) && run_calls_once(self)) {
         rounds++;
     }
-    for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
-        sigcat_model.functions[i]->supervise(self->states[i], self->at.now);
-        sigcat_model.functions[i]->send(self->states[i], &self->host);
+    supervise(self);
+    return rounds < ROUNDS;
+}
+
+/* The call that was activated, or one that the function itself triggers; those of other clocks wait until these are activated. */
+static uint32_t next_of(component *self, uint32_t activated)
+{
+    uint32_t call = SIGCAT_NONE;
+    if (self->is_waiting[activated]) {
+        self->is_waiting[activated] = false;
+        return activated;
     }
+    do {
+        call = sigcat_model.functions[0]->next_call(self->states[0], self->at.now);
+        if ((call == SIGCAT_NONE) || (call == activated) || sigcat_model.calls[call].is_inside) {
+            return call;
+        }
+        self->is_waiting[call] = true;
+    } while (true);
+}
+
+static bool run_activated(component *self, uint32_t activated)
+{
+    uint32_t rounds = 0;
+    uint32_t call = next_of(self, activated);
+    while ((rounds < ROUNDS) && (call != SIGCAT_NONE)) {
+        run_call(self, 0U, call);
+        call = next_of(self, activated);
+        rounds++;
+    }
+    supervise(self);
     return rounds < ROUNDS;
 }
 
@@ -234,6 +297,7 @@ static void begin_again(component *self, usage wanted)
     (void)memcpy(self->values, sigcat_model.values, sigcat_model.value_count);
     (void)memset(self->is_set, 0, sigcat_model.input_count * sizeof(bool));
     (void)memset(self->has_parameters, 0, sigcat_model.function_count * sizeof(bool));
+    (void)memset(self->is_waiting, 0, sigcat_model.call_count * sizeof(bool));
 }
 
 static void free_component(component *self)
@@ -244,6 +308,7 @@ static void free_component(component *self)
     free(self->values);
     free(self->is_set);
     free(self->has_parameters);
+    free(self->is_waiting);
     free(self->states);
     free(self);
 }
@@ -257,9 +322,10 @@ static component *new_component(void)
         self->values = (unsigned char *)malloc((size_t)sigcat_model.value_count + 1U);
         self->is_set = (bool *)calloc((size_t)sigcat_model.input_count + 1U, sizeof(bool));
         self->has_parameters = (bool *)calloc((size_t)sigcat_model.function_count + 1U, sizeof(bool));
+        self->is_waiting = (bool *)calloc((size_t)sigcat_model.call_count + 1U, sizeof(bool));
         self->states = (void **)calloc((size_t)sigcat_model.function_count + 1U, sizeof(void *));
-        if ((self->values == NULL) || (self->is_set == NULL) || (self->has_parameters == NULL) || (self->states == NULL)
-            || !create_states(self)) {
+        if ((self->values == NULL) || (self->is_set == NULL) || (self->has_parameters == NULL) || (self->is_waiting == NULL)
+            || (self->states == NULL) || !create_states(self)) {
             free_component(self);
             self = NULL;
         }
@@ -292,7 +358,7 @@ static fmi3Instance refused(fmi3LogMessageCallback log, fmi3InstanceEnvironment 
     return NULL;
 }
 
-static fmi3Instance instantiated(
+static component *instantiated(
     fmi3String name, fmi3String token, fmi3Boolean is_logging, fmi3InstanceEnvironment environment, fmi3LogMessageCallback log,
     usage wanted)
 {
@@ -302,6 +368,10 @@ static fmi3Instance instantiated(
     }
     if ((token == NULL) || (strcmp(token, sigcat_model.token) != 0)) {
         return refused(log, environment, "The instantiation token must be that of modelDescription.xml.");
+    }
+    if (sigcat_model.is_scheduled != (wanted == SCHEDULED)) {
+        return refused(
+            log, environment, sigcat_model.is_scheduled ? "This FMU is for scheduled execution." : "This FMU is for co-simulation.");
     }
     if (sigcat_model.is_single && is_instantiated) {
         return refused(log, environment, "The code has global variables: a process can have one instance.");
@@ -332,6 +402,23 @@ SIGCAT_EXPORT fmi3Instance FMI3(InstantiateCoSimulation)(
     (void)intermediateUpdate;
     return instantiated(
         instanceName, instantiationToken, loggingOn, instanceEnvironment, logMessage, eventModeUsed ? WITH_EVENTS : WITHOUT_EVENTS);
+}
+
+SIGCAT_EXPORT fmi3Instance FMI3(InstantiateScheduledExecution)(
+    fmi3String instanceName, fmi3String instantiationToken, fmi3String resourcePath, fmi3Boolean visible, fmi3Boolean loggingOn,
+    fmi3InstanceEnvironment instanceEnvironment, fmi3LogMessageCallback logMessage, fmi3ClockUpdateCallback clockUpdate,
+    fmi3LockPreemptionCallback lockPreemption, fmi3UnlockPreemptionCallback unlockPreemption)
+{
+    component *const self =
+        instantiated(instanceName, instantiationToken, loggingOn, instanceEnvironment, logMessage, SCHEDULED);
+    (void)resourcePath;
+    (void)visible;
+    (void)clockUpdate;
+    if ((self != NULL) && (lockPreemption != NULL) && (unlockPreemption != NULL)) {
+        self->lock = lockPreemption;
+        self->unlock = unlockPreemption;
+    }
+    return self;
 }
 
 SIGCAT_EXPORT void FMI3(FreeInstance)(fmi3Instance instance)
@@ -377,15 +464,15 @@ SIGCAT_EXPORT fmi3Status FMI3(ExitInitializationMode)(fmi3Instance instance)
         sigcat_model.functions[i]->start(self->states[i], self->at.now);
         sigcat_model.functions[i]->send(self->states[i], &self->host);
     }
-    self->at.phase = (self->at.usage == WITH_EVENTS) ? EVENT : STEP;
+    self->at.phase = after_initialization[self->at.usage];
     return is_ready ? fmi3OK : told(self, fmi3Warning, "Init of a function has failed: its safety reactions are active.");
 }
 
 SIGCAT_EXPORT fmi3Status FMI3(Terminate)(fmi3Instance instance)
 {
     component *const self = (component *)instance;
-    if ((self == NULL) || ((self->at.phase != STEP) && (self->at.phase != EVENT))) {
-        return told(self, fmi3Error, "fmi3Terminate ends the step mode or the event mode.");
+    if ((self == NULL) || ((self->at.phase != STEP) && (self->at.phase != EVENT) && (self->at.phase != ACTIVATION))) {
+        return told(self, fmi3Error, "fmi3Terminate is called after the initialization, once.");
     }
     for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
         sigcat_model.functions[i]->terminate_at(self->states[i], self->at.now);
@@ -501,6 +588,35 @@ SIGCAT_EXPORT fmi3Status FMI3(DoStep)(
     *eventHandlingNeeded = (self->at.usage == WITH_EVENTS) && is_due(self);
     *lastSuccessfulTime = currentCommunicationPoint + communicationStepSize;
     return fmi3OK;
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(ActivateModelPartition)(
+    fmi3Instance instance, fmi3ValueReference clockReference, fmi3Float64 activationTime)
+{
+    component *const self = in_phase(instance, ACTIVATION, "fmi3ActivateModelPartition is called in clock activation mode.");
+    const uint32_t call = clockReference - sigcat_model.variable_count; /* wraps round for a variable */
+    uint64_t now;
+    bool is_taken;
+    bool is_done;
+    if (self == NULL) {
+        return fmi3Error;
+    }
+    if (call >= sigcat_model.call_count) {
+        return told(self, fmi3Error, "A clock reference is not a clock of modelDescription.xml.");
+    }
+    if (!to_nanoseconds(self, activationTime, &now) || (now < self->at.now)) {
+        return told(self, fmi3Error, "An activation must not be before the one before it, and within 9e6 s.");
+    }
+    lock(self);
+    self->at.now = now;
+    is_taken = take_parameters(self);
+    receive_inputs(self);
+    is_done = run_activated(self, call);
+    unlock(self);
+    if (!is_done) {
+        return told(self, fmi3Error, ENDLESS);
+    }
+    return is_taken ? fmi3OK : told(self, fmi3Warning, OUT_OF_RANGE);
 }
 
 /* -- values ------------------------------------------------------------------------------------------------------ */
@@ -689,7 +805,7 @@ ACCESS(Boolean, fmi3Boolean, SIGCAT_BOOLEAN)
 
 static size_t saved_size(void)
 {
-    size_t found = sizeof(progress) + sigcat_model.value_count + sigcat_model.input_count + sigcat_model.function_count;
+    size_t found = sizeof(progress) + sigcat_model.value_count + sigcat_model.input_count + sigcat_model.function_count + sigcat_model.call_count;
     for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
         found += sigcat_model.functions[i]->state_size;
     }
@@ -702,6 +818,7 @@ static void save(const component *self, unsigned char *to)
     to = sigcat_put(to, self->values, sigcat_model.value_count);
     to = sigcat_put(to, self->is_set, sigcat_model.input_count);
     to = sigcat_put(to, self->has_parameters, sigcat_model.function_count);
+    to = sigcat_put(to, self->is_waiting, sigcat_model.call_count);
     for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
         to = sigcat_put(to, self->states[i], sigcat_model.functions[i]->state_size);
     }
@@ -713,6 +830,7 @@ static void restore(component *self, const unsigned char *from)
     from = sigcat_take(from, self->values, sigcat_model.value_count);
     from = sigcat_take(from, self->is_set, sigcat_model.input_count);
     from = sigcat_take(from, self->has_parameters, sigcat_model.function_count);
+    from = sigcat_take(from, self->is_waiting, sigcat_model.call_count);
     for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
         from = sigcat_take(from, self->states[i], sigcat_model.functions[i]->state_size);
     }
@@ -844,23 +962,7 @@ SIGCAT_EXPORT fmi3Instance FMI3(InstantiateModelExchange)(
     (void)resourcePath;
     (void)visible;
     (void)loggingOn;
-    return refused(logMessage, instanceEnvironment, "This FMU is for co-simulation.");
-}
-
-SIGCAT_EXPORT fmi3Instance FMI3(InstantiateScheduledExecution)(
-    fmi3String instanceName, fmi3String instantiationToken, fmi3String resourcePath, fmi3Boolean visible, fmi3Boolean loggingOn,
-    fmi3InstanceEnvironment instanceEnvironment, fmi3LogMessageCallback logMessage, fmi3ClockUpdateCallback clockUpdate,
-    fmi3LockPreemptionCallback lockPreemption, fmi3UnlockPreemptionCallback unlockPreemption)
-{
-    (void)instanceName;
-    (void)instantiationToken;
-    (void)resourcePath;
-    (void)visible;
-    (void)loggingOn;
-    (void)clockUpdate;
-    (void)lockPreemption;
-    (void)unlockPreemption;
-    return refused(logMessage, instanceEnvironment, "This FMU is for co-simulation.");
+    return refused(logMessage, instanceEnvironment, "This FMU has no model exchange.");
 }
 
 /* Arguments have the names of the standard, and none is used. */
@@ -928,7 +1030,6 @@ NOT_OFFERED(GetNumberOfEventIndicators, fmi3Instance instance, size_t *nEventInd
 NOT_OFFERED(GetNumberOfContinuousStates, fmi3Instance instance, size_t *nContinuousStates)
 NOT_OFFERED(GetOutputDerivatives, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences,
     const fmi3Int32 orders[], fmi3Float64 values[], size_t nValues)
-NOT_OFFERED(ActivateModelPartition, fmi3Instance instance, fmi3ValueReference clockReference, fmi3Float64 activationTime)
 
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop

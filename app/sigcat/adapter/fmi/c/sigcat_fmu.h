@@ -51,6 +51,11 @@ typedef struct {
     const uint32_t *inputs;
 } sigcat_output;
 
+/* A call of the function, for scheduled execution; the value reference of its clock follows those of the variables. */
+typedef struct {
+    bool is_inside; /* whether a signal of the same function triggers it: it runs in the activation that sends the signal */
+} sigcat_call;
+
 typedef struct {
     const char *token;
     uint32_t function_count;
@@ -66,6 +71,9 @@ typedef struct {
     const unsigned char *values; /* in the beginning */
     bool is_single; /* whether a process has one instance, as its code has global variables */
     bool is_copied; /* whether its state can be saved */
+    bool is_scheduled; /* whether the importer activates its calls; it has one function then */
+    uint32_t call_count;
+    const sigcat_call *calls;
 } sigcat_fmu;
 
 extern const sigcat_fmu sigcat_model;
