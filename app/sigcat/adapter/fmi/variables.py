@@ -10,10 +10,12 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.core.plan import Value
+from sigcat.adapter.core.plan.value import Element
 from sigcat.adapter.host.connections import Connections, Entry, Exit, shape_of, structs_of
 from sigcat.adapter.host.shapes import Array, Number, Shape, packing
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
 from sigcat.function.document.field_types import FMI_VARIABLE
+from sigcat.function.function_json.conversion import IDENTITY
 from sigcat.function.function_json.walk import parameters
 from sigcat.integration.fmi.model import Causality, FmiType
 
@@ -237,11 +239,12 @@ def _variable(leaf: _Leaf, place: _Place, *, is_whole: bool) -> Variable:
 
 
 def _start(leaf: _Leaf, place: _Place, least: object, greatest: object) -> Start:
-    """Zeros, or what is nearest to them within the range; the start values of a parameter and of an output."""
+    """Start values in the catalogue's unit; of a struct and of a status zeros, or what is nearest to them within the range."""
     count = leaf.length or 1
-    if place.value is not None and place.causality != "input" and len(place.value.leaves) == 1:
-        given = tuple(place.value.leaves[0].init)
-        whole = given * count if len(given) == 1 else given[leaf.element : leaf.element + count]
+    if place.value is not None and len(place.value.leaves) == 1:
+        start = place.value.leaves[0]
+        given = start.init if place.causality == "output" else [_received(each, start.element) for each in start.init]
+        whole = tuple(given) * count if len(given) == 1 else tuple(given)[leaf.element : leaf.element + count]
         return tuple(_typed(each, leaf.number) for each in whole)
     number: int | float = place.start
     if leaf.number.symbols and number not in {value for _, value in leaf.number.symbols}:
@@ -251,6 +254,16 @@ def _start(leaf: _Leaf, place: _Place, least: object, greatest: object) -> Start
     if isinstance(greatest, int | float) and number > greatest:
         number = greatest
     return (_typed(number, leaf.number),) * count
+
+
+def _received(number: float, element: Element) -> float:
+    """Return the number that is received for one of the code."""
+    if element.names is not None:
+        return next((source for source, target in element.names.items() if target == number), number)
+    if element.conversion == IDENTITY or not math.isfinite(number):
+        return number
+    exact = element.conversion.inverse(number)
+    return int(exact) if exact.denominator == 1 else float(exact)
 
 
 def _typed(number: float, datatype: Number) -> int | float | bool:
