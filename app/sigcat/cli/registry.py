@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
-from sigcat.cli.output import write_bytes, write_lines
+from sigcat.cli.output import make_folder, write_bytes, write_lines
 from sigcat.cli.output_options import add_output, refuse_overwriting
 from sigcat.cli.project_options import add_project_options
 from sigcat.cli.registry_options import (
@@ -219,9 +219,10 @@ def new_key(arguments: argparse.Namespace) -> int:
         if file.exists():
             raise UsageError(f"{file} is there already")
     private_text, public_text = make_key()
+    make_folder(arguments.file.parent)
     arguments.file.touch(mode=0o600)
-    arguments.file.write_bytes(private_text)
-    public.write_bytes(public_text)
+    write_bytes(private_text, arguments.file)
+    write_bytes(public_text, public)
     print(f"{public}: pass it to everyone that verifies the log", file=sys.stderr)
     return 0
 
