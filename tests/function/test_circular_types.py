@@ -25,8 +25,14 @@ components:
 """
 
 
-@pytest.mark.parametrize("command", [["lint"], ["function", "build"], ["generate", "core"], ["integrate", "fmi"]])
-@pytest.mark.parametrize("following", ["Types.Point", "'Types.Point[]'", "Types.Other"])
+COMMANDS = [["lint"], ["function", "build"], ["generate", "core"], ["integrate", "fmi"]]
+CASES = [
+    *((command, following) for command in COMMANDS for following in ("Types.Point", "Types.Other")),
+    *((command, "'Types.Point[]'") for command in COMMANDS[2:]),
+]
+
+
+@pytest.mark.parametrize(("command", "following"), CASES)
 def test_it_is_reported_and_nothing_is_generated(command, following, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "track.h").write_text("struct point { int next; };\nextern struct point track;\n")
@@ -37,3 +43,13 @@ def test_it_is_reported_and_nothing_is_generated(command, following, tmp_path, m
     shown = "".join(capsys.readouterr())
     assert "F084 A datatype must not contain itself; 'DT_" in shown
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("command", COMMANDS[:2])
+def test_a_list_of_itself_is_no_end_of_a_lint(command, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "function.yaml").write_text(FUNCTION.format(next="'Types.Point[]'").replace("code:", "#"))
+    main([*command, "function.yaml", "--isolated"])
+    shown = "".join(capsys.readouterr())
+    assert "F084" not in shown
+    assert "internal error" not in shown

@@ -41,7 +41,7 @@ class Planned(NamedTuple):
 
 def derive(function: ResolvedFunction) -> Planned:
     """The plan of the core. Raises InputRefused with all obstacles."""
-    circular = function.findings(circular_types(function.function.datatypes))
+    circular = function.findings(circular_types(function.function.datatypes, may_be_lists=False))
     if circular:
         raise InputRefused(f"The core of {function.name} cannot be generated.", circular)
     context = context_of(function.function)

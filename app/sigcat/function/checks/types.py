@@ -26,12 +26,12 @@ def check_types(function: FunctionJson) -> Iterator[Problem]:
         yield from _numbers(datatype.symbols or (), integer_limits(datatype.c_definition), datatype.c_definition, at)
 
 
-def circular_types(datatypes: Sequence[Datatype]) -> Iterator[Problem]:
-    """Yield a problem for each circle of datatypes, at its first one."""
-    parts = {
-        each.reference: [*(f.datatype for f in each.fields or ()), *filter(None, [each.element])] for each in datatypes
-    }
-    found = circles(parts, "datatype", "Fields")
+def circular_types(datatypes: Sequence[Datatype], *, may_be_lists: bool = True) -> Iterator[Problem]:
+    """Yield a problem for each circle of datatypes, at its first one.
+
+    A struct may hold a list of itself, unless `may_be_lists` is false: a core has no list of open length.
+    """
+    found = circles({each.reference: _parts(each, may_be_lists) for each in datatypes}, "datatype", "Fields")
     reported = set[str]()
     for index, datatype in enumerate(datatypes):
         if datatype.reference in found and datatype.reference not in reported:
@@ -39,6 +39,12 @@ def circular_types(datatypes: Sequence[Datatype]) -> Iterator[Problem]:
             message = f"A datatype must not contain itself; {datatype.reference!r} does."
             fix = "Give the member another datatype, such as the number of an entry."
             yield Problem(codes.TYPE_CONTAINS_ITSELF, ("Datatypes", index, "typeRef"), message, fix)
+
+
+def _parts(datatype: Datatype, may_be_lists: bool) -> list[str]:
+    is_open = datatype.length is None and may_be_lists
+    elements = [datatype.element] if datatype.element is not None and not is_open else []
+    return [*(field.datatype for field in datatype.fields or ()), *elements]
 
 
 def _numbers(
