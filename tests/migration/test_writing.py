@@ -70,3 +70,14 @@ def test_a_choice_has_two_paths(sides, text):
     result = sides.run("--choose", text)
     assert result.status == 2
     assert "write the old and the new path" in result.messages
+
+
+def test_a_read_only_file_and_all_others_stay(sides):
+    before = "time,Vehicle.Coolant\n0,20\n"
+    recording, overlay = sides.write("drive.csv", before), sides.write("ours.vspec", OVERLAY)
+    recording.chmod(0o444)
+    result = sides.run()
+    assert result.status == 2
+    assert "drive.csv is read-only" in result.messages
+    assert (recording.read_text(), overlay.read_text()) == (before, OVERLAY)
+    assert not [path for path in sides.folder.iterdir() if path.name.startswith(".")]

@@ -128,6 +128,7 @@ VEHICLE = '[[vehicle]]\nid = "v"\n'
 BAD = [
     ("[[vehicle]]\n", [("C004", 1, 1)]),
     ('[[vehicle]]\nid = "a/b"\n', [("C003", 2, 1)]),
+    ('[[vehicle]]\nid = "all"\n', [("C003", 2, 1)]),
     (f'{VEHICLE}[[vehicle]]\nid = "v"\n', [("C006", 4, 1)]),
     (f'{VEHICLE}without = ["Vehicle.Sped"]\n', [("C007", 3, 13)]),
     (f'{VEHICLE}without = ["Vehicle.Speed",\n  "Vehicle.*.Sped"]\n', [("C007", 4, 4)]),
@@ -178,6 +179,13 @@ def test_vehicles_that_are_no_tables_are_refused(folder):
     with pytest.raises(InputRefused) as refused:
         read_project(Path("sigcat.toml"))
     assert [(each.rule, each.line) for each in refused.value.findings] == [("C003", 1)]
+
+
+def test_one_table_instead_of_a_list_says_how_to_write_it(folder):
+    Path("sigcat.toml").write_text(f'{HEAD}[vehicle]\nid = "v"\n')
+    with pytest.raises(InputRefused) as refused:
+        read_project(Path("sigcat.toml"))
+    assert "Write `[[vehicle]]`." in [each.fix for each in refused.value.findings]
 
 
 def test_thousands_of_vehicles_are_refused(folder):

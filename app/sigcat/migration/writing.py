@@ -8,7 +8,7 @@ from pathlib import Path
 from sigcat.errors import UsageError
 from sigcat.real_path import real_path
 
-_READABLE = 0o644
+_READABLE, _WRITABLE = 0o644, 0o222
 
 
 def write_all(texts: Mapping[Path, bytes]) -> None:
@@ -18,6 +18,10 @@ def write_all(texts: Mapping[Path, bytes]) -> None:
     try:
         for path, data in texts.items():
             target = real_path(path)
+            if target.exists() and not target.stat().st_mode & _WRITABLE:  # root may write all, and should not
+                raise UsageError(
+                    f"{path} is read-only: run `chmod u+w` on it, or name other files. No file was changed."
+                )
             prepared.append((_written_beside(target, data), target))
         for new, target in prepared:
             replaced[target] = target.read_bytes() if target.exists() else None

@@ -65,7 +65,8 @@ class Reading:
                 self.report(codes.SETTING_UNKNOWN, f"Unknown setting {key!r}.", table, number, key, fix)
             elif not isinstance(value, kind):
                 message = f"`{key}` must be {_KINDS.get(kind, 'a table')}, not {repr(value)[:60]}."
-                self.report(codes.SETTING_UNFIT, message, table, number, key)
+                fix = f"Write `[[{key}]]`." if kind is list and isinstance(value, dict) else ""
+                self.report(codes.SETTING_UNFIT, message, table, number, key, fix)
 
     def table(self, name: str, data: Mapping[str, Any], reader: TableReader) -> Any:
         """The value that a reader makes of its table; its findings get lines."""

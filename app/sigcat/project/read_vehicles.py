@@ -110,6 +110,9 @@ def _id_of(values: Mapping[str, Any], table: str, kind: str, known: dict[str, in
     elif isinstance(name, str) and not re.fullmatch(_ID, name):
         message = f"`id` must be letters, digits, '.', '_' and '-', not {name[:80]!r}."
         reading.report(codes.SETTING_UNFIT, message, table, 0, "id")
+    elif name == "all":
+        message = "`id` must not be 'all', which names every vehicle in `--vehicles all`."
+        reading.report(codes.SETTING_UNFIT, message, table, 0, "id")
     elif isinstance(name, str) and name in known:
         message = f"Two {kind}s have the id {name!r}, {first_at(str(reading.file), known[name])}."
         reading.report(codes.ID_GIVEN_TWICE, message, table, 0, "id")
