@@ -65,6 +65,9 @@ def _is_usable(path: str, definition: Definition, limits: Limits, findings: list
     return False
 
 
+_TYPES_FILE = "Struct types are no overlay: list the file as `types` in sigcat.toml, or pass it with `-t`."
+
+
 def _single_root(paths: list[str], definitions: Mapping[str, Definition], findings: list[Finding]) -> str:
     roots = [path for path in paths if "." not in path]
     if not roots and paths:
@@ -74,7 +77,10 @@ def _single_root(paths: list[str], definitions: Mapping[str, Definition], findin
         findings.append(codes.OUTSIDE_ROOT.finding(message, *origin.position, paths[0], fix=fix))
     for extra in roots[1:]:
         message = f"The tree has a second root, {extra!r} beside {roots[0]!r}."
-        fix = f"Move it below {roots[0]!r}, or remove it."
+        has_structs = any(
+            definitions[path].values.get("type") == "struct" for path in paths if path.startswith(f"{extra}.")
+        )
+        fix = _TYPES_FILE if has_structs else f"Move it below {roots[0]!r}, or remove it."
         findings.append(codes.SECOND_ROOT.finding(message, *definitions[extra].origin().position, extra, fix=fix))
     return roots[0] if roots else ""
 
