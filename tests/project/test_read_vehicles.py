@@ -147,6 +147,18 @@ BAD = [
     (f'{VEHICLE}instances = {{"Vehicle.Seat" = [[["Row1"]]]}}\n', [("C003", 3, 1)]),
     (f"{VEHICLE}[vehicle.instances]\nVehicle.Seat = 1.5\n", [("C003", 4, 1)]),
     (f"{VEHICLE}instances = 3\n", [("C003", 3, 1)]),
+    *(
+        (f'{VEHICLE}instances = {{"Vehicle.Seat" = {names}}}\n', [("C003", 3, 1)])
+        for names in (
+            '["A", "A"]',
+            '["A B"]',
+            '["A.B"]',
+            '["x\\n*/"]',
+            '["<script>"]',
+            '[["Row1"], ["A", "A"]]',
+            '[""]',
+        )
+    ),
     (f'{VEHICLE}attributes = {{"Vehicle.Sid" = "LEFT"}}\n', [("C007", 3, 1)]),
     (f'{VEHICLE}attributes = {{"Vehicle.Speed" = 3}}\n', [("C003", 3, 1)]),
     (f"{VEHICLE}attributes = {{steering = [1]}}\n", [("C003", 3, 1)]),

@@ -10,6 +10,7 @@ import pytest
 from sigcat.errors import InputRefused, UsageError
 from sigcat.registry.lines import record
 from sigcat.registry.publish import publish
+from sigcat.registry.published import content_of, version_named
 from sigcat.registry.reference import Reference
 from sigcat.registry.storing.database import reading
 from sigcat.registry.storing.ledger import Registry
@@ -154,3 +155,13 @@ def test_a_damaged_export_is_refused_and_nothing_is_imported(registry: Registry,
         import_lines(other.database, text, "export")
     assert {each.rule for each in refused.value.findings} <= {"E010", "E013"}
     assert head(other) == ""
+
+
+@pytest.mark.parametrize("data", ["'x'", "x'78'", None])
+def test_content_that_is_not_what_was_published_is_never_used(registry: Registry, data: str | None) -> None:
+    where = "where digest = (select resolved from versions where id = 1)"
+    change(registry, f"update contents set data = {data} {where}" if data else f"delete from contents {where}")
+    with reading(registry.database) as connection, pytest.raises(InputRefused) as refused:
+        content_of(connection, version_named(connection, "function", REFERENCE).resolved)
+    (finding,) = refused.value.findings
+    assert (finding.rule, "sigcat registry verify" in finding.fix) == ("E010", True)

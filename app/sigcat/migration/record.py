@@ -6,11 +6,11 @@ signal, and the hash of the recording, by which a renamed or copied one is known
 
 import json
 from collections.abc import Iterable, Mapping
-from hashlib import sha256
 from os.path import relpath
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from sigcat.digest import digest_of
 from sigcat.errors import UsageError
 from sigcat.migration.changed_text import Migrated
 from sigcat.real_path import real_path
@@ -62,7 +62,7 @@ def releases_of(record: Record, path: Path, data: bytes) -> Mapping[str, str]:
     """Return the releases of the values of a file, by the path of their signal."""
     known = record.get(real_path(path))
     if known is None:
-        digest = sha256(data).hexdigest()
+        digest = digest_of(data)
         known = next((each for each in record.values() if each.sha256 == digest), None)
     return known.releases if known is not None else {}
 
@@ -75,6 +75,6 @@ def record_bytes(folder: Path, before: Record, files: Iterable[Migrated], releas
         earlier = releases_of(before, path, file.before)
         if file.values or (earlier and file.is_changed):
             releases = {**earlier, **dict.fromkeys(file.values, release)}
-            after[path] = Recorded(releases, sha256(file.after).hexdigest())
+            after[path] = Recorded(releases, digest_of(file.after))
     named = {relpath(path, folder): entry._asdict() for path, entry in sorted(after.items())}
     return (json.dumps(named, indent=2, sort_keys=True) + "\n").encode()

@@ -35,6 +35,7 @@ _FACTS = ("sop", "year", "release")
 _CONFIGURATION: Mapping[str, type] = {"instances": dict, "attributes": dict, "without": list, "with": list}
 STATE_KEYS: Mapping[str, type] = {"id": str, **dict.fromkeys(_FACTS, object), **_CONFIGURATION}
 VEHICLE_KEYS: Mapping[str, type] = {"id": str, "title": str, "catalogue": str, "state": list, **STATE_KEYS}
+_INSTANCE = r"\w+(?:\[\d+,\d+\])?"
 _ID = r"[A-Za-z0-9][A-Za-z0-9._-]{0,63}"
 
 
@@ -166,15 +167,21 @@ def _instances(named: Mapping[str, Any], table: str, reading: Reading) -> Iterat
         elif isinstance(value, bool) or not isinstance(value, int | str | list):
             _report(f"The instances of {path!r} must be a number of rows, or a list.", table, key, reading)
         elif isinstance(value, list) and not _is_list_of_instances(value):
-            message = f"The instances of {path!r} must be a list of texts, or of lists of texts."
+            message = f"The instances of {path!r} must be a list of different names such as 'Left' or 'Row[1,2]', or of such lists."
             _report(message, table, key, reading)
         else:
             yield path, _setting(path, value, table, key, reading)
 
 
 def _is_list_of_instances(value: list[Any]) -> bool:
-    inner = [item for entry in value for item in (entry if isinstance(entry, list) else [entry])]
-    return all(isinstance(item, str) for item in inner)
+    levels = [entry for entry in value if isinstance(entry, list)]
+    return all(map(_are_names, (*levels, [entry for entry in value if not isinstance(entry, list)])))
+
+
+def _are_names(names: list[Any]) -> bool:
+    """Whether all are names of instances, each once."""
+    are_texts = all(isinstance(name, str) and re.fullmatch(_INSTANCE, name) for name in names)
+    return are_texts and len(set(names)) == len(names)
 
 
 def _defaults(paths: Mapping[str, Any], table: str, reading: Reading) -> Iterator[tuple[str, Setting]]:
