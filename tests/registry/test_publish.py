@@ -9,8 +9,9 @@ import pytest
 from sigcat.errors import InputRefused
 from sigcat.registry.lines import record, set_rule, set_state
 from sigcat.registry.publish import Candidate, publish
-from sigcat.registry.published import all_versions, content_of, version_named
+from sigcat.registry.published import all_versions, version_named
 from sigcat.registry.reference import Reference
+from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.database import reading
 from sigcat.registry.storing.ledger import Registry
 from sigcat.registry.version import raised_part, version_of

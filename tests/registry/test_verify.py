@@ -10,8 +10,9 @@ import pytest
 from sigcat.errors import InputRefused, UsageError
 from sigcat.registry.lines import record
 from sigcat.registry.publish import publish
-from sigcat.registry.published import content_of, version_named
+from sigcat.registry.published import version_named
 from sigcat.registry.reference import Reference
+from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.database import reading
 from sigcat.registry.storing.ledger import Registry
 from sigcat.registry.storing.signing import new_key

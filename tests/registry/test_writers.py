@@ -5,14 +5,18 @@ import os
 import random
 import resource
 import signal
+import sqlite3
 import time
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
+from sqlalchemy import Connection
 
 from sigcat.errors import InputRefused
 from sigcat.registry.publish import publish
 from sigcat.registry.published import all_versions
+from sigcat.registry.storing import database as store
 from sigcat.registry.storing.database import reading
 from sigcat.registry.storing.ledger import Registry
 from sigcat.registry.storing.verify import verify
@@ -119,3 +123,19 @@ def test_a_place_that_cannot_be_written_is_a_finding(folder: str) -> None:
     with pytest.raises(InputRefused) as refused:
         publish(Registry(database), [plain_candidate("small", "1.0.0")])
     assert [(each.rule, each.file) for each in refused.value.findings] == [("E011", str(database))]
+
+
+def test_tables_that_another_process_creates_meanwhile_are_those_of_the_registry(tmp_path: Path, monkeypatch) -> None:
+    file, read = tmp_path / "registry.db", store._number
+
+    def meanwhile(connection: Connection, name: str) -> int:
+        number = read(connection, name)
+        if name == "application_id" and number == 0:
+            other = sqlite3.connect(file, timeout=0, isolation_level=None)
+            with suppress(sqlite3.OperationalError):  # it has to wait
+                other.executescript("BEGIN EXCLUSIVE; CREATE TABLE names (id INTEGER); COMMIT")
+            other.close()
+        return number
+
+    monkeypatch.setattr(store, "_number", meanwhile)
+    assert _publish_same(file) == "published"

@@ -126,8 +126,9 @@ def list_versions(arguments: argparse.Namespace) -> int:
 def show(arguments: argparse.Namespace) -> int:
     """Write the bytes of a version."""
     with read_registry(arguments) as connection:
-        from sigcat.registry.published import content_of, version_named
+        from sigcat.registry.published import version_named
         from sigcat.registry.reference import reference_of
+        from sigcat.registry.storing.content import content_of
 
         published = version_named(connection, arguments.kind, reference_of(arguments.version))
         data = content_of(connection, published.resolved if arguments.resolved else published.content)

@@ -12,7 +12,8 @@ from sigcat.findings import Finding
 from sigcat.registry.changes import UseChange, relied_changes
 from sigcat.registry.conflicts import Conflict, Side, conflicts
 from sigcat.registry.member import Member, published_member
-from sigcat.registry.published import Published, content_of, current, lines_by_version, running
+from sigcat.registry.published import Published, current, lines_by_version, running
+from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.tables import USES
 from sigcat.registry.use import Use, from_json
 

@@ -11,8 +11,9 @@ from sigcat.function.exchange import exchange_of, parts_of
 from sigcat.function.function_file import CheckedFunction
 from sigcat.function.function_json.reading import read_function
 from sigcat.registry.candidates import ReadFunction
-from sigcat.registry.published import Published, content_of
+from sigcat.registry.published import Published
 from sigcat.registry.reference import Reference
+from sigcat.registry.storing.content import content_of
 from sigcat.registry.use import Use, from_json
 
 NOWHERE = ("", 0, 0)

@@ -11,8 +11,9 @@ from sigcat.catalogue.comparing.changelog import next_version, part_of
 from sigcat.catalogue.comparing.changes import CLASSES
 from sigcat.findings import Finding
 from sigcat.registry.changes import Nodes, UseChange, function_changes, node_changes
-from sigcat.registry.published import Published, all_versions, content_of
+from sigcat.registry.published import Published, all_versions
 from sigcat.registry.reference import DEPLOYABLE, Kind, Reference, name_problem, refused
+from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.ledger import Ledger, Registry, head, ledger_of
 from sigcat.registry.storing.tables import NAMES
 from sigcat.registry.use import from_json

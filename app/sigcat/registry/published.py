@@ -5,10 +5,8 @@ from typing import NamedTuple
 
 from sqlalchemy import Connection, Select, select
 
-from sigcat import codes
-from sigcat.digest import digest_of
-from sigcat.registry.reference import DEPLOYABLE, Kind, Reference, Rule, State, refused, unknown
-from sigcat.registry.storing.tables import CONTENTS, DEPLOYMENTS, NAMES, VERSIONS
+from sigcat.registry.reference import DEPLOYABLE, Kind, Reference, Rule, State, unknown
+from sigcat.registry.storing.tables import DEPLOYMENTS, NAMES, VERSIONS
 from sigcat.registry.version import Version, version_of
 
 
@@ -116,16 +114,6 @@ def lines_by_version(connection: Connection) -> Mapping[int, tuple[str, ...]]:
     for each in running(connection):
         found.setdefault(each.published.id, []).append(each.line)
     return {version: tuple(lines) for version, lines in found.items()}
-
-
-def content_of(connection: Connection, digest: str) -> bytes:
-    """Content by its digest. Raises InputRefused if the database has other content, or none."""
-    data = connection.execute(select(CONTENTS.c.data).where(CONTENTS.c.digest == digest)).scalar()
-    if not isinstance(data, bytes) or digest_of(data) != digest:
-        message = f"The registry does not have the content {digest[:12]} as it was published."
-        fix = "Run `sigcat registry verify`, and restore the database from a backup or an export."
-        raise refused(codes.LOG_CHANGED.finding(message, fix=fix))
-    return data
 
 
 def _versions(connection: Connection, chosen: Select[tuple[object, ...]]) -> tuple[Published, ...]:

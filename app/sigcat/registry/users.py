@@ -6,7 +6,8 @@ from typing import NamedTuple
 from sqlalchemy import Connection, or_, select
 
 from sigcat.limits import REGISTRY_ROWS
-from sigcat.registry.published import Published, all_versions, content_of, current, lines_by_version
+from sigcat.registry.published import Published, all_versions, current, lines_by_version
+from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.tables import USES
 from sigcat.registry.use import Use, from_json
 

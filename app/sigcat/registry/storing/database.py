@@ -48,14 +48,12 @@ def writing(database: Path) -> Iterator[Connection]:
 def reading(database: Path) -> Iterator[Connection]:
     """A transaction that sees one state. A missing database is empty, and is not created."""
     with _reported(database), _connected(database) if database.exists() else in_memory() as connection:
-        if _number(connection, "user_version") == 0:
-            _check(connection)
-            with in_memory() as empty:
-                yield empty
-            return
-        _check(connection)
         with _transaction(connection, "BEGIN"):
-            yield connection
+            if _schema(connection) == SCHEMA:
+                yield connection
+                return
+        with in_memory() as empty:
+            yield empty
 
 
 @contextmanager
@@ -101,8 +99,9 @@ def _transaction(connection: Connection, begin: str) -> Iterator[None]:
 
 def _create(connection: Connection) -> None:
     """Create the tables, unless they exist. Of programs that start at once, one creates them."""
-    _check(connection)
-    if _number(connection, "user_version") == SCHEMA:
+    with _transaction(connection, "BEGIN"):
+        schema = _schema(connection)
+    if schema == SCHEMA:
         return
     _use_wal(connection)
     with _transaction(connection, "BEGIN EXCLUSIVE"):
@@ -126,8 +125,11 @@ def _use_wal(connection: Connection) -> None:
             return
 
 
-def _check(connection: Connection) -> None:
-    """Refuse a database of a newer program, or of another one."""
+def _schema(connection: Connection) -> int:
+    """Return the schema, 0 of a new file. Refuses a database of a newer program, or of another one.
+
+    It reads the header three times, so it needs a transaction: another process may create the tables in between.
+    """
     schema, application = _number(connection, "user_version"), _number(connection, "application_id")
     tables = connection.exec_driver_sql("SELECT count(*) FROM sqlite_master").scalar_one()
     if application != APPLICATION and (application or tables):
@@ -136,6 +138,7 @@ def _check(connection: Connection) -> None:
     if schema > SCHEMA:
         message = f"The schema of the database must be {SCHEMA}, not {schema}."
         raise refused(codes.REGISTRY_UNUSABLE.finding(message, fix="Use a newer sigcat."))
+    return schema
 
 
 def _number(connection: Connection, name: str) -> int:

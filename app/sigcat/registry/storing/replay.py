@@ -5,8 +5,9 @@ from typing import Any
 
 from sqlalchemy import Connection, delete, insert, select, update
 
+from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.entry import Action, Entry
-from sigcat.registry.storing.tables import CONTENTS, DEPLOYMENTS, NAMES, USES, VERSIONS
+from sigcat.registry.storing.tables import DEPLOYMENTS, NAMES, USES, VERSIONS
 from sigcat.registry.use import from_json
 from sigcat.registry.version import version_of
 
@@ -40,10 +41,9 @@ def _publish(connection: Connection, data: _Data, at: str) -> None:
 def _index_uses(connection: Connection, version_id: int, data: _Data) -> None:
     if data["kind"] != "function":
         return
-    stored = connection.execute(select(CONTENTS.c.data).where(CONTENTS.c.digest == data["uses"])).scalar_one()
     rows = [
         {"version_id": version_id, "number": number, "path": use.path, "element": use.element, "relied": use.relied}
-        for number, use in enumerate(from_json(stored))
+        for number, use in enumerate(from_json(content_of(connection, data["uses"])))
     ]
     if rows:
         connection.execute(insert(USES), rows)

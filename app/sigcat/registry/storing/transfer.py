@@ -13,6 +13,7 @@ from sqlalchemy.exc import SQLAlchemyError
 from sigcat import codes
 from sigcat.errors import InputRefused
 from sigcat.registry.reference import refused
+from sigcat.registry.storing.content import all_content
 from sigcat.registry.storing.database import writing
 from sigcat.registry.storing.entry import Link
 from sigcat.registry.storing.replay import apply
@@ -25,7 +26,7 @@ _FORMAT = "sigcat registry"
 def exported(connection: Connection) -> Iterator[str]:
     """Yield the lines of an export: a head, content by digest, the log in order."""
     yield _line({"format": _FORMAT, "schema": SCHEMA})
-    for digest, data in connection.execute(select(CONTENTS).order_by(CONTENTS.c.digest)):
+    for digest, data in all_content(connection):
         yield _line({"content": digest, "data": base64.b64encode(data).decode("ascii")})
     for link in read_log(connection):
         yield _line(link._asdict())
