@@ -126,3 +126,21 @@ def _is_the_same(text: bytes, after: Catalogue) -> bool:
     before = checked(text, CATALOGUES[0]).sound_function
     assert before is not None
     return before.datatypes == built.sound_function.datatypes
+
+
+@pytest.mark.parametrize(
+    ("provided", "consumed", "limit", "rules"),
+    [
+        (("S0",), (), 50, ["E006"]),
+        ((), ("S0",), 50, []),
+        (("S0",), (), 200, []),
+        ((), ("S0",), 200, ["E007"]),
+    ],
+)
+def test_a_narrower_range_breaks_who_provides_and_a_wider_one_may_break_who_reads(
+    provided: tuple[str, ...], consumed: tuple[str, ...], limit: int, rules: list[str]
+) -> None:
+    before, after = (catalogue(text=f"A signal., max: {most}") for most in (100, limit))
+    with in_memory() as connection:
+        add(connection, candidate(declaration("Alpha", provided, consumed), before))
+        assert [finding.rule for finding in broken_by_catalogue(connection, after, "tree.vspec")] == rules

@@ -13,7 +13,7 @@ from sigcat.registry.publish import publish
 from sigcat.registry.published import version_named
 from sigcat.registry.reference import Reference
 from sigcat.registry.storing.content import content_of
-from sigcat.registry.storing.database import reading
+from sigcat.registry.storing.database import in_memory, reading
 from sigcat.registry.storing.ledger import Registry
 from sigcat.registry.storing.signing import new_key
 from sigcat.registry.storing.transfer import exported, import_lines
@@ -166,3 +166,24 @@ def test_content_that_is_not_what_was_published_is_never_used(registry: Registry
         content_of(connection, version_named(connection, "function", REFERENCE).resolved)
     (finding,) = refused.value.findings
     assert (finding.rule, "sigcat registry verify" in finding.fix) == ("E010", True)
+
+
+@pytest.mark.parametrize("kept", [1, -1, -2, -3])
+def test_a_file_that_is_cut_at_a_line_is_not_imported(registry: Registry, tmp_path: Path, kept: int) -> None:
+    other = Registry(tmp_path / "other.db")
+    with pytest.raises(InputRefused) as refused:
+        import_lines(other.database, list(lines(registry))[:kept], "export")
+    assert [finding.rule for finding in refused.value.findings] == ["E013"]
+    with reading(other.database) as connection:
+        assert list(exported(connection)) == list(empty())
+
+
+def test_nothing_comes_after_the_end_of_a_file(registry: Registry, tmp_path: Path) -> None:
+    text = list(lines(registry))
+    with pytest.raises(InputRefused):
+        import_lines(tmp_path / "other.db", [*text, text[-1]], "export")
+
+
+def empty() -> Iterator[str]:
+    with in_memory() as connection:
+        yield from exported(connection)

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from sqlalchemy import Connection, select
 
 from sigcat import codes
+from sigcat.catalogue.comparing.changes import Class
 from sigcat.catalogue.comparing.compatibility import ROWS, Vocabularies
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.findings import Finding
@@ -39,14 +40,14 @@ _Changes = Mapping[tuple[str, str], tuple[UseChange, ...]]
 
 
 def _changes(connection: Connection, catalogue: Catalogue) -> _Changes:
-    """Changes that break a function, or may. What functions rely on is compared once, however many they are."""
+    """Changes of what functions rely on, which is compared once, however many they are."""
     vocabularies = Vocabularies(catalogue.vocabulary, catalogue.vocabulary)
     found: dict[tuple[str, str], tuple[UseChange, ...]] = {}
     for path, relied in connection.execute(select(USES.c.path, USES.c.relied).distinct()):
         node = catalogue.get(path)
         if relied:
             changes = relied_changes(path, json.loads(relied), None if node is None else node.values, vocabularies)
-            found[path, relied] = tuple(change for change in changes if change.compatibility in _ABOUT)
+            found[path, relied] = tuple(changes)
     return {key: changes for key, changes in found.items() if changes}
 
 
@@ -67,9 +68,25 @@ def _broken_uses(
     uses = from_json(content_of(connection, published.uses))
     calls = _calls(uses)
     for path, use in {use.path: use for use in uses}.items():
-        for change in changes.get((path, use.relied), ()):
+        for change in _for_role(use, changes.get((path, use.relied), ())):
             side = Side(published.name, published.version, published.owner, calls[path])
             yield _finding(change, side, lines, _place(change, catalogue, file), use.via)
+
+
+_OF_PROVIDERS: Mapping[str, Class] = {
+    **dict.fromkeys(("range-narrowed", "values-limited", "values-removed"), "breaking"),
+    **dict.fromkeys(("range-widened", "values-unlimited", "values-added"), "compatible"),
+}
+"""Classes for a function that provides a value, by rule: it may send what is no longer allowed, whatever the node is."""
+
+
+def _for_role(use: Use, changes: Iterable[UseChange]) -> Iterator[UseChange]:
+    """Yield the changes that break a use, or may."""
+    for change in changes:
+        compatibility = _OF_PROVIDERS.get(change.rule) if use.provides else None
+        found = change if compatibility is None else change._replace(compatibility=compatibility)
+        if found.compatibility in _ABOUT:
+            yield found
 
 
 def _calls(uses: Sequence[Use]) -> Mapping[str, tuple[str, ...]]:

@@ -24,12 +24,15 @@ _FORMAT = "sigcat registry"
 
 
 def exported(connection: Connection) -> Iterator[str]:
-    """Yield the lines of an export: a head, content by digest, the log in order."""
+    """Yield the lines of an export: its format, content by digest, the log in order, and the hash of its last entry."""
     yield _line({"format": _FORMAT, "schema": SCHEMA})
     for digest, data in all_content(connection):
         yield _line({"content": digest, "data": base64.b64encode(data).decode("ascii")})
+    last = ""
     for link in read_log(connection):
         yield _line(link._asdict())
+        last = link.hash
+    yield _line({"end": last})
 
 
 def import_lines(database: Path, lines: Iterable[bytes], name: str) -> str:
@@ -37,23 +40,36 @@ def import_lines(database: Path, lines: Iterable[bytes], name: str) -> str:
     with writing(database) as connection:
         if connection.execute(select(LOG.c.number).limit(1)).first() is not None:
             raise _unfit("The registry must be empty to import another one.", name, fix="Name a new `database`.")
-        _read(connection, lines, name)
+        end = _read(connection, lines, name)
         checked = verify(connection)
         if checked.findings:
             raise InputRefused("nothing was imported", checked.findings)
+        if end != checked.head:
+            raise _unfit(
+                "The file is cut, or lines of it are missing: its log does not end with the entry of its last line.",
+                name,
+            )
         return checked.head
 
 
-def _read(connection: Connection, lines: Iterable[bytes], name: str) -> None:
-    number = 0
+def _read(connection: Connection, lines: Iterable[bytes], name: str) -> str | None:
+    """Write the lines, and return the hash of the last entry as the last line has it; None if that line is missing."""
+    number, end = 0, None
     for number, line in enumerate(lines, 1):
         try:
-            _read_line(connection, json.loads(line), is_first=number == 1)
+            data = json.loads(line)
+            if end is not None:
+                raise ValueError(line)
+            if isinstance(data, dict) and data.keys() == {"end"}:
+                end = str(data["end"])
+            else:
+                _read_line(connection, data, is_first=number == 1)
         except _UNREADABLE:
             message = f"Line {number} is not a line of an export of schema {SCHEMA}."
             raise _unfit(message, name, number) from None
     if not number:
         raise _unfit("The file is empty.", name)
+    return end
 
 
 _UNREADABLE = (ValueError, TypeError, KeyError, AttributeError, binascii.Error, RecursionError, SQLAlchemyError)
