@@ -200,7 +200,7 @@ def test_a_faulty_function_is_not_published_and_none_of_the_others(run: Run) -> 
     faulty = edited(MPC, "mpc.function.yaml", (PROPOSAL, "Vehicle.ADAS.EcoControl.AcelerationProposal"))
     status, text = run("publish", CORE, faulty)
     assert (status, "error F0" in text) == (1, True)
-    assert run("registry", "list")[1] == ""
+    assert "nothing is published in registry.db" in run("registry", "list")[1]
     assert not Path("registry.db").exists()
 
 
@@ -346,3 +346,16 @@ def test_a_wrong_table_of_the_project_is_a_finding_with_its_line(run: Run, text:
 
 def test_config_shows_the_registry(run: Run) -> None:
     assert re.search(r"^registry.database = registry.db +# sigcat.toml:2$", run("config", "--show")[1], re.MULTILINE)
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [("check", str(CORE)), ("users", "Vehicle.Speed"), ("registry", "list"), ("registry", "verify"), ("registry", "export"),
+     ("can-i-deploy", "CoreAcc@1.0.0", "--to", "SUV")],
+)  # fmt: skip
+def test_an_empty_registry_answers_nothing(run: Run, arguments: tuple[str, ...]) -> None:
+    Path("cut.jsonl").write_text("", encoding="utf-8")
+    for _ in range(2):
+        status, text = run(*arguments)
+        assert (status, "nothing is published in registry.db" in text) == (2, True)
+        assert run("registry", "import", "cut.jsonl")[0] == 1  # it leaves an empty database

@@ -49,11 +49,16 @@ def needing_extra() -> "Iterator[None]":
 
 @contextmanager
 def read_registry(arguments: argparse.Namespace) -> "Iterator[Snapshot]":
-    """One state of the registry, to read."""
+    """One state of the registry, to read. Raises UsageError if nothing is in it: then no answer would mean anything."""
     registry = registry_of(arguments)
     from sigcat.registry.storing.database import reading
+    from sigcat.registry.storing.ledger import head
 
     with reading(registry.database) as connection:
+        if head(connection) is None:
+            raise UsageError(
+                f"nothing is published in {registry.database}: run `sigcat publish` or `sigcat registry import`"
+            )
         yield connection
 
 

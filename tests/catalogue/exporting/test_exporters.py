@@ -135,3 +135,12 @@ def test_a_text_that_leaves_a_comment_of_a_message_is_reported(attribute):
     mode = "Vehicle.Mode:\n" + "".join(f"  {key}: {json.dumps(value)}\n" for key, value in values.items())
     made = exported(catalogue_of(ROOT + mode), "protobuf", {"include-comments": True})
     assert [(each.rule, each.path) for each in made.findings] == [("X005", "Vehicle.Mode")]
+
+
+@pytest.mark.parametrize("name", ["go", "protobuf", "ddsidl", "franca", "plantuml"])
+def test_an_instance_that_is_code_in_the_file_is_reported_and_refused_strictly(name):
+    door = 'Vehicle.Door:\n  type: branch\n  description: Door.\n  instances: ["A = 0; }"]\n'
+    tree = ROOT + door + "Vehicle.Door.IsOpen: {type: sensor, datatype: boolean, description: Open.}\n"
+    with pytest.raises(InputRefused) as refused:
+        exported(catalogue_of(tree), name, {"strict": True})
+    assert ("X005", "Vehicle.Door", 7) in [(each.rule, each.path, each.line) for each in refused.value.findings]

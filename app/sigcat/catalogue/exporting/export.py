@@ -19,6 +19,8 @@ from sigcat.findings import Finding, has_errors
 
 _IN_COMMENTS = ("description", "comment", "default", "deprecation")
 """Attributes that `--include-comments` of the Protocol Buffers writes."""
+_AS_NAMES = ("allowed", "instances")
+"""Attributes with names of values and of instances, which are written as they are."""
 _END_OF_COMMENT = re.compile(r"\*/|[\n\r\v\f\x1c-\x1e\x85\u2028\u2029]")
 _CODE = re.compile(r"[;{}=<>\"'\\#\n\r\v\f\x1c-\x1e\x85\u2028\u2029]|/[/*]|\*/")
 """Signs that end the name of a value."""
@@ -98,15 +100,19 @@ def _texts_that_leave(catalogue: Catalogue, attributes: Iterable[str]) -> Iterat
     """Texts that end the comment, the string or the name that an exporter writes them into."""
     for definition in (*catalogue.definitions.values(), *_type_definitions(catalogue)) if attributes else ():
         for name in attributes:
-            given = definition.values.get(name)
-            texts = [text for text in (given if isinstance(given, list) else [given]) if isinstance(text, str)]
-            signs = "a sign such as `;` or a line break" if name == "allowed" else "a line break or `*/`"
-            if any((_CODE if name == "allowed" else _END_OF_COMMENT).search(text.strip()) for text in texts):
+            signs = "a sign such as `;` or a line break" if name in _AS_NAMES else "a line break or `*/`"
+            pattern = _CODE if name in _AS_NAMES else _END_OF_COMMENT
+            if any(pattern.search(text.strip()) for text in _texts(definition, name)):
                 message = f"`{name}` has {signs}: the exported file reads the rest of the text as code."
                 fix = f"Write it without {signs}."
                 yield codes.TEXT_LEAVES_COMMENT.finding(
                     message, *definition.origin(name).position, definition.path, fix=fix
                 )
+
+
+def _texts(definition: Definition, name: str) -> list[str]:
+    given = instances_of(definition.values) if name == "instances" else definition.values.get(name)
+    return [text for text in (given if isinstance(given, list | tuple) else [given]) if isinstance(text, str)]
 
 
 def _type_definitions(catalogue: Catalogue) -> Iterable[Definition]:

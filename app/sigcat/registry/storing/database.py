@@ -25,7 +25,7 @@ Snapshot: TypeAlias = Connection
 """One state of the registry, to read."""
 _ADVICE = {
     sqlite3.SQLITE_FULL: "Free space on the disk.",
-    sqlite3.SQLITE_READONLY: "Make the file and its folder writable.",
+    sqlite3.SQLITE_READONLY: "Make the file and its folder writable, and the files beside it that end in -wal and -shm.",
     sqlite3.SQLITE_CANTOPEN: "Make the file and its folder writable.",
     sqlite3.SQLITE_BUSY: "Run the command again.",
     sqlite3.SQLITE_NOTADB: "Name a file of sigcat, or a new one, as `database` in [registry].",

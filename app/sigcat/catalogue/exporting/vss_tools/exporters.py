@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 _COMMENTS = ("description", "comment")
-_CODE = (*_COMMENTS, "allowed")
+_CODE = (*_COMMENTS, "allowed", "instances")
 """Attributes that vss-tools writes unescaped."""
 _ATTRIBUTES = Option("attr", "texts", "attribute to show at each node; may be repeated")
 _JSON_SCHEMA = (
@@ -171,11 +171,11 @@ VSS_TOOLS = (
     _file("jsonschema", "JSON Schema of the values", ".json", "application/schema+json", *_JSON_SCHEMA),
     _file("id", "static ids of all nodes", ".yaml", "application/yaml", *_ID, has_types_beside=True),
     _file("tree", "tree as text", ".txt", "text/plain", EXPAND, _ATTRIBUTES, unescaped=_COMMENTS),
-    _file("protobuf", "Protocol Buffers messages", ".proto", "text/plain", *_PROTOBUF, has_types_beside=True, has_value_names=True, unescaped=("allowed",))._replace(run=_run_numbered),
+    _file("protobuf", "Protocol Buffers messages", ".proto", "text/plain", *_PROTOBUF, has_types_beside=True, has_value_names=True, unescaped=("allowed", "instances"))._replace(run=_run_numbered),
     _file("ddsidl", "DDS IDL", ".idl", "text/plain", Option("all-idl-features", "flag", "use all of IDL 4.2"), unescaped=_CODE),
     _file("franca", "Franca IDL", ".fidl", "text/plain", Option("franca-vss-version", "text", "version to write into the file"), unescaped=_CODE),
-    _file("plantuml", "PlantUML class diagram", ".puml", "text/plain", EXPAND, _ATTRIBUTES, unescaped=("description", "allowed")),
-    _file("go", "Go structs", ".go", "text/plain", *_GO),
+    _file("plantuml", "PlantUML class diagram", ".puml", "text/plain", EXPAND, _ATTRIBUTES, unescaped=("description", "allowed", "instances")),
+    _file("go", "Go structs", ".go", "text/plain", *_GO, unescaped=("instances",)),
     _file("binary", "compact binary form for small targets", ".bin", "application/octet-stream", TYPES_OUTPUT),
     _folder("s2dm", "GraphQL schema (S2DM)", *_S2DM, *STRICTNESS, refuses_ending=True),
     _folder("ros2interface", "ROS 2 messages and services", *_ROS2, unescaped=_CODE),
