@@ -2,6 +2,7 @@
 
 SigcatError
 ├── InputRefused        an input cannot be used; carries the findings that say why
+│   └── RegistryUnusable    the database of the registry is full, locked, gone, or of another program
 ├── NoRoom              no space left for temporary files
 ├── NotFound            a catalogue, node, rule or file that was named does not exist
 ├── ToolCrashed         a tool that sigcat runs ended before it was done
@@ -30,6 +31,14 @@ class InputRefused(SigcatError):
         self.findings: tuple[Finding, ...] = findings
         for finding in findings[:_SHOWN]:
             self.add_note(finding.line_of_text)
+
+
+class RegistryUnusable(InputRefused):
+    """The database of the registry cannot be used, which says nothing of the input."""
+
+    def __init__(self, finding: Finding, *, is_full: bool = False) -> None:
+        super().__init__("nothing was changed in the registry", (finding,))
+        self.is_full = is_full
 
 
 class NoRoom(SigcatError):

@@ -16,6 +16,11 @@ def content_of(connection: Connection, digest: str) -> bytes:
     return _checked(digest, connection.execute(select(CONTENTS.c.data).where(CONTENTS.c.digest == digest)).scalar())
 
 
+def has_content(connection: Connection, digest: str) -> bool:
+    """Whether there is content with a digest."""
+    return connection.execute(select(CONTENTS.c.digest).where(CONTENTS.c.digest == digest)).first() is not None
+
+
 def all_content(connection: Connection) -> Iterator[tuple[str, bytes]]:
     """Yield all content by digest, in order. Raises InputRefused as `content_of` does."""
     for digest, data in connection.execute(select(CONTENTS).order_by(CONTENTS.c.digest)):

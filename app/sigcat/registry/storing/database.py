@@ -16,9 +16,8 @@ from sqlalchemy import Connection, Engine, NullPool, create_engine
 from sqlalchemy.exc import DBAPIError
 
 from sigcat import codes
-from sigcat.errors import InputRefused
+from sigcat.errors import RegistryUnusable
 from sigcat.limits import REGISTRY_SECONDS
-from sigcat.registry.reference import refused
 from sigcat.registry.storing.tables import APPLICATION, METADATA, SCHEMA
 
 Snapshot: TypeAlias = Connection
@@ -134,10 +133,10 @@ def _schema(connection: Connection) -> int:
     tables = connection.exec_driver_sql("SELECT count(*) FROM sqlite_master").scalar_one()
     if application != APPLICATION and (application or tables):
         message = "The database belongs to another program."
-        raise refused(codes.REGISTRY_UNUSABLE.finding(message, fix=_ADVICE[sqlite3.SQLITE_NOTADB]))
+        raise RegistryUnusable(codes.REGISTRY_UNUSABLE.finding(message, fix=_ADVICE[sqlite3.SQLITE_NOTADB]))
     if schema > SCHEMA:
         message = f"The schema of the database must be {SCHEMA}, not {schema}."
-        raise refused(codes.REGISTRY_UNUSABLE.finding(message, fix="Use a newer sigcat."))
+        raise RegistryUnusable(codes.REGISTRY_UNUSABLE.finding(message, fix="Use a newer sigcat."))
     return schema
 
 
@@ -153,15 +152,11 @@ def _reported(database: Path) -> Iterator[None]:
     except DBAPIError as error:
         message = f"The database cannot be used: {error.orig}."
         fix = _ADVICE.get(_code(error), "Check the disk and the folder of the file.")
-        raise refused(codes.REGISTRY_UNUSABLE.finding(message, str(database), fix=fix)) from None
-    except InputRefused as error:
-        named = (finding if finding.file or not _is_about_file(finding.rule) else finding._replace(file=str(database))
-                 for finding in error.findings)  # fmt: skip
-        raise InputRefused(str(error), tuple(named)) from None
-
-
-def _is_about_file(rule: str) -> bool:
-    return rule == codes.REGISTRY_UNUSABLE.id
+        finding = codes.REGISTRY_UNUSABLE.finding(message, str(database), fix=fix)
+        raise RegistryUnusable(finding, is_full=_code(error) == sqlite3.SQLITE_FULL) from None
+    except RegistryUnusable as error:
+        (finding,) = error.findings
+        raise RegistryUnusable(finding._replace(file=str(database)), is_full=error.is_full) from None
 
 
 def _code(error: DBAPIError) -> int:

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from sqlalchemy import Connection, insert, select
 
 from sigcat.digest import digest_of
+from sigcat.registry.storing.content import has_content
 from sigcat.registry.storing.database import writing
 from sigcat.registry.storing.entry import BEGIN, Action, Entry, Link, linked
 from sigcat.registry.storing.replay import apply
@@ -32,7 +33,7 @@ class Ledger(NamedTuple):
     def put(self, data: bytes) -> str:
         """Store content, and return its digest."""
         digest = digest_of(data)
-        if self.connection.execute(select(CONTENTS.c.digest).where(CONTENTS.c.digest == digest)).first() is None:
+        if not has_content(self.connection, digest):
             self.connection.execute(insert(CONTENTS).values(digest=digest, data=data))
         return digest
 
@@ -67,3 +68,9 @@ def head(connection: Connection) -> Link | None:
     """The last entry of the log."""
     row = connection.execute(select(LOG).order_by(LOG.c.number.desc()).limit(1)).first()
     return Link(*row) if row is not None else None
+
+
+def log_page(connection: Connection, after: int, most: int) -> tuple[Link, ...]:
+    """Entries of the log in order, from behind a number on."""
+    chosen = select(LOG).where(LOG.c.number > after).order_by(LOG.c.number).limit(most)
+    return tuple(Link(*row) for row in connection.execute(chosen))
