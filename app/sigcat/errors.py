@@ -2,6 +2,7 @@
 
 SigcatError
 ├── InputRefused        an input cannot be used; carries the findings that say why
+│   └── Unusable        a database cannot be used, so that nothing was found out
 ├── NoRoom              no space left for temporary files
 ├── NotFound            a catalogue, node, rule or file that was named does not exist
 ├── ToolCrashed         a tool that sigcat runs ended before it was done
@@ -30,6 +31,10 @@ class InputRefused(SigcatError):
         self.findings: tuple[Finding, ...] = findings
         for finding in findings[:_SHOWN]:
             self.add_note(finding.line_of_text)
+
+
+class Unusable(InputRefused):
+    """A database cannot be used: its disk, its server or its schema. Nothing was found out about the input."""
 
 
 class NoRoom(SigcatError):

@@ -6,10 +6,10 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from sqlalchemy import Connection, insert, select
+from sqlalchemy import Connection, bindparam, insert, select
 
 from sigcat.digest import digest_of
-from sigcat.registry.storing.database import writing
+from sigcat.registry.storing.database import Place, writing
 from sigcat.registry.storing.entry import BEGIN, Action, Entry, Link, linked
 from sigcat.registry.storing.replay import apply
 from sigcat.registry.storing.tables import CONTENTS, LOG
@@ -18,7 +18,7 @@ from sigcat.registry.storing.tables import CONTENTS, LOG
 class Registry(NamedTuple):
     """The place of a registry."""
 
-    database: Path
+    database: Place
     key: Path | None = None
     """Private key that signs the log."""
 
@@ -32,8 +32,8 @@ class Ledger(NamedTuple):
     def put(self, data: bytes) -> str:
         """Store content, and return its digest."""
         digest = digest_of(data)
-        if self.connection.execute(select(CONTENTS.c.digest).where(CONTENTS.c.digest == digest)).first() is None:
-            self.connection.execute(insert(CONTENTS).values(digest=digest, data=data))
+        if self.connection.execute(_STORED, {"of": digest}).first() is None:
+            self.connection.execute(_INSERT_CONTENT, {"digest": digest, "data": data})
         return digest
 
     def append(self, action: Action, data: Mapping[str, Any]) -> None:
@@ -45,7 +45,7 @@ class Ledger(NamedTuple):
 
     def _write(self, link: Link) -> None:
         signed = link._replace(signature=self._signature(link.hash))
-        self.connection.execute(insert(LOG).values(**signed._asdict()))
+        self.connection.execute(_INSERT_LINK, signed._asdict())
         apply(self.connection, link.entry)
 
     def _signature(self, text: str) -> str:
@@ -54,6 +54,11 @@ class Ledger(NamedTuple):
         from sigcat.registry.storing.signing import signature_of
 
         return signature_of(text, self.key)
+
+
+_STORED = select(CONTENTS.c.digest).where(CONTENTS.c.digest == bindparam("of"))
+_INSERT_CONTENT, _INSERT_LINK = insert(CONTENTS), insert(LOG)
+_HEAD = select(LOG).order_by(LOG.c.number.desc()).limit(1)
 
 
 @contextmanager
@@ -65,5 +70,5 @@ def ledger_of(registry: Registry) -> Iterator[Ledger]:
 
 def head(connection: Connection) -> Link | None:
     """The last entry of the log."""
-    row = connection.execute(select(LOG).order_by(LOG.c.number.desc()).limit(1)).first()
+    row = connection.execute(_HEAD).first()
     return Link(*row) if row is not None else None
