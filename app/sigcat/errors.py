@@ -2,7 +2,7 @@
 
 SigcatError
 ├── InputRefused        an input cannot be used; carries the findings that say why
-│   └── Unusable        a database cannot be used, so that nothing was found out
+│   └── RegistryUnusable    the database of the registry is full, locked, gone, or of another program
 ├── NoRoom              no space left for temporary files
 ├── NotFound            a catalogue, node, rule or file that was named does not exist
 ├── ToolCrashed         a tool that sigcat runs ended before it was done
@@ -33,8 +33,12 @@ class InputRefused(SigcatError):
             self.add_note(finding.line_of_text)
 
 
-class Unusable(InputRefused):
-    """A database cannot be used: its disk, its server or its schema. Nothing was found out about the input."""
+class RegistryUnusable(InputRefused):
+    """The database of the registry cannot be used, which says nothing of the input."""
+
+    def __init__(self, finding: Finding, *, is_full: bool = False) -> None:
+        super().__init__("nothing was changed in the registry", (finding,))
+        self.is_full = is_full
 
 
 class NoRoom(SigcatError):

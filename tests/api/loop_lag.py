@@ -24,6 +24,7 @@ from sigcat.catalogue.hosting.sources import shipped_sources
 from sigcat.catalogue.model.vehicle import Setting, Vehicle
 from sigcat.web.site import create_site
 from tests.api.conftest import SOURCES
+from tests.registry.served import settings_of, signed_registry
 
 ADDRESS = "/lag"
 _TURN = 0.001
@@ -38,7 +39,9 @@ class Watched:
 
     def __init__(self, settings: Settings, tree: Path) -> None:
         self._app = create_site(
-            Library([*shipped_sources(), Source("wide", "A wide tree", tree, vehicles=_VEHICLES), SOURCES[0]]), settings
+            Library([*shipped_sources(), Source("wide", "A wide tree", tree, vehicles=_VEHICLES), SOURCES[0]]),
+            settings,
+            registry=settings_of(signed_registry(tree.parent)),
         )
         self._longest = 0.0
         self._watching: asyncio.Task[None] | None = None

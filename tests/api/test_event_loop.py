@@ -31,6 +31,7 @@ TRIES = 3
 SECRET, TOKEN = new_token("operator", ["read", "reload"])
 WIDE = "/api/v1/catalogues/wide"
 SMALL = "/api/v1/catalogues/small"
+REGISTRY = "/api/v1/registry"
 WORDS = "+".join(chr(ord("a") + number % 26) for number in range(SEARCH_WORDS))
 METADATA = "%7B%22type%22%3A%22static-metadata%22%2C%22parameter%22%3A%22%22%7D"
 MISSPELLED = "Vehicle.Part.Row1.Place1.Spee" + "d" * 400
@@ -106,6 +107,23 @@ COSTLY: dict[str, list[Costly]] = {
     ],
     "GET /api/v1/catalogues/{catalogue}/units": [Costly("/api/v1/catalogues/interfaces/units", YAML)],
     "GET /api/v1/catalogues/{catalogue}/viss/{path:path}": get(f"{WIDE}/viss/Vehicle?filter={METADATA}"),
+    "GET /api/v1/registry": get(REGISTRY),
+    "GET /api/v1/registry/capabilities": get(f"{REGISTRY}/capabilities"),
+    "GET /api/v1/registry/contents/{digest}": get(f"{REGISTRY}/contents/{'0' * 64}"),
+    "GET /api/v1/registry/key": get(f"{REGISTRY}/key"),
+    "GET /api/v1/registry/lines": [*get(f"{REGISTRY}/lines"), Costly(f"{REGISTRY}/lines", YAML)],
+    "GET /api/v1/registry/lines/{line}": get(f"{REGISTRY}/lines/SUV-2025", f"{REGISTRY}/lines/{'x' * 300}"),
+    "GET /api/v1/registry/log": [*get(f"{REGISTRY}/log?limit=200"), Costly(f"{REGISTRY}/log?limit=200", YAML)],
+    "GET /api/v1/registry/model": get(f"{REGISTRY}/model"),
+    "GET /api/v1/registry/users": get(f"{REGISTRY}/users?path=Vehicle", f"{REGISTRY}/users?path={MISSPELLED}"),
+    "GET /api/v1/registry/{group}": [*get(f"{REGISTRY}/functions?limit=200"), Costly(f"{REGISTRY}/functions", YAML)],
+    "GET /api/v1/registry/{group}/{name}": get(f"{REGISTRY}/functions/CoreAcc", f"{REGISTRY}/functions/{'x' * 300}"),
+    "GET /api/v1/registry/{group}/{name}$details": get(f"{REGISTRY}/functions/CoreAcc$details"),
+    "GET /api/v1/registry/{group}/{name}/versions": get(f"{REGISTRY}/functions/CoreAcc/versions"),
+    "GET /api/v1/registry/{group}/{name}/versions/{version}": get(f"{REGISTRY}/functions/CoreAcc/versions/1.0.0"),
+    "GET /api/v1/registry/{group}/{name}/versions/{version}$details": get(
+        f"{REGISTRY}/functions/CoreAcc/versions/1.0.0$details?inline=uses"
+    ),
     "GET /api/v1/rules": [*get("/api/v1/rules"), Costly("/api/v1/rules", YAML), Costly("/api/v1/rules", CSV)],
     "GET /api/v1/rules/{rule_id}": get("/api/v1/rules/V102", f"/api/v1/rules/{'V' * 300}"),
     "GET /api/v1/schemas": get("/api/v1/schemas"),

@@ -20,6 +20,7 @@ from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import Library, shipped_sources
 from sigcat.platforms.table import PLATFORMS
 from tests.api.conftest import Ask, asker
+from tests.registry.served import settings_of, signed_registry
 
 ROOT = Path(__file__).parents[2]
 FILE = ROOT / "docs" / "reference" / "openapi.json"
@@ -29,8 +30,9 @@ IDS = [each["operationId"] for _, _, each in API]
 
 
 @pytest.fixture(scope="module")
-def shipped() -> Ask:
-    return asker(create_app(Library(shipped_sources())))
+def shipped(tmp_path_factory: pytest.TempPathFactory) -> Ask:
+    registry = settings_of(signed_registry(tmp_path_factory.mktemp("registry")))
+    return asker(create_app(Library(shipped_sources()), registry=registry))
 
 
 def test_the_document_that_is_checked_in_is_the_one_that_is_served(ask: Ask) -> None:
@@ -67,7 +69,8 @@ def test_every_operation_documents_the_headers_of_its_answers(
     assert all({"X-Request-Id", "RateLimit", "RateLimit-Policy"} <= names for names in headers.values())
     assert all("Retry-After" in headers[status] for status in ("429", "503"))
     assert "Location" in headers["307"]
-    is_versioned = method == "get" and path.startswith("/api/v1/catalogues/{catalogue}")
+    is_versioned = method == "get" and path.startswith(("/api/v1/catalogues/{catalogue}", "/api/v1/registry"))
+    is_versioned = is_versioned and path.rpartition("/")[2] not in ("capabilities", "key", "model")
     assert [status for status in headers if "ETag" in headers[status]] == (
         ["200", "304", "412"] if is_versioned else []
     )
@@ -133,8 +136,9 @@ IN_THE_ROUND_TRIP = (
     "generate_classic_arxml",
     "generate_fmi",
     "generate_ros2",
+    "get_registry_content",
 )
-"""They need a token, or what another operation answers: tests/clients has them."""
+"""They need a token, or what another operation answers: tests/clients and tests/registry have them."""
 UNFIT = ("export_avro", "export_vhal")
 """Exports that the shipped catalogue has nothing for: it has no struct types, and limits that no property of Android takes."""
 ALONE = [each for each in API if each[2]["operationId"] not in (*IN_THE_ROUND_TRIP, *UNFIT)]

@@ -20,6 +20,7 @@ SIGCAT = (sys.executable, "-m", "sigcat.cli")
 SHOWN_AT = "http://127.0.0.1:8000"
 BEYOND = (
     *("make ", ".venv/", "sigcat pull", "openapi-python-client ", "npx ", "docker ", "uvicorn "),
+    *("sigcat registry verify", "sigcat registry export"),
     *("python3 -m venv", "venv/bin/", "export PATH=", "mkdir speed_warning", "git push", "git switch"),
 )
 """Commands that have separate tests or set up a machine: they need more than a shell and a service."""
@@ -79,13 +80,30 @@ def environment(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, str]:
 
 
 @pytest.fixture(scope="module")
-def service(environment: Mapping[str, str]) -> Iterator[tuple[str, str]]:
+def registry(environment: Mapping[str, str], tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The project of the page about the registry, with its functions published."""
+    folder = tmp_path_factory.mktemp("registry")
+    write_titled("docs/how-to/registry.md", folder)
+    project = folder / "sigcat.toml"
+    project.write_text(project.read_text().replace("[registry]", '[registry]\nkey = "registry.key"'))
+    for arguments in (
+        ("registry", "new-key", "registry.key"),
+        ("publish", *(f"functions/{name}.function.yaml" for name in ("Advisor", "Display", "Meter"))),
+        ("registry", "record-deployment", "SUV-2025", "Advisor@1.0.0"),
+    ):
+        subprocess.run([*SIGCAT, *arguments], cwd=folder, env=environment, check=True, capture_output=True)
+    (folder / "served.toml").write_text('[registry]\ndatabase = "registry.db"\nkey = "registry.key"\n')
+    return folder / "served.toml"
+
+
+@pytest.fixture(scope="module")
+def service(environment: Mapping[str, str], registry: Path) -> Iterator[tuple[str, str]]:
     """Address of a service, and a token that it takes."""
     new = [*SIGCAT, "config", "--new-token", "ci", "--scope", "reload"]
     printed = subprocess.run(new, env=environment, capture_output=True, text=True, check=True).stdout
     token = re.findall(r"^sigcat_\S+", printed, re.MULTILINE)[0]
     with_token = {**environment, "SIGCAT_TOKENS": re.findall(r"ci:reload:[0-9a-f]{64}", printed)[0]}
-    command = [*SIGCAT, "serve", "--port", "0"]
+    command = [*SIGCAT, "serve", "--port", "0", "--config", str(registry)]
     with subprocess.Popen(command, env=with_token, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as run:
         assert run.stdout is not None
         match = re.search(r"http://\S+", run.stdout.readline())
@@ -118,14 +136,19 @@ TITLED = re.compile(r'```\w+ title="([^"]+)"\n(.*?)```', re.DOTALL)
 """Files that a page shows whole, by their names."""
 
 
+def write_titled(page: str, folder: Path) -> None:
+    """Write the files that a page shows."""
+    for name, text in TITLED.findall((ROOT / page).read_text("utf-8")):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text, encoding="utf-8")
+
+
 @pytest.mark.parametrize(("page", "block"), SHELL_BLOCKS, ids=lambda text: text.splitlines()[0])
 def test_the_commands_run(page, block, environment, service, folder):
     if not shutil.which("curl"):
         pytest.skip("curl: install it")
     address, token = service
-    for name, text in TITLED.findall((ROOT / page).read_text("utf-8")):
-        (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (folder / name).write_text(text, encoding="utf-8")
+    write_titled(page, folder)
     done = subprocess.run(
         ["bash", "-c", PRELUDE + block.replace(SHOWN_AT, address)],
         check=False,

@@ -38,6 +38,8 @@ def rendered(template: str, plan: Plan) -> str:
 def _environment() -> "Environment":
     from jinja2 import Environment, FileSystemLoader, StrictUndefined  # only where files are generated
 
+    from sigcat.compiled_templates import CompiledTemplates
+
     environment = Environment(
         loader=FileSystemLoader(Path(sigcat.__file__).parent),
         autoescape=False,  # noqa: S701 -- files of C, C++, CMake and Python: HTML has a filter
@@ -45,6 +47,7 @@ def _environment() -> "Environment":
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
+        bytecode_cache=CompiledTemplates(Path(__file__)),
     )
     environment.filters.update({name: getattr(text_filters, name) for name in _FILTERS})
     environment.filters["origin"] = origin

@@ -34,6 +34,7 @@ from sigcat.api.middleware.request_log import RequestLog
 from sigcat.api.middleware.request_notes import RequestNotes
 from sigcat.api.openapi_document import openapi_document
 from sigcat.api.requests.held_bodies import HeldBodies
+from sigcat.api.requests.hosted_registry import HostedRegistry
 from sigcat.api.requests.query_parameters import refuse_unknown
 from sigcat.api.requests.thread_turns import THREADS
 from sigcat.api.routes import (
@@ -45,6 +46,7 @@ from sigcat.api.routes import (
     health,
     integration,
     lint,
+    registry_reading,
     reloading,
     rules,
     viss,
@@ -59,6 +61,7 @@ from sigcat.api.work.worker import EXPORTS
 from sigcat.catalogue.hosting.library import Library
 from sigcat.data import INTERFACE_RULES
 from sigcat.function.hosting import FunctionLibrary
+from sigcat.project.project import RegistrySettings
 
 _DESCRIPTION = """\
 A catalogue of vehicle signals and function interfaces: trees of the COVESA Vehicle Signal Specification with
@@ -77,7 +80,7 @@ _READABLE = ("ETag", "Link", "RateLimit", "RateLimit-Policy", "Retry-After", "Si
 """Headers that pages of other origins may read."""
 _ROUTERS = (
     catalogues.listing, catalogues.router, changes.router, exports.router, reloading.router, reloading.of_functions, viss.router, rules.router,
-    lint.router, functions.router, integration.router, health.router, contract.router,
+    lint.router, functions.router, registry_reading.router, integration.router, health.router, contract.router,
 )  # fmt: skip
 
 _MODULES_OF_WORK = tuple(module.__name__ for module in (changes, exports, functions, integration, lint))
@@ -109,7 +112,10 @@ class Service(FastAPI):
 
 
 def create_app(
-    library: Library, settings: Settings = DEFAULT_SETTINGS, functions: FunctionLibrary | None = None
+    library: Library,
+    settings: Settings = DEFAULT_SETTINGS,
+    functions: FunctionLibrary | None = None,
+    registry: RegistrySettings | None = None,
 ) -> Service:
     """The API over a library. Pages for people are put on top of it by `sigcat.web.site.create_site`."""
     tracing = telemetry()
@@ -125,6 +131,7 @@ def create_app(
     app.state.is_traced = tracing["tracing"]
     app.state.library = library
     app.state.functions = functions or FunctionLibrary(catalogues=library)
+    app.state.registry = HostedRegistry(registry) if registry else None
     app.state.settings = settings
     app.state.rules = service_rules(INTERFACE_RULES)
     app.state.modules_of_work = [*_MODULES_OF_WORK]

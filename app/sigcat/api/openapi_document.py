@@ -24,19 +24,24 @@ TAGS = {
     "functions": "From the declaration of a function to Function JSON.",
     "integration": "From Function JSON to a platform.",
     "lint": "Checks of a posted text.",
+    "registry": "Published versions, their users, and what vehicle lines run.",
     "operation": "Health, and what an operator does.",
     "rules": "The rules for names and fields.",
 }
 _EVERYWHERE = (422, 429, 431, 500, 503)
 """Statuses of any operation: an unknown parameter, more than a client's share, too long an address, a failure, a service that stops or is busy."""
 _MAKING = Lock()
-_CATALOGUE = "/api/v1/catalogues/{catalogue}"
+_WITH_STATE = ("/api/v1/catalogues/{catalogue}", "/api/v1/registry")
+_WITHOUT_STATE = tuple(f"/api/v1/registry/{each}" for each in ("capabilities", "key", "model"))
 _LATER = ("429", "503")
 """Statuses with `Retry-After`."""
 _VERSIONED = ("200", "304", "412")
-"""Statuses with `ETag`, of operations about a state of a catalogue."""
+"""Statuses with `ETag`, of operations about a state of a catalogue or of the registry."""
 _HEADERS: Mapping[str, Mapping[str, Any]] = {
-    "ETag": {"description": "The state of the catalogue, as a weak tag.", "schema": {"type": "string"}},
+    "ETag": {
+        "description": "The state of the catalogue or of the registry, as a weak tag.",
+        "schema": {"type": "string"},
+    },
     "Link": {
         "description": 'The address of the next page, with `rel="next"` (RFC 8288); absent on the last page.',
         "schema": {"type": "string"},
@@ -60,7 +65,7 @@ _HEADERS: Mapping[str, Mapping[str, Any]] = {
 }
 _MOVED = {"description": "The address must not end with `/`"}
 _UNCHANGED = {"description": "The client has this state already (`If-None-Match`)"}
-_PAGED = ("list_nodes", "search_nodes")
+_PAGED = ("list_nodes", "search_nodes", "list_registry_names", "list_log_entries")
 _CLOSED = "Authentication required, if reading is restricted"
 _FROM_CATALOGUE = {"catalogue": "$request.path.catalogue"}
 LINKS: Mapping[str, Mapping[str, Mapping[str, Any]]] = {
@@ -127,7 +132,7 @@ def completed(document: Document) -> Document:
         parameters = in_order(map(parameter, operation.get("parameters", ())), path)
         operation.update({"parameters": parameters} if parameters else {})
         responses = operation["responses"]
-        has_versions = method == "get" and path.startswith(_CATALOGUE)
+        has_versions = method == "get" and path.startswith(_WITH_STATE) and path not in _WITHOUT_STATE
         _add_problems(responses, is_open=not path.startswith("/api/"), has_versions=has_versions)
         for response in responses.values():
             _complete_forms(response)

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from sigcat.findings import Finding
+    from sigcat.project.project import Project, RegistrySettings
     from sigcat.registry.storing.database import Snapshot
     from sigcat.registry.storing.ledger import Registry
 
@@ -34,6 +35,21 @@ def registry_of(arguments: argparse.Namespace) -> "Registry":
         if settings.key is not None:
             import_module("sigcat.registry.storing.signing")
     return Registry(settings.database, settings.key)
+
+
+def hosted_registry(project: "Project") -> "RegistrySettings | None":
+    """Return the registry of a project that is served; None if it has none. A missing extra is reported, and the rest served."""
+    settings = project.registry
+    try:
+        with needing_extra():
+            if settings is not None:
+                import_module("sigcat.registry.storing.ledger")
+            if settings is not None and settings.key is not None:
+                import_module("sigcat.registry.storing.signing")
+    except UsageError as error:
+        print(f"sigcat: the registry is not served: {error}", file=sys.stderr)
+        return None
+    return settings
 
 
 @contextmanager

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from sigcat.cli.catalogue_options import add_catalogue_options, hosted_sources, served_project
 from sigcat.cli.ended_by_signals import was_interrupted
 from sigcat.cli.project_options import add_project_options
+from sigcat.cli.registry_options import hosted_registry
 from sigcat.cli.tree_options import add_tree_options, tree_options
 from sigcat.errors import UsageError, without_signals
 from sigcat.findings import has_errors
@@ -67,7 +68,7 @@ def serve(arguments: argparse.Namespace) -> int:
     if was_interrupted():
         raise KeyboardInterrupt
     with Watch(library, functions) if project.is_watching else nullcontext():
-        run(create_site(library, settings, functions), settings)
+        run(create_site(library, settings, functions, hosted_registry(project)), settings)
     return 0
 
 
@@ -112,7 +113,7 @@ def application() -> "FastAPI":
     library = Library(hosted_sources(arguments, project))
     _refuse_without_signals(library, project)
     functions = FunctionLibrary(project.functions, has_shipped=project.has_shipped_functions, catalogues=library)
-    service = create_site(library, settings, functions)
+    service = create_site(library, settings, functions, hosted_registry(project))
     prepare(service, settings)
     if project.is_watching:
         watching = ExitStack()

@@ -16,6 +16,7 @@ from sigcat.api.answers.serializers import finding_schema, plain_text, shown_fil
 from sigcat.api.requests.dependencies import library_of
 from sigcat.catalogue.hosting.library import Hosted
 from sigcat.catalogue.hosting.variants import choice_of
+from sigcat.compiled_templates import CompiledTemplates
 from sigcat.errors import UsageError
 from sigcat.findings import has_errors
 from sigcat.web.addresses import Addresses
@@ -46,6 +47,7 @@ _ENVIRONMENT = Environment(
     undefined=StrictUndefined,
     trim_blocks=True,
     lstrip_blocks=True,
+    bytecode_cache=CompiledTemplates(Path(__file__)),
 )
 _ENVIRONMENT.filters.update(
     number=number,

@@ -19,6 +19,7 @@ from sigcat.api.work.refusals import Busy
 from sigcat.catalogue.hosting.library import Library
 from sigcat.function.hosted_files import HostedFiles
 from sigcat.function.hosting import FunctionLibrary
+from sigcat.project.project import RegistrySettings
 from sigcat.web.pages import (
     api_reference,
     basket_pages,
@@ -60,10 +61,13 @@ _STATIC = Path(__file__).parent / "static"
 
 
 def create_site(
-    library: Library, settings: Settings = DEFAULT_SETTINGS, functions: FunctionLibrary | None = None
+    library: Library,
+    settings: Settings = DEFAULT_SETTINGS,
+    functions: FunctionLibrary | None = None,
+    registry: RegistrySettings | None = None,
 ) -> FastAPI:
     """The API with the browser pages. Without functions given: those that sigcat ships."""
-    app = create_app(library, settings, functions)
+    app = create_app(library, settings, functions, registry)
     app.state.modules_of_work += [
         comparison_pages.__name__,
         function_pages.__name__,

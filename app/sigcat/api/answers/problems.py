@@ -15,7 +15,8 @@ from sigcat import codes
 from sigcat.api.answers import schemas
 from sigcat.api.answers.serializers import listed_findings, plain_text
 from sigcat.api.validation import reason_of
-from sigcat.errors import InputRefused, NoRoom, NotFound, SigcatError, ToolCrashed
+from sigcat.api.work.refusals import RETRY_SECONDS
+from sigcat.errors import InputRefused, NoRoom, NotFound, RegistryUnusable, SigcatError, ToolCrashed
 from sigcat.findings import Finding
 
 MEDIA_TYPE = "application/problem+json"
@@ -39,7 +40,7 @@ KINDS: dict[int, tuple[str, str]] = {
     431: ("headers-too-large", "Headers too large"),
     500: ("internal-error", "Internal error"),
     503: ("busy", "Service busy"),
-    507: ("no-temporary-space", "No room for temporary files"),
+    507: ("no-temporary-space", "No room on the disk"),
 }
 """Name in the problem's `type` and its title, by status."""
 
@@ -73,7 +74,11 @@ def problem_from(error: Exception) -> schemas.Problem:
     if isinstance(error, NotFound):
         return problem_of(404, str(error), nearest=error.nearest)
     if isinstance(error, InputRefused):
-        return problem_of(422, str(error), error.findings)
+        return (
+            _unusable_registry(error)
+            if isinstance(error, RegistryUnusable)
+            else problem_of(422, str(error), error.findings)
+        )
     if isinstance(error, SigcatError):
         return problem_of(_STATUSES.get(type(error), HTTPStatus.UNPROCESSABLE_ENTITY), str(error))
     if isinstance(error, RequestValidationError):
@@ -116,9 +121,18 @@ async def answer_problem(request: Request, error: Exception) -> Response:
 def headers_of(error: Exception) -> dict[str, str]:
     """The headers of a problem. Where GET is allowed, HEAD is: the same without its body."""
     headers: dict[str, str] = dict(getattr(error, "headers", None) or {})
+    if isinstance(error, RegistryUnusable) and not error.is_full:
+        headers["Retry-After"] = str(RETRY_SECONDS)
     if "GET" in (methods := headers.get("Allow", "").split(", ")):
         headers["Allow"] = ", ".join(sorted({*methods, "HEAD"}))
     return headers
+
+
+def _unusable_registry(error: RegistryUnusable) -> schemas.Problem:
+    """The problem without the name of the database, which is in the log."""
+    findings = [finding._replace(file="") for finding in error.findings]
+    status = HTTPStatus.INSUFFICIENT_STORAGE if error.is_full else HTTPStatus.SERVICE_UNAVAILABLE
+    return problem_of(status, "The registry cannot be used now.", findings)
 
 
 def _log_failure(request: Request, problem: schemas.Problem, error: Exception) -> None:
@@ -126,7 +140,9 @@ def _log_failure(request: Request, problem: schemas.Problem, error: Exception) -
         _LOG.error(
             "%s %s failed [%s]", request.method[:20], request.scope["path"][:500], problem.request_id, exc_info=error
         )
-    if problem.status == HTTPStatus.INSUFFICIENT_STORAGE:
+    if isinstance(error, RegistryUnusable):
+        _LOG.error("%s [%s]", error.findings[0].line_of_text, problem.request_id)
+    elif problem.status == HTTPStatus.INSUFFICIENT_STORAGE:
         _LOG.error("%s [%s]", problem.detail, problem.request_id)
 
 

@@ -12,8 +12,9 @@ from sqlalchemy import Connection
 from sqlalchemy.exc import DBAPIError
 
 from sigcat import codes
+from sigcat.errors import RegistryUnusable
 from sigcat.registry.storing.sqlite import SqliteStore, in_memory_engine
-from sigcat.registry.storing.store import Store, unusable
+from sigcat.registry.storing.store import Store
 from sigcat.registry.storing.tables import METADATA, REVISION, SCHEMA
 
 Place: TypeAlias = Path
@@ -93,7 +94,7 @@ def _known_schema(store: Store, connection: Connection) -> int:
     schema = store.schema(connection)
     if schema > SCHEMA:
         message = f"The schema of the database must be at most {SCHEMA}, not {schema}."
-        raise unusable(codes.REGISTRY_UNUSABLE.finding(message, store.name, fix="Use a newer sigcat."))
+        raise RegistryUnusable(codes.REGISTRY_UNUSABLE.finding(message, store.name, fix="Use a newer sigcat."))
     return schema
 
 
@@ -105,4 +106,5 @@ def _reported(store: Store) -> Iterator[None]:
     except DBAPIError as error:
         text = str(error.orig).partition("\n")[0].strip().rstrip(".")
         message = f"The database cannot be used: {text}."
-        raise unusable(codes.REGISTRY_UNUSABLE.finding(message, store.name, fix=store.advice(error))) from None
+        finding = codes.REGISTRY_UNUSABLE.finding(message, store.name, fix=store.advice(error))
+        raise RegistryUnusable(finding, is_full=store.is_full(error)) from None

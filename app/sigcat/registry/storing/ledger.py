@@ -6,9 +6,10 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from sqlalchemy import Connection, bindparam, insert, select
+from sqlalchemy import Connection, insert, select
 
 from sigcat.digest import digest_of
+from sigcat.registry.storing.content import has_content
 from sigcat.registry.storing.database import Place, writing
 from sigcat.registry.storing.entry import BEGIN, Action, Entry, Link, linked
 from sigcat.registry.storing.replay import apply
@@ -32,7 +33,7 @@ class Ledger(NamedTuple):
     def put(self, data: bytes) -> str:
         """Store content, and return its digest."""
         digest = digest_of(data)
-        if self.connection.execute(_STORED, {"of": digest}).first() is None:
+        if not has_content(self.connection, digest):
             self.connection.execute(_INSERT_CONTENT, {"digest": digest, "data": data})
         return digest
 
@@ -56,7 +57,6 @@ class Ledger(NamedTuple):
         return signature_of(text, self.key)
 
 
-_STORED = select(CONTENTS.c.digest).where(CONTENTS.c.digest == bindparam("of"))
 _INSERT_CONTENT, _INSERT_LINK = insert(CONTENTS), insert(LOG)
 _HEAD = select(LOG).order_by(LOG.c.number.desc()).limit(1)
 
@@ -72,3 +72,9 @@ def head(connection: Connection) -> Link | None:
     """The last entry of the log."""
     row = connection.execute(_HEAD).first()
     return Link(*row) if row is not None else None
+
+
+def log_page(connection: Connection, after: int, most: int) -> tuple[Link, ...]:
+    """Entries of the log in order, from behind a number on."""
+    chosen = select(LOG).where(LOG.c.number > after).order_by(LOG.c.number).limit(most)
+    return tuple(Link(*row) for row in connection.execute(chosen))

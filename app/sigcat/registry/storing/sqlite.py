@@ -14,8 +14,8 @@ from sqlalchemy import Connection, Engine, NullPool, QueuePool, create_engine, e
 from sqlalchemy.exc import DBAPIError, DisconnectionError
 
 from sigcat import codes
+from sigcat.errors import RegistryUnusable
 from sigcat.limits import REGISTRY_SECONDS
-from sigcat.registry.storing.store import unusable
 from sigcat.registry.storing.tables import APPLICATION, SCHEMA
 
 _ADVICE: Mapping[int, str] = {
@@ -75,7 +75,7 @@ class SqliteStore(NamedTuple):
         if application != APPLICATION and (application or _has_tables(connection)):
             message = "The database belongs to another program."
             fix = _ADVICE[sqlite3.SQLITE_NOTADB]
-            raise unusable(codes.REGISTRY_UNUSABLE.finding(message, self.name, fix=fix))
+            raise RegistryUnusable(codes.REGISTRY_UNUSABLE.finding(message, self.name, fix=fix))
         return schema
 
     def set_schema(self, connection: Connection) -> None:
@@ -86,6 +86,10 @@ class SqliteStore(NamedTuple):
     def advice(self, error: DBAPIError) -> str:
         """Advice by the error code."""
         return _ADVICE.get(_code(error), "Check the disk and the folder of the file.")
+
+    def is_full(self, error: DBAPIError) -> bool:
+        """Whether the disk of the file is full."""
+        return _code(error) == sqlite3.SQLITE_FULL
 
 
 @lru_cache(maxsize=1)

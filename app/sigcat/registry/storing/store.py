@@ -6,9 +6,6 @@ from typing import Protocol
 from sqlalchemy import Connection
 from sqlalchemy.exc import DBAPIError
 
-from sigcat.errors import Unusable
-from sigcat.findings import Finding
-
 
 class Store(Protocol):
     """A database with transactions."""
@@ -38,7 +35,5 @@ class Store(Protocol):
     def advice(self, error: DBAPIError) -> str:
         """Return what to do about an error."""
 
-
-def unusable(finding: Finding) -> Unusable:
-    """The refusal of a command whose database cannot be used."""
-    return Unusable("nothing was changed in the registry", (finding,))
+    def is_full(self, error: DBAPIError) -> bool:
+        """Whether its disk is full."""

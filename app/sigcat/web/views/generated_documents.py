@@ -14,7 +14,7 @@ from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.names import nearest
 from sigcat.platforms.integrate import integrate
-from sigcat.platforms.platform import Generator, Options, Platform
+from sigcat.platforms.platform import Generator, Integrated, Options, Platform
 from sigcat.platforms.table import PLATFORMS
 
 
@@ -77,16 +77,16 @@ def documents_of(function: ResolvedFunction, view: str = "") -> tuple[GeneratedD
 
 def integrations_of(functions: Sequence[ResolvedFunction], name: str, view: str = "") -> tuple[GeneratedDocument, ...]:
     """Return the documents of functions for all platforms, and for each, as without a deployment file."""
-    platforms = PLATFORMS.values()
-    pairs = [(platform, generator) for platform in platforms for generator in platform.generators]
+    integrated = {p: _integrated(p, functions) for p in PLATFORMS.values() if view in ("", *views_of(p))}
     return (
         *(document for function in functions if view in ("", CORE) for document in _core(function)),
-        *(_integration(platform, functions, name) for platform in platforms if view in ("", platform.name)),
+        *(_integration(platform, each, name) for platform, each in integrated.items() if view in ("", platform.name)),
         *(
             document
-            for platform, generator in pairs
+            for platform, each in integrated.items()
+            for generator in platform.generators
             if view in ("", generator.view or generator.name)
-            for document in _generated(platform, generator, functions, name)
+            for document in _generated(platform, generator, each, name)
         ),
     )
 
@@ -127,21 +127,28 @@ def _core(function: ResolvedFunction) -> tuple[GeneratedDocument, ...]:
     return (made[0]._replace(findings=findings), *made[1:])
 
 
-def _integration(platform: Platform, functions: Sequence[ResolvedFunction], name: str) -> GeneratedDocument:
-    document = GeneratedDocument(platform.name, platform.name, f"{name}.{platform.name}.json", JSON, "")
+def _integrated(platform: Platform, functions: Sequence[ResolvedFunction]) -> Integrated | InputRefused:
+    """The Integration JSON, once for all that is generated from it, or why there is none."""
     try:
-        integrated = integrate(platform, functions)
+        return integrate(platform, functions)
     except InputRefused as refused:
-        return document._replace(findings=tuple(refused.findings), is_made=False)
+        return refused
+
+
+def _integration(platform: Platform, integrated: Integrated | InputRefused, name: str) -> GeneratedDocument:
+    document = GeneratedDocument(platform.name, platform.name, f"{name}.{platform.name}.json", JSON, "")
+    if isinstance(integrated, InputRefused):
+        return document._replace(findings=tuple(integrated.findings), is_made=False)
     return document._replace(text=_text(integrated.document), findings=integrated.findings)
 
 
 def _generated(
-    platform: Platform, generator: Generator, functions: Sequence[ResolvedFunction], name: str
+    platform: Platform, generator: Generator, integrated: Integrated | InputRefused, name: str
 ) -> tuple[GeneratedDocument, ...]:
     view = generator.view or generator.name
     try:
-        integrated = integrate(platform, functions)
+        if isinstance(integrated, InputRefused):
+            raise integrated
         files = generator.generate(integrated.document, f"{name}.{platform.name}.json", DEFAULT_LIMITS, Options())
     except InputRefused as refused:
         return (GeneratedDocument(view, view, "", "", "", tuple(refused.findings), is_made=False),)

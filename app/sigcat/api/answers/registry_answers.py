@@ -1,0 +1,202 @@
+"""Values of the registry in the schemas of the API. Importing this loads SQLAlchemy."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from sigcat.api.answers import registry_schemas as schemas
+from sigcat.api.answers.serializers import plain
+from sigcat.errors import NotFound
+from sigcat.findings import shown
+from sigcat.names import nearest
+from sigcat.registry.published import Published, Running, all_versions, lines_by_version, names_of, running
+from sigcat.registry.reference import DEPLOYABLE, KINDS, Kind
+from sigcat.registry.storing.content import content_of
+from sigcat.registry.storing.database import Snapshot
+from sigcat.registry.storing.entry import Link
+from sigcat.registry.storing.ledger import head, log_page
+from sigcat.registry.use import Use, from_json
+from sigcat.registry.users import User
+from sigcat.registry.users import users_of as users_of_path
+
+_GROUPS: Mapping[Kind, schemas.RegistryGroup] = {
+    "function": "functions", "overlay": "overlays", "catalogue": "catalogues",
+}  # fmt: skip
+_KINDS: Mapping[schemas.RegistryGroup, Kind] = {group: kind for kind, group in _GROUPS.items()}
+
+
+def registry(connection: Snapshot) -> schemas.Registry:
+    """The registry as a whole."""
+    last = head(connection)
+    counts = {f"{kind}scount": len(names_of(connection, kind)) for kind in KINDS}
+    return schemas.Registry(xid="/", epoch=last.number if last else 0, head=log_head(last) if last else None, **counts)
+
+
+def log_head(link: Link) -> schemas.LogHead:
+    """The head of the log."""
+    return schemas.LogHead(
+        epoch=link.number, createdat=link.entry.at, hash=link.hash, signature=link.signature or None
+    )  # fmt: skip
+
+
+def log_entries(connection: Snapshot, after: int, most: int) -> list[schemas.LogEntry]:
+    """Entries of the log from behind a number on."""
+    return [
+        schemas.LogEntry(
+            epoch=each.number, entry=each.text, previous=each.previous, hash=each.hash, signature=each.signature or None
+        )
+        for each in log_page(connection, after, most)
+    ]
+
+
+def names(connection: Snapshot, group: schemas.RegistryGroup) -> list[schemas.RegistryName]:
+    """All names of a group, in the order in which they were published: a page stays the same while others publish."""
+    by_name: dict[str, list[Published]] = {}
+    for each in all_versions(connection, _KINDS[group]):
+        by_name.setdefault(each.name, []).append(each)
+    in_order = sorted(by_name.values(), key=lambda versions: min(each.id for each in versions))
+    return [_name(versions) for versions in in_order]
+
+
+def _name(versions: Sequence[Published]) -> schemas.RegistryName:
+    default = _default(versions)
+    return schemas.RegistryName(
+        xid=f"/{_GROUPS[default.kind]}/{default.name}",
+        group=_GROUPS[default.kind],
+        name=default.name,
+        owner=default.owner or None,
+        compatibility_rule=default.rule,
+        defaultversionid=default.version,
+        versionscount=len(versions),
+        createdat=min(each.at for each in versions),
+    )
+
+
+def _default(versions: Sequence[Published]) -> Published:
+    """The newest release that may be deployed; without one, the newest version."""
+    releases = [each for each in versions if each.state in DEPLOYABLE and not each.precedence.prerelease]
+    return (releases or versions)[-1]
+
+
+def name(connection: Snapshot, group: schemas.RegistryGroup, named: str) -> schemas.RegistryName:
+    """A published name. Raises NotFound."""
+    return _name(_versions(connection, group, named))
+
+
+def versions(connection: Snapshot, group: schemas.RegistryGroup, named: str) -> list[schemas.RegistryVersion]:
+    """Versions of a name by precedence. Raises NotFound."""
+    found = _versions(connection, group, named)
+    lines = lines_by_version(connection)
+    return [_version(each, found, lines.get(each.id, ())) for each in found]
+
+
+def version(
+    connection: Snapshot, group: schemas.RegistryGroup, named: str, version_id: str, *, has_uses: bool
+) -> schemas.RegistryVersion:
+    """A version of a name, on demand with its uses. Raises NotFound."""
+    found = _versions(connection, group, named)
+    published = _version_in(found, version_id)
+    uses = uses_of(connection, published) if has_uses else None
+    return _version(published, found, lines_by_version(connection).get(published.id, ()), uses)
+
+
+def published_at(connection: Snapshot, group: schemas.RegistryGroup, named: str, version_id: str = "") -> Published:
+    """A version; without its id the default one. Raises NotFound."""
+    found = _versions(connection, group, named)
+    return _version_in(found, version_id) if version_id else _default(found)
+
+
+def _versions(connection: Snapshot, group: schemas.RegistryGroup, named: str) -> tuple[Published, ...]:
+    kind = _KINDS[group]
+    found = all_versions(connection, kind, named)
+    if not found:
+        raise NotFound(f"The registry has no {kind} {shown(named)}.", nearest(named, names_of(connection, kind)))
+    return found
+
+
+def _version_in(versions: Sequence[Published], version_id: str) -> Published:
+    found = next((each for each in versions if each.version == version_id), None)
+    if found is None:
+        known = [each.version for each in versions]
+        raise NotFound(f"{versions[0].name} has no version {shown(version_id)}.", nearest(version_id, known))
+    return found
+
+
+def _version(
+    published: Published,
+    versions: Sequence[Published],
+    lines: Iterable[str],
+    uses: list[schemas.RegistryUse] | None = None,
+) -> schemas.RegistryVersion:
+    group = _GROUPS[published.kind]
+    before = [each.version for each in versions if each.precedence < published.precedence]
+    return schemas.RegistryVersion(
+        xid=f"/{group}/{published.name}/versions/{published.version}",
+        group=group,
+        name=published.name,
+        versionid=published.version,
+        isdefault=published == _default(versions),
+        ancestorid=before[-1] if before else published.version,
+        lifecycle=published.state,
+        owner=published.owner or None,
+        removal=published.until or None,
+        alternative=published.successor or None,
+        createdat=published.at,
+        content_digest=published.content,
+        resolved_digest=published.resolved,
+        vehicle_lines=list(lines),
+        uses=uses,
+    )
+
+
+def uses_of(connection: Snapshot, published: Published) -> list[schemas.RegistryUse]:
+    """Uses of a version; only functions have some."""
+    return [_use(each) for each in from_json(content_of(connection, published.uses) or b"[]")]
+
+
+def _use(use: Use) -> schemas.RegistryUse:
+    fields: dict[str, Any] = plain({key: value if value != "" else None for key, value in use._asdict().items()})
+    return schemas.RegistryUse(**{**fields, "name": use.name, "values": plain(use.values), "element": use.element})
+
+
+def users(connection: Snapshot, path: str, *, is_complete: bool) -> schemas.RegistryUserList:
+    """Users of an element."""
+    found = users_of_path(connection, path, is_complete=is_complete)
+    return schemas.RegistryUserList(users=[_user(each) for each in found.users], more=found.more)
+
+
+def _user(user: User) -> schemas.RegistryUser:
+    return schemas.RegistryUser(
+        **_reference(user.published),
+        vehicle_lines=list(user.lines),
+        through=list(user.through),
+        use=_use(user.use),
+    )
+
+
+def lines(connection: Snapshot) -> list[schemas.VehicleLine]:
+    """All vehicle lines, also those that no longer run anything."""
+    by_line: dict[str, list[Running]] = {each: [] for each in names_of(connection, "line")}
+    for each in running(connection):
+        by_line[each.line].append(each)
+    return [_line(named, found) for named, found in by_line.items()]
+
+
+def line(connection: Snapshot, named: str) -> schemas.VehicleLine:
+    """A vehicle line. Raises NotFound."""
+    known = names_of(connection, "line")
+    if named not in known:
+        raise NotFound(f"The registry has no vehicle line {shown(named)}.", nearest(named, known))
+    return _line(named, running(connection, named))
+
+
+def _line(named: str, found: Iterable[Running]) -> schemas.VehicleLine:
+    deployments = [schemas.Deployment(**_reference(each.published), since=each.since) for each in found]
+    return schemas.VehicleLine(xid=f"/lines/{named}", name=named, deployments=deployments)
+
+
+def _reference(published: Published) -> dict[str, Any]:
+    """The fields by which an answer names a version of a function."""
+    return {
+        "name": published.name, "versionid": published.version, "lifecycle": published.state,
+        "owner": published.owner or None,
+    }  # fmt: skip

@@ -1,0 +1,189 @@
+"""Schemas of the registry. Names of fields are those of xRegistry where it has one for the same thing."""
+
+from typing import Annotated, Any, Literal
+
+from pydantic import ConfigDict, Field, RootModel
+from typing_extensions import TypeAliasType
+
+from sigcat.api.answers.named_types import Count, Cursor, Digest, Moment, NodeValues
+from sigcat.api.answers.schemas import Schema
+
+RegistryGroup = TypeAliasType(
+    "RegistryGroup",
+    Annotated[
+        Literal["functions", "overlays", "catalogues"], Field(description="Kind of published names, as a plural.")
+    ],
+)
+CompatibilityRule = TypeAliasType(
+    "CompatibilityRule",
+    Annotated[
+        Literal["backward", "full", "none"],
+        Field(
+            description="What a new version may change: `backward`, anything with the right part of the version; `full`, "
+            "nothing that breaks; `none`, anything."
+        ),
+    ],
+)
+Lifecycle = TypeAliasType(
+    "Lifecycle",
+    Annotated[Literal["draft", "published", "deprecated", "retired"], Field(description="State of a version.")],
+)
+Xid = Annotated[str, Field(description="Address below `/api/v1/registry`.")]
+
+
+class LogHead(Schema):
+    """The last entry of the log. Whoever keeps it can prove later that no entry is missing."""
+
+    epoch: Count = Field(description="Number of the entry.")
+    createdat: Moment
+    hash: Digest = Field(description="SHA-256 of this entry and of all before it.")
+    signature: str | None = Field(description="Ed25519 over the hash, in hexadecimal; null without a key.")
+
+
+class LogEntry(Schema):
+    """An entry of the log, as its hash needs it."""
+
+    epoch: Count = Field(description="Number of the entry.")
+    entry: str = Field(description="The entry as JSON, byte for byte.")
+    previous: str = Field(description="The hash before it. `hash` is SHA-256 of this, a line feed, and the entry.")
+    hash: Digest
+    signature: str | None = Field(description="Ed25519 over the hash, in hexadecimal; null without a key.")
+
+
+class LogPage(Schema):
+    """One page of the log, in its order."""
+
+    entries: list[LogEntry]
+    next_cursor: Cursor | None = Field(description="Give it as `cursor` to get the next page; null on the last.")
+
+
+class Registry(Schema):
+    """The registry: how many names it has, and the head of its log."""
+
+    xid: Xid
+    epoch: Count = Field(description="Number of the last entry of the log; 0 if there is none.")
+    head: LogHead | None = Field(description="Null if nothing is published.")
+    functionscount: Count
+    overlayscount: Count
+    cataloguescount: Count
+    linescount: Count
+
+
+class RegistryName(Schema):
+    """A published name."""
+
+    xid: Xid
+    group: RegistryGroup
+    name: str
+    owner: str | None = Field(description="Owner of the default version.")
+    compatibility_rule: CompatibilityRule
+    defaultversionid: str = Field(
+        description="The newest release that may be deployed; without one, the newest version."
+    )
+    versionscount: Count
+    createdat: Moment
+
+
+class RegistryNamePage(Schema):
+    """One page of published names, in the order in which they were published."""
+
+    total: Count = Field(description="How many names there are.")
+    names: list[RegistryName]
+    next_cursor: Cursor | None = Field(description="Give it as `cursor` to get the next page; null on the last.")
+
+
+class RegistryUse(Schema):
+    """A use of a node, or of an interface without one, by a function."""
+
+    verb: str
+    element: str = Field(description="What is used: a path, or the name of an interface.")
+    path: str | None = Field(description="Path of the node; null if it has none.")
+    name: str = Field(description="Name that all functions use.")
+    call: str | None
+    variable: str | None = Field(description="Expression of the C code that has the value.")
+    via: str | None = Field(description="Path of the signal whose struct type the node belongs to.")
+    values: NodeValues = Field(description="Attributes of the node that the function relies on.")
+    is_in_catalogue: bool = Field(description="Whether the catalogue defines the node, and not a function.")
+    is_needed: bool = Field(description="Whether another function must provide it.")
+    leads_to: list[str] = Field(description="Errors, reactions and modes that follow from it in this function.")
+
+
+class RegistryVersion(Schema):
+    """A version, without its content."""
+
+    xid: Xid
+    group: RegistryGroup
+    name: str
+    versionid: str
+    isdefault: bool = Field(description="Whether the address of the name answers with this version.")
+    ancestorid: str = Field(description="The version before it; of the first one, itself.")
+    lifecycle: Lifecycle
+    owner: str | None
+    removal: str | None = Field(description="Day on which the support of a deprecated version may end.")
+    alternative: str | None = Field(description="Version that replaces a deprecated one.")
+    createdat: Moment
+    content_digest: Digest = Field(description="SHA-256 of the published bytes.")
+    resolved_digest: Digest = Field(description="SHA-256 of its Function JSON; of others, of its nodes as JSON.")
+    vehicle_lines: list[str] = Field(description="Lines whose vehicles run it.")
+    uses: list[RegistryUse] | None = Field(description="Null without `?inline=uses`.")
+
+
+class RegistryVersionList(Schema):
+    """Versions of a name by precedence."""
+
+    versions: list[RegistryVersion]
+
+
+class RegistryUser(Schema):
+    """A use of an element by a version of a function."""
+
+    name: str
+    versionid: str
+    lifecycle: Lifecycle
+    owner: str | None
+    vehicle_lines: list[str]
+    through: list[str] = Field(description="Elements between the one asked for and this use.")
+    use: RegistryUse
+
+
+class RegistryUserList(Schema):
+    """Users of an element, directly and through errors, safety reactions and modes."""
+
+    users: list[RegistryUser]
+    more: Count = Field(description="How many are not shown.")
+
+
+class Deployment(Schema):
+    """A version that vehicles of a line run."""
+
+    name: str
+    versionid: str
+    lifecycle: Lifecycle
+    owner: str | None
+    since: Moment
+
+
+class VehicleLine(Schema):
+    """A vehicle line, and what its vehicles run."""
+
+    xid: Xid
+    name: str
+    deployments: list[Deployment]
+
+
+class VehicleLineList(Schema):
+    """All vehicle lines by name."""
+
+    lines: list[VehicleLine]
+
+
+class RegistryCapabilities(RootModel[dict[str, Any]]):
+    """Capabilities of the registry, as xRegistry has them."""
+
+    model_config = ConfigDict(frozen=True)
+
+
+class RegistryModel(RootModel[dict[str, Any]]):
+    """Kinds of names in the registry, as xRegistry describes resources."""
+
+    model_config = ConfigDict(frozen=True)

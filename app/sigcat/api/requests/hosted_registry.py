@@ -1,0 +1,55 @@
+"""The registry that the service hosts, if its project has one. SQLAlchemy is loaded with the first question."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Annotated
+
+from fastapi import Depends, Request
+
+from sigcat import codes
+from sigcat.errors import NotFound, RegistryUnusable
+from sigcat.project.project import RegistrySettings
+
+if TYPE_CHECKING:
+    from sigcat.registry.storing.database import Snapshot
+
+_NONE = (
+    "The service has no registry. Add a table [registry] with `database` to its sigcat.toml, and install the extra "
+    "`registry`."
+)
+
+
+class HostedRegistry:
+    """A registry that must not disappear while the service runs: an empty one in its place would be a wrong answer."""
+
+    def __init__(self, settings: RegistrySettings) -> None:
+        self.settings = settings
+        self._was_there = False
+
+    @contextmanager
+    def reading(self) -> "Iterator[Snapshot]":
+        """One state of the registry. Raises RegistryUnusable."""
+        from sigcat.registry.storing.database import reading
+
+        self.refuse_gone()
+        with reading(self.settings.database) as connection:
+            yield connection
+
+    def refuse_gone(self) -> None:
+        """Raises RegistryUnusable if the database was there before, and is not now."""
+        is_there = self.settings.database.exists()
+        if self._was_there and not is_there:
+            fix = "Restore the file from a backup or an export."
+            finding = codes.REGISTRY_UNUSABLE.finding("The database is gone.", str(self.settings.database), fix=fix)
+            raise RegistryUnusable(finding)
+        self._was_there = is_there
+
+
+async def _registry(request: Request) -> HostedRegistry:
+    found: HostedRegistry | None = request.app.state.registry
+    if found is None:
+        raise NotFound(_NONE)
+    return found
+
+
+TheRegistry = Annotated[HostedRegistry, Depends(_registry)]
