@@ -17,6 +17,7 @@ from bench import (
     gateway,
     language_server,
     lint,
+    registry,
     ros2,
     rows,
     service,
@@ -28,7 +29,7 @@ from bench import (
 from bench.rows import Bench, Missing, Row
 
 ROWS = {
-    **rows.ROWS, **lint.ROWS, **language_server.ROWS, **core.ROWS, **stored_run.ROWS, **simulation.ROWS, **gateway.ROWS, **comparison.ROWS, **transport.ROWS, **cycles.ROWS, **ros2.ROWS,
+    **rows.ROWS, **lint.ROWS, **language_server.ROWS, **core.ROWS, **stored_run.ROWS, **simulation.ROWS, **gateway.ROWS, **comparison.ROWS, **transport.ROWS, **cycles.ROWS, **ros2.ROWS, **registry.ROWS,
     **browser.ROWS,
 }  # fmt: skip
 SERVICE = {"service"}

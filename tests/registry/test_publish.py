@@ -5,6 +5,8 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from sigcat.errors import InputRefused
 from sigcat.registry.lines import record, set_rule, set_state
@@ -14,6 +16,7 @@ from sigcat.registry.reference import Reference
 from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.database import reading
 from sigcat.registry.storing.ledger import Registry
+from sigcat.registry.storing.tables import SCHEMA
 from sigcat.registry.version import raised_part, version_of
 from tests.registry.parts import candidate, catalogue, declaration, plain_candidate
 
@@ -135,6 +138,21 @@ def test_versions_are_in_the_order_of_semver() -> None:
     assert all(a < b for a, b in pairwise(versions))
 
 
+@given(
+    parts=st.lists(st.sampled_from(("0", "1", "2", "10", "11", "100", "a", "a-", "A1", "b", "ab", "1a")), max_size=4),
+    others=st.lists(st.sampled_from(("0", "1", "2", "10", "11", "100", "a", "a-", "A1", "b", "ab", "1a")), max_size=4),
+    numbers=st.sampled_from(("1.0.0", "1.0.9", "1.0.10", "1.10.0", "10.0.0", "999999999.0.0")),
+)
+def test_the_texts_of_versions_are_in_their_order(parts: list[str], others: list[str], numbers: str) -> None:
+    first = version_of("-".join(filter(None, ("1.0.10", ".".join(parts)))))
+    second = version_of("-".join(filter(None, (numbers, ".".join(others)))))
+    assert first is not None
+    assert second is not None
+    assert (first < second, first == second) == (
+        first.sort_text < second.sort_text, first.sort_text == second.sort_text
+    )  # fmt: skip
+
+
 @pytest.mark.parametrize(
     ("old", "new", "part"),
     [
@@ -186,7 +204,7 @@ def test_a_date_that_is_none_is_refused(registry: Registry, date: str) -> None:
         set_state(registry, "function", Reference("Alpha", "1.0.0"), "deprecated", date)
 
 
-@pytest.mark.parametrize("pragma", ["user_version = 2", "application_id = 7"])
+@pytest.mark.parametrize("pragma", [f"user_version = {SCHEMA + 1}", "application_id = 7"])
 def test_a_database_of_a_newer_schema_or_another_program_is_refused(registry: Registry, pragma: str) -> None:
     outcome(registry, alpha("1.0.0"))
     with sqlite3.connect(registry.database) as connection:

@@ -16,7 +16,7 @@ from sqlalchemy import Connection
 from sigcat.errors import InputRefused
 from sigcat.registry.publish import publish
 from sigcat.registry.published import all_versions
-from sigcat.registry.storing import database as store
+from sigcat.registry.storing import sqlite as store
 from sigcat.registry.storing.database import reading
 from sigcat.registry.storing.ledger import Registry
 from sigcat.registry.storing.verify import verify

@@ -16,7 +16,7 @@ from sigcat.cli.closed_output import is_closed_output, reopen_closed_streams
 from sigcat.cli.command_parser import CommandParser
 from sigcat.cli.ended_by_signals import remembering_interrupts, was_interrupted
 from sigcat.cli.output_options import refuse_overwriting
-from sigcat.errors import InputRefused, SigcatError, must_be_a_file
+from sigcat.errors import InputRefused, RegistryUnusable, SigcatError, must_be_a_file
 from sigcat.terminal_text import printable_lines
 
 COMMANDS = (
@@ -80,7 +80,8 @@ def _run(argv: Sequence[str] | None) -> int:
         from sigcat.cli.output import print_findings
 
         print_findings(error.findings)
-        return _failed(str(error), 1 if error.findings else 2)  # without any, nothing was found out
+        is_known = error.findings and not isinstance(error, RegistryUnusable)
+        return _failed(str(error), 1 if is_known else 2)  # 2: nothing was found out
     except SigcatError as error:
         return _failed(str(error), 2)
     except OSError as error:

@@ -58,7 +58,7 @@ def needing_extra() -> "Iterator[None]":
     try:
         yield
     except ModuleNotFoundError as error:
-        if (error.name or "").partition(".")[0] not in ("sqlalchemy", "cryptography"):
+        if (error.name or "").partition(".")[0] not in ("sqlalchemy", "alembic", "cryptography"):
             raise
         raise UsageError("a registry needs the extra `registry`: run `pip install 'sigcat[registry]'`") from None
 

@@ -2,6 +2,8 @@
 
 import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
+from typing import Any, NamedTuple
 
 from sqlalchemy import Connection, select
 
@@ -13,10 +15,10 @@ from sigcat.findings import Finding
 from sigcat.registry.changes import UseChange, relied_changes
 from sigcat.registry.conflicts import Conflict, Side, conflicts
 from sigcat.registry.member import Member, published_member
-from sigcat.registry.published import Published, current, lines_by_version, running
-from sigcat.registry.storing.content import content_of
-from sigcat.registry.storing.tables import USES
-from sigcat.registry.use import Use, from_json
+from sigcat.registry.published import Published, current, lines_by_version, published_by_id, running
+from sigcat.registry.storing.replay import portions
+from sigcat.registry.storing.tables import RELIANCES, USES
+from sigcat.registry.use import RELIED_ON, Use, from_row
 
 _ABOUT = {"breaking": codes.BREAKS_A_PUBLISHED_FUNCTION, "risky": codes.MAY_BREAK_A_PUBLISHED_FUNCTION}
 
@@ -24,13 +26,13 @@ _ABOUT = {"breaking": codes.BREAKS_A_PUBLISHED_FUNCTION, "risky": codes.MAY_BREA
 def broken_by_catalogue(connection: Connection, catalogue: Catalogue, file: str) -> tuple[Finding, ...]:
     """Findings about published functions that rely on what a catalogue no longer has, or has otherwise."""
     changes = _changes(connection, catalogue)
-    users = _users(connection, {path for path, _ in changes})
-    lines = lines_by_version(connection)
+    users = _users(connection, sorted({path for path, _ in changes}))
+    known = published_by_id(connection, users)
+    lines = lines_by_version(connection, known)
     found = (
         finding
-        for published in current(connection)
-        if published.id in users
-        for finding in _broken_uses(connection, published, changes, catalogue, lines.get(published.id, ()), file)
+        for version, published in known.items()
+        for finding in _broken_uses(published, users[version], changes, catalogue, lines.get(version, ()), file)
     )
     return tuple(dict.fromkeys(found))
 
@@ -42,30 +44,54 @@ _Changes = Mapping[tuple[str, str], tuple[UseChange, ...]]
 def _changes(connection: Connection, catalogue: Catalogue) -> _Changes:
     """Changes of what functions rely on, which is compared once, however many they are."""
     vocabularies = Vocabularies(catalogue.vocabulary, catalogue.vocabulary)
+    nodes, read = catalogue.nodes, lru_cache(maxsize=None)(_read)
     found: dict[tuple[str, str], tuple[UseChange, ...]] = {}
-    for path, relied in connection.execute(select(USES.c.path, USES.c.relied).distinct()):
-        node = catalogue.get(path)
-        if relied:
-            changes = relied_changes(path, json.loads(relied), None if node is None else node.values, vocabularies)
-            found[path, relied] = tuple(changes)
+    for path, relied in connection.execute(select(RELIANCES.c.path, RELIANCES.c.relied)):
+        old, node = read(relied), nodes.get(path)
+        if node is None or old.known != _known(node.values):
+            values = None if node is None else node.values
+            found[path, relied] = tuple(relied_changes(path, old.values, values, vocabularies))
     return {key: changes for key, changes in found.items() if changes}
 
 
-def _users(connection: Connection, paths: Iterable[str]) -> frozenset[int]:
-    """Versions that use one of the paths."""
-    chosen = (select(USES.c.version_id).where(USES.c.path == path) for path in paths)
-    return frozenset(version for each in chosen for version in connection.execute(each).scalars())
+class _Relied(NamedTuple):
+    """What functions rely on: few texts, which many nodes have."""
+
+    values: Mapping[str, Any]
+    known: str
+
+
+def _read(relied: str) -> _Relied:
+    values = json.loads(relied)
+    return _Relied(values, _known(values))
+
+
+def _known(values: Mapping[str, Any]) -> str:
+    """The attributes on which functions rely as a text that differs if any of them does, also 1 and true."""
+    return repr(list(map(values.get, RELIED_ON)))
+
+
+def _users(connection: Connection, paths: Sequence[str]) -> Mapping[int, Sequence[Use]]:
+    """Uses of the paths by version, in order."""
+    found: dict[int, list[Use]] = {}
+    chosen = (
+        select(USES.c.version_id, USES.c.text, RELIANCES.c.relied)
+        .outerjoin(RELIANCES, RELIANCES.c.id == USES.c.reliance_id).order_by(USES.c.version_id, USES.c.number)
+    )  # fmt: skip
+    for part in portions(paths):
+        for version, text, relied in connection.execute(chosen.where(USES.c.path.in_(part))):
+            found.setdefault(version, []).append(from_row(text, relied))
+    return found
 
 
 def _broken_uses(
-    connection: Connection,
     published: Published,
+    uses: Sequence[Use],
     changes: _Changes,
     catalogue: Catalogue,
     lines: Sequence[str],
     file: str,
 ) -> Iterator[Finding]:
-    uses = from_json(content_of(connection, published.uses))
     calls = _calls(uses)
     for path, use in {use.path: use for use in uses}.items():
         for change in _for_role(use, changes.get((path, use.relied), ())):

@@ -4,20 +4,20 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Literal, NamedTuple
 
-from sqlalchemy import Connection, select
+from sqlalchemy import Connection, bindparam, select
 
 from sigcat import codes
 from sigcat.catalogue.comparing.changelog import next_version, part_of
 from sigcat.catalogue.comparing.changes import CLASSES
 from sigcat.findings import Finding
 from sigcat.registry.changes import Nodes, UseChange, function_changes, node_changes
-from sigcat.registry.published import Published, all_versions
+from sigcat.registry.published import PUBLISHED, Published
 from sigcat.registry.reference import DEPLOYABLE, Kind, Reference, name_problem, refused
 from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.ledger import Ledger, Registry, head, ledger_of
-from sigcat.registry.storing.tables import NAMES
+from sigcat.registry.storing.tables import NAMES, VERSIONS
 from sigcat.registry.use import from_json
-from sigcat.registry.version import is_enough, raised_part, version_of
+from sigcat.registry.version import RELEASED, is_enough, raised_part, version_of
 
 Status = Literal["published", "draft", "unchanged"]
 _NO_NODES: Nodes = {}
@@ -69,10 +69,11 @@ def publish(registry: Registry, candidates: Sequence[Candidate], *, is_draft: bo
     outcomes: list[Outcome] = []
     with ledger_of(registry) as ledger:
         for each in candidates:
-            problems = list(_problems(ledger.connection, each, is_draft=is_draft))
+            known = _same_release(ledger.connection, each)
+            problems = list(_problems(ledger.connection, each, known, is_draft=is_draft))
             findings += problems
             if not problems:
-                outcomes.append(_publish(ledger, each, is_draft=is_draft))
+                outcomes.append(_publish(ledger, each, known, is_draft=is_draft))
         if findings:
             raise refused(*findings)
         last = head(ledger.connection)
@@ -89,8 +90,7 @@ def _malformed(candidate: Candidate) -> Iterator[Finding]:
         yield codes.VERSION_NOT_SEMANTIC.finding(message, candidate.file, fix=fix)
 
 
-def _publish(ledger: Ledger, candidate: Candidate, *, is_draft: bool) -> Outcome:
-    known = _same_release(ledger.connection, candidate)
+def _publish(ledger: Ledger, candidate: Candidate, known: Published | None, *, is_draft: bool) -> Outcome:
     state: Status = "draft" if is_draft else "published"
     data = {
         "kind": candidate.kind, "name": candidate.name, "version": candidate.version, "state": state,
@@ -104,18 +104,23 @@ def _publish(ledger: Ledger, candidate: Candidate, *, is_draft: bool) -> Outcome
     return Outcome(candidate.kind, candidate.reference, state)
 
 
-def _problems(connection: Connection, candidate: Candidate, *, is_draft: bool) -> Iterator[Finding]:
+def _problems(
+    connection: Connection, candidate: Candidate, known: Published | None, *, is_draft: bool
+) -> Iterator[Finding]:
     yield from _other_spelling(connection, candidate)
-    known = _same_release(connection, candidate)
     if known is not None and known.state != "draft":
         yield from _taken(connection, candidate, known)
     elif not is_draft:
         yield from _too_low(connection, candidate)
 
 
+_SAME_FOLDED = select(NAMES.c.name).where(
+    NAMES.c.kind == bindparam("of_kind"), NAMES.c.folded == bindparam("of_folded")
+)
+
+
 def _other_spelling(connection: Connection, candidate: Candidate) -> Iterator[Finding]:
-    same = (NAMES.c.kind == candidate.kind) & (NAMES.c.folded == candidate.name.casefold())
-    known = connection.execute(select(NAMES.c.name).where(same)).scalar()
+    known = connection.execute(_SAME_FOLDED, _key(candidate)).scalar()
     if known is not None and known != candidate.name:
         message = f"The name must be {known!r}, as it is published, not {candidate.name!r}."
         yield codes.PUBLISHED_NAME_UNFIT.finding(message, candidate.file, fix="Use the same case.")
@@ -123,9 +128,27 @@ def _other_spelling(connection: Connection, candidate: Candidate) -> Iterator[Fi
 
 def _same_release(connection: Connection, candidate: Candidate) -> Published | None:
     """The published version that differs at most in build metadata."""
-    wanted = version_of(candidate.version)
-    versions = all_versions(connection, candidate.kind, candidate.name)
-    return next((each for each in versions if each.precedence == wanted), None)
+    row = connection.execute(_OF_RELEASE, _key(candidate)).first()
+    return None if row is None else Published._make(row)
+
+
+def _key(candidate: Candidate) -> Mapping[str, str]:
+    version = version_of(candidate.version)
+    assert version is not None
+    return {
+        "of_kind": candidate.kind, "of_name": candidate.name, "of_folded": candidate.name.casefold(),
+        "is_release": version.release, "before": version.sort_text,
+    }  # fmt: skip
+
+
+_OF_NAME = PUBLISHED.where(
+    NAMES.c.kind == bindparam("of_kind"), NAMES.c.folded == bindparam("of_folded"), NAMES.c.name == bindparam("of_name")
+)
+_OF_RELEASE = _OF_NAME.where(VERSIONS.c.release == bindparam("is_release"))
+_RELEASES_BEFORE = (
+    _OF_NAME.where(VERSIONS.c.state.in_(sorted(DEPLOYABLE)), VERSIONS.c.precedence < bindparam("before"))
+    .where(VERSIONS.c.precedence.endswith(RELEASED)).order_by(VERSIONS.c.precedence.desc()).limit(1)
+)  # fmt: skip
 
 
 def _taken(connection: Connection, candidate: Candidate, known: Published) -> Iterator[Finding]:
@@ -161,13 +184,8 @@ def _too_low(connection: Connection, candidate: Candidate) -> Iterator[Finding]:
 
 def _baseline(connection: Connection, candidate: Candidate) -> Published | None:
     """The newest release before the candidate."""
-    version = version_of(candidate.version)
-    assert version is not None
-    before = [
-        each for each in all_versions(connection, candidate.kind, candidate.name)
-        if each.state in DEPLOYABLE and not each.precedence.prerelease and each.precedence < version
-    ]  # fmt: skip
-    return before[-1] if before else None
+    row = connection.execute(_RELEASES_BEFORE, _key(candidate)).first()
+    return None if row is None else Published._make(row)
 
 
 def _changes(connection: Connection, base: Published, candidate: Candidate) -> tuple[UseChange, ...]:

@@ -1,11 +1,12 @@
 """Published versions and vehicle lines, as the tables have them."""
 
 from collections.abc import Iterable, Mapping
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from sqlalchemy import Connection, Select, select
+from sqlalchemy import Connection, bindparam, exists, select
 
-from sigcat.registry.reference import DEPLOYABLE, Kind, Reference, Rule, State, unknown
+from sigcat.registry.reference import Kind, Reference, Rule, State, unknown
+from sigcat.registry.storing.replay import portions
 from sigcat.registry.storing.tables import DEPLOYMENTS, NAMES, VERSIONS
 from sigcat.registry.version import Version, version_of
 
@@ -52,20 +53,36 @@ class Running(NamedTuple):
     published: Published
 
 
-_COLUMNS = (
+COLUMNS = (
     VERSIONS.c.id, NAMES.c.kind, NAMES.c.name, NAMES.c.rule, VERSIONS.c.version, VERSIONS.c.state, VERSIONS.c.owner,
     VERSIONS.c.content, VERSIONS.c.resolved, VERSIONS.c.uses, VERSIONS.c.at, VERSIONS.c.until, VERSIONS.c.successor,
 )  # fmt: skip
 
 
+PUBLISHED = select(*COLUMNS).join(NAMES)
+"""All versions."""
+_BY_PRECEDENCE = (NAMES.c.kind, NAMES.c.name, VERSIONS.c.precedence, VERSIONS.c.id)
+_IS_RUNNING = exists().where(DEPLOYMENTS.c.version_id == VERSIONS.c.id, DEPLOYMENTS.c.until == "").correlate(VERSIONS)
+IS_CURRENT = (NAMES.c.kind == "function") & ((VERSIONS.c.id == NAMES.c.newest) | _IS_RUNNING)
+"""Versions of functions that matter: those in vehicles, and the newest published one of each name."""
+
+_BY_ID = PUBLISHED.where(VERSIONS.c.id.in_(bindparam("ids", expanding=True)))
+_CURRENT_BY_ID = _BY_ID.where(IS_CURRENT)
+_LINES = (
+    select(DEPLOYMENTS.c.version_id, NAMES.c.name).join(NAMES, NAMES.c.id == DEPLOYMENTS.c.line_id)
+    .where(DEPLOYMENTS.c.until == "").order_by(NAMES.c.name)
+)  # fmt: skip
+_LINES_BY_ID = _LINES.where(DEPLOYMENTS.c.version_id.in_(bindparam("ids", expanding=True)))
+
+
 def all_versions(connection: Connection, kind: Kind | None = None, name: str | None = None) -> tuple[Published, ...]:
     """Versions by kind, name and precedence."""
-    chosen = select(*_COLUMNS).join(NAMES)
+    chosen = PUBLISHED.order_by(*_BY_PRECEDENCE)
     if kind is not None:
         chosen = chosen.where(NAMES.c.kind == kind)
     if name is not None:
-        chosen = chosen.where(NAMES.c.name == name)
-    return _versions(connection, chosen)
+        chosen = chosen.where(NAMES.c.name == name, NAMES.c.folded == name.casefold())
+    return tuple(map(Published._make, connection.execute(chosen)))
 
 
 def version_named(connection: Connection, kind: Kind, reference: Reference) -> Published:
@@ -88,7 +105,7 @@ def running(connection: Connection, line: str | None = None) -> tuple[Running, .
     """Versions that vehicles run: of a line, or of all lines, in order."""
     lines = NAMES.alias("lines")
     chosen = (
-        select(lines.c.name, DEPLOYMENTS.c.since, *_COLUMNS)
+        select(lines.c.name, DEPLOYMENTS.c.since, *COLUMNS)
         .select_from(DEPLOYMENTS)
         .join(VERSIONS, VERSIONS.c.id == DEPLOYMENTS.c.version_id)
         .join(NAMES, NAMES.c.id == VERSIONS.c.name_id)
@@ -96,30 +113,34 @@ def running(connection: Connection, line: str | None = None) -> tuple[Running, .
         .where(DEPLOYMENTS.c.until == "")
     )
     if line is not None:
-        chosen = chosen.where(lines.c.name == line)
-    rows = (Running(row[0], row[1], Published._make(row[2:])) for row in connection.execute(chosen))
-    return tuple(sorted(rows, key=lambda each: (each.line, each.published.name, each.published.precedence.key)))
+        chosen = chosen.where(lines.c.kind == "line", lines.c.folded == line.casefold(), lines.c.name == line)
+    chosen = chosen.order_by(lines.c.name, NAMES.c.name, VERSIONS.c.precedence, DEPLOYMENTS.c.id)
+    return tuple(Running(row[0], row[1], Published._make(row[2:])) for row in connection.execute(chosen))
 
 
 def current(connection: Connection) -> tuple[Published, ...]:
     """Versions of functions that matter: those in vehicles, and the newest published one of each name."""
-    newest = {each.name: each for each in all_versions(connection, "function") if each.state in DEPLOYABLE}
-    found = {each.id: each for each in (*newest.values(), *(each.published for each in running(connection)))}
-    return tuple(sorted(found.values(), key=lambda each: (each.name, each.precedence.key)))
+    return tuple(map(Published._make, connection.execute(PUBLISHED.where(IS_CURRENT).order_by(*_BY_PRECEDENCE))))
 
 
-def lines_by_version(connection: Connection) -> Mapping[int, tuple[str, ...]]:
-    """Vehicle lines in which each version runs."""
+def published_by_id(
+    connection: Connection, ids: Iterable[int], *, is_complete: bool = False
+) -> Mapping[int, Published]:
+    """Versions by their ids, in order of name and precedence. `is_complete`: also those that do not matter."""
+    chosen = _BY_ID if is_complete else _CURRENT_BY_ID
+    rows = (row for part in portions(sorted(set(ids))) for row in connection.execute(chosen, {"ids": part}))
+    found = list(map(Published._make, rows))
+    return {each.id: each for each in sorted(found, key=lambda each: (each.name, each.precedence.key))}
+
+
+def lines_by_version(connection: Connection, ids: Iterable[int] | None = None) -> Mapping[int, tuple[str, ...]]:
+    """Vehicle lines in which versions run: some of them, or all."""
+    if ids is None:
+        rows: Iterable[Any] = connection.execute(_LINES)
+    else:
+        parts = portions(sorted(set(ids)))
+        rows = (row for part in parts for row in connection.execute(_LINES_BY_ID, {"ids": part}))
     found: dict[int, list[str]] = {}
-    for each in running(connection):
-        found.setdefault(each.published.id, []).append(each.line)
+    for version, line in rows:
+        found.setdefault(version, []).append(line)
     return {version: tuple(lines) for version, lines in found.items()}
-
-
-def _versions(connection: Connection, chosen: Select[tuple[object, ...]]) -> tuple[Published, ...]:
-    return in_order(map(Published._make, connection.execute(chosen)))
-
-
-def in_order(versions: Iterable[Published]) -> tuple[Published, ...]:
-    """Versions by kind, name and precedence."""
-    return tuple(sorted(versions, key=lambda each: (each.kind, each.name, each.precedence.key)))

@@ -133,6 +133,19 @@ def to_json(uses: Iterable[Use]) -> bytes:
     ).encode()
 
 
+def row_text(use: Use, relied: str) -> str:
+    """A use as the text of a row, without what is usual, and without the attributes that `relied` has."""
+    row = {**use._asdict(), "values": {} if relied else dict(use.values)}
+    kept = {key: value for key, value in row.items() if value != Use._field_defaults.get(key)}
+    return json.dumps(kept, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+
+
+def from_row(text: str, relied: str | None) -> Use:
+    """The use of a row."""
+    row = {**json.loads(text), **({"values": json.loads(relied)} if relied else {})}
+    return Use(**{**row, "leads_to": tuple(row.get("leads_to", ()))})
+
+
 def from_json(data: bytes) -> tuple[Use, ...]:
     """The uses of a text that `to_json` wrote."""
     return tuple(Use(**{**each, "leads_to": tuple(each["leads_to"])}) for each in json.loads(data))

@@ -1,15 +1,15 @@
 """Users of a path, directly and through errors, safety reactions and modes."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from sqlalchemy import Connection, or_, select
+from sqlalchemy import BindParameter, Connection, bindparam, select
 
 from sigcat.limits import REGISTRY_ROWS
-from sigcat.registry.published import Published, all_versions, current, lines_by_version
-from sigcat.registry.storing.content import content_of
-from sigcat.registry.storing.tables import USES
-from sigcat.registry.use import Use, from_json
+from sigcat.registry.published import Published, lines_by_version, published_by_id
+from sigcat.registry.storing.replay import portions
+from sigcat.registry.storing.tables import RELIANCES, USES
+from sigcat.registry.use import Use, from_row
 
 
 class User(NamedTuple):
@@ -31,48 +31,79 @@ class Users(NamedTuple):
 
 def users_of(connection: Connection, path: str, *, is_complete: bool = False) -> Users:
     """The users of a path, or of nodes below it. `is_complete`: also of versions that are neither newest nor in a line."""
-    versions = all_versions(connection, "function") if is_complete else current(connection)
-    known = {each.id: each for each in versions}
-    lines = lines_by_version(connection)
-    rows = [
-        User(known[version], use, through, lines.get(version, ()))
-        for version, use, through in _reached(connection, path, known)
-    ]
-    return Users(tuple(rows[:REGISTRY_ROWS]), max(0, len(rows) - REGISTRY_ROWS))
+    known: dict[int, Published] = {}
+    rows = list(_reached(connection, path, known, is_complete=is_complete))
+    shown = rows[:REGISTRY_ROWS]
+    lines = lines_by_version(connection, (each.version for each in shown))
+    users = (User(known[each.version], each.use, each.through, lines.get(each.version, ())) for each in shown)
+    return Users(tuple(users), len(rows) - len(shown))
 
 
-_Reached = tuple[int, Use, tuple[str, ...]]
+class _Reached(NamedTuple):
+    version: int
+    use: Use
+    through: tuple[str, ...]
 
 
-def _reached(connection: Connection, path: str, known: Mapping[int, Published]) -> Iterator[_Reached]:
-    """Uses breadth first: of the path, then of its consequences, each once."""
-    waiting: list[tuple[str, tuple[str, ...]]] = [(path, ())]
-    seen, uses = {path}, dict[int, tuple[Use, ...]]()
-    told = set[tuple[int, int]]()
-    for element, through in waiting:
-        for version, number in sorted(_found(connection, element, known), key=lambda key: _order(key, known)):
-            if version not in uses:
-                uses[version] = from_json(content_of(connection, known[version].uses))
-            use = uses[version][number]
-            if (version, number) not in told:
-                told.add((version, number))
-                yield version, use, through
+class _Row(NamedTuple):
+    """A row of `uses`, with what it relies on."""
+
+    version: int
+    number: int
+    path: str
+    element: str
+    text: str
+    relied: str | None
+
+
+_COLUMNS = (USES.c.version_id, USES.c.number, USES.c.path, USES.c.element, USES.c.text, RELIANCES.c.relied)
+_ROWS = select(*_COLUMNS).outerjoin(RELIANCES, RELIANCES.c.id == USES.c.reliance_id)
+_BELOW = _ROWS.where(USES.c.path > bindparam("first"), USES.c.path < bindparam("end"))
+"""Nodes below a branch: their paths are from `Branch.` on, before `Branch/`."""
+_NAMED: BindParameter[str] = bindparam("names", expanding=True)
+_OF_ELEMENTS = _ROWS.where(USES.c.path.in_(_NAMED) | USES.c.element.in_(_NAMED))
+
+
+def _reached(
+    connection: Connection, path: str, known: dict[int, Published], *, is_complete: bool
+) -> Iterator[_Reached]:
+    """Uses breadth first: of the path, then of its consequences, each once. Versions are added to `known`."""
+    level: Mapping[str, tuple[str, ...]] = {path: ()}
+    seen, told = {path}, set[tuple[int, int]]()
+    below = connection.execute(_BELOW, {"first": f"{path}.", "end": f"{path}/"})
+    rows = [_Row._make(row) for row in below]
+    while level:
+        rows += _of_elements(connection, list(level))
+        known.update(published_by_id(connection, {row.version for row in rows} - known.keys(), is_complete=is_complete))
+        following: dict[str, tuple[str, ...]] = {}
+        for element, row in _in_order(rows, level, known):
+            use, through = from_row(row.text, row.relied), level[element]
+            if (row.version, row.number) not in told:
+                told.add((row.version, row.number))
+                yield _Reached(row.version, use, through)
             for name in (use.element, *use.leads_to):
                 if name not in seen and (name in use.leads_to or use.path == element):
                     seen.add(name)
-                    waiting.append((name, (*through, element) if name in use.leads_to else through))
+                    following[name] = (*through, element) if name in use.leads_to else through
+        level, rows = following, []
 
 
-def _found(connection: Connection, element: str, known: Iterable[int]) -> Iterator[tuple[int, int]]:
-    """Versions and numbers of uses; nodes below a branch have paths from `Branch.` on, before `Branch/`."""
-    below = (USES.c.path > f"{element}.") & (USES.c.path < f"{element}/")
-    chosen = select(USES.c.version_id, USES.c.number).where(
-        or_(USES.c.path == element, USES.c.element == element, below)
-    )
-    versions = frozenset(known)
-    return ((version, number) for version, number in connection.execute(chosen) if version in versions)
+def _of_elements(connection: Connection, elements: Sequence[str]) -> Iterator[_Row]:
+    for part in portions(elements):
+        yield from map(_Row._make, connection.execute(_OF_ELEMENTS, {"names": part}))
 
 
-def _order(key: tuple[int, int], known: Mapping[int, Published]) -> tuple[object, ...]:
-    version, number = key
-    return known[version].name, known[version].precedence, number
+def _in_order(
+    rows: Iterable[_Row], elements: Iterable[str], known: Mapping[int, Published]
+) -> Iterator[tuple[str, _Row]]:
+    """Yield the elements with their rows: by name, precedence and number."""
+    first, *_ = elements
+    found: dict[str, dict[tuple[int, int], _Row]] = {element: {} for element in elements}
+    for row in rows:
+        names = {row.path, row.element} & found.keys() or {first}  # below the path that was asked for
+        for name in names:
+            found[name][row.version, row.number] = row
+    keys = {version: (each.name, each.precedence.key) for version, each in known.items()}
+    for element, chosen in found.items():
+        mattering = (row for row in chosen.values() if row.version in keys)
+        yield from ((element, row) for row in sorted(mattering, key=lambda row: (keys[row.version], row.number)))

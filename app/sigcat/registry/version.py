@@ -16,6 +16,10 @@ _LONGEST = 100
 """Characters of a version."""
 
 
+RELEASED = "~"
+"""The end of the precedence, as text, of a version that is not a prerelease: it is after the hyphen of these."""
+
+
 @total_ordering
 class Version(NamedTuple):
     """A version. Equal in precedence are those that differ only in build metadata."""
@@ -30,6 +34,13 @@ class Version(NamedTuple):
     def release(self) -> str:
         """The version without build metadata."""
         return self.text.partition("+")[0]
+
+    @property
+    def sort_text(self) -> str:
+        """The precedence as text: texts are in the order of their versions."""
+        numbers = ".".join(f"{number:09}" for number in self.numbers)
+        identifiers = (f"0{len(each):03}{each}" if each.isdigit() else f"1{each}" for each in self.prerelease)
+        return f"{numbers}-{'!'.join(identifiers)}!" if self.prerelease else f"{numbers}{RELEASED}"
 
     def __lt__(self, other: object) -> bool:
         """Order by precedence."""

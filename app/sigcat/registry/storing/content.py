@@ -3,22 +3,25 @@
 from collections.abc import Iterator
 from typing import Any
 
-from sqlalchemy import Connection, select
+from sqlalchemy import Connection, bindparam, select
 
 from sigcat import codes
 from sigcat.digest import digest_of
 from sigcat.registry.reference import refused
 from sigcat.registry.storing.tables import CONTENTS
 
+_DIGEST = select(CONTENTS.c.digest).where(CONTENTS.c.digest == bindparam("of"))
+_DATA = select(CONTENTS.c.data).where(CONTENTS.c.digest == bindparam("of"))
+
 
 def content_of(connection: Connection, digest: str) -> bytes:
     """Return content. Raises InputRefused if the database has other content, or none."""
-    return _checked(digest, connection.execute(select(CONTENTS.c.data).where(CONTENTS.c.digest == digest)).scalar())
+    return _checked(digest, connection.execute(_DATA, {"of": digest}).scalar())
 
 
 def has_content(connection: Connection, digest: str) -> bool:
     """Whether there is content with a digest."""
-    return connection.execute(select(CONTENTS.c.digest).where(CONTENTS.c.digest == digest)).first() is not None
+    return connection.execute(_DIGEST, {"of": digest}).first() is not None
 
 
 def all_content(connection: Connection) -> Iterator[tuple[str, bytes]]:

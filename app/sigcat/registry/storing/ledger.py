@@ -10,7 +10,7 @@ from sqlalchemy import Connection, insert, select
 
 from sigcat.digest import digest_of
 from sigcat.registry.storing.content import has_content
-from sigcat.registry.storing.database import writing
+from sigcat.registry.storing.database import Place, writing
 from sigcat.registry.storing.entry import BEGIN, Action, Entry, Link, linked
 from sigcat.registry.storing.replay import apply
 from sigcat.registry.storing.tables import CONTENTS, LOG
@@ -19,7 +19,7 @@ from sigcat.registry.storing.tables import CONTENTS, LOG
 class Registry(NamedTuple):
     """The place of a registry."""
 
-    database: Path
+    database: Place
     key: Path | None = None
     """Private key that signs the log."""
 
@@ -34,7 +34,7 @@ class Ledger(NamedTuple):
         """Store content, and return its digest."""
         digest = digest_of(data)
         if not has_content(self.connection, digest):
-            self.connection.execute(insert(CONTENTS).values(digest=digest, data=data))
+            self.connection.execute(_INSERT_CONTENT, {"digest": digest, "data": data})
         return digest
 
     def append(self, action: Action, data: Mapping[str, Any]) -> None:
@@ -46,7 +46,7 @@ class Ledger(NamedTuple):
 
     def _write(self, link: Link) -> None:
         signed = link._replace(signature=self._signature(link.hash))
-        self.connection.execute(insert(LOG).values(**signed._asdict()))
+        self.connection.execute(_INSERT_LINK, signed._asdict())
         apply(self.connection, link.entry)
 
     def _signature(self, text: str) -> str:
@@ -55,6 +55,10 @@ class Ledger(NamedTuple):
         from sigcat.registry.storing.signing import signature_of
 
         return signature_of(text, self.key)
+
+
+_INSERT_CONTENT, _INSERT_LINK = insert(CONTENTS), insert(LOG)
+_HEAD = select(LOG).order_by(LOG.c.number.desc()).limit(1)
 
 
 @contextmanager
@@ -66,7 +70,7 @@ def ledger_of(registry: Registry) -> Iterator[Ledger]:
 
 def head(connection: Connection) -> Link | None:
     """The last entry of the log."""
-    row = connection.execute(select(LOG).order_by(LOG.c.number.desc()).limit(1)).first()
+    row = connection.execute(_HEAD).first()
     return Link(*row) if row is not None else None
 
 

@@ -1,17 +1,22 @@
-"""Apply entries of the log to the tables: at once when they are written, and again to verify or import a registry."""
+"""Apply entries of the log to the tables: at once when they are written, and again to verify, import or upgrade a registry."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
-from sqlalchemy import Connection, delete, insert, select, update
+from sqlalchemy import Column, Connection, Table, bindparam, delete, func, insert, select, update
 
+from sigcat.registry.reference import DEPLOYABLE
 from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.entry import Action, Entry
-from sigcat.registry.storing.tables import DEPLOYMENTS, NAMES, USES, VERSIONS
-from sigcat.registry.use import from_json
+from sigcat.registry.storing.tables import DEPLOYMENTS, NAMES, RELIANCES, USES, VERSIONS
+from sigcat.registry.use import Use, from_json, row_text
 from sigcat.registry.version import version_of
 
 _Data = Mapping[str, Any]
+DERIVED: Sequence[Table] = (NAMES, VERSIONS, RELIANCES, USES, DEPLOYMENTS)
+"""Tables that follow from the log, each after those to which it refers."""
+PORTION = 500
+"""Values of one statement: databases limit them."""
 
 
 def apply(connection: Connection, entry: Entry) -> None:
@@ -19,34 +24,80 @@ def apply(connection: Connection, entry: Entry) -> None:
     _ACTIONS[entry.action](connection, entry.data, entry.at)
 
 
+_INSERT_VERSION, _INSERT_USES = insert(VERSIONS), insert(USES)
+_OF_RELEASE = select(VERSIONS.c.id).where(
+    VERSIONS.c.name_id == bindparam("of"), VERSIONS.c.release == bindparam("is_release")
+)
+_NEWEST = (
+    select(VERSIONS.c.id)
+    .where(VERSIONS.c.name_id == NAMES.c.id, VERSIONS.c.state.in_(sorted(DEPLOYABLE)))
+    .order_by(VERSIONS.c.precedence.desc())
+    .limit(1)
+    .scalar_subquery()
+)
+_SET_NEWEST = update(NAMES).where(NAMES.c.id == bindparam("of")).values(newest=_NEWEST)
+
+
 def _publish(connection: Connection, data: _Data, at: str) -> None:
     name_id = _name_id(connection, data["kind"], data["name"])
     version = version_of(data["version"])
     values = {
-        "version": data["version"], "state": data["state"], "owner": data["owner"], "content": data["content"],
-        "resolved": data["resolved"], "uses": data["uses"], "at": at, "until": "", "successor": "",
+        "version": data["version"], "precedence": version.sort_text if version else "", "state": data["state"],
+        "owner": data["owner"], "content": data["content"], "resolved": data["resolved"], "uses": data["uses"],
+        "at": at, "until": "", "successor": "",
     }  # fmt: skip
     release = version.release if version else data["version"]
-    at_release = (VERSIONS.c.name_id == name_id) & (VERSIONS.c.release == release)
-    version_id = connection.execute(select(VERSIONS.c.id).where(at_release)).scalar()
+    version_id = connection.execute(_OF_RELEASE, {"of": name_id, "is_release": release}).scalar()
     if version_id is None:
-        row = connection.execute(insert(VERSIONS).values(name_id=name_id, release=release, **values))
-        version_id = row.inserted_primary_key[0]  # type: ignore[index]
+        version_id = _next(connection, VERSIONS.c.id)
+        row = {"id": version_id, "name_id": name_id, "release": release, **values}
+        connection.execute(_INSERT_VERSION, row)
     else:
         connection.execute(update(VERSIONS).where(VERSIONS.c.id == version_id).values(**values))
         connection.execute(delete(USES).where(USES.c.version_id == version_id))
-    _index_uses(connection, version_id, data)
+    connection.execute(_SET_NEWEST, {"of": name_id})
+    if data["kind"] == "function":
+        _index_uses(connection, version_id, from_json(content_of(connection, data["uses"])))
 
 
-def _index_uses(connection: Connection, version_id: int, data: _Data) -> None:
-    if data["kind"] != "function":
-        return
+def _index_uses(connection: Connection, version_id: int, uses: Sequence[Use]) -> None:
+    relied = [use.relied for use in uses]
+    wanted = {(use.path, text): None for use, text in zip(uses, relied, strict=True) if text}
+    reliances = _reliances(connection, wanted)
     rows = [
-        {"version_id": version_id, "number": number, "path": use.path, "element": use.element, "relied": use.relied}
-        for number, use in enumerate(from_json(content_of(connection, data["uses"])))
-    ]
+        {
+            "version_id": version_id, "number": number, "path": use.path, "element": use.element,
+            "reliance_id": reliances.get((use.path, text)), "text": row_text(use, text),
+        }
+        for number, (use, text) in enumerate(zip(uses, relied, strict=True))
+    ]  # fmt: skip
     if rows:
-        connection.execute(insert(USES), rows)
+        connection.execute(_INSERT_USES, rows)
+
+
+_OF_PATHS = select(RELIANCES).where(RELIANCES.c.path.in_(bindparam("paths", expanding=True)))
+_Reliance = tuple[str, str]
+"""Path of a node, and the attributes that a function relies on."""
+
+
+def _reliances(connection: Connection, wanted: Mapping[_Reliance, None]) -> Mapping[_Reliance, int]:
+    """Ids of reliances; new ones are added."""
+    found: dict[_Reliance, int] = {}
+    for paths in portions(list(dict.fromkeys(path for path, _ in wanted))):
+        for number, path, relied in connection.execute(_OF_PATHS, {"paths": paths}):
+            found[path, relied] = number
+    new = [each for each in wanted if each not in found]
+    if new:
+        first = _next(connection, RELIANCES.c.id)
+        rows = [{"id": number, "path": path, "relied": relied} for number, (path, relied) in enumerate(new, first)]
+        connection.execute(insert(RELIANCES), rows)
+        found.update((each, number) for number, each in enumerate(new, first))
+    return found
+
+
+def portions(values: Sequence[Any]) -> Iterator[Sequence[Any]]:
+    """Parts of values that are not too many for one statement."""
+    return (values[start : start + PORTION] for start in range(0, len(values), PORTION))
 
 
 def _rule(connection: Connection, data: _Data, _at: str) -> None:
@@ -58,6 +109,7 @@ def _state(connection: Connection, data: _Data, _at: str) -> None:
     version_id = _version_id(connection, data["kind"], data["name"], data["version"])
     values = {"state": data["state"], "until": data["until"], "successor": data["successor"]}
     connection.execute(update(VERSIONS).where(VERSIONS.c.id == version_id).values(**values))
+    connection.execute(_SET_NEWEST, {"of": _name_id(connection, data["kind"], data["name"])})
 
 
 def _deployment(connection: Connection, data: _Data, at: str) -> None:
@@ -69,7 +121,8 @@ def _deployment(connection: Connection, data: _Data, at: str) -> None:
 def _release(connection: Connection, data: _Data, at: str) -> None:
     line_id = _name_id(connection, "line", data["line"])
     version_id = _version_id(connection, "function", data["name"], data["version"])
-    connection.execute(insert(DEPLOYMENTS).values(line_id=line_id, version_id=version_id, since=at, until=""))
+    row = {"id": _next(connection, DEPLOYMENTS.c.id), "line_id": line_id, "version_id": version_id, "since": at}
+    connection.execute(insert(DEPLOYMENTS), {**row, "until": ""})
 
 
 def _support_ended(connection: Connection, data: _Data, at: str) -> None:
@@ -85,15 +138,27 @@ def _end(connection: Connection, data: _Data, at: str, version: str = "") -> Non
     connection.execute(update(DEPLOYMENTS).where(running).values(until=at))
 
 
+_NAMED = select(NAMES.c.id).where(
+    NAMES.c.kind == bindparam("kind"), NAMES.c.folded == bindparam("folded"), NAMES.c.name == bindparam("name")
+)
+
+
 def _name_id(connection: Connection, kind: str, name: str) -> int:
     """The id of a name, which is added if it is new."""
-    found = select(NAMES.c.id).where(NAMES.c.kind == kind, NAMES.c.name == name)
-    name_id: int | None = connection.execute(found).scalar()
+    key = {"kind": kind, "folded": name.casefold(), "name": name}
+    name_id: int | None = connection.execute(_NAMED, key).scalar()
     if name_id is None:
-        values = {"kind": kind, "name": name, "folded": name.casefold(), "rule": "backward"}
-        name_id = connection.execute(insert(NAMES).values(**values)).inserted_primary_key[0]  # type: ignore[index]
-    assert name_id is not None
+        name_id = _next(connection, NAMES.c.id)
+        connection.execute(insert(NAMES), {"id": name_id, **key, "rule": "backward"})
     return name_id
+
+
+def _next(connection: Connection, column: "Column[int]") -> int:
+    """The next free number, which is the same when the log is applied again."""
+    return int(connection.execute(_LAST[column]).scalar() or 0) + 1
+
+
+_LAST = {table.c.id: select(func.max(table.c.id)) for table in (NAMES, VERSIONS, RELIANCES, DEPLOYMENTS)}
 
 
 def _version_id(connection: Connection, kind: str, name: str, version: str) -> int:

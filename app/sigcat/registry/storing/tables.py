@@ -1,68 +1,90 @@
-"""Tables of the registry. All but `contents` and `log` follow from the log."""
+"""Tables of the registry. All but `contents` and `log` follow from the log.
+
+A changed table needs a new revision in `revisions/`. A row of a table that follows from the log has the next free number,
+so that the log makes the same rows again.
+"""
 
 from sqlalchemy import Column, ForeignKey, Index, Integer, LargeBinary, MetaData, String, Table, UniqueConstraint
 
-SCHEMA = 1
+SCHEMA = 2
 """Number of the schema: a program refuses a database with a higher one."""
 APPLICATION = 0x51676361
 """Number by which SQLite's header names the program: a database of another one is refused."""
 
+_TEXT = String().with_variant(String(collation="C"), "postgresql")
+"""Text in the order of its bytes, whatever the language of a server."""
+
 METADATA = MetaData()
 CONTENTS = Table(
     "contents", METADATA,
-    Column("digest", String, primary_key=True),
+    Column("digest", _TEXT, primary_key=True),
     Column("data", LargeBinary, nullable=False),
 )  # fmt: skip
 NAMES = Table(
     "names", METADATA,
-    Column("id", Integer, primary_key=True),
-    Column("kind", String, nullable=False),
-    Column("name", String, nullable=False),
-    Column("folded", String, nullable=False),
-    Column("rule", String, nullable=False),
+    Column("id", Integer, primary_key=True, autoincrement=False),
+    Column("kind", _TEXT, nullable=False),
+    Column("name", _TEXT, nullable=False),
+    Column("folded", _TEXT, nullable=False),
+    Column("rule", _TEXT, nullable=False),
+    Column("newest", Integer),  # id of the newest version that may be deployed
     UniqueConstraint("kind", "folded"),
 )  # fmt: skip
 VERSIONS = Table(
     "versions", METADATA,
-    Column("id", Integer, primary_key=True),
+    Column("id", Integer, primary_key=True, autoincrement=False),
     Column("name_id", ForeignKey("names.id"), nullable=False),
-    Column("version", String, nullable=False),
-    Column("release", String, nullable=False),
-    Column("state", String, nullable=False),
-    Column("owner", String, nullable=False),
+    Column("version", _TEXT, nullable=False),
+    Column("release", _TEXT, nullable=False),
+    Column("precedence", _TEXT, nullable=False),  # the order of versions as that of texts
+    Column("state", _TEXT, nullable=False),
+    Column("owner", _TEXT, nullable=False),
     Column("content", ForeignKey("contents.digest"), nullable=False),
     Column("resolved", ForeignKey("contents.digest"), nullable=False),
     Column("uses", ForeignKey("contents.digest"), nullable=False),
-    Column("at", String, nullable=False),
-    Column("until", String, nullable=False),
-    Column("successor", String, nullable=False),
+    Column("at", _TEXT, nullable=False),
+    Column("until", _TEXT, nullable=False),
+    Column("successor", _TEXT, nullable=False),
     UniqueConstraint("name_id", "release"),
+    Index("versions_precedence", "name_id", "precedence"),
+)  # fmt: skip
+RELIANCES = Table(  # nodes with the attributes that functions rely on, each once however many functions do
+    "reliances", METADATA,
+    Column("id", Integer, primary_key=True, autoincrement=False),
+    Column("path", _TEXT, nullable=False),
+    Column("relied", _TEXT, nullable=False),
+    Index("reliances_path", "path"),
 )  # fmt: skip
 USES = Table(
     "uses", METADATA,
     Column("version_id", ForeignKey("versions.id"), primary_key=True),
-    Column("number", Integer, primary_key=True),
-    Column("path", String, nullable=False),
-    Column("element", String, nullable=False),
-    Column("relied", String, nullable=False),
-    Index("uses_path", "path", "relied"),
+    Column("number", Integer, primary_key=True, autoincrement=False),
+    Column("path", _TEXT, nullable=False),
+    Column("element", _TEXT, nullable=False),
+    Column("reliance_id", ForeignKey("reliances.id")),
+    Column("text", _TEXT, nullable=False),
+    Index("uses_path", "path"),
     Index("uses_element", "element"),
 )  # fmt: skip
 DEPLOYMENTS = Table(
     "deployments", METADATA,
-    Column("id", Integer, primary_key=True),
+    Column("id", Integer, primary_key=True, autoincrement=False),
     Column("line_id", ForeignKey("names.id"), nullable=False),
     Column("version_id", ForeignKey("versions.id"), nullable=False),
-    Column("since", String, nullable=False),
-    Column("until", String, nullable=False),
+    Column("since", _TEXT, nullable=False),
+    Column("until", _TEXT, nullable=False),
     Index("deployments_line", "line_id"),
     Index("deployments_version", "version_id"),
 )  # fmt: skip
 LOG = Table(
     "log", METADATA,
-    Column("number", Integer, primary_key=True),
-    Column("text", String, nullable=False),
-    Column("previous", String, nullable=False),
-    Column("hash", String, nullable=False),
-    Column("signature", String, nullable=False),
+    Column("number", Integer, primary_key=True, autoincrement=False),
+    Column("text", _TEXT, nullable=False),
+    Column("previous", _TEXT, nullable=False),
+    Column("hash", _TEXT, nullable=False),
+    Column("signature", _TEXT, nullable=False),
+)  # fmt: skip
+REVISION = Table(  # of Alembic
+    "alembic_version", METADATA,
+    Column("version_num", String(32), primary_key=True),
 )  # fmt: skip

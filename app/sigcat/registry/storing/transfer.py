@@ -4,7 +4,6 @@ import base64
 import binascii
 import json
 from collections.abc import Iterable, Iterator
-from pathlib import Path
 from typing import Any
 
 from sqlalchemy import Connection, insert, select
@@ -14,18 +13,19 @@ from sigcat import codes
 from sigcat.errors import InputRefused
 from sigcat.registry.reference import refused
 from sigcat.registry.storing.content import all_content
-from sigcat.registry.storing.database import writing
+from sigcat.registry.storing.database import Place, writing
 from sigcat.registry.storing.entry import Link
 from sigcat.registry.storing.replay import apply
-from sigcat.registry.storing.tables import CONTENTS, LOG, SCHEMA
+from sigcat.registry.storing.tables import CONTENTS, LOG
 from sigcat.registry.storing.verify import read_log, verify
 
-_FORMAT = "sigcat registry"
+_HEADER = {"format": "sigcat registry", "schema": 1}
+"""The first line. The tables that follow from the log are not exported, so that it has another number than their schema."""
 
 
 def exported(connection: Connection) -> Iterator[str]:
     """Yield the lines of an export: its format, content by digest, the log in order, and the hash of its last entry."""
-    yield _line({"format": _FORMAT, "schema": SCHEMA})
+    yield _line(_HEADER)
     for digest, data in all_content(connection):
         yield _line({"content": digest, "data": base64.b64encode(data).decode("ascii")})
     last = ""
@@ -35,7 +35,7 @@ def exported(connection: Connection) -> Iterator[str]:
     yield _line({"end": last})
 
 
-def import_lines(database: Path, lines: Iterable[bytes], name: str) -> str:
+def import_lines(database: Place, lines: Iterable[bytes], name: str) -> str:
     """Write an export into an empty registry, and return the head of its log. Raises InputRefused; then nothing is kept."""
     with writing(database) as connection:
         if connection.execute(select(LOG.c.number).limit(1)).first() is not None:
@@ -65,7 +65,7 @@ def _read(connection: Connection, lines: Iterable[bytes], name: str) -> str | No
             else:
                 _read_line(connection, data, is_first=number == 1)
         except _UNREADABLE:
-            message = f"Line {number} is not a line of an export of schema {SCHEMA}."
+            message = f"Line {number} is not a line of an export of schema 1."
             raise _unfit(message, name, number) from None
     if not number:
         raise _unfit("The file is empty.", name)
@@ -78,7 +78,7 @@ _UNREADABLE = (ValueError, TypeError, KeyError, AttributeError, binascii.Error, 
 
 def _read_line(connection: Connection, line: Any, *, is_first: bool) -> None:
     if is_first:
-        if line != {"format": _FORMAT, "schema": SCHEMA}:
+        if line != _HEADER:
             raise ValueError(line)
     elif "content" in line:
         data = base64.b64decode(line["data"], validate=True)

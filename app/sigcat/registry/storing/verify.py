@@ -11,10 +11,9 @@ from sigcat.digest import digest_of
 from sigcat.findings import Finding
 from sigcat.registry.storing.database import in_memory
 from sigcat.registry.storing.entry import BEGIN, Link, hash_of
-from sigcat.registry.storing.replay import apply
-from sigcat.registry.storing.tables import CONTENTS, DEPLOYMENTS, LOG, NAMES, USES, VERSIONS
+from sigcat.registry.storing.replay import DERIVED, apply
+from sigcat.registry.storing.tables import CONTENTS, LOG
 
-_DERIVED = (NAMES, VERSIONS, USES, DEPLOYMENTS)
 _MOST = 100
 """Findings; after the first of them, little is left to learn."""
 
@@ -133,7 +132,7 @@ def _tables(connection: Connection, links: Sequence[Link]) -> Iterator[Finding]:
                 f"The log cannot be applied again: content that it names is missing ({type(error).__name__})."
             )
             return
-        for table in _DERIVED:
+        for table in DERIVED:
             yield from _differences(table, _rows(connection, table), _rows(again, table))
 
 
