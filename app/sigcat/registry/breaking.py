@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import NamedTuple
 
 from sqlalchemy import Connection, select
 
@@ -21,18 +22,26 @@ from sigcat.registry.use import Use, from_json
 _ABOUT = {"breaking": codes.BREAKS_A_PUBLISHED_FUNCTION, "risky": codes.MAY_BREAK_A_PUBLISHED_FUNCTION}
 
 
+class BrokenUse(NamedTuple):
+    """A published function that a change of a catalogue breaks, or may break."""
+
+    side: Side
+    finding: Finding
+
+
 def broken_by_catalogue(connection: Connection, catalogue: Catalogue, file: str) -> tuple[Finding, ...]:
     """Findings about published functions that rely on what a catalogue no longer has, or has otherwise."""
+    return tuple(dict.fromkeys(each.finding for each in broken_uses(connection, catalogue, file)))
+
+
+def broken_uses(connection: Connection, catalogue: Catalogue, file: str) -> Iterator[BrokenUse]:
+    """Yield the published functions that a catalogue breaks, with the finding about each use."""
     changes = _changes(connection, catalogue)
     users = _users(connection, {path for path, _ in changes})
     lines = lines_by_version(connection)
-    found = (
-        finding
-        for published in current(connection)
-        if published.id in users
-        for finding in _broken_uses(connection, published, changes, catalogue, lines.get(published.id, ()), file)
-    )
-    return tuple(dict.fromkeys(found))
+    for published in current(connection):
+        if published.id in users:
+            yield from _broken_uses(connection, published, changes, catalogue, lines.get(published.id, ()), file)
 
 
 _Changes = Mapping[tuple[str, str], tuple[UseChange, ...]]
@@ -64,13 +73,13 @@ def _broken_uses(
     catalogue: Catalogue,
     lines: Sequence[str],
     file: str,
-) -> Iterator[Finding]:
+) -> Iterator[BrokenUse]:
     uses = from_json(content_of(connection, published.uses))
     calls = _calls(uses)
     for path, use in {use.path: use for use in uses}.items():
         for change in _for_role(use, changes.get((path, use.relied), ())):
             side = Side(published.name, published.version, published.owner, calls[path])
-            yield _finding(change, side, lines, _place(change, catalogue, file), use.via)
+            yield BrokenUse(side, _finding(change, side, lines, _place(change, catalogue, file), use.via))
 
 
 _OF_PROVIDERS: Mapping[str, Class] = {

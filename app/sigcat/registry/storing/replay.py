@@ -3,11 +3,11 @@
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from sqlalchemy import Connection, delete, insert, select, update
+from sqlalchemy import Connection, and_, delete, insert, select, update
 
 from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.entry import Action, Entry
-from sigcat.registry.storing.tables import DEPLOYMENTS, NAMES, USES, VERSIONS
+from sigcat.registry.storing.tables import APPROVALS, DEPLOYMENTS, NAMES, USES, VERSIONS
 from sigcat.registry.use import from_json
 from sigcat.registry.version import version_of
 
@@ -36,6 +36,21 @@ def _publish(connection: Connection, data: _Data, at: str) -> None:
         connection.execute(update(VERSIONS).where(VERSIONS.c.id == version_id).values(**values))
         connection.execute(delete(USES).where(USES.c.version_id == version_id))
     _index_uses(connection, version_id, data)
+    _ask_owners(connection, version_id, data)
+
+
+def _ask_owners(connection: Connection, version_id: int, data: _Data) -> None:
+    """Replace the requests for approval of a version. Decisions about earlier content are kept."""
+    of_version = APPROVALS.c.version_id == version_id
+    connection.execute(delete(APPROVALS).where(of_version, APPROVALS.c.decision == ""))
+    connection.execute(update(APPROVALS).where(of_version).values(functions=""))
+    for owner, functions in data.get("broken", {}).items():
+        key = {"version_id": version_id, "content": data["content"], "uses": data["uses"], "owner": owner}
+        values = {"functions": ", ".join(functions)}
+        same = and_(*(APPROVALS.c[name] == value for name, value in key.items()))
+        if connection.execute(update(APPROVALS).where(same).values(**values)).rowcount == 0:
+            undecided = {"decision": "", "at": "", "until": "", "reason": ""}
+            connection.execute(insert(APPROVALS).values(**key, **values, **undecided))
 
 
 def _index_uses(connection: Connection, version_id: int, data: _Data) -> None:
@@ -58,6 +73,20 @@ def _state(connection: Connection, data: _Data, _at: str) -> None:
     version_id = _version_id(connection, data["kind"], data["name"], data["version"])
     values = {"state": data["state"], "until": data["until"], "successor": data["successor"]}
     connection.execute(update(VERSIONS).where(VERSIONS.c.id == version_id).values(**values))
+
+
+def _approve(connection: Connection, data: _Data, at: str) -> None:
+    _decide(connection, data, decision="approved", at=at, until=data["until"], reason="")
+
+
+def _reject(connection: Connection, data: _Data, at: str) -> None:
+    _decide(connection, data, decision="rejected", at=at, until="", reason=data["reason"])
+
+
+def _decide(connection: Connection, data: _Data, **values: str) -> None:
+    version_id = _version_id(connection, data["kind"], data["name"], data["version"])
+    same = [APPROVALS.c[name] == data[name] for name in ("content", "uses", "owner")]
+    connection.execute(update(APPROVALS).where(APPROVALS.c.version_id == version_id, *same).values(**values))
 
 
 def _deployment(connection: Connection, data: _Data, at: str) -> None:
@@ -104,5 +133,5 @@ def _version_id(connection: Connection, kind: str, name: str, version: str) -> i
 
 _ACTIONS: Mapping[Action, Callable[[Connection, _Data, str], None]] = {
     "publish": _publish, "rule": _rule, "state": _state, "deployment": _deployment, "release": _release,
-    "support ended": _support_ended,
+    "support ended": _support_ended, "approve": _approve, "reject": _reject,
 }  # fmt: skip

@@ -58,6 +58,18 @@ DEPLOYMENTS = Table(
     Index("deployments_line", "line_id"),
     Index("deployments_version", "version_id"),
 )  # fmt: skip
+APPROVALS = Table(
+    "approvals", METADATA,
+    Column("version_id", ForeignKey("versions.id"), primary_key=True),
+    Column("content", String, primary_key=True),
+    Column("uses", String, primary_key=True),
+    Column("owner", String, primary_key=True),
+    Column("functions", String, nullable=False),
+    Column("decision", String, nullable=False),
+    Column("at", String, nullable=False),
+    Column("until", String, nullable=False),
+    Column("reason", String, nullable=False),
+)  # fmt: skip
 LOG = Table(
     "log", METADATA,
     Column("number", Integer, primary_key=True),

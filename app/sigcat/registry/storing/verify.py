@@ -12,9 +12,9 @@ from sigcat.findings import Finding
 from sigcat.registry.storing.database import in_memory
 from sigcat.registry.storing.entry import BEGIN, Link, hash_of
 from sigcat.registry.storing.replay import apply
-from sigcat.registry.storing.tables import CONTENTS, DEPLOYMENTS, LOG, NAMES, USES, VERSIONS
+from sigcat.registry.storing.tables import APPROVALS, CONTENTS, DEPLOYMENTS, LOG, NAMES, USES, VERSIONS
 
-_DERIVED = (NAMES, VERSIONS, USES, DEPLOYMENTS)
+_DERIVED = (NAMES, VERSIONS, USES, DEPLOYMENTS, APPROVALS)
 _MOST = 100
 """Findings; after the first of them, little is left to learn."""
 
