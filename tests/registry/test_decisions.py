@@ -13,6 +13,7 @@ from sigcat.registry.breaking import broken_by_catalogue
 from sigcat.registry.deploying import can_deploy
 from sigcat.registry.reference import Reference
 from sigcat.registry.storing.database import in_memory
+from sigcat.registry.users import users_of
 from tests.needs import IS_SLOW_RUN
 from tests.registry.parts import NAMES, SIGNALS, add, candidate, catalogue, checked, declaration, deploy
 
@@ -144,3 +145,25 @@ def test_a_narrower_range_breaks_who_provides_and_a_wider_one_may_break_who_read
     with in_memory() as connection:
         add(connection, candidate(declaration("Alpha", provided, consumed), before))
         assert [finding.rule for finding in broken_by_catalogue(connection, after, "tree.vspec")] == rules
+
+
+@pytest.mark.parametrize(("more", "rules"), [("", ["E006"]), (", optional: true, init: 0", [])])
+def test_an_optional_signal_that_is_removed_breaks_nothing(more: str, rules: list[str]) -> None:
+    """A change of its datatype breaks the function all the same."""
+    text = declaration("Alpha", consumed=["S0"]).replace(b"role: consumed", f"role: consumed{more}".encode())
+    with in_memory() as connection:
+        add(connection, candidate(text, catalogue()))
+        without, other = catalogue(without=["S0"]), catalogue({"S0": "uint8"})
+        assert [finding.rule for finding in broken_by_catalogue(connection, without, "tree.vspec")] == rules
+        assert [finding.rule for finding in broken_by_catalogue(connection, other, "tree.vspec")] == ["E006"]
+
+
+def test_a_signal_that_the_catalogue_lacks_has_its_users() -> None:
+    text = declaration("Alpha", consumed=["S0"]).replace(
+        b"role: consumed", b"role: consumed, optional: true, datatype: float, init: 0"
+    )
+    with in_memory() as connection:
+        add(connection, candidate(text, catalogue(without=["S0"])))
+        (user,) = users_of(connection, "Vehicle.S0").users
+        assert (user.use.verb, user.use.is_optional) == ("consumes", True)
+        assert broken_by_catalogue(connection, catalogue(), "tree.vspec") == ()
