@@ -68,3 +68,11 @@ object_reader = pytest.mark.skipif(not which("nm"), reason="nm, which reads obje
 BUF = which("buf", path=os.pathsep.join((str(Path(sys.executable).parent), os.environ.get("PATH", ""))))
 buf = pytest.mark.skipif(not BUF, reason="buf, which compares Protocol Buffers: `pip install buf-bin`")
 ros2 = pytest.mark.skipif(not ros2_environment.is_made(), reason="ROS 2: `make ros2`, which needs Python 3.11")
+
+HAS_POSTGRESQL = bool(which("postgres") or list(Path("/usr/lib/postgresql").glob("*/bin/initdb"))) and bool(
+    find_spec("psycopg")
+)
+"""Whether tests can start a PostgreSQL server."""
+postgresql = pytest.mark.skipif(
+    not HAS_POSTGRESQL, reason="a PostgreSQL server: install postgresql, and `pip install 'psycopg[binary]'`"
+)

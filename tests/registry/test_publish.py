@@ -15,7 +15,7 @@ from sigcat.registry.publish import publish
 from sigcat.registry.published import all_versions, version_named
 from sigcat.registry.reference import Reference
 from sigcat.registry.storing.content import content_of
-from sigcat.registry.storing.database import reading
+from sigcat.registry.storing.database import Place, reading
 from sigcat.registry.storing.ledger import Registry
 from sigcat.registry.storing.tables import SCHEMA
 from sigcat.registry.version import raised_part, version_of
@@ -25,8 +25,14 @@ CATALOGUE = catalogue()
 
 
 @pytest.fixture
-def registry(tmp_path: Path) -> Registry:
-    return Registry(tmp_path / "registry.db")
+def registry(place: Place) -> Registry:
+    return Registry(place)
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    """The file of a registry in SQLite."""
+    return tmp_path / "registry.db"
 
 
 def alpha(version: str, provided: tuple[str, ...] = ("S0", "S1"), consumed: tuple[str, ...] = ()) -> Candidate:
@@ -111,20 +117,20 @@ VERSIONS = ("", "1", "1.2", "v1.0.0", "01.0.0", "1.0.0-", "1.0.0-01", "1.0.0+", 
 
 
 @pytest.mark.parametrize("version", VERSIONS)
-def test_a_version_that_is_none_is_refused(registry: Registry, version: str) -> None:
-    assert outcome(registry, plain_candidate("name", version)) == ["E001"]
-    assert not registry.database.exists()
+def test_a_version_that_is_none_is_refused(file: Path, version: str) -> None:
+    assert outcome(Registry(file), plain_candidate("name", version)) == ["E001"]
+    assert not file.exists()
 
 
 NAMES = ("", ".", "..", "a/b", "../a", "a\\b", "a b", "a\n", "a@1", "-a", "Vеhicle", "CoreＡcc", "a\u202eb", "x" * 101)
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_name_with_slashes_or_letters_that_look_alike_is_refused(registry: Registry, name: str) -> None:
-    assert outcome(registry, plain_candidate(name, "1.0.0")) == ["E002"]
-    assert not registry.database.exists()
+def test_a_name_with_slashes_or_letters_that_look_alike_is_refused(file: Path, name: str) -> None:
+    assert outcome(Registry(file), plain_candidate(name, "1.0.0")) == ["E002"]
+    assert not file.exists()
     with pytest.raises(InputRefused):
-        record(registry, "release", name, Reference("Alpha", "1.0.0"))
+        record(Registry(file), "release", name, Reference("Alpha", "1.0.0"))
 
 
 def test_a_name_in_another_case_is_refused(registry: Registry) -> None:
@@ -206,29 +212,29 @@ def test_a_date_that_is_none_is_refused(registry: Registry, date: str) -> None:
 
 
 @pytest.mark.parametrize("pragma", [f"user_version = {SCHEMA + 1}", "application_id = 7"])
-def test_a_database_of_a_newer_schema_or_another_program_is_refused(registry: Registry, pragma: str) -> None:
-    outcome(registry, alpha("1.0.0"))
-    with sqlite3.connect(registry.database) as connection:
+def test_a_database_of_a_newer_schema_or_another_program_is_refused(file: Path, pragma: str) -> None:
+    outcome(Registry(file), alpha("1.0.0"))
+    with sqlite3.connect(file) as connection:
         connection.execute(f"PRAGMA {pragma}")
     connection.close()
-    assert outcome(registry, alpha("1.1.0")) == ["E011"]
-    with pytest.raises(InputRefused), reading(registry.database):
+    assert outcome(Registry(file), alpha("1.1.0")) == ["E011"]
+    with pytest.raises(InputRefused), reading(file):
         pass
 
 
-def test_a_file_that_is_no_database_is_refused_and_kept(registry: Registry) -> None:
-    registry.database.write_bytes(b"important" * 1000)
-    assert outcome(registry, alpha("1.0.0")) == ["E011"]
-    assert registry.database.read_bytes() == b"important" * 1000
+def test_a_file_that_is_no_database_is_refused_and_kept(file: Path) -> None:
+    file.write_bytes(b"important" * 1000)
+    assert outcome(Registry(file), alpha("1.0.0")) == ["E011"]
+    assert file.read_bytes() == b"important" * 1000
 
 
-def test_a_database_of_another_program_is_kept(registry: Registry) -> None:
-    with sqlite3.connect(registry.database) as connection:
+def test_a_database_of_another_program_is_kept(file: Path) -> None:
+    with sqlite3.connect(file) as connection:
         connection.execute("CREATE TABLE theirs (id INTEGER)")
     connection.close()
-    assert outcome(registry, alpha("1.0.0")) == ["E011"]
+    assert outcome(Registry(file), alpha("1.0.0")) == ["E011"]
 
 
-def test_reading_creates_no_file(registry: Registry) -> None:
-    assert stored(registry) == []
-    assert not registry.database.exists()
+def test_reading_creates_no_file(file: Path) -> None:
+    assert stored(Registry(file)) == []
+    assert not file.exists()

@@ -151,7 +151,7 @@ def test_a_database_that_disappears_is_not_answered_with_an_empty_registry(tmp_p
     registry = signed_registry(tmp_path)
     ask = asking(registry)
     assert ask(API).status_code == 200
-    registry.database.rename(tmp_path / "moved.db")
+    (tmp_path / "registry.db").rename(tmp_path / "moved.db")
     answer = ask(API)
     assert (answer.status_code, answer.headers["retry-after"]) == (503, "2")
     assert [each["message"] for each in answer.json()["findings"]] == ["The database is gone."]
@@ -159,17 +159,17 @@ def test_a_database_that_disappears_is_not_answered_with_an_empty_registry(tmp_p
 
 def test_a_database_of_a_newer_program_or_another_one_is_reported_without_its_place(tmp_path: Path) -> None:
     registry = signed_registry(tmp_path)
-    with sqlite3.connect(registry.database) as connection:
+    with sqlite3.connect(tmp_path / "registry.db") as connection:
         connection.execute("PRAGMA user_version = 99")
     (finding,) = asking(registry)(API).json()["findings"]
     assert finding["fix"] == "Use a newer sigcat."
-    registry.database.write_bytes(b"no database" * 1000)
+    (tmp_path / "registry.db").write_bytes(b"no database" * 1000)
     answer = asking(registry)(f"{API}/functions")
     assert (answer.status_code, str(tmp_path) in answer.text) == (503, False)
 
 
 def test_damaged_content_is_a_finding(tmp_path: Path) -> None:
     registry = signed_registry(tmp_path)
-    with sqlite3.connect(registry.database) as connection:
+    with sqlite3.connect(tmp_path / "registry.db") as connection:
         connection.execute("UPDATE contents SET data = 'other'")
     assert asking(registry)(CORE).json()["findings"][0]["rule"] == "E010"

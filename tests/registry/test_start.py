@@ -38,6 +38,13 @@ def test_a_command_without_its_packages_says_what_to_install(
     assert [each.name for each in tmp_path.iterdir()] == ["sigcat.toml"]
 
 
+def test_a_command_without_the_driver_of_its_database_says_what_to_install(tmp_path: Path) -> None:
+    (tmp_path / "sigcat.toml").write_text('[registry]\ndatabase = "postgresql://host/name"\n', encoding="utf-8")
+    ended = run(_WITHOUT.format(packages=("psycopg",)), tmp_path, "registry", "list")
+    assert (ended.returncode, ended.stdout) == (2, "")
+    assert ended.stderr.endswith("run `pip install 'sigcat[registry-postgresql]'`\n")
+
+
 def test_a_lint_in_a_project_with_a_registry_loads_neither(tmp_path: Path) -> None:
     (tmp_path / "sigcat.toml").write_text('[registry]\ndatabase = "registry.db"\n', encoding="utf-8")
     (tmp_path / "own.vspec").write_text(

@@ -16,14 +16,16 @@ from sigcat.errors import InputRefused
 from sigcat.registry.lines import record
 from sigcat.registry.publish import publish
 from sigcat.registry.reference import Reference
-from sigcat.registry.storing.database import in_memory, reading
+from sigcat.registry.storing.database import Place, in_memory, reading
 from sigcat.registry.storing.ledger import Registry
 from sigcat.registry.storing.tables import APPLICATION, CONTENTS, LOG, METADATA, SCHEMA
 from sigcat.registry.storing.transfer import exported
 from sigcat.registry.storing.upgrading import config_of
 from sigcat.registry.storing.verify import verify
 from sigcat.registry.users import users_of
+from tests.needs import postgresql
 from tests.registry.parts import candidate, catalogue, declaration
+from tests.registry.server import Server
 
 CATALOGUE = catalogue()
 
@@ -40,18 +42,20 @@ def newest(tmp_path: Path) -> Registry:
 
 @pytest.fixture
 def older(newest: Registry, tmp_path: Path) -> Registry:
-    """The same log and content in a file of schema 1, whose number is in the header alone."""
-    made = Registry(tmp_path / "older.db")
-    engine = create_engine(f"sqlite:///{made.database}")
+    """The same log and content in a file of schema 1."""
+    return copied(newest, tmp_path / "older.db")
+
+
+def copied(newest: Registry, place: Place) -> Registry:
+    """The log and content of a registry in a database of schema 1. That of a file has its number in the header alone."""
+    made = Registry(place)
+    engine = create_engine(f"sqlite:///{place}" if isinstance(place, Path) else place.text.replace(":", "+psycopg:", 1))
     with reading(newest.database) as source, engine.begin() as connection:
         command.upgrade(config_of(connection), "1")
         for table in (CONTENTS, LOG):
             connection.execute(insert(table), [row._asdict() for row in source.execute(select(table))])
-        for statement in (
-            "DROP TABLE alembic_version",
-            "PRAGMA user_version = 1",
-            f"PRAGMA application_id = {APPLICATION}",
-        ):
+        header = ("PRAGMA user_version = 1", f"PRAGMA application_id = {APPLICATION}")
+        for statement in ("DROP TABLE alembic_version", *header) if isinstance(place, Path) else ():
             connection.exec_driver_sql(statement)
     engine.dispose()
     return made
@@ -71,10 +75,18 @@ def schema_of(registry: Registry) -> int:
     return int(number)
 
 
-def test_reading_upgrades_a_database_and_keeps_its_log_and_content(newest: Registry, older: Registry) -> None:
+def test_reading_upgrades_a_file_and_keeps_its_log_and_content(newest: Registry, older: Registry) -> None:
     assert schema_of(older) == 1
     assert answers(older) == answers(newest)
     assert schema_of(older) == SCHEMA
+
+
+@postgresql
+def test_reading_upgrades_a_database_of_a_server(newest: Registry, server: Server) -> None:
+    older = copied(newest, server.new_database())
+    with get_context("fork").Pool(4) as pool:
+        assert pool.map(answers, [older] * 4) == [answers(newest)] * 4
+    assert publish(older, [candidate(declaration("Gamma", ("S2",)), CATALOGUE)]).outcomes[0].status == "published"
 
 
 def test_writing_upgrades_a_database(older: Registry) -> None:

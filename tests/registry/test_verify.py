@@ -8,12 +8,13 @@ from pathlib import Path
 import pytest
 
 from sigcat.errors import InputRefused, UsageError
+from sigcat.project.project import ServerUrl
 from sigcat.registry.lines import record
 from sigcat.registry.publish import publish
 from sigcat.registry.published import version_named
 from sigcat.registry.reference import Reference
 from sigcat.registry.storing.content import content_of
-from sigcat.registry.storing.database import in_memory, reading
+from sigcat.registry.storing.database import Place, in_memory, reading
 from sigcat.registry.storing.ledger import Registry
 from sigcat.registry.storing.signing import new_key
 from sigcat.registry.storing.transfer import exported, import_lines
@@ -26,11 +27,16 @@ REFERENCE = Reference("Alpha", "1.0.0")
 
 @pytest.fixture
 def registry(tmp_path: Path) -> Registry:
+    """A registry with five signed entries, in SQLite."""
+    return signed_registry(tmp_path / "registry.db", tmp_path)
+
+
+def signed_registry(place: Place, tmp_path: Path) -> Registry:
     """A registry with five signed entries."""
     private, public = new_key()
     (tmp_path / "key").write_bytes(private)
     (tmp_path / "key.pub").write_bytes(public)
-    made = Registry(tmp_path / "registry.db", tmp_path / "key")
+    made = Registry(place, tmp_path / "key")
     for name, signal in (("Alpha", "S0"), ("Beta", "S1"), ("Gamma", "S2")):
         publish(made, [candidate(declaration(name, (signal,)), CATALOGUE)])
     record(made, "release", "SUV-2025", REFERENCE)
@@ -39,6 +45,7 @@ def registry(tmp_path: Path) -> Registry:
 
 
 def change(registry: Registry, *statements: str) -> None:
+    assert isinstance(registry.database, Path)
     connection = sqlite3.connect(registry.database, isolation_level=None)
     for statement in statements:
         connection.execute(statement)
@@ -61,7 +68,8 @@ def lines(registry: Registry) -> Iterator[bytes]:
 
 
 def test_what_was_written_verifies_with_the_public_key_alone(registry: Registry) -> None:
-    assert messages(registry, registry.database.with_name("key.pub")) == []
+    assert registry.key is not None
+    assert messages(registry, registry.key.with_name("key.pub")) == []
 
 
 SWAP = "UPDATE log SET number = CASE number WHEN 2 THEN -3 WHEN 3 THEN -2 END WHERE number IN (2, 3)"
@@ -125,6 +133,16 @@ def test_an_export_and_an_import_carry_everything_byte_for_byte(registry: Regist
     assert import_lines(other.database, lines(registry), "export") == head(registry)
     assert list(lines(other)) == list(lines(registry))
     assert messages(other, tmp_path / "key.pub") == []
+
+
+def test_an_export_of_one_database_is_imported_into_any_other(place: Place, registry: Registry, tmp_path: Path) -> None:
+    other = Registry(place) if isinstance(place, ServerUrl) else Registry(tmp_path / "other.db")
+    last = import_lines(other.database, lines(registry), "export")
+    assert list(lines(other)) == list(lines(registry))
+    assert messages(other, tmp_path / "key.pub", last) == []
+    back = Registry(tmp_path / "back.db")
+    import_lines(back.database, lines(other), "export")
+    assert messages(back, tmp_path / "key.pub", last) == []
 
 
 def test_an_import_goes_into_an_empty_registry_only(registry: Registry) -> None:

@@ -17,7 +17,7 @@ from sigcat.errors import InputRefused
 from sigcat.registry.publish import publish
 from sigcat.registry.published import all_versions
 from sigcat.registry.storing import sqlite as store
-from sigcat.registry.storing.database import reading
+from sigcat.registry.storing.database import Place, reading
 from sigcat.registry.storing.ledger import Registry
 from sigcat.registry.storing.verify import verify
 from tests.needs import IS_SLOW_RUN
@@ -28,13 +28,13 @@ KILLS = 100 if IS_SLOW_RUN else 10
 _FORK = multiprocessing.get_context("fork")
 
 
-def versions_in(database: Path) -> list[str]:
+def versions_in(database: Place) -> list[str]:
     with reading(database) as connection:
         assert verify(connection).findings == ()
         return [each.version for each in all_versions(connection)]
 
 
-def _write(arguments: tuple[Path, int]) -> int:
+def _write(arguments: tuple[Place, int]) -> int:
     """Publish versions of one name, and one that all writers publish with other bytes; return how many of these won."""
     database, writer = arguments
     for number in range(VERSIONS):
@@ -46,33 +46,31 @@ def _write(arguments: tuple[Path, int]) -> int:
     return 1
 
 
-def test_twenty_writers_of_one_name_make_no_version_twice_and_lose_none(tmp_path: Path) -> None:
-    database = tmp_path / "registry.db"
+def test_twenty_writers_of_one_name_make_no_version_twice_and_lose_none(place: Place) -> None:
     with _FORK.Pool(WRITERS) as pool:
-        winners = pool.map(_write, [(database, writer) for writer in range(WRITERS)])
+        winners = pool.map(_write, [(place, writer) for writer in range(WRITERS)])
     assert sum(winners) == 1
     expected = [f"1.{writer}.{number}" for writer in range(WRITERS) for number in range(VERSIONS)]
-    assert versions_in(database) == [*expected, "2.0.0"]
+    assert versions_in(place) == [*expected, "2.0.0"]
 
 
-def test_equal_bytes_of_parallel_writers_are_published_once_and_unchanged_for_the_others(tmp_path: Path) -> None:
-    database = tmp_path / "registry.db"
+def test_equal_bytes_of_parallel_writers_are_published_once_and_unchanged_for_the_others(place: Place) -> None:
     with _FORK.Pool(WRITERS) as pool:
-        found = pool.starmap(_publish_same, [(database,)] * WRITERS)
+        found = pool.starmap(_publish_same, [(place,)] * WRITERS)
     assert sorted(found) == ["published", *["unchanged"] * (WRITERS - 1)]
-    assert versions_in(database) == ["1.0.0"]
+    assert versions_in(place) == ["1.0.0"]
 
 
-def _publish_same(database: Path) -> str:
+def _publish_same(database: Place) -> str:
     return publish(Registry(database), [plain_candidate("same", "1.0.0")]).outcomes[0].status
 
 
 @pytest.mark.parametrize("seed", range(KILLS))
 def test_after_a_kill_every_answered_version_is_there_and_every_other_is_whole_or_absent(
-    tmp_path: Path, seed: int
+    place: Place, tmp_path: Path, seed: int
 ) -> None:
-    database, answers = tmp_path / "registry.db", tmp_path / "answers"
-    process = _FORK.Process(target=_publish_until_killed, args=(database, answers))
+    answers = tmp_path / "answers"
+    process = _FORK.Process(target=_publish_until_killed, args=(place, answers))
     process.start()
     while not answers.exists():
         time.sleep(0.001)
@@ -80,18 +78,35 @@ def test_after_a_kill_every_answered_version_is_there_and_every_other_is_whole_o
     process.kill()
     process.join()
     answered = answers.read_text(encoding="utf-8").split()
-    found = versions_in(database)
+    found = versions_in(place)
     assert found[: len(answered)] == answered
     assert len(found) - len(answered) in (0, 1)
-    assert publish(Registry(database), [plain_candidate("after", "1.0.0")]).outcomes[0].status == "published"
+    assert publish(Registry(place), [plain_candidate("after", "1.0.0")]).outcomes[0].status == "published"
 
 
-def _publish_until_killed(database: Path, answers: Path) -> None:
+def _publish_until_killed(database: Place, answers: Path) -> None:
     for number in range(100_000):
         content = random.Random(number).randbytes(20_000)
         publish(Registry(database), [plain_candidate("killed", f"1.{number}.0", content)])
         with answers.open("a", encoding="utf-8") as file:
             file.write(f"1.{number}.0\n")
+
+
+def test_a_backup_that_is_made_while_others_write_is_a_whole_registry(tmp_path: Path) -> None:
+    database, backup, answers = tmp_path / "registry.db", tmp_path / "backup.db", tmp_path / "answers"
+    process = _FORK.Process(target=_publish_until_killed, args=(database, answers))
+    process.start()
+    while not answers.exists():
+        time.sleep(0.001)
+    source, target = sqlite3.connect(database), sqlite3.connect(backup)
+    source.backup(target, pages=1)
+    source.close()
+    target.close()
+    process.kill()
+    process.join()
+    found = versions_in(backup)
+    assert found == [f"1.{number}.0" for number in range(len(found))]
+    assert publish(Registry(backup), [plain_candidate("after", "1.0.0")]).outcomes[0].status == "published"
 
 
 def test_a_full_disk_is_a_finding_and_nothing_is_published_by_half(tmp_path: Path) -> None:

@@ -182,7 +182,7 @@ def record(arguments: argparse.Namespace) -> int:
 def export(arguments: argparse.Namespace) -> int:
     """Write the export."""
     registry = registry_of(arguments)
-    refuse_overwriting(arguments, (registry.database,))
+    refuse_overwriting(arguments, (each for each in registry if isinstance(each, Path)))
     with read_registry(arguments) as connection:
         from sigcat.registry.storing.transfer import exported
 

@@ -12,6 +12,7 @@ from sigcat.cli.output_options import FORMATS, add_output
 from sigcat.cli.project_options import add_project_options, project_of
 from sigcat.errors import UsageError
 from sigcat.limits import REGISTRY_ROWS
+from sigcat.project.project import ServerUrl
 from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
@@ -32,11 +33,9 @@ def registry_of(arguments: argparse.Namespace) -> "Registry":
     settings = project_of(arguments).registry
     if settings is None:
         raise UsageError(_HOW_TO)
-    with needing_extra():
-        from sigcat.registry.storing.ledger import Registry
+    _load_packages(settings)
+    from sigcat.registry.storing.ledger import Registry
 
-        if settings.key is not None:
-            import_module("sigcat.registry.storing.signing")
     return Registry(settings.database, settings.key)
 
 
@@ -44,15 +43,22 @@ def hosted_registry(project: "Project") -> "RegistrySettings | None":
     """Return the registry of a project that is served; None if it has none. A missing extra is reported, and the rest served."""
     settings = project.registry
     try:
-        with needing_extra():
-            if settings is not None:
-                import_module("sigcat.registry.storing.ledger")
-            if settings is not None and settings.key is not None:
-                import_module("sigcat.registry.storing.signing")
+        if settings is not None:
+            _load_packages(settings)
     except UsageError as error:
         print(f"sigcat: the registry is not served: {error}", file=sys.stderr)
         return None
     return settings
+
+
+def _load_packages(settings: "RegistrySettings") -> None:
+    """Import what a registry needs. Raises UsageError if its extra is missing."""
+    with needing_extra():
+        import_module("sigcat.registry.storing.ledger")
+        if isinstance(settings.database, ServerUrl):
+            import_module("psycopg")
+        if settings.key is not None:
+            import_module("sigcat.registry.storing.signing")
 
 
 @contextmanager
@@ -61,9 +67,10 @@ def needing_extra() -> "Iterator[None]":
     try:
         yield
     except ModuleNotFoundError as error:
-        if (error.name or "").partition(".")[0] not in ("sqlalchemy", "alembic", "cryptography"):
+        if (error.name or "").partition(".")[0] not in ("sqlalchemy", "alembic", "cryptography", "psycopg"):
             raise
-        raise UsageError("a registry needs the extra `registry`: run `pip install 'sigcat[registry]'`") from None
+        extra = "registry-postgresql" if error.name == "psycopg" else "registry"
+        raise UsageError(f"a registry needs the extra `{extra}`: run `pip install 'sigcat[{extra}]'`") from None
 
 
 @contextmanager

@@ -1,5 +1,6 @@
 """A project: what one `sigcat.toml` says, as a frozen value."""
 
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from types import MappingProxyType
@@ -11,15 +12,31 @@ from sigcat.catalogue.reading.toml_lines import Lines
 from sigcat.rules.linting.options import LintOptions
 
 FILE_NAME = "sigcat.toml"
+POSTGRESQL = "postgresql://"
+"""The begin of the URL of a PostgreSQL database."""
+
+
+class ServerUrl(NamedTuple):
+    """The URL of a database on a server. It is shown without its password."""
+
+    text: str
+
+    def __str__(self) -> str:
+        return re.sub(r"(?<=[?&]password=)[^&]*", "***", re.sub(r"(?<=://)([^:@/]*):.*@", r"\1:***@", self.text))
 
 
 class RegistrySettings(NamedTuple):
     """Place of the registry of published versions."""
 
-    database: Path
-    """SQLite database, which the first publish creates."""
+    database: Path | ServerUrl
+    """SQLite database, which the first publish creates, or the URL of a PostgreSQL database."""
     key: Path | None = None
     """Private key that signs the log."""
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """Files of the registry."""
+        return tuple(each for each in self if isinstance(each, Path))
 
 
 class Project(NamedTuple):
@@ -67,7 +84,7 @@ class Project(NamedTuple):
     @property
     def files(self) -> tuple[Path, ...]:
         """The project file and the files that it names: no command writes over them."""
-        named = (self.file, self.deployment, *(self.registry or ()))
+        named = (self.file, self.deployment, *(self.registry.files if self.registry else ()))
         overlays = (path for vehicle in self.vehicles for path in vehicle.overlays)
         lists = (*self.rules, *self.units, *self.quantities, *self.dbc, *overlays)
         return (*(path for path in named if path is not None), *lists)

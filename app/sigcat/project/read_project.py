@@ -27,13 +27,13 @@ from sigcat.catalogue.hosting.source import Source
 from sigcat.catalogue.hosting.sources import release_source, shipped_sources
 from sigcat.catalogue.reading.toml_lines import Lines
 from sigcat.errors import InputRefused, NotFound, UsageError
-from sigcat.findings import Finding, first_at, in_order
+from sigcat.findings import Finding, first_at, in_order, shown
 from sigcat.limits import CONFIGURATION_BYTES
 from sigcat.names import nearest
 from sigcat.open_files import read_bytes, size_of
 from sigcat.path_faults import path_fault
 from sigcat.project.chosen_tree import with_additions
-from sigcat.project.project import Project, RegistrySettings
+from sigcat.project.project import POSTGRESQL, Project, RegistrySettings, ServerUrl
 from sigcat.project.project_file import Reading, TableReader, paths_of, written_key
 from sigcat.project.read_vehicles import VEHICLE_KEYS, read_vehicles
 from sigcat.rules.linting.configuration import FIELDS as LINT_KEYS
@@ -311,8 +311,12 @@ def _registry(data: Mapping[str, Any], reading: Reading) -> RegistrySettings | N
     reading.check(values, REGISTRY_KEYS, "registry")
     database, key = values.get("database"), values.get("key")
     if database is None or database == "":
-        message = "[registry] must have `database`, the path of a file."
+        message = "[registry] must have `database`, the path of a file or a URL of PostgreSQL."
         reading.report(codes.SETTING_UNFIT, message, "registry", 0, "database", 'Write `database = "registry.db"`.')
     if not isinstance(database, str):
         return None
-    return RegistrySettings(reading.path(database), reading.path(key) if isinstance(key, str) else None)
+    if "://" in database and not database.startswith(POSTGRESQL):
+        message = f"`database` of [registry] must be the path of a file, or a URL of PostgreSQL, not {shown(database)}."
+        reading.report(codes.SETTING_UNFIT, message, "registry", 0, "database", f"Write {POSTGRESQL}USER@HOST/NAME.")
+    place = ServerUrl(database) if database.startswith(POSTGRESQL) else reading.path(database)
+    return RegistrySettings(place, reading.path(key) if isinstance(key, str) else None)

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from fastapi import Depends, Request
@@ -37,10 +38,11 @@ class HostedRegistry:
 
     def refuse_gone(self) -> None:
         """Raises RegistryUnusable if the database was there before, and is not now."""
-        is_there = self.settings.database.exists()
+        database = self.settings.database
+        is_there = not isinstance(database, Path) or database.exists()
         if self._was_there and not is_there:
             fix = "Restore the file from a backup or an export."
-            finding = codes.REGISTRY_UNUSABLE.finding("The database is gone.", str(self.settings.database), fix=fix)
+            finding = codes.REGISTRY_UNUSABLE.finding("The database is gone.", str(database), fix=fix)
             raise RegistryUnusable(finding)
         self._was_there = is_there
 

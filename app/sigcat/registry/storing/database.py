@@ -13,12 +13,13 @@ from sqlalchemy.exc import DBAPIError
 
 from sigcat import codes
 from sigcat.errors import RegistryUnusable
+from sigcat.project.project import ServerUrl
 from sigcat.registry.storing.sqlite import SqliteStore, in_memory_engine
 from sigcat.registry.storing.store import Store
 from sigcat.registry.storing.tables import METADATA, REVISION, SCHEMA
 
-Place: TypeAlias = Path
-"""File of an SQLite database."""
+Place: TypeAlias = Path | ServerUrl
+"""File of an SQLite database, or URL of a PostgreSQL database."""
 Snapshot: TypeAlias = Connection
 """One state of the registry, to read."""
 
@@ -62,7 +63,11 @@ def in_memory() -> Iterator[Connection]:
 
 
 def _store(place: Place) -> Store:
-    return SqliteStore(place)
+    if isinstance(place, Path):
+        return SqliteStore(place)
+    from sigcat.registry.storing.postgresql import PostgresqlStore
+
+    return PostgresqlStore(place)
 
 
 def _make_current(store: Store, connection: Connection) -> None:
@@ -104,7 +109,7 @@ def _reported(store: Store) -> Iterator[None]:
     try:
         yield
     except DBAPIError as error:
-        text = str(error.orig).partition("\n")[0].strip().rstrip(".")
+        text = str(error.orig).partition("\n")[0].rpartition("failed: ")[2].strip().rstrip(".")  # without its address
         message = f"The database cannot be used: {text}."
         finding = codes.REGISTRY_UNUSABLE.finding(message, store.name, fix=store.advice(error))
         raise RegistryUnusable(finding, is_full=store.is_full(error)) from None
