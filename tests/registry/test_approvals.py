@@ -212,7 +212,7 @@ def test_a_decision_that_is_not_in_the_log_is_found(registry: Registry) -> None:
     import sqlite3
 
     publish(registry, [BREAKING])
-    with sqlite3.connect(registry.database) as connection:
+    with sqlite3.connect(str(registry.database)) as connection:
         connection.execute("UPDATE approvals SET decision = 'approved', until = '9999' WHERE owner = 'Team Beta'")
     with reading(registry.database) as opened:
         assert ["approvals" in each.message for each in verify(opened).findings] == [True]
