@@ -12,7 +12,8 @@ from time import perf_counter, process_time
 from bench.rows import Bench, Row, time_of
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.registry.breaking import broken_by_catalogue
-from sigcat.registry.publish import Candidate, publish
+from sigcat.registry.candidate import Candidate
+from sigcat.registry.publish import publish
 from sigcat.registry.storing.database import reading
 from sigcat.registry.storing.ledger import Registry, ledger_of
 from sigcat.registry.use import Use, to_json

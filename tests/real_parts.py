@@ -190,6 +190,7 @@ KINDS = (
     Kind(
         "drives played to every platform",
         (
+            "tests/comparison/running/test_optional_signals.py",
             "tests/comparison/running/test_platforms.py",
             "tests/comparison/test_can_drive.py",
             "tests/comparison/test_command.py",

@@ -152,6 +152,10 @@ PROVIDED_AT_LOWER_ASIL = RuleCode("F110", "warning")
 ERRORS_OF_FUNCTIONS_IN_A_CIRCLE = RuleCode("F111", "error")
 CONSUMED_AND_NOT_MAPPED = RuleCode("F112", "info")
 TEXT_OF_WRONG_TYPE = RuleCode("F113", "error")
+OPTIONAL_SIGNAL_ABSENT = RuleCode("F114", "info")
+DATATYPE_OF_ABSENT_UNKNOWN = RuleCode("F115", "error")
+OPTIONAL_WITHOUT_START_VALUE = RuleCode("F116", "warning")
+ABSENT_ERROR_WITHOUT_OPTIONAL = RuleCode("F117", "warning")
 
 # gateway
 CAN_DATABASE_UNREADABLE = RuleCode("B001", "error")
@@ -301,6 +305,7 @@ LOG_CHANGED = RuleCode("E010", "error")
 REGISTRY_UNUSABLE = RuleCode("E011", "error")
 LINE_UNKNOWN = RuleCode("E012", "error")
 IMPORT_UNFIT = RuleCode("E013", "error")
+DECISION_UNFIT = RuleCode("E014", "error")
 
 # request
 PARAMETER_THAT_DOES_NOT_FIT = RuleCode("Q001", "error")

@@ -23,6 +23,11 @@ def signal(name: str, datatype: str = FLOAT, role: str = "Consumer", **fields: A
     return {**known, **fields}
 
 
+def absent(item: Json) -> Json:
+    """An optional signal or queue that the vehicle does not have."""
+    return {**item, "Optional": True, "IsAbsent": True}
+
+
 def output(name: str, datatype: str = FLOAT, **fields: Any) -> Json:
     """A signal that is provided."""
     return signal(name, datatype, "Provider", **fields)
@@ -120,7 +125,10 @@ _LISTS = (
 def _contract(contents: tuple[Json, ...]) -> Json:
     contract: Json = {key: [] for key, _ in _LISTS}
     for item in contents:
-        contract[next(key for key, field in _LISTS if field in item)].append(item)
+        key = next(key for key, field in _LISTS if field in item)
+        is_absent = item.get("IsAbsent", False)
+        listed = {name: value for name, value in item.items() if name != "IsAbsent"}
+        contract.setdefault(f"Absent{key}" if is_absent else key, []).append(listed)
     return contract
 
 

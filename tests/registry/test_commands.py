@@ -118,6 +118,26 @@ def test_a_deployment_is_refused_while_vehicles_need_what_it_no_longer_provides(
     assert (status, json.loads(text)["decision"]) == (0, "yes")
 
 
+def test_a_version_that_breaks_another_owner_waits_for_this_owner(field: Run) -> None:
+    assert field("registry", "rule", "EcoControlMpc", "approval")[0] == 0
+    assert field("registry", "pending") == (0, "No version is pending.\n")
+    core = without_proposal("1.1.0")
+    status, text = field("publish", core)
+    lines = "  Longitudinal control team must approve it: it breaks CoreAcc 1.0.0\n"
+    assert (status, text) == (1, f"function EcoControlMpc 1.1.0: pending\n{lines}")
+    status, text = field("registry", "pending", "--owner", "Longitudinal control team")
+    assert (status, text.endswith(lines)) == (0, True)
+    assert field("registry", "pending", "--owner", "Cockpit team")[1] == "No version is pending.\n"
+    decide = ("EcoControlMpc@1.1.0", "--owner", "Longitudinal control team")
+    digest = text.split()[5]
+    assert field("registry", "approve", *decide, "--sha256", "0" * 64)[0] == 1
+    status, text = field("registry", "reject", *decide, "--reason", "\x1b[31mNot\nnow")
+    assert (status, "\x1b" in text, text.count("\n")) == (0, False, 2)
+    assert field("registry", "approve", *decide, "--sha256", digest)[0] == 0
+    assert field("publish", core) == (0, "function EcoControlMpc 1.1.0: published\n")
+    assert field("registry", "verify")[0] == 0
+
+
 def test_an_incompatible_pair_is_named_with_function_version_owner_call_path_and_attribute(field: Run) -> None:
     Path("as_double.vspec").write_text(
         f"{PROPOSAL}:\n  type: sensor\n  datatype: double\n  unit: m/s^2\n", encoding="utf-8"

@@ -9,8 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sigcat.errors import InputRefused
+from sigcat.registry.candidate import Candidate
 from sigcat.registry.lines import record, set_rule, set_state
-from sigcat.registry.publish import Candidate, publish
+from sigcat.registry.publish import publish
 from sigcat.registry.published import all_versions, version_named
 from sigcat.registry.reference import Reference
 from sigcat.registry.storing.content import content_of

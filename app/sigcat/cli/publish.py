@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.published_files import published_files, read_catalogue
+from sigcat.cli.registry_approvals import print_decisions
 from sigcat.cli.registry_options import print_head, registry_of
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import UsageError
@@ -12,7 +13,7 @@ from sigcat.errors import UsageError
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from sigcat.registry.publish import Candidate
+    from sigcat.registry.candidate import Candidate
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -24,6 +25,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
             "Publish files as versions in the registry of the project: all of them, or none. A published version never "
             "changes: the same bytes again change nothing, and other bytes are refused."
         ),
+        epilog="Exit status: 1 if a version is pending, because owners of functions that it breaks must approve it.",
     )
     parser.add_argument(
         "files", type=Path, nargs="+", metavar="FILE", help="function, overlay, or root .vspec file of a catalogue"
@@ -45,8 +47,9 @@ def publish(arguments: argparse.Namespace) -> int:
     receipt = publish_candidates(registry, tuple(_candidates(arguments)), is_draft=arguments.draft)
     for outcome in receipt.outcomes:
         print(f"{outcome.kind} {outcome.reference}: {outcome.status}")
+        print_decisions(outcome.approvals)
     print_head(registry, receipt.head)
-    return 0
+    return int(any(outcome.status == "pending" for outcome in receipt.outcomes))
 
 
 def _candidates(arguments: argparse.Namespace) -> "Iterator[Candidate]":

@@ -3,15 +3,19 @@
 import argparse
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING
 
 from sigcat.cli.output import make_folder, write_bytes, write_lines
 from sigcat.cli.output_options import add_output, refuse_overwriting
-from sigcat.cli.project_options import add_project_options
+from sigcat.cli.registry_approvals import add_approvals
 from sigcat.cli.registry_options import (
+    KINDS,
+    Actions,
+    add_action,
     add_report,
+    add_version,
+    done,
     needing_extra,
-    print_head,
     print_more,
     print_report,
     read_registry,
@@ -22,13 +26,9 @@ from sigcat.limits import REGISTRY_ROWS
 from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from sigcat.registry.reference import State
-    from sigcat.registry.storing.ledger import Registry
 
-Actions: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"  # noqa: SLF001 — argparse has no public name
-_KINDS, _RULES = ("function", "overlay", "catalogue"), ("backward", "full", "none")
+_RULES = ("backward", "full", "approval", "none")
 
 
 def add_parser(commands: Actions) -> None:
@@ -37,47 +37,36 @@ def add_parser(commands: Actions) -> None:
     actions = parser.add_subparsers(title="actions", metavar="ACTION")
     _add_reading(actions)
     _add_states(actions)
+    add_approvals(actions)
     _add_lines(actions)
     _add_transfer(actions)
 
 
-def _add(actions: Actions, name: str, text: str, run: "Callable[[argparse.Namespace], int]") -> argparse.ArgumentParser:
-    parser = actions.add_parser(name, help=text, description=f"{text[:1].upper()}{text[1:]}.")
-    add_project_options(parser)
-    parser.set_defaults(run=run)
-    return parser
-
-
 def _add_reading(actions: Actions) -> None:
-    listing = _add(actions, "list", "list versions with their states, owners and vehicle lines", list_versions)
-    listing.add_argument("--kind", choices=_KINDS, help="only this kind")
+    listing = add_action(actions, "list", "list versions with their states, owners and vehicle lines", list_versions)
+    listing.add_argument("--kind", choices=KINDS, help="only this kind")
     listing.add_argument("--line", metavar="LINE", help="only what vehicles of this line run")
-    showing = _add(actions, "show", "print the published bytes of a version", show)
-    _add_version(showing)
+    showing = add_action(actions, "show", "print the published bytes of a version", show)
+    add_version(showing)
     showing.add_argument("--resolved", action="store_true", help="print its Function JSON, or its nodes")
     add_output(showing, "-o", "--output", metavar="FILE", help="write here instead of to standard output")
-    verifying = _add(actions, "verify", "check the log, its signatures and all content", verify)
+    verifying = add_action(actions, "verify", "check the log, its signatures and all content", verify)
     verifying.add_argument("--public-key", type=Path, metavar="FILE", help="Ed25519 key (default: that of the project)")
     verifying.add_argument("--head", metavar="HASH", default="", help="entry that must be in the log")
     add_report(verifying)
 
 
 def _add_states(actions: Actions) -> None:
-    deprecating = _add(actions, "deprecate", "mark a version as deprecated", deprecate)
-    _add_version(deprecating)
+    deprecating = add_action(actions, "deprecate", "mark a version as deprecated", deprecate)
+    add_version(deprecating)
     deprecating.add_argument("--until", metavar="DATE", default="", help="day on which its support may end")
     deprecating.add_argument("--successor", metavar="V", default="", help="version that replaces it")
-    retiring = _add(actions, "retire", "mark a version as retired, which no vehicle runs", retire)
-    _add_version(retiring)
-    ruling = _add(actions, "rule", "set the rule that new versions of a name follow", rule)
+    retiring = add_action(actions, "retire", "mark a version as retired, which no vehicle runs", retire)
+    add_version(retiring)
+    ruling = add_action(actions, "rule", "set the rule that new versions of a name follow", rule)
     ruling.add_argument("name", metavar="NAME", help="published name")
     ruling.add_argument("rule", choices=_RULES, metavar="RULE", help=", ".join(_RULES))
-    ruling.add_argument("--kind", choices=_KINDS, default="function", help="default: %(default)s")
-
-
-def _add_version(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("version", metavar="NAME@V", help="published version")
-    parser.add_argument("--kind", choices=_KINDS, default="function", help="default: %(default)s")
+    ruling.add_argument("--kind", choices=KINDS, default="function", help="default: %(default)s")
 
 
 def _add_lines(actions: Actions) -> None:
@@ -86,18 +75,18 @@ def _add_lines(actions: Actions) -> None:
         ("record-release", "record a version beside those that vehicles of a line keep", "release"),
         ("support-ended", "record that no vehicle of a line runs a version any more", "support ended"),
     ):
-        parser = _add(actions, name, text, record)
+        parser = add_action(actions, name, text, record)
         parser.add_argument("line", metavar="LINE", help="vehicle line")
         parser.add_argument("version", metavar="FUNC@V", help="published version of a function")
         parser.set_defaults(action=action)
 
 
 def _add_transfer(actions: Actions) -> None:
-    exporting = _add(actions, "export", "write everything as lines of JSON", export)
+    exporting = add_action(actions, "export", "write everything as lines of JSON", export)
     add_output(exporting, "-o", "--output", metavar="FILE", help="write here instead of to standard output")
-    importing = _add(actions, "import", "read an export into an empty registry", import_file)
+    importing = add_action(actions, "import", "read an export into an empty registry", import_file)
     importing.add_argument("file", type=Path, metavar="FILE", help="export")
-    making = _add(actions, "new-key", "make a key that signs the log", new_key)
+    making = add_action(actions, "new-key", "make a key that signs the log", new_key)
     making.add_argument(
         "file", type=Path, metavar="FILE", help="file of the private key; the public one ends with .pub"
     )
@@ -167,7 +156,7 @@ def _set_state(arguments: argparse.Namespace, state: "State", until: str = "", s
 
     reference = reference_of(arguments.version)
     head = set_state(registry, arguments.kind, reference, state, until, successor)
-    return _done(registry, f"{arguments.kind} {reference}: {state}", head)
+    return done(registry, f"{arguments.kind} {reference}: {state}", head)
 
 
 def rule(arguments: argparse.Namespace) -> int:
@@ -176,7 +165,7 @@ def rule(arguments: argparse.Namespace) -> int:
     from sigcat.registry.lines import set_rule
 
     head = set_rule(registry, arguments.kind, arguments.name, arguments.rule)
-    return _done(registry, f"{arguments.kind} {arguments.name}: rule {arguments.rule}", head)
+    return done(registry, f"{arguments.kind} {arguments.name}: rule {arguments.rule}", head)
 
 
 def record(arguments: argparse.Namespace) -> int:
@@ -187,7 +176,7 @@ def record(arguments: argparse.Namespace) -> int:
 
     reference = reference_of(arguments.version)
     head = record_change(registry, arguments.action, arguments.line, reference)
-    return _done(registry, f"line {arguments.line}: {arguments.action} of {reference}", head)
+    return done(registry, f"line {arguments.line}: {arguments.action} of {reference}", head)
 
 
 def export(arguments: argparse.Namespace) -> int:
@@ -208,7 +197,7 @@ def import_file(arguments: argparse.Namespace) -> int:
 
     with existing_file(arguments.file).open("rb") as lines:
         head = import_lines(registry.database, lines, str(arguments.file))
-    return _done(registry, f"{arguments.file}: imported", head)
+    return done(registry, f"{arguments.file}: imported", head)
 
 
 def new_key(arguments: argparse.Namespace) -> int:
@@ -225,10 +214,4 @@ def new_key(arguments: argparse.Namespace) -> int:
     write_bytes(private_text, arguments.file)
     write_bytes(public_text, public)
     print(f"{public}: pass it to everyone that verifies the log", file=sys.stderr)
-    return 0
-
-
-def _done(registry: "Registry", text: str, head: str) -> int:
-    print(printable(text))
-    print_head(registry, head)
     return 0

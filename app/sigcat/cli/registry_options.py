@@ -5,23 +5,26 @@ import sys
 from contextlib import contextmanager
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 from sigcat.cli.output import write_text
 from sigcat.cli.output_options import FORMATS, add_output
-from sigcat.cli.project_options import project_of
+from sigcat.cli.project_options import add_project_options, project_of
 from sigcat.errors import UsageError
 from sigcat.limits import REGISTRY_ROWS
 from sigcat.project.project import ServerUrl
+from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Callable, Iterator, Sequence
 
     from sigcat.findings import Finding
     from sigcat.project.project import Project, RegistrySettings
     from sigcat.registry.storing.database import Snapshot
     from sigcat.registry.storing.ledger import Registry
 
+Actions: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"  # noqa: SLF001 — argparse has no public name
+KINDS = ("function", "overlay", "catalogue")
 _HOW_TO = 'the project has no registry: add a table [registry] with `database = "registry.db"` to sigcat.toml'
 
 
@@ -83,6 +86,29 @@ def read_registry(arguments: argparse.Namespace) -> "Iterator[Snapshot]":
                 f"nothing is published in {registry.database}: run `sigcat publish` or `sigcat registry import`"
             )
         yield connection
+
+
+def add_action(
+    actions: Actions, name: str, text: str, run: "Callable[[argparse.Namespace], int]"
+) -> argparse.ArgumentParser:
+    """Add an action of `sigcat registry`, and return its parser."""
+    parser = actions.add_parser(name, help=text, description=f"{text[:1].upper()}{text[1:]}.")
+    add_project_options(parser)
+    parser.set_defaults(run=run)
+    return parser
+
+
+def add_version(parser: argparse.ArgumentParser) -> None:
+    """Add the argument that names a version."""
+    parser.add_argument("version", metavar="NAME@V", help="published version")
+    parser.add_argument("--kind", choices=KINDS, default="function", help="default: %(default)s")
+
+
+def done(registry: "Registry", text: str, head: str) -> int:
+    """Print what was changed."""
+    print(printable(text))
+    print_head(registry, head)
+    return 0
 
 
 def add_report(parser: argparse.ArgumentParser) -> None:

@@ -23,18 +23,26 @@ from sigcat.registry.use import RELIED_ON, Use, from_row
 _ABOUT = {"breaking": codes.BREAKS_A_PUBLISHED_FUNCTION, "risky": codes.MAY_BREAK_A_PUBLISHED_FUNCTION}
 
 
+class BrokenUse(NamedTuple):
+    """A published function that a change of a catalogue breaks, or may break."""
+
+    side: Side
+    finding: Finding
+
+
 def broken_by_catalogue(connection: Connection, catalogue: Catalogue, file: str) -> tuple[Finding, ...]:
     """Findings about published functions that rely on what a catalogue no longer has, or has otherwise."""
+    return tuple(dict.fromkeys(each.finding for each in broken_uses(connection, catalogue, file)))
+
+
+def broken_uses(connection: Connection, catalogue: Catalogue, file: str) -> Iterator[BrokenUse]:
+    """Yield the published functions that a catalogue breaks, with the finding about each use."""
     changes = _changes(connection, catalogue)
     users = _users(connection, sorted({path for path, _ in changes}))
     known = published_by_id(connection, users)
     lines = lines_by_version(connection, known)
-    found = (
-        finding
-        for version, published in known.items()
-        for finding in _broken_uses(published, users[version], changes, catalogue, lines.get(version, ()), file)
-    )
-    return tuple(dict.fromkeys(found))
+    for version, published in known.items():
+        yield from _broken_uses(published, users[version], changes, catalogue, lines.get(version, ()), file)
 
 
 _Changes = Mapping[tuple[str, str], tuple[UseChange, ...]]
@@ -91,12 +99,12 @@ def _broken_uses(
     catalogue: Catalogue,
     lines: Sequence[str],
     file: str,
-) -> Iterator[Finding]:
+) -> Iterator[BrokenUse]:
     calls = _calls(uses)
     for path, use in {use.path: use for use in uses}.items():
         for change in _for_role(use, changes.get((path, use.relied), ())):
             side = Side(published.name, published.version, published.owner, calls[path])
-            yield _finding(change, side, lines, _place(change, catalogue, file), use.via)
+            yield BrokenUse(side, _finding(change, side, lines, _place(change, catalogue, file), use.via))
 
 
 _OF_PROVIDERS: Mapping[str, Class] = {

@@ -17,7 +17,7 @@ from sigcat.findings import has_errors
 from sigcat.function.function_file import CheckedFunction
 from sigcat.function.function_json.model import FunctionJson, to_json
 from sigcat.function.sets.check_set import read_set
-from sigcat.registry.publish import Candidate
+from sigcat.registry.candidate import Candidate
 from sigcat.registry.reference import refused
 from sigcat.registry.use import Use, uses_of
 from sigcat.registry.use import to_json as uses_json
@@ -82,10 +82,8 @@ def overlay_candidate(
     if has_errors(trial.findings):
         raise InputRefused("the overlay has errors; nothing was changed in the registry", trial.findings)
     nodes = {node.path: _values(node) for node in trial.nodes}
-    content, resolved = file.read_bytes(), _nodes_json(nodes)
-    return Candidate(
-        "overlay", file.stem, version, owner, content, resolved, b"", str(file), all_nodes(trial.catalogue)
-    )
+    content, resolved, after = file.read_bytes(), _nodes_json(nodes), trial.catalogue
+    return Candidate("overlay", file.stem, version, owner, content, resolved, b"", str(file), all_nodes(after), after)
 
 
 def catalogue_candidate(catalogue: Catalogue, version: str, owner: str = "") -> Candidate:
@@ -94,7 +92,8 @@ def catalogue_candidate(catalogue: Catalogue, version: str, owner: str = "") -> 
     paths = [Path(file.name) for file in catalogue.files]
     files = {_name_of(path, paths[0].parent): path.read_bytes().decode("utf-8") for path in paths}
     content = json.dumps({"files": files}, ensure_ascii=False, indent=1).encode()
-    return Candidate("catalogue", catalogue.name, version, owner, content, _nodes_json(nodes), b"", "", nodes)
+    resolved = _nodes_json(nodes)
+    return Candidate("catalogue", catalogue.name, version, owner, content, resolved, b"", "", nodes, catalogue)
 
 
 def _name_of(file: Path, folder: Path) -> str:

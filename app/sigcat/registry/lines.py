@@ -8,7 +8,7 @@ from sqlalchemy import Connection
 from sigcat import codes
 from sigcat.registry.deploying import deployable
 from sigcat.registry.published import names_of, running, version_named
-from sigcat.registry.reference import Kind, Reference, Rule, State, name_problem, refused, unknown
+from sigcat.registry.reference import CHANGEABLE, Kind, Reference, Rule, State, name_problem, refused, unknown
 from sigcat.registry.storing.entry import Action
 from sigcat.registry.storing.ledger import Registry, head, ledger_of
 
@@ -38,8 +38,8 @@ def set_state(
     _check_date(until)
     with ledger_of(registry) as ledger:
         published = version_named(ledger.connection, kind, reference)
-        if published.state == "draft":
-            message = f"{reference} is a draft, and no function relies on it."
+        if published.state in CHANGEABLE:
+            message = f"{reference} is {published.state}, and no function relies on it."
             raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message, path=reference.name, fix="Publish it first."))
         if published.state == "retired":
             message = f"{reference} is retired, and stays so."

@@ -10,6 +10,7 @@ from sigcat.function.document.read_json import read_json
 from sigcat.function.exchange import exchange_of, parts_of
 from sigcat.function.function_file import CheckedFunction
 from sigcat.function.function_json.reading import read_function
+from sigcat.registry.candidate import Candidate
 from sigcat.registry.candidates import ReadFunction
 from sigcat.registry.published import Published
 from sigcat.registry.reference import Reference
@@ -76,14 +77,24 @@ class Member:
 def published_member(connection: Connection, published: Published) -> Member:
     """The function of a published version."""
     uses = from_json(content_of(connection, published.uses))
-    load = partial(_read, connection, published)
+    load = partial(_read_published, connection, published)
     return Member(published.name, published.version, published.owner, uses, load)
 
 
-def _read(connection: Connection, published: Published) -> CheckedFunction:
-    document = read_json(content_of(connection, published.resolved), str(published.reference))
-    resolved, findings = read_function(document)
-    return CheckedFunction(document, resolved, findings)
+def _read_published(connection: Connection, published: Published) -> CheckedFunction:
+    return _read(content_of(connection, published.resolved), published.reference)
+
+
+def _read(resolved: bytes, reference: Reference) -> CheckedFunction:
+    document = read_json(resolved, str(reference))
+    function, findings = read_function(document)
+    return CheckedFunction(document, function, findings)
+
+
+def candidate_member(candidate: Candidate) -> Member:
+    """The function of a candidate."""
+    load = partial(_read, candidate.resolved, candidate.reference)
+    return Member(candidate.name, candidate.version, candidate.owner, from_json(candidate.uses), load)
 
 
 def file_member(read: ReadFunction) -> Member:

@@ -10,40 +10,19 @@ from sigcat import codes
 from sigcat.catalogue.comparing.changelog import next_version, part_of
 from sigcat.catalogue.comparing.changes import CLASSES
 from sigcat.findings import Finding
-from sigcat.registry.changes import Nodes, UseChange, function_changes, node_changes
-from sigcat.registry.published import PUBLISHED, Published
-from sigcat.registry.reference import DEPLOYABLE, Kind, Reference, name_problem, refused
+from sigcat.registry.affected import Affected, affected_owners
+from sigcat.registry.approvals import Approval, approvals_of, approving
+from sigcat.registry.candidate import Candidate
+from sigcat.registry.changes import UseChange, function_changes, node_changes
+from sigcat.registry.published import PUBLISHED, Published, version_named
+from sigcat.registry.reference import CHANGEABLE, DEPLOYABLE, Kind, Reference, name_problem, refused
 from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.ledger import Ledger, Registry, head, ledger_of
 from sigcat.registry.storing.tables import NAMES, VERSIONS
 from sigcat.registry.use import from_json
 from sigcat.registry.version import RELEASED, is_enough, raised_part, version_of
 
-Status = Literal["published", "draft", "unchanged"]
-_NO_NODES: Nodes = {}
-
-
-class Candidate(NamedTuple):
-    """A version to publish, resolved and checked."""
-
-    kind: Kind
-    name: str
-    version: str
-    owner: str
-    content: bytes
-    """The bytes of the file."""
-    resolved: bytes
-    """Function JSON; of an overlay and a catalogue, its nodes as JSON."""
-    uses: bytes
-    """Uses of a function, as JSON; of all else empty."""
-    file: str = ""
-    nodes: Nodes = _NO_NODES
-    """All nodes of the catalogue with an overlay, to compare earlier versions with."""
-
-    @property
-    def reference(self) -> Reference:
-        """The version as commands name it."""
-        return Reference(self.name, self.version)
+Status = Literal["published", "draft", "pending", "unchanged"]
 
 
 class Outcome(NamedTuple):
@@ -52,6 +31,8 @@ class Outcome(NamedTuple):
     kind: Kind
     reference: Reference
     status: Status
+    approvals: tuple[Approval, ...] = ()
+    """Decisions that a pending version waits for, and those that owners have made."""
 
 
 class Receipt(NamedTuple):
@@ -73,7 +54,7 @@ def publish(registry: Registry, candidates: Sequence[Candidate], *, is_draft: bo
             problems = list(_problems(ledger.connection, each, known, is_draft=is_draft))
             findings += problems
             if not problems:
-                outcomes.append(_publish(ledger, each, known, is_draft=is_draft))
+                outcomes.append(_publish(ledger, each, known, candidates, is_draft=is_draft))
         if findings:
             raise refused(*findings)
         last = head(ledger.connection)
@@ -90,25 +71,61 @@ def _malformed(candidate: Candidate) -> Iterator[Finding]:
         yield codes.VERSION_NOT_SEMANTIC.finding(message, candidate.file, fix=fix)
 
 
-def _publish(ledger: Ledger, candidate: Candidate, known: Published | None, *, is_draft: bool) -> Outcome:
-    state: Status = "draft" if is_draft else "published"
+def _publish(
+    ledger: Ledger, candidate: Candidate, known: Published | None, together: Sequence[Candidate], *, is_draft: bool
+) -> Outcome:
     data = {
-        "kind": candidate.kind, "name": candidate.name, "version": candidate.version, "state": state,
+        "kind": candidate.kind, "name": candidate.name, "version": candidate.version,
         "owner": candidate.owner, "content": ledger.put(candidate.content), "resolved": ledger.put(candidate.resolved),
         "uses": ledger.put(candidate.uses),
     }  # fmt: skip
     is_same = known is not None and (known.content, known.uses) == (data["content"], data["uses"])
-    if known is not None and is_same and (known.state != "draft" or is_draft):
+    if known is not None and is_same and (known.state not in CHANGEABLE or (known.state == "draft" and is_draft)):
         return Outcome(candidate.kind, known.reference, "unchanged")
-    ledger.append("publish", data)
-    return Outcome(candidate.kind, candidate.reference, state)
+    affected = {} if is_draft else _asked_owners(ledger.connection, candidate, together)
+    if affected.keys() <= _approving(ledger.connection, known, data):
+        state: Status = "draft" if is_draft else "published"
+        ledger.append("publish", {**data, "state": state})
+        return Outcome(candidate.kind, candidate.reference, state)
+    return _ask(ledger, candidate, data, affected, known if is_same else None)
+
+
+def _approving(connection: Connection, known: Published | None, data: Mapping[str, str]) -> frozenset[str]:
+    return frozenset() if known is None else approving(connection, known.id, data["content"], data["uses"])
+
+
+def _asked_owners(connection: Connection, candidate: Candidate, together: Sequence[Candidate]) -> Affected:
+    """Owners that the rule `approval` asks: a new major version breaks nobody that keeps the one before it."""
+    base, version = _baseline(connection, candidate), version_of(candidate.version)
+    assert version is not None
+    rule = connection.execute(_RULE, {"of_kind": candidate.kind, "of_folded": candidate.name.casefold()}).scalar()
+    is_new_major = base is not None and raised_part(base.precedence, version) == "major"
+    if rule != "approval" or is_new_major:
+        return {}
+    return affected_owners(connection, candidate, together, base.owner if base else candidate.owner)
+
+
+def _ask(
+    ledger: Ledger, candidate: Candidate, data: Mapping[str, str], affected: Affected, known: Published | None
+) -> Outcome:
+    """Store a version as pending, unless the same content asks the same owners already."""
+    asked = {owner: ", ".join(functions) for owner, functions in affected.items()}
+    is_asked = known is not None and known.state == "pending" and asked == _asked(ledger.connection, known)
+    if not is_asked:
+        ledger.append("publish", {**data, "state": "pending", "broken": affected})
+    stored = version_named(ledger.connection, candidate.kind, candidate.reference)
+    return Outcome(candidate.kind, stored.reference, "pending", approvals_of(ledger.connection, stored))
+
+
+def _asked(connection: Connection, version: Published) -> Mapping[str, str]:
+    return {each.owner: each.functions for each in approvals_of(connection, version)}
 
 
 def _problems(
     connection: Connection, candidate: Candidate, known: Published | None, *, is_draft: bool
 ) -> Iterator[Finding]:
     yield from _other_spelling(connection, candidate)
-    if known is not None and known.state != "draft":
+    if known is not None and known.state not in CHANGEABLE:
         yield from _taken(connection, candidate, known)
     elif not is_draft:
         yield from _too_low(connection, candidate)
@@ -144,6 +161,7 @@ def _key(candidate: Candidate) -> Mapping[str, str]:
 _OF_NAME = PUBLISHED.where(
     NAMES.c.kind == bindparam("of_kind"), NAMES.c.folded == bindparam("of_folded"), NAMES.c.name == bindparam("of_name")
 )
+_RULE = select(NAMES.c.rule).where(NAMES.c.kind == bindparam("of_kind"), NAMES.c.folded == bindparam("of_folded"))
 _OF_RELEASE = _OF_NAME.where(VERSIONS.c.release == bindparam("is_release"))
 _RELEASES_BEFORE = (
     _OF_NAME.where(VERSIONS.c.state.in_(sorted(DEPLOYABLE)), VERSIONS.c.precedence < bindparam("before"))
@@ -176,6 +194,8 @@ def _too_low(connection: Connection, candidate: Candidate) -> Iterator[Finding]:
         yield codes.VERSION_TOO_LOW.finding(message, candidate.file, path=candidate.name, fix=fix)
         return
     needed = part_of(classes)
+    if base.rule == "approval" and needed == "major":
+        return  # the owners of functions that break decide
     if not is_enough(raised_part(base.precedence, version), needed):
         message = f"The {needed} part of the version must rise from {base.version}. {_worst(changes)}."
         least = next_version(base.precedence.release, needed)

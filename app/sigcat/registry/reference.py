@@ -11,11 +11,13 @@ from sigcat.names import did_you_mean
 
 Kind = Literal["function", "overlay", "catalogue", "line"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
-State = Literal["draft", "published", "deprecated", "retired"]
+State = Literal["draft", "pending", "published", "deprecated", "retired"]
 STATES: tuple[State, ...] = get_args(State)
-Rule = Literal["backward", "full", "none"]
+Rule = Literal["backward", "full", "approval", "none"]
 RULES: tuple[Rule, ...] = get_args(Rule)
 DEPLOYABLE: frozenset[State] = frozenset(("published", "deprecated"))
+CHANGEABLE: frozenset[State] = frozenset(("draft", "pending"))
+"""States in which a version may get other content."""
 
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,99}", re.ASCII)
 

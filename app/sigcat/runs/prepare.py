@@ -13,6 +13,7 @@ from sigcat.errors import InputRefused
 from sigcat.findings import Finding, in_order
 from sigcat.function.code_files import missing_files
 from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.function.function_json.walk import absent
 from sigcat.runs.recording.trace_file import Known
 
 
@@ -34,7 +35,10 @@ class Prepared(NamedTuple):
         connections = self.connections
         durations = {call.interface: SECONDS for call in self.numbers.calls if call}
         names = [each.names for each in connections.entries] + [each.names for each in connections.exits]
-        others = {*paths, *(name for each in names for name in each)}
+        lacking = (
+            each.vss_path or each.name for one in connections.members for _, _, each in absent(one.function.function)
+        )
+        others = {*paths, *lacking, *(name for each in names for name in each)}
         return Known({**durations, **connections.received}, others, inputs=connections.inputs)
 
     @property

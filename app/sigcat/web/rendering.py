@@ -37,7 +37,7 @@ CATEGORY_WORDS = {
 CHAPTER_OF = {
     "tree": "reference/interfaces.md", "functions": "reference/functions.md",
     "basket": "how-to/work-in-the-browser.md", "compare": "how-to/work-in-the-browser.md", "history": "how-to/work-in-the-browser.md", "propose": "how-to/work-in-the-browser.md", "changes": "reference/compatibility.md", "vehicles": "how-to/vehicles.md", "try": "how-to/own-catalogue-and-rules.md", "rules": "reference/linting.md",
-    "units": "how-to/define-a-unit.md", "docs": "reference/api.md", "catalogue": "how-to/own-catalogue-and-rules.md",
+    "units": "how-to/define-a-unit.md", "docs": "reference/api.md", "registry": "how-to/registry.md", "catalogue": "how-to/own-catalogue-and-rules.md",
 }  # fmt: skip
 """The chapter of the documentation about a page; the index where there is none."""
 
@@ -89,6 +89,7 @@ def page_for(visit: Visit, template: str, status: int = 200, **context: Any) -> 
         title_of=partial(title_in, visit.library),
         address=visit.path,
         request_method=visit.method,
+        has_registry=visit.has_registry,
         is_composed_with_errors=_is_composed_with_errors(context["hosted"]),
         **context,
     )

@@ -30,6 +30,7 @@ from sigcat.web.pages import (
     function_pages,
     node_pages,
     proposal_pages,
+    registry_pages,
     rule_pages,
     set_pages,
     start_page,
@@ -51,6 +52,7 @@ _PAGES = (
     node_pages,
     basket_pages,
     proposal_pages,
+    registry_pages,
     catalogue_pages,
     rule_pages,
     api_reference,
@@ -74,10 +76,13 @@ def create_site(
         change_pages.__name__,
         node_pages.__name__,
         proposal_pages.__name__,
+        registry_pages.__name__,
         basket_pages.__name__,
         set_pages.__name__,
         try_pages.__name__,
     ]
+    if registry is not None:
+        app.state.modules_of_work.append(registry_pages.VIEWS)
     app.state.rehearsals = partial(_rehearsals, app, library, settings)
     for module in _PAGES:
         app.include_router(module.router, include_in_schema=False, dependencies=[Depends(refuse_unknown)])

@@ -27,6 +27,8 @@ class Visit(NamedTuple):
     names: Mapping[str, Any]
     """Values of the names in the path."""
     query: tuple[tuple[str, str], ...]
+    has_registry: bool
+    """Whether the service hosts a registry."""
 
     @property
     def wants_part(self) -> bool:
@@ -54,6 +56,7 @@ def visit_of(request: Request) -> Visit:
         getattr(request.scope.get("route"), "path", ""),
         request.path_params,
         tuple(request.query_params.multi_items()),
+        request.app.state.registry is not None,
     )
 
 

@@ -17,6 +17,7 @@ from tests.adapter.written import (
     U32,
     U64,
     Json,
+    absent,
     call,
     error,
     function,
@@ -201,6 +202,50 @@ def rejections() -> FunctionJson:
     )
 
 
+def optional() -> FunctionJson:
+    """Optional signals that the vehicle has, and those that it does not have."""
+    return function(
+        step(
+            signal("There", Optional=True, AbsentError="E0", Min=0, Max=5, RangeError="E0"),
+            absent(signal("Plain", InitValue=7, AbsentError="E1")),
+            absent(signal("Scaled", U8, Default=3, Factor="0.5", VssDatatype="float", Access="Immediate")),
+            absent(
+                signal(
+                    "Watched",
+                    FLOAT,
+                    InitValue=2,
+                    Min=5,
+                    Max=9,
+                    **DEFAULT,
+                    RangeError="E2",
+                    Timeout="20",
+                    TimeoutError="E2",
+                )
+            ),
+            absent(signal("Gear", "DT_Gear", InitValue=5)),
+            absent(signal("Floats", "DT_Floats", InitElements="[1, 2.5, 3]")),
+            absent(signal("Point", "DT_Point", InitElements='{"x": 0.5, "y": 7}')),
+            absent(queue("Row", 3, U8, ValuesPerStep=2, CountVariable="row_n", InitValue=4, OverflowError="E2")),
+            absent(signal("Heal", U8, InitValue=1)),
+            absent(signal("Never", U8)),
+            absent(output("Out", Min=0, Max=1, RangeError="E2")),
+            error("E0", StatusVariable="e0_sts"),
+            error("E1", StatusVariable="e1_sts", MaturationTime=20),
+            error("E2"),
+            error("Heals", Variable="heals", Reset="Heal", ResetTime=10),
+            error("Stays", Variable="stays", Reset="Never"),
+            reaction("Any", "E1"),
+        ),
+        step(absent(signal("Plain", Variable="second_plain", InitValue=8)), output("Given"), name="Second", cycle=25),
+        on_event(absent(signal("Trigger", U8)), signal("Other", U8), name="Event", EventList="Trigger"),
+        on_event(absent(signal("Merged", U8)), signal("Some", U8), name="Merge"),
+        active={"ON": ["Step", "Second", "Event", "Merge"], "OFF": ["Second"]},
+        modes=(mode_interface("In", "ON", "OFF"),),
+        datatypes=DATATYPES,
+        **GLOBALS,
+    )
+
+
 def errors() -> FunctionJson:
     """States of errors, with every cause."""
     return function(
@@ -339,5 +384,17 @@ def classes() -> FunctionJson:
 
 FIXED: dict[str, Callable[[], FunctionJson]] = {
     made.__name__: made
-    for made in (conversions, ranges, queues, time_outs, rejections, errors, schedules, supervision, life, classes)
+    for made in (
+        conversions,
+        ranges,
+        queues,
+        time_outs,
+        rejections,
+        optional,
+        errors,
+        schedules,
+        supervision,
+        life,
+        classes,
+    )
 }

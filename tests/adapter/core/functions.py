@@ -22,6 +22,7 @@ from tests.adapter.written import (
     U32,
     U64,
     Json,
+    absent,
     array,
     call,
     enumeration,
@@ -189,6 +190,7 @@ def _contents(choice: Choice, name: str, errors: tuple[str, ...]) -> list[Json]:
     letter = name[0]
     found = [_input(choice, f"{letter}In{number}", errors) for number in range(choice.count(0, 3))]
     found += [_queue(choice, f"{letter}Queue{number}", errors) for number in range(choice.count(0, 1))]
+    found = [_maybe_absent(choice, item, errors) for item in found]
     found += [_output(choice, f"{letter}Out{number}", errors) for number in range(choice.count(0, 2))]
     found += [_output_queue(choice, f"{letter}Given{number}", errors) for number in range(choice.count(0, 1))]
     found += [_parameter(choice, f"{letter}Par{number}", errors) for number in range(choice.count(0, 2))]
@@ -298,6 +300,12 @@ def _time_out(choice: Choice, errors: tuple[str, ...]) -> Json:
 
 def _rejected(choice: Choice, errors: tuple[str, ...]) -> Json:
     return choice.maybe(E2eError=lambda: choice.one(*errors)) if errors else {}
+
+
+def _maybe_absent(choice: Choice, item: Json, errors: tuple[str, ...]) -> Json:
+    """The same, often optional, and sometimes absent."""
+    item |= choice.maybe(AbsentError=lambda: choice.one(*errors)) if errors else {}
+    return absent(item) if choice.count(0, 4) == 4 else item
 
 
 def _input(choice: Choice, name: str, errors: tuple[str, ...]) -> Json:

@@ -93,6 +93,23 @@ MUTANTS = [
         ("the time of a rejection is forgotten", r"(_Reject_\w+\(.*\n\{\n).*_Now\(self, t\);", r"\1    (void)t;"),
     ),
     *_m(
+        "optional",
+        ("an absent signal is 0", r"(\n    plain = )7\.0F;", r"\g<1>0.0F;"),
+        (
+            "an absent signal keeps what the code wrote",
+            r"(SetInput_Step\(.*\n\{(?:\n.*)*?)\n    plain = 7\.0F;[^\n]*",
+            r"\1",
+        ),
+        ("the absence is not reported", r"(E1\(.*\n\{\n.*= )F_ADAPTER_PRESENT", r"\1F_ADAPTER_ABSENT"),
+        (
+            "a signal that is there is reported as absent",
+            r"(E0\(.*\n\{(?:\n.*)*?)F_ADAPTER_ABSENT",
+            r"\1F_ADAPTER_PRESENT",
+        ),
+        ("an absent queue has a value", r"row_n = 0;", "row_n = 1;"),
+        ("an absent signal resets nothing", r"Heal\.is_set = [^\n]*;", "Heal.is_set = false;"),
+    ),
+    *_m(
         "conversions",
         ("ties go up", r"\(rest == 0\.5\) && is_odd", "rest == 0.5"),
         ("ties are cut off", r" \|\| \(\(rest == 0\.5\) && is_odd\)", ""),

@@ -247,7 +247,7 @@ def _variable(reading: _Reading, variable: str, reference: str, count: int) -> I
 
 def _named_variables(reading: _Reading) -> Iterator[tuple[str | None, str, int]]:
     """Expressions, datatypes, and the number of values that they have room for; 0 if they are not arrays."""
-    for item in reading.data:
+    for item in (*reading.data, *(item for _, _, item in walk.absent(reading.document))):
         yield item.variable, item.datatype, _places(item)
         if isinstance(item, DataQueue):
             yield item.count_variable, COUNT, 0

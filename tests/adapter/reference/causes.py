@@ -45,6 +45,7 @@ def _causes_of_input(state: InputState, call: str) -> Iterator[Cause]:
     yield Cause(state.input.time_out_error, lambda: state.is_late, call)
     yield Cause(state.input.range_error, lambda: state.is_outside, call, is_late=state.input.is_immediate)
     yield Cause(state.input.e2e_error, lambda: state.is_rejected, call)
+    yield Cause(state.input.absent_error, lambda: state.input.port == "", call)
     if state.input.queue:
         yield Cause(state.input.queue.overflow_error, lambda: state.overflow, call)
 

@@ -24,11 +24,13 @@ from sigcat.api.settings import Settings
 from sigcat.web.site import create_site
 from tests.api.conftest import SOURCES
 from tests.web.fleet import FLEET
+from tests.web.published import published
 big = Source("big", "100,000 signals", Path(sys.argv[1]))
 rows = Source("rows", "Doors in rows", Path(sys.argv[1]).parent / "rows.vspec")
 lost = Source("lost", "A tree that is not there", Path(sys.argv[1]).parent / "lost.vspec")
 settings = Settings(port=0, log="none")
-run(create_site(Library([*SOURCES, big, rows, lost, FLEET, *shipped_sources()]), settings), settings)
+library = Library([*SOURCES, big, rows, lost, FLEET, *shipped_sources()])
+run(create_site(library, settings, registry=published(Path(sys.argv[1]).parent)), settings)
 """
 
 

@@ -101,7 +101,7 @@ def _status(
     steps = [call for call, each in zip(calls, listed, strict=True) if each.is_step]
     declared, reacting = status_items(listed)
     taken = {output.named.name for step in steps for output in step.outputs} | {"Mode_In", "Mode_Out"}
-    taken |= {item.port for call in calls for item in call.inputs}
+    taken |= {item.port for call in calls for item in call.inputs if not item.is_absent}
     own = short_names(declared, context.name, "_ErrorSts", taken)
     names = short_names(reacting, context.name, "_SftyCondSts", taken)
     causes = causes_of(steps, calls, mode, values)

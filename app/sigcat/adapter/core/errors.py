@@ -87,7 +87,8 @@ def _of_input(call: str, item: Input) -> Iterator[tuple[str | None, Cause]]:
     yield item.time_out_error, Cause(f"{place}.clock.verdict", call, is_late=False)
     yield item.range_error, Cause(f"{place}.range", call, is_late=item.is_immediate)
     yield item.e2e_error, Cause(f"{place}.e2e", call, is_late=False)
-    if item.queue:
+    yield item.absent_error, Cause("", call, is_late=False, verdict="PRESENT" if item.is_absent else "ABSENT")
+    if item.queue and not item.is_absent:
         yield item.queue.overflow_error, Cause(f"{place}.overflow", call, is_late=False)
 
 

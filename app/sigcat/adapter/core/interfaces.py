@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 
 from sigcat import codes
 from sigcat.adapter.core.identifiers import identifier, unique
-from sigcat.adapter.core.plan import Call, Input, Named, Output, Port, Queue, TimeOut
+from sigcat.adapter.core.plan import Call, Element, Input, Named, Output, Port, Queue, TimeOut
 from sigcat.adapter.core.planning import Context, expression, nanoseconds
 from sigcat.adapter.core.values import value_of
 from sigcat.function.document.document import Pointer
@@ -26,6 +26,16 @@ def data_of(call: Runnable, at: Pointer) -> list[tuple[Pointer, Data]]:
     return found
 
 
+def absent_in(call: Runnable, at: Pointer) -> list[tuple[Pointer, Data]]:
+    """Optional signals and queues of a call that the vehicle does not have, with their pointers."""
+    found: list[tuple[Pointer, Data]] = []
+    for index, contract in enumerate(call.contracts or ()):
+        base = (*at, "funcContractList", index)
+        found += [((*base, "AbsentSignalList", n), item) for n, item in enumerate(contract.absent_signals or ())]
+        found += [((*base, "AbsentDataQList", n), item) for n, item in enumerate(contract.absent_queues or ())]
+    return found
+
+
 def named(item: Data | ParameterInterface, at: Pointer, taken: Mapping[str, object]) -> Named:
     """A unique name for an interface, beside the existing ones."""
     unit = item.vss_unit or (item.units if item.vss_datatype is None else None)
@@ -42,6 +52,10 @@ def inputs_of(
         if item.role != CONSUMER:
             continue
         made = _input(item, pointer, ports[port_key(item)], found, context)
+        if made is not None:
+            found[made.named.name] = made._replace(is_reset=bool({item.name, item.vss_path} & resets))
+    for pointer, item in absent_in(call, at):
+        made = _absent(item, pointer, found, context) if item.role == CONSUMER else None
         if made is not None:
             found[made.named.name] = made._replace(is_reset=bool({item.name, item.vss_path} & resets))
     return tuple(found.values())
@@ -86,9 +100,32 @@ def _input(item: Data, at: Pointer, port: str, taken: Mapping[str, object], cont
         time_out_error=item.timeout_error if time_out else None,
         range_error=item.range_error,
         e2e_error=item.e2e_error,
+        absent_error=item.absent_error,
         queue=queue,
         names=tuple(filter(None, (item.name, item.vss_path))),
     )
+
+
+def _absent(item: Data, at: Pointer, taken: Mapping[str, object], context: Context) -> Input | None:
+    """An input that no one sends: its variable keeps the start value, and no value is ever checked."""
+    name, variable = named(item, at, taken), _variable(item, at, context)
+    value = value_of(item, at, context, to_code=True)
+    if variable is None or value is None:
+        return None
+    leaves = tuple(leaf._replace(element=_unchecked(leaf.element), replacement=None) for leaf in value.leaves)
+    return Input(
+        named=name,
+        port="",
+        variable=variable,
+        value=value._replace(leaves=leaves),
+        absent_error=item.absent_error,
+        queue=_queue(item, at, context),
+        names=tuple(filter(None, (item.name, item.vss_path))),
+    )
+
+
+def _unchecked(element: Element) -> Element:
+    return Element(element.target, element.target, coded=element.coded)
 
 
 def _variable(item: Data, at: Pointer, context: Context) -> str | None:
@@ -130,6 +167,8 @@ def received(calls: Iterable[Call], steps: frozenset[str]) -> tuple[Port, ...]:
     ports: dict[str, Port] = {}
     for call in calls:
         for each in call.inputs:
+            if each.is_absent:
+                continue
             port = ports.setdefault(each.port, Port(each.port, each.named.comment, each.value.wire, ()))
             if call.name in steps:
                 ports[each.port] = port._replace(consumers=(*port.consumers, (call.name, each)))

@@ -17,7 +17,7 @@ RegistryGroup = TypeAliasType(
 CompatibilityRule = TypeAliasType(
     "CompatibilityRule",
     Annotated[
-        Literal["backward", "full", "none"],
+        Literal["backward", "full", "approval", "none"],
         Field(
             description="What a new version may change: `backward`, anything with the right part of the version; `full`, "
             "nothing that breaks; `none`, anything."
@@ -26,7 +26,9 @@ CompatibilityRule = TypeAliasType(
 )
 Lifecycle = TypeAliasType(
     "Lifecycle",
-    Annotated[Literal["draft", "published", "deprecated", "retired"], Field(description="State of a version.")],
+    Annotated[
+        Literal["draft", "pending", "published", "deprecated", "retired"], Field(description="State of a version.")
+    ],
 )
 Xid = Annotated[str, Field(description="Address below `/api/v1/registry`.")]
 

@@ -291,7 +291,7 @@ def _mark(request: Request, connection: "Snapshot") -> None:
 
 _CAPABILITIES: dict[str, Any] = {
     "available": {name: {"mutable": False} for name in ("capabilities", "entities", "model")},
-    "compatibilities": {"*": ["backward", "full", "none"]},
+    "compatibilities": {"*": ["backward", "full", "approval", "none"]},
     "flags": ["inline"],
     "formats": [],
     "ignores": [],

@@ -15,11 +15,12 @@ from sigcat.function.function_json.data_interfaces import DataQueue, ParameterIn
 from sigcat.function.function_json.datatype import EnumerationValue
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.type_list import listed, symbols_of
-from sigcat.function.function_json.walk import contracts, data, parameters, runnables
+from sigcat.function.function_json.walk import absent, contracts, data, parameters, runnables
 from sigcat.names import did_you_mean
 
 Problems = Iterator[Problem]
 Item = Signal | DataQueue | ParameterInterface
+_AGAIN = "Build the document again, or use the catalogue that it was made with."
 
 
 def check_against(function: FunctionJson, catalogue: Catalogue) -> Problems:
@@ -30,16 +31,22 @@ def check_against(function: FunctionJson, catalogue: Catalogue) -> Problems:
         node = catalogue.get(item.vss_path)
         if node is not None:
             yield from _item(pointer, item, node, catalogue)
-            continue
-        message = f"The catalogue has no signal {item.vss_path!r}."
-        yield Problem(
-            codes.SIGNAL_UNKNOWN,
-            (*pointer, "VssPath"),
-            message,
-            did_you_mean(item.vss_path, catalogue.nodes),
-            Subject("data", item.name),
-        )
+        else:
+            yield _unknown(pointer, item, item.vss_path, catalogue)
+    for pointer, _, one in absent(function):
+        if one.vss_path in catalogue.nodes:
+            message = f"{one.vss_path!r} is absent in the document, and the catalogue has it."
+            subject = Subject("data", one.name)
+            yield Problem(codes.DIFFERS_FROM_CATALOGUE, (*pointer, "VssPath"), message, _AGAIN, subject)
     yield from _interfaces(function, catalogue)
+
+
+def _unknown(pointer: Pointer, item: Item, path: str, catalogue: Catalogue) -> Problem:
+    is_optional = not isinstance(item, ParameterInterface) and item.is_optional
+    rule = codes.OPTIONAL_SIGNAL_ABSENT if is_optional else codes.SIGNAL_UNKNOWN
+    fix = did_you_mean(path, catalogue.nodes) or (_AGAIN if is_optional else "")
+    message = f"The catalogue has no signal {path!r}."
+    return Problem(rule, (*pointer, "VssPath"), message, fix, Subject("data", path if is_optional else item.name))
 
 
 def _item(pointer: Pointer, item: Item, node: Node, catalogue: Catalogue) -> Problems:
@@ -77,8 +84,7 @@ def _stale(pointer: Pointer, key: str, own: Any, known: Any, node: Node) -> Prob
     message = (
         f"`{key}` of {node.path!r} must be {'left out' if known is None else known}, as in the catalogue, not {own}."
     )
-    fix = "Build the document again, or use the catalogue that it was made with."
-    return Problem(codes.DIFFERS_FROM_CATALOGUE, pointer, message, fix, Subject("data", node.path))
+    return Problem(codes.DIFFERS_FROM_CATALOGUE, pointer, message, _AGAIN, Subject("data", node.path))
 
 
 def _values(pointer: Pointer, item: Item, node: Node, catalogue: Catalogue) -> Problems:

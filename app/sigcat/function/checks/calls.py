@@ -11,7 +11,7 @@ from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
-from sigcat.function.function_json.triggers import EVENT_TRIGGERED, consumed_by, events_of
+from sigcat.function.function_json.triggers import EVENT_TRIGGERED, absent_in, consumed_by, events_of
 from sigcat.function.function_json.walk import Located, data, errors, runnables
 from sigcat.names import did_you_mean
 
@@ -56,7 +56,8 @@ def _debounces(function: FunctionJson) -> Problems:
 
 def _events(function: FunctionJson) -> Problems:
     for pointer, _, call in runnables(function):
-        known = [name for item in consumed_by(call) for name in (item.vss_path, item.name) if name]
+        read = (*consumed_by(call), *absent_in(call))
+        known = [name for item in read for name in (item.vss_path, item.name) if name]
         at, subject = (*pointer, "EventList"), Subject("scheduling", call.name, ("runType",))
         for event in events_of(call):
             if event not in known:

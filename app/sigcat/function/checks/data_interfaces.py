@@ -9,10 +9,10 @@ from sigcat.function.function_json.code import DEFAULT_STORAGE
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.role import PROVIDER
+from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
-from sigcat.function.function_json.walk import data, errors, methods, parameters, runnables, safety_reactions
+from sigcat.function.function_json.walk import absent, data, errors, methods, parameters, runnables, safety_reactions
 from sigcat.limits import QUEUE_LENGTH
 from sigcat.names import IDENTIFIER, did_you_mean
 
@@ -29,6 +29,8 @@ def check_data_interfaces(function: FunctionJson, known_errors: Collection[str])
         yield from _late_value(pointer, item)
         if isinstance(item, DataQueue):
             yield from _queue(pointer, item)
+    for pointer, _, item in (*data(function), *absent(function)):
+        yield from _optional(pointer, item)
     yield from _keys(function)
     yield from _identifiers(function)
     yield from _durations(function)
@@ -94,9 +96,31 @@ _REPLACEMENTS = {
 
 def _is_unknown(replacement: str | None, item: Signal | DataQueue) -> bool:
     """Whether the replacement value is missing. That of a text is in the catalogue alone."""
-    known = {"Default": (item.default, item.default_elements), "Init": (item.init_value, item.init_elements)}
-    values = known.get(replacement or "", (0,))
-    return all(value is None for value in values) and not (item.vss_datatype or "").endswith(("string", "string[]"))
+    has_default, has_init = _is_known(item)
+    return not {"Default": has_default, "Init": has_init}.get(replacement or "", True)
+
+
+def _is_known(item: Signal | DataQueue) -> tuple[bool, bool]:
+    """Whether the default and the start value are known. Those of a text are in the catalogue alone."""
+    is_text = (item.vss_datatype or "").endswith(("string", "string[]"))
+    default, init = (item.default, item.default_elements), (item.init_value, item.init_elements)
+    return is_text or default != (None, None), is_text or init != (None, None)
+
+
+# -- optional signals ---------------------------------------------------------------------------------------------
+
+
+def _optional(pointer: Pointer, item: Signal | DataQueue) -> Problems:
+    """Report an optional signal without a start value, and an error for the absence of one that is not optional."""
+    subject = Subject("data", item.vss_path or item.name, ("default",))
+    is_consumed = item.role == CONSUMER
+    if item.is_optional and is_consumed and isinstance(item, Signal) and not any(_is_known(item)):
+        message = f"{item.name!r} must have a start value: it is 0 in a vehicle without the signal."
+        yield Problem(codes.OPTIONAL_WITHOUT_START_VALUE, pointer, message, "Give `init`.", subject)
+    if item.absent_error and not (item.is_optional and is_consumed):
+        message = f"{item.name!r} must be optional and consumed to have `absentError`."
+        fix = "Give `optional: true`, or remove the error."
+        yield Problem(codes.ABSENT_ERROR_WITHOUT_OPTIONAL, (*pointer, "AbsentError"), message, fix, subject)
 
 
 # -- queues and stored values -------------------------------------------------------------------------------------

@@ -8,7 +8,7 @@ from sigcat.catalogue.model.interfaces import category_of, interface_name
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.extension.defined_nodes import DefinedNode, Definitions
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.walk import data, errors, parameters, runnables, safety_reactions
+from sigcat.function.function_json.walk import absent, data, errors, parameters, runnables, safety_reactions
 
 
 def unused_definitions(definitions: Definitions, used: Iterable[str]) -> Iterator[Problem]:
@@ -35,7 +35,13 @@ def used_by(function: FunctionJson) -> Iterator[str]:
     """Paths and names of everything that a function refers to. Code may have no init and no terminate."""
     if function.code is not None:
         yield from (f"{function.info.function_name}_{call}" for call in ("Init", "Terminate"))
-    for located in (*data(function), *parameters(function), *errors(function), *safety_reactions(function)):
+    for located in (
+        *data(function),
+        *absent(function),
+        *parameters(function),
+        *errors(function),
+        *safety_reactions(function),
+    ):
         yield located[2].vss_path or ""
         yield from _named(located[2])
     for _, _, runnable in runnables(function):
@@ -52,7 +58,9 @@ def _named(item: object) -> Iterator[str]:
     """Names of the errors that an interface refers to."""
     for attribute in ("dependencies", "errors"):
         yield from getattr(item, attribute, ())
-    for attribute in ("timeout_error", "range_error", "e2e_error", "overflow_error", "overrun_error", "unknown_error"):
+    for attribute in (
+        "timeout_error", "range_error", "e2e_error", "absent_error", "overflow_error", "overrun_error", "unknown_error",
+    ):  # fmt: skip
         yield getattr(item, attribute, None) or ""
 
 

@@ -6,18 +6,21 @@ from sigcat import codes
 from sigcat.function.checks.data_interfaces import declared_or_meant
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.datatype import Datatype, innermost
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.primitive_types import c_type
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
-from sigcat.function.function_json.walk import data, errors, parameters, runnables, safety_reactions
+from sigcat.function.function_json.walk import absent, data, errors, parameters, runnables, safety_reactions
 from sigcat.names import did_you_mean
 
 Problems = Iterator[Problem]
 
 RESTART = "Restart"
+_CAUSES = {
+    "RangeError": "range_error", "E2eError": "e2e_error", "AbsentError": "absent_error", "OverflowError": "overflow_error",
+}  # fmt: skip
 
 
 def check_error_causes(function: FunctionJson, known_errors: Collection[str]) -> Problems:
@@ -31,14 +34,10 @@ def check_error_causes(function: FunctionJson, known_errors: Collection[str]) ->
 
 def _causes(function: FunctionJson) -> Iterator[tuple[Pointer, str, Subject]]:
     """Errors that are named, each with its pointer and what names it."""
-    for pointer, _, item in (*data(function), *parameters(function)):
-        subject = Subject("data", item.name)
-        if item.range_error:
-            yield (*pointer, "RangeError"), item.range_error, subject
-        if not isinstance(item, ParameterInterface) and item.e2e_error:
-            yield (*pointer, "E2eError"), item.e2e_error, subject
-        if isinstance(item, DataQueue) and item.overflow_error:
-            yield (*pointer, "OverflowError"), item.overflow_error, subject
+    for pointer, _, item in (*data(function), *absent(function), *parameters(function)):
+        for key, attribute in _CAUSES.items():
+            if name := getattr(item, attribute, None):
+                yield (*pointer, key), name, Subject("data", item.name)
     for pointer, _, call in runnables(function):
         if call.overrun_error:
             yield (*pointer, "OverrunError"), call.overrun_error, Subject("scheduling", call.name)
@@ -86,7 +85,7 @@ def _never_rejected(function: FunctionJson) -> Problems:
 
 def _resets(function: FunctionJson) -> Problems:
     types = {datatype.reference: datatype for datatype in function.datatypes}
-    consumed = {item.name: item for _, _, item in data(function) if item.role == CONSUMER}
+    consumed = {item.name: item for _, _, item in (*data(function), *absent(function)) if item.role == CONSUMER}
     for pointer, _, error in errors(function):
         if error.reset is None or error.reset == RESTART:
             continue

@@ -40,6 +40,13 @@ class DataItem(DeclarationModel):
     c_type: CTypeName | None = Field(None, description=C_TYPE)
     members: dict[str, Text] | None = Field(None, description=_MEMBERS)
     asil: Asil | None = Field(None, description="ASIL; the one of the catalogue if absent.")
+    optional: bool | None = Field(
+        None,
+        description="Whether a vehicle may lack the signal: its `variable` has `init` then, else the default, else 0; it is not sent.",
+    )
+    absent_error: Text | None = Field(
+        None, description="Error that is set in vehicles without the optional signal: interface name or path."
+    )
     access: Literal["Immediate", "Buffered"] | None = Field(None, description="Immediate, or buffered for a call.")
     timeout: Duration | None = Field(None, description="Longest time between two values, in ms.")
     timeout_error: Text | None = Field(None, description="Error that the time-out sets: interface name or path.")

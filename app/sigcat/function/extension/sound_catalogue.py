@@ -17,7 +17,7 @@ def sound(catalogue: Catalogue) -> Catalogue:
     """Return the catalogue without attributes whose values are errors, which its findings report; itself if there are none."""
     if not any(_faulty(node.definition) for node in catalogue.nodes.values()):
         return catalogue
-    return catalogue.with_roots(tuple(map(_sound_node, catalogue.roots)), is_expanded=catalogue.is_expanded)
+    return catalogue.with_roots(tuple(map(sound_node, catalogue.roots)), is_expanded=catalogue.is_expanded)
 
 
 def _faulty(definition: Definition) -> frozenset[str]:
@@ -25,11 +25,12 @@ def _faulty(definition: Definition) -> frozenset[str]:
     return frozenset(each.attribute for each in errors if each.rule not in _OF_THE_RIGHT_KIND)
 
 
-def _sound_node(node: Node) -> Node:
+def sound_node(node: Node) -> Node:
+    """Return a node, and those below it, without attributes whose values are errors."""
     definition, faulty = node.definition, _faulty(node.definition)
     if faulty:
         values = {name: value for name, value in definition.values.items() if name not in faulty}
         definition = Definition(
             definition.path, definition.statements, values, definition.problems, definition.is_instance
         )
-    return Node(node.path, definition, tuple(map(_sound_node, node.children)))
+    return Node(node.path, definition, tuple(map(sound_node, node.children)))

@@ -103,6 +103,8 @@ class Signal(WireModel):
     default_elements: Text | None = own(
         "DefaultElements", "Value of an array or struct that replaces a missing one, as JSON.", unit=PHYSICAL
     )
+    is_optional: bool | None = own("Optional", "Whether a vehicle may lack the signal.")
+    absent_error: Name | None = own("AbsentError", "Error interface that is set in vehicles without the signal.")
 
 
 class DataQueue(WireModel):
@@ -165,6 +167,8 @@ class DataQueue(WireModel):
     count_variable: CExpression | None = own(
         "CountVariable", "Expression of the C code that holds how many values arrived for the call."
     )
+    is_optional: bool | None = own("Optional", "As in a signal.")
+    absent_error: Name | None = own("AbsentError", "As in a signal.")
 
 
 class ParameterInterface(WireModel):

@@ -56,6 +56,10 @@ class Contract(WireModel):
     parameters: Listed[ParameterInterface] | None = described("ParameterList", "Parameters.")
     errors: Listed[ErrorInterface] | None = described("ErrorList", "Error interfaces.")
     safety_reactions: Listed[SafetyReaction] | None = described("SafetyReactionList", "Safety reaction interfaces.")
+    absent_signals: Listed[Signal] | None = own(
+        "AbsentSignalList", "Optional data interfaces whose signals the vehicle does not have. They are not exchanged."
+    )
+    absent_queues: Listed[DataQueue] | None = own("AbsentDataQList", "The same for queued data interfaces.")
 
 
 class Runnable(WireModel):

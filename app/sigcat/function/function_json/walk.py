@@ -54,6 +54,20 @@ def data(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Signal | Da
             yield (*pointer, "DataQList", index), located, queue
 
 
+def absent_of(contract: Contract) -> tuple[Signal | DataQueue, ...]:
+    """Optional signals and queues of a contract that the vehicle does not have."""
+    return (*(contract.absent_signals or ()), *(contract.absent_queues or ()))
+
+
+def absent(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Signal | DataQueue]]:
+    """Every optional signal and queue that the vehicle does not have."""
+    for pointer, located, contract in contracts(function):
+        for index, signal in enumerate(contract.absent_signals or ()):
+            yield (*pointer, "AbsentSignalList", index), located, signal
+        for index, queue in enumerate(contract.absent_queues or ()):
+            yield (*pointer, "AbsentDataQList", index), located, queue
+
+
 def parameters(function: FunctionJson) -> Iterator[tuple[Pointer, Located, ParameterInterface]]:
     """Every parameter."""
     for pointer, located, contract in contracts(function):
@@ -92,6 +106,7 @@ def references(function: FunctionJson) -> Iterator[tuple[Pointer, str]]:
                     yield from _arguments(at, item)
                 else:
                     yield (*at, "Datatype"), item.datatype
+    yield from (((*at, "Datatype"), item.datatype) for at, _, item in absent(function))
     for index, interface in enumerate(function.mode_interfaces or ()):
         yield ("ModeInterfaceList", index, "Datatype"), interface.datatype
     for index, datatype in enumerate(function.datatypes):

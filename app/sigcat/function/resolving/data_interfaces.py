@@ -113,7 +113,8 @@ def _asil(item: DataItem | ParameterItem, value: Value, at: Pointer, context: Co
     return item.asil or asil_of(value.node, at, context)
 
 
-def _time_out(item: DataItem, at: Pointer, context: Context) -> dict[str, Any]:
+def _exchange(item: DataItem, at: Pointer, context: Context) -> dict[str, Any]:
+    """Fields about values that are late, out of range, rejected or absent."""
     return {
         "timeout": plain_text(item.timeout),
         "timeout_error": error_name(item.timeout_error, (*at, "timeoutError"), context),
@@ -123,6 +124,8 @@ def _time_out(item: DataItem, at: Pointer, context: Context) -> dict[str, Any]:
         "range_error_action": item.range_error_action,
         "range_error": error_name(item.range_error, (*at, "rangeError"), context),
         "e2e_error": error_name(item.e2e_error, (*at, "e2eError"), context),
+        "is_optional": item.optional or None,
+        "absent_error": error_name(item.absent_error, (*at, "absentError"), context),
     }
 
 
@@ -138,7 +141,7 @@ def _signal(item: DataItem, value: Value, at: Pointer, context: Context) -> Sign
         external_provider=optional(item.provider),
         **_common(item, value),
         **_also_known(item, value),
-        **_time_out(item, at, context),
+        **_exchange(item, at, context),
     )
 
 
@@ -160,7 +163,7 @@ def _queue(item: DataItem, value: Value, at: Pointer, context: Context) -> DataQ
         count_variable=item.count_variable,
         **_common(item, value),
         **_also_known(item, value),
-        **_time_out(item, at, context),
+        **_exchange(item, at, context),
     )
 
 

@@ -13,11 +13,17 @@ from sigcat.names import did_you_mean, last_name, parent_path, with_article
 
 def data_node(path: str, at: Pointer, context: Context) -> Node | None:
     """The signal or parameter at a path; None, with a problem, if there is none."""
-    subject = Subject("data", path)
     node = context.data(path)
     if node is None:
         context.problems.append(_unknown(path, at, context))
         return None
+    return data_of(node, at, context)
+
+
+def data_of(node: Node, at: Pointer, context: Context) -> Node | None:
+    """The node, if it is a signal or parameter; None, with a problem, if it is not."""
+    path = node.path
+    subject = Subject("data", path)
     if not node.is_leaf or node.type not in SIGNALS or category_of(node.path) != "data":
         message, fix = f"{path!r} must be a data interface, not {_kind_of(node)}.", _instead(node)
         context.problems.append(Problem(codes.SIGNAL_HOLDS_NO_VALUE, at, message, fix, subject))
@@ -36,9 +42,14 @@ def _unknown(path: str, at: Pointer, context: Context) -> Problem:
         message, fix = f"{path!r} must name an instance.", f"Name one, such as {instance!r}."
     else:
         message = f"The catalogue has no signal {path!r}."
-        fix = _defined(path, context) or context.meant(path) or _spelled_alike(path, context)
+        fix = _defined(path, context) or proposed(path, context)
         fix = fix or "Define it under `define`, or pass the overlay that defines it with `-l OVERLAY`."
     return Problem(codes.SIGNAL_UNKNOWN, at, message, fix, Subject("data", path))
+
+
+def proposed(path: str, context: Context) -> str:
+    """A sentence that proposes the signals that an unknown path may mean; or nothing."""
+    return context.meant(path) or _spelled_alike(path, context)
 
 
 def _spelled_alike(path: str, context: Context) -> str:

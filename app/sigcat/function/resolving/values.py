@@ -4,14 +4,16 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from sigcat.catalogue.model.catalogue import Node
+from sigcat.function.declaration.declaration import DataItem
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.conversion import IDENTITY, Linear
 from sigcat.function.function_json.type_list import Symbols, symbols_of
+from sigcat.function.resolving.absent import absent_node, is_absent
 from sigcat.function.resolving.code_datatype import code_datatype, code_symbols
 from sigcat.function.resolving.code_unit import code_unit, scale_of
 from sigcat.function.resolving.code_value import CodeValue, Item
 from sigcat.function.resolving.context import Context
-from sigcat.function.resolving.data_nodes import data_node
+from sigcat.function.resolving.data_nodes import data_node, data_of
 from sigcat.function.resolving.elements import default_elements, init_elements
 from sigcat.function.resolving.numbers import optional_number
 from sigcat.function.resolving.ranges import is_upside_down, range_of
@@ -48,7 +50,7 @@ def value_of(item: Item, at: Pointer, context: Context) -> Value | None:
 
 
 def _code_value(item: Item, at: Pointer, context: Context) -> CodeValue | None:
-    node = data_node(item.path, (*at, "path"), context)
+    node = _node(item, at, context)
     if node is None:
         return None
     symbols = code_symbols(item, at, node, context)
@@ -57,6 +59,13 @@ def _code_value(item: Item, at: Pointer, context: Context) -> CodeValue | None:
         return None
     unit, to_code = code_unit(item, at, node, context)
     return CodeValue(item, at, node, datatype, unit, symbols, to_code, scale_of(item, at, context))
+
+
+def _node(item: Item, at: Pointer, context: Context) -> Node | None:
+    if not isinstance(item, DataItem) or not is_absent(item, context):
+        return data_node(item.path, (*at, "path"), context)
+    node = absent_node(item, at, context)
+    return data_of(node, (*at, "path"), context) if node is not None else None
 
 
 def _value(code: CodeValue, low: Fraction | None, high: Fraction | None, init: float | None, context: Context) -> Value:

@@ -130,7 +130,7 @@ def needs_provider(end: Side, catalogue: Catalogue) -> bool:
     node = catalogue.get(end.identity)
     if node is None or node.type == "attribute" or not node.definition.statements[0].file.overlay:
         return False
-    return not end.data.external_provider
+    return not end.data.external_provider and not end.data.is_optional
 
 
 def _unmapped(wiring: Wiring, functions: Mapping[str, ResolvedFunction], catalogue: Catalogue) -> Findings:

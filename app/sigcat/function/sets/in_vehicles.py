@@ -25,12 +25,23 @@ def findings_in_vehicles(
     """
     before = frozenset(known)
     uses = cache(lambda: _uses_by_path(files, base))
+    lacking: dict[Finding, list[str]] = {}
     for vehicle, catalogue, _ in vehicles:
         if has_errors(catalogue.findings):
             raise InputRefused(f"{vehicle.label} has errors; no function was checked in it", catalogue.findings)
         for finding in check_functions(files, catalogue, is_whole=len(files) > 1):
-            if finding not in before:
+            if finding.rule == codes.OPTIONAL_SIGNAL_ABSENT.id:
+                lacking.setdefault(finding, []).append(vehicle.name)
+            elif finding not in before:
                 yield _named(finding, vehicle.name, base, uses)
+    yield from (_lacked(finding, names) for finding, names in lacking.items())
+
+
+def _lacked(finding: Finding, vehicles: Sequence[str]) -> Finding:
+    """Return the note about an optional signal with all vehicles that do not have it."""
+    *others, last = map(repr, vehicles)
+    which = f"Vehicles {', '.join(others)} and {last} have" if others else f"Vehicle {last} has"
+    return finding._replace(message=f"{which} no {finding.path!r}. It is optional: the function runs without it.")
 
 
 def _uses_by_path(files: Sequence[tuple[bytes, str]], base: Catalogue) -> Mapping[str, Sequence[NodeUse]]:

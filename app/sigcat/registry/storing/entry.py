@@ -1,12 +1,13 @@
 """Entries of the log: each has the hash of the one before it."""
 
+import datetime as dt
 import json
 from collections.abc import Mapping
 from typing import Any, Literal, NamedTuple
 
 from sigcat.digest import digest_of
 
-Action = Literal["publish", "rule", "state", "deployment", "release", "support ended"]
+Action = Literal["publish", "rule", "state", "deployment", "release", "support ended", "approve", "reject"]
 BEGIN = "0" * 64
 """The hash before the first entry."""
 
@@ -41,6 +42,16 @@ class Link(NamedTuple):
     def entry(self) -> Entry:
         """The entry that the text holds."""
         return Entry(**json.loads(self.text))
+
+
+def time_text(moment: dt.datetime) -> str:
+    """A time in UTC as entries have it; the texts are in the order of the times."""
+    return moment.astimezone(dt.UTC).isoformat(timespec="milliseconds")
+
+
+def now() -> str:
+    """The present time as entries have it."""
+    return time_text(dt.datetime.now(dt.UTC))
 
 
 def linked(entry: Entry, previous: str) -> Link:

@@ -1,6 +1,5 @@
 """Write to the registry: content by its digest, and entries that change the tables."""
 
-import datetime as dt
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -11,7 +10,7 @@ from sqlalchemy import Connection, insert, select
 from sigcat.digest import digest_of
 from sigcat.registry.storing.content import has_content
 from sigcat.registry.storing.database import Place, writing
-from sigcat.registry.storing.entry import BEGIN, Action, Entry, Link, linked
+from sigcat.registry.storing.entry import BEGIN, Action, Entry, Link, linked, now
 from sigcat.registry.storing.replay import apply
 from sigcat.registry.storing.tables import CONTENTS, LOG
 
@@ -40,8 +39,7 @@ class Ledger(NamedTuple):
     def append(self, action: Action, data: Mapping[str, Any]) -> None:
         """Write an entry behind the last one, and change the tables."""
         last = head(self.connection)
-        at = dt.datetime.now(dt.UTC).isoformat(timespec="milliseconds")
-        entry = Entry(last.number + 1 if last else 1, at, action, data)
+        entry = Entry(last.number + 1 if last else 1, now(), action, data)
         self._write(linked(entry, last.hash if last else BEGIN))
 
     def _write(self, link: Link) -> None:

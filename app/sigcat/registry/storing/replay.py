@@ -3,17 +3,17 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
-from sqlalchemy import Column, Connection, Table, bindparam, delete, func, insert, select, update
+from sqlalchemy import Column, Connection, Table, and_, bindparam, delete, func, insert, select, update
 
 from sigcat.registry.reference import DEPLOYABLE
 from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.entry import Action, Entry
-from sigcat.registry.storing.tables import DEPLOYMENTS, NAMES, RELIANCES, USES, VERSIONS
+from sigcat.registry.storing.tables import APPROVALS, DEPLOYMENTS, NAMES, RELIANCES, USES, VERSIONS
 from sigcat.registry.use import Use, from_json, row_text
 from sigcat.registry.version import version_of
 
 _Data = Mapping[str, Any]
-DERIVED: Sequence[Table] = (NAMES, VERSIONS, RELIANCES, USES, DEPLOYMENTS)
+DERIVED: Sequence[Table] = (NAMES, VERSIONS, RELIANCES, USES, DEPLOYMENTS, APPROVALS)
 """Tables that follow from the log, each after those to which it refers."""
 PORTION = 500
 """Values of one statement: databases limit them."""
@@ -58,6 +58,21 @@ def _publish(connection: Connection, data: _Data, at: str) -> None:
     connection.execute(_SET_NEWEST, {"of": name_id})
     if data["kind"] == "function":
         _index_uses(connection, version_id, from_json(content_of(connection, data["uses"])))
+    _ask_owners(connection, version_id, data)
+
+
+def _ask_owners(connection: Connection, version_id: int, data: _Data) -> None:
+    """Replace the requests for approval of a version. Decisions about earlier content are kept."""
+    of_version = APPROVALS.c.version_id == version_id
+    connection.execute(delete(APPROVALS).where(of_version, APPROVALS.c.decision == ""))
+    connection.execute(update(APPROVALS).where(of_version).values(functions=""))
+    for owner, functions in data.get("broken", {}).items():
+        key = {"version_id": version_id, "content": data["content"], "uses": data["uses"], "owner": owner}
+        values = {"functions": ", ".join(functions)}
+        same = and_(*(APPROVALS.c[name] == value for name, value in key.items()))
+        if connection.execute(update(APPROVALS).where(same).values(**values)).rowcount == 0:
+            undecided = {"decision": "", "at": "", "until": "", "reason": ""}
+            connection.execute(insert(APPROVALS).values(**key, **values, **undecided))
 
 
 def _index_uses(connection: Connection, version_id: int, uses: Sequence[Use]) -> None:
@@ -110,6 +125,20 @@ def _state(connection: Connection, data: _Data, _at: str) -> None:
     values = {"state": data["state"], "until": data["until"], "successor": data["successor"]}
     connection.execute(update(VERSIONS).where(VERSIONS.c.id == version_id).values(**values))
     connection.execute(_SET_NEWEST, {"of": _name_id(connection, data["kind"], data["name"])})
+
+
+def _approve(connection: Connection, data: _Data, at: str) -> None:
+    _decide(connection, data, decision="approved", at=at, until=data["until"], reason="")
+
+
+def _reject(connection: Connection, data: _Data, at: str) -> None:
+    _decide(connection, data, decision="rejected", at=at, until="", reason=data["reason"])
+
+
+def _decide(connection: Connection, data: _Data, **values: str) -> None:
+    version_id = _version_id(connection, data["kind"], data["name"], data["version"])
+    same = [APPROVALS.c[name] == data[name] for name in ("content", "uses", "owner")]
+    connection.execute(update(APPROVALS).where(APPROVALS.c.version_id == version_id, *same).values(**values))
 
 
 def _deployment(connection: Connection, data: _Data, at: str) -> None:
@@ -169,5 +198,5 @@ def _version_id(connection: Connection, kind: str, name: str, version: str) -> i
 
 _ACTIONS: Mapping[Action, Callable[[Connection, _Data, str], None]] = {
     "publish": _publish, "rule": _rule, "state": _state, "deployment": _deployment, "release": _release,
-    "support ended": _support_ended,
+    "support ended": _support_ended, "approve": _approve, "reject": _reject,
 }  # fmt: skip

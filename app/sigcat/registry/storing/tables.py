@@ -76,6 +76,18 @@ DEPLOYMENTS = Table(
     Index("deployments_line", "line_id"),
     Index("deployments_version", "version_id"),
 )  # fmt: skip
+APPROVALS = Table(
+    "approvals", METADATA,
+    Column("version_id", ForeignKey("versions.id"), primary_key=True),
+    Column("content", _TEXT, primary_key=True),
+    Column("uses", _TEXT, primary_key=True),
+    Column("owner", _TEXT, primary_key=True),
+    Column("functions", _TEXT, nullable=False),
+    Column("decision", _TEXT, nullable=False),
+    Column("at", _TEXT, nullable=False),
+    Column("until", _TEXT, nullable=False),
+    Column("reason", _TEXT, nullable=False),
+)  # fmt: skip
 LOG = Table(
     "log", METADATA,
     Column("number", Integer, primary_key=True, autoincrement=False),

@@ -24,7 +24,7 @@ class Input:
     """A signal or queue that a call consumes."""
 
     port: str
-    """Name under which it is received."""
+    """Name under which it is received; empty if the vehicle does not have it."""
     names: tuple[str, ...]
     """Its name and its path."""
     variable: str
@@ -34,6 +34,7 @@ class Input:
     time_out_error: str | None = None
     range_error: str | None = None
     e2e_error: str | None = None
+    absent_error: str | None = None
     queue: Queue | None = None
 
     @property

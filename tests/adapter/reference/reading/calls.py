@@ -10,7 +10,7 @@ from tests.adapter.reference.function import Call
 from tests.adapter.reference.parts.inputs import Input
 from tests.adapter.reference.parts.schedule import Timing
 from tests.adapter.reference.parts.supervision import AliveLimits, Checkpoint, DeadlineLimits
-from tests.adapter.reference.reading.data import data_of, input_of, output_of
+from tests.adapter.reference.reading.data import absent_input_of, absent_of, data_of, input_of, output_of
 from tests.adapter.reference.reading.times import nanoseconds
 from tests.adapter.reference.reading.transfers import Table
 
@@ -21,7 +21,8 @@ def call_of(runnable: Runnable, modes: Iterable[Mode], ports: Mapping[str, str],
     """A call."""
     data = data_of(runnable)
     inputs = tuple(input_of(item, ports, table) for item in data if item.role == CONSUMER)
-    triggers = _triggers(runnable, inputs)
+    absent = tuple(absent_input_of(item, table) for item in absent_of(runnable) if item.role == CONSUMER)
+    triggers = _triggers(runnable, inputs, absent)
     return Call(
         name=runnable.name,
         symbol=runnable.symbol or runnable.name,
@@ -35,7 +36,7 @@ def call_of(runnable: Runnable, modes: Iterable[Mode], ports: Mapping[str, str],
         is_alone=runnable.parallel_processing is False,
         triggers=frozenset(each.port for each in triggers),
         excluding_modes=frozenset(mode.name for mode in modes if runnable.name not in mode.runnables),
-        inputs=inputs,
+        inputs=(*inputs, *absent),
         outputs=tuple(output_of(item, table) for item in data if item.role != CONSUMER),
         overrun_error=runnable.overrun_error,
         errors=tuple(error.name for contract in runnable.contracts or () for error in contract.errors or ()),
@@ -52,12 +53,13 @@ def _whole(text: str) -> int:
     return int(text) if re.fullmatch(r"\s*[+-]?[0-9]{1,18}\s*", text) else 0
 
 
-def _triggers(runnable: Runnable, inputs: tuple[Input, ...]) -> tuple[Input, ...]:
-    """Inputs that trigger a call: those listed as events, or else all."""
+def _triggers(runnable: Runnable, inputs: tuple[Input, ...], absent: tuple[Input, ...]) -> tuple[Input, ...]:
+    """Inputs that trigger a call: those listed as events, or else all. Absent ones may be listed, and trigger nothing."""
     if runnable.run_type != EVENT_TRIGGERED:
         return ()
     events = set(_listed(runnable.events))
-    return tuple(each for each in inputs if events.intersection(each.names)) or inputs
+    listed = [each for each in (*inputs, *absent) if events.intersection(each.names)]
+    return tuple(each for each in inputs if each in listed) if listed else inputs
 
 
 def _timing(runnable: Runnable, triggers: tuple[Input, ...]) -> Timing:

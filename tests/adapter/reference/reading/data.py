@@ -22,6 +22,15 @@ def data_of(runnable: Runnable) -> list[Data]:
     return found
 
 
+def absent_of(runnable: Runnable) -> list[Data]:
+    """Optional signals and queues of a call that the vehicle does not have."""
+    found: list[Data] = []
+    for contract in runnable.contracts or ():
+        found += contract.absent_signals or ()
+        found += contract.absent_queues or ()
+    return found
+
+
 def port_key(item: Data) -> str:
     """Key by which two inputs are the same signal."""
     return item.vss_path or item.name
@@ -40,7 +49,22 @@ def input_of(item: Data, ports: Mapping[str, str], table: Table) -> Input:
         time_out_error=item.timeout_error if time_out else None,
         range_error=item.range_error,
         e2e_error=item.e2e_error,
+        absent_error=item.absent_error,
         queue=_queue(item) if isinstance(item, DataQueue) else None,
+    )
+
+
+def absent_input_of(item: Data, table: Table) -> Input:
+    """An input that no one sends."""
+    return Input(
+        port="",
+        names=tuple(name for name in (item.name, item.vss_path) if name),
+        variable=item.variable or item.name,
+        transfer=to_code(item, table),
+        absent_error=item.absent_error,
+        queue=Queue(item.queue_length, False, item.values_per_step or 1, item.count_variable)
+        if isinstance(item, DataQueue)
+        else None,
     )
 
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.core.plan import Error, Reaction
+from sigcat.adapter.core.plan import Cause, Error, Reaction
 
 
 class ErrorPlan(NamedTuple):
@@ -34,7 +34,7 @@ class ReactionPlan(NamedTuple):
 
 def error_plan(error: Error, scope: Scope) -> ErrorPlan:
     """An error, as it is evaluated."""
-    verdicts = [f"self->{cause.place}" for cause in error.causes] + _tested(error, scope)
+    verdicts = [_verdict(cause, scope) for cause in error.causes] + _tested(error, scope)
     first, *others = verdicts or [scope.constant("NOT_JUDGED")]
     return ErrorPlan(
         error=error,
@@ -44,6 +44,10 @@ def error_plan(error: Error, scope: Scope) -> ErrorPlan:
         any_failed=_any_failed(error.dependencies, error.foreign, scope),
         heals="false" if error.waits_for_restart else f"self->{error.reset_input}" if error.reset_input else "true",
     )
+
+
+def _verdict(cause: Cause, scope: Scope) -> str:
+    return scope.constant(cause.verdict) if cause.verdict else f"self->{cause.place}"
 
 
 def _tested(error: Error, scope: Scope) -> list[str]:

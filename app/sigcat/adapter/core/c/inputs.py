@@ -68,7 +68,9 @@ def input_plan(call: Call, item: Input, scope: Scope) -> InputPlan:
         taken=taken,
         ways=merged(ways, taken),
         kept_at="taken" if many else "0",
-        holds_init=item.is_direct and holds_init(next(port for port in scope.plan.ports if port.name == item.port)),
+        holds_init=item.is_direct
+        and not item.is_absent
+        and holds_init(next(port for port in scope.plan.ports if port.name == item.port)),
         not_zero=[_not_zero(leaf, item, scope) for leaf in item.value.leaves] if item.is_reset else [],
         count_type="uint8_t" if item.places <= UINT8_MOST else "uint16_t",
     )
@@ -76,6 +78,9 @@ def input_plan(call: Call, item: Input, scope: Scope) -> InputPlan:
 
 def _ways(item: Input, place: str, scope: Scope) -> Iterator[Way]:
     """Numbers for the variable, by the origin of the value."""
+    if item.is_absent:
+        yield Way("", "init")
+        return
     late = item.time_out.substitute if item.time_out else "Last"
     origin = f"{place}.origin[{'place' if item.places > 1 else '0'}]" if item.queue else "origin"
     if item.queue and late != "Last":

@@ -152,7 +152,7 @@ class CorePlan(NamedTuple):
     @property
     def uses_origin(self) -> bool:
         """Whether any input is more than an assignment, or there are parameters."""
-        has_inputs = any(not item.is_direct for call in self.steps for item in call.inputs)
+        has_inputs = any(not item.is_direct and not item.is_absent for call in self.steps for item in call.inputs)
         return has_inputs or bool(self.parameters)
 
     @property

@@ -43,7 +43,7 @@ class Input(NamedTuple):
 
     named: Named
     port: str
-    """Name of its receive function and of its received value: one for all calls."""
+    """Name of its receive function and of its received value, one for all calls; empty if the vehicle lacks the signal."""
     variable: str
     value: Value
     is_immediate: bool = False
@@ -51,11 +51,17 @@ class Input(NamedTuple):
     time_out_error: str | None = None
     range_error: str | None = None
     e2e_error: str | None = None
+    absent_error: str | None = None
     queue: Queue | None = None
     names: tuple[str, ...] = ()
     """Names of it in the declaration."""
     is_reset: bool = False
     """Whether an error is reset by it."""
+
+    @property
+    def is_absent(self) -> bool:
+        """Whether the vehicle does not have the signal: the variable keeps its start value."""
+        return not self.port
 
     @property
     def is_direct(self) -> bool:
@@ -67,7 +73,7 @@ class Input(NamedTuple):
     def keeps(self) -> bool:
         """Whether the last good value is kept for the call, beside the one that was received: of a queue, and of an
         enumeration whose unknown numbers nothing replaces."""
-        return self.queue is not None or (self.value.is_checked and self.instead == "KEPT")
+        return not self.is_absent and (self.queue is not None or (self.value.is_checked and self.instead == "KEPT"))
 
     @property
     def instead(self) -> str:
@@ -84,7 +90,7 @@ class Input(NamedTuple):
     @property
     def has_verdict(self) -> bool:
         """Whether an error is evaluated with it."""
-        has_overflow = self.queue is not None and self.queue.overflow_error is not None
+        has_overflow = not self.is_absent and self.queue is not None and self.queue.overflow_error is not None
         return has_overflow or any((self.time_out, self.range_error, self.e2e_error))
 
     @property

@@ -16,6 +16,8 @@ class Cause(NamedTuple):
     is_late: bool
     """Whether it is known only when the call has ended."""
     is_supervised: bool = False
+    verdict: str = ""
+    """Its verdict, if that is the same at any time: `PRESENT` or `ABSENT`. It has no place then."""
 
 
 class Error(NamedTuple):

@@ -55,6 +55,12 @@ def upgrade() -> None:
     )
     op.create_index("deployments_line", "deployments", ["line_id"])
     op.create_index("deployments_version", "deployments", ["version_id"])
+    op.create_table(
+        "approvals",
+        sa.Column("version_id", sa.Integer, sa.ForeignKey("versions.id"), primary_key=True),
+        *(sa.Column(name, _TEXT, primary_key=True) for name in ("content", "uses", "owner")),
+        *_texts("functions", "decision", "at", "until", "reason"),
+    )
 
 
 def _texts(*names: str) -> tuple[sa.Column[str], ...]:

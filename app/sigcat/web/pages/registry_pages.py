@@ -1,0 +1,87 @@
+"""The registry in the browser: names, their versions, users of a signal, and what may be deployed where."""
+
+from typing import Annotated
+
+from fastapi import APIRouter, Query, Request
+from fastapi.responses import Response
+
+from sigcat.api.requests.dependencies import TheWorkQueue
+from sigcat.api.requests.hosted_registry import HostedRegistry, TheRegistry
+from sigcat.limits import NAME_CHARACTERS, PARAMETER_CHARACTERS
+from sigcat.web.rendering import page_for
+from sigcat.web.visits import Visit, visit_of
+
+router = APIRouter()
+VIEWS = "sigcat.web.views.registry_view"
+"""Module that loads SQLAlchemy: workers have it only where there is a registry."""
+Start = Annotated[int, Query(alias="from", ge=0)]
+Version = Annotated[str, Query(max_length=NAME_CHARACTERS)]
+
+
+@router.get("/registry")
+async def show_registry(request: Request, registry: TheRegistry, queue: TheWorkQueue, start: Start = 0) -> Response:
+    """Published names, and the last entries of the log."""
+    return await queue.run(_registry, visit_of(request), registry, start)
+
+
+@router.get("/registry/lines")
+async def show_lines(request: Request, registry: TheRegistry, queue: TheWorkQueue, start: Start = 0) -> Response:
+    """Functions and vehicle lines: what runs there, and whether the newest version may be deployed."""
+    return await queue.run(_lines, visit_of(request), registry, start)
+
+
+@router.get("/registry/users")
+async def show_users(
+    request: Request,
+    registry: TheRegistry,
+    queue: TheWorkQueue,
+    path: Annotated[str, Query(max_length=PARAMETER_CHARACTERS)] = "",
+) -> Response:
+    """Users of a path, with a picture."""
+    return await queue.run(_users, visit_of(request), registry, path)
+
+
+@router.get("/registry/{group}/{name}")
+async def show_name(
+    request: Request,
+    registry: TheRegistry,
+    queue: TheWorkQueue,
+    group: str,
+    name: str,
+    old: Version = "",
+    new: Version = "",
+) -> Response:
+    """The versions of a name, and the changes between two of them."""
+    return await queue.run(_name, visit_of(request), registry, group, name, old, new)
+
+
+def _registry(visit: Visit, registry: HostedRegistry, start: int) -> Response:
+    from sigcat.web.views.registry_view import registry_view
+
+    with registry.reading() as connection:
+        return page_for(visit, "registry.html", view=registry_view(connection, start))
+
+
+def _lines(visit: Visit, registry: HostedRegistry, start: int) -> Response:
+    from sigcat.web.views.registry_view import matrix_view
+
+    with registry.reading() as connection:
+        return page_for(visit, "registry_lines.html", view=matrix_view(connection, start))
+
+
+def _users(visit: Visit, registry: HostedRegistry, path: str) -> Response:
+    from sigcat.registry.users import users_of
+    from sigcat.web.pictures.signal_users import user_picture
+
+    with registry.reading() as connection:
+        found = users_of(connection, path) if path else None
+    picture = user_picture(path, found.users) if found else None
+    return page_for(visit, "registry_users.html", sought=path, found=found, picture=picture)
+
+
+def _name(visit: Visit, registry: HostedRegistry, group: str, name: str, old: str, new: str) -> Response:
+    from sigcat.web.views.registry_view import name_view
+
+    with registry.reading() as connection:
+        view = name_view(connection, group, name, old, new)
+        return page_for(visit, "registry_name.html", group=group, name=name, view=view)

@@ -1,0 +1,197 @@
+"""The registry, ready to be shown: names, versions, users of a signal, and what may be deployed where.
+
+Importing this loads SQLAlchemy, which is an extra.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import NamedTuple, TypeVar
+
+from sigcat.errors import NotFound
+from sigcat.names import nearest
+from sigcat.registry.changes import UseChange, function_changes
+from sigcat.registry.conflicts import Conflict
+from sigcat.registry.deploying import Decision, can_deploy
+from sigcat.registry.published import Published, all_versions, lines_by_version, names_of, running
+from sigcat.registry.reference import DEPLOYABLE, Kind
+from sigcat.registry.storing.content import content_of
+from sigcat.registry.storing.database import Snapshot
+from sigcat.registry.storing.entry import Entry
+from sigcat.registry.storing.ledger import head, log_page
+from sigcat.registry.use import from_json
+
+Found = TypeVar("Found")
+ENTRIES = 30
+"""Entries of the log on the first page."""
+_NAMES = 120
+"""Names on one page."""
+_FUNCTIONS, _LINES = 25, 12
+"""Rows and columns of the matrix."""
+GROUPS: Mapping[str, Kind] = {"functions": "function", "overlays": "overlay", "catalogues": "catalogue"}
+"""Kinds of names by the part of an address."""
+
+
+class NameRow(NamedTuple):
+    """A published name."""
+
+    newest: Published
+    versions: int
+    lines: tuple[str, ...]
+    """Vehicle lines in which any of its versions runs."""
+
+
+class RegistryView(NamedTuple):
+    """The first page."""
+
+    names: tuple[NameRow, ...]
+    start: int
+    following: int
+    """First name of the next page; 0 on the last."""
+    name_total: int
+    entries: tuple[Entry, ...]
+    """The last entries of the log, the newest first."""
+    entry_total: int
+    lines: tuple[str, ...]
+
+    @property
+    def previous(self) -> int:
+        """First name of the page before."""
+        return max(self.start - _NAMES, 0)
+
+
+class VersionRow(NamedTuple):
+    """A version of a name."""
+
+    published: Published
+    lines: tuple[str, ...]
+
+
+class NameView(NamedTuple):
+    """All versions of a name, the newest first, and the changes between two of them."""
+
+    versions: tuple[VersionRow, ...]
+    old: str
+    new: str
+    changes: tuple[UseChange, ...]
+
+
+class Cell(NamedTuple):
+    """A function in a vehicle line."""
+
+    runs: tuple[str, ...]
+    """Versions that run."""
+    newest: str
+    """The version that was checked; empty if it runs already, or nothing is published."""
+    decision: Decision | None
+    conflicts: tuple[Conflict, ...]
+
+
+class MatrixRow(NamedTuple):
+    """A function, and its cells by line."""
+
+    name: str
+    owner: str
+    newest: str
+    cells: tuple[Cell, ...]
+
+
+class MatrixView(NamedTuple):
+    """Functions and vehicle lines."""
+
+    lines: tuple[str, ...]
+    rows: tuple[MatrixRow, ...]
+    start: int
+    following: int
+    """First row of the next page; 0 on the last."""
+    total: int
+    line_total: int
+
+    @property
+    def previous(self) -> int:
+        """First row of the page before."""
+        return max(self.start - _FUNCTIONS, 0)
+
+
+def registry_view(connection: Snapshot, start: int) -> RegistryView:
+    """Return the names with their newest versions, and the last entries of the log."""
+    versions = all_versions(connection)
+    lines = lines_by_version(connection)
+    rows = tuple(_name_rows(versions, lines))
+    last = head(connection)
+    number = last.number if last else 0
+    entries = tuple(each.entry for each in log_page(connection, max(0, number - ENTRIES), ENTRIES))
+    following = start + _NAMES if start + _NAMES < len(rows) else 0
+    shown = rows[start : start + _NAMES]
+    return RegistryView(shown, start, following, len(rows), entries[::-1], number, names_of(connection, "line"))
+
+
+def _name_rows(versions: Iterable[Published], lines: Mapping[int, tuple[str, ...]]) -> Iterator[NameRow]:
+    by_name: dict[tuple[Kind, str], list[Published]] = {}
+    for each in versions:
+        by_name.setdefault((each.kind, each.name), []).append(each)
+    for found in by_name.values():
+        where = sorted({line for each in found for line in lines.get(each.id, ())})
+        yield NameRow(_newest(found) or found[-1], len(found), tuple(where))
+
+
+def _newest(versions: Sequence[Published]) -> Published | None:
+    """The newest version that vehicles may run."""
+    return next((each for each in reversed(versions) if each.state in DEPLOYABLE), None)
+
+
+def name_view(connection: Snapshot, group: str, name: str, old: str = "", new: str = "") -> NameView:
+    """Return the versions of a name. Without two versions given, the last two are compared. Raises NotFound."""
+    kind = _known("kind", group, GROUPS)
+    versions = all_versions(connection, kind, name)
+    if not versions:
+        raise NotFound(f"Unknown {kind} {name[:100]!r}.", nearest(name[:100], names_of(connection, kind)))
+    by_version = {each.version: each for each in versions}
+    for each in filter(None, (old, new)):
+        _known("version", each, by_version)
+    new = new or versions[-1].version
+    old = old or versions[max(0, len(versions) - 2)].version
+    lines = lines_by_version(connection)
+    rows = tuple(VersionRow(each, lines.get(each.id, ())) for each in reversed(versions))
+    changes = _changes(connection, by_version[old], by_version[new]) if kind == "function" and old != new else ()
+    return NameView(rows, old, new, tuple(changes))
+
+
+def _known(what: str, name: str, known: Mapping[str, Found]) -> Found:
+    if name not in known:
+        raise NotFound(f"Unknown {what} {name[:100]!r}.", nearest(name[:100], known))
+    return known[name]
+
+
+def _changes(connection: Snapshot, old: Published, new: Published) -> Iterator[UseChange]:
+    before, after = (from_json(content_of(connection, each.uses)) for each in (old, new))
+    return function_changes(before, after)
+
+
+def matrix_view(connection: Snapshot, start: int) -> MatrixView:
+    """Return which versions run in each line, and whether the newest one may be deployed there."""
+    by_name: dict[str, list[Published]] = {}
+    for each in all_versions(connection, "function"):
+        by_name.setdefault(each.name, []).append(each)
+    lines = names_of(connection, "line")
+    runs: dict[tuple[str, str], list[str]] = {}
+    for one in running(connection):
+        runs.setdefault((one.published.name, one.line), []).append(one.published.version)
+    shown = list(by_name.items())[start : start + _FUNCTIONS]
+    rows = tuple(_matrix_row(connection, versions, lines[:_LINES], runs) for _, versions in shown)
+    following = start + _FUNCTIONS if start + _FUNCTIONS < len(by_name) else 0
+    return MatrixView(lines[:_LINES], rows, start, following, len(by_name), len(lines))
+
+
+def _matrix_row(
+    connection: Snapshot, versions: Sequence[Published], lines: Sequence[str], runs: Mapping[tuple[str, str], list[str]]
+) -> MatrixRow:
+    newest = _newest(versions)
+    named = newest or versions[-1]
+    cells = (_cell(connection, newest, line, runs.get((named.name, line), ())) for line in lines)
+    return MatrixRow(named.name, named.owner, newest.version if newest else "", tuple(cells))
+
+
+def _cell(connection: Snapshot, newest: Published | None, line: str, runs: Sequence[str]) -> Cell:
+    if newest is None or newest.version in runs:
+        return Cell(tuple(runs), "", None, ())
+    answer = can_deploy(connection, [newest.reference], line)
+    return Cell(tuple(runs), newest.version, answer.decision, answer.conflicts)

@@ -1,0 +1,26 @@
+"""A registry whose pages have a version that may not be deployed."""
+
+from pathlib import Path
+
+from sigcat.project.project import RegistrySettings
+from sigcat.registry.lines import record, set_state
+from sigcat.registry.publish import publish
+from sigcat.registry.reference import Reference
+from sigcat.registry.storing.ledger import Registry
+from tests.registry.parts import candidate, catalogue, declaration
+
+
+def published(folder: Path) -> RegistrySettings:
+    """Alpha 1.0.0 provides S0 to Beta and Gamma, and Alpha 2.0.0 does not."""
+    registry, over = Registry(folder / "registry.db"), catalogue()
+    first = (
+        declaration("Alpha", ("S0",)),
+        declaration("Beta", ("S1",), ("S0",)),
+        declaration("Gamma", (), ("S0", "S1")),
+    )
+    publish(registry, [candidate(each, over) for each in first])
+    for line, name in (("SUV-2025", "Alpha"), ("SUV-2025", "Beta"), ("VAN-2026", "Alpha")):
+        record(registry, "deployment", line, Reference(name, "1.0.0"))
+    publish(registry, [candidate(declaration("Alpha", ("S2",), version="2.0.0"), over)])
+    set_state(registry, "function", Reference("Gamma", "1.0.0"), "deprecated", "2027-01-31")
+    return RegistrySettings(registry.database)
