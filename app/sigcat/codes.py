@@ -302,6 +302,7 @@ REGISTRY_UNUSABLE = RuleCode("E011", "error")
 LINE_UNKNOWN = RuleCode("E012", "error")
 IMPORT_UNFIT = RuleCode("E013", "error")
 DECISION_UNFIT = RuleCode("E014", "error")
+WEBHOOK_UNFIT = RuleCode("E015", "error")
 
 # request
 PARAMETER_THAT_DOES_NOT_FIT = RuleCode("Q001", "error")

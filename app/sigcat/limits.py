@@ -196,6 +196,12 @@ REGISTRY_ROWS = 1_000
 REGISTRY_SECONDS = 60
 """Seconds for which a command waits until others have written to the registry."""
 
+WEBHOOK_SECONDS = 10
+"""Seconds for which a webhook waits for an answer."""
+
+WEBHOOK_ATTEMPTS = 12
+"""Attempts to deliver an event to a webhook, within one to two days."""
+
 # -- requests and pages ---------------------------------------------------------------------------------------------
 
 NAME_CHARACTERS = 300

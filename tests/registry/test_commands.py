@@ -129,7 +129,7 @@ def test_a_version_that_breaks_another_owner_waits_for_this_owner(field: Run) ->
     assert (status, text.endswith(lines)) == (0, True)
     assert field("registry", "pending", "--owner", "Cockpit team")[1] == "No version is pending.\n"
     decide = ("EcoControlMpc@1.1.0", "--owner", "Longitudinal control team")
-    digest = text.split()[6]
+    digest = text.split()[5]
     assert field("registry", "approve", *decide, "--sha256", "0" * 64)[0] == 1
     status, text = field("registry", "reject", *decide, "--reason", "\x1b[31mNot\nnow")
     assert (status, "\x1b" in text, text.count("\n")) == (0, False, 2)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from sigcat.cli.output import make_folder, write_bytes, write_lines
 from sigcat.cli.output_options import add_output, refuse_overwriting
 from sigcat.cli.registry_approvals import add_approvals
+from sigcat.cli.registry_events import add_events
 from sigcat.cli.registry_options import (
     KINDS,
     Actions,
@@ -21,6 +22,7 @@ from sigcat.cli.registry_options import (
     read_registry,
     registry_of,
 )
+from sigcat.cli.registry_webhooks import add_webhooks
 from sigcat.errors import UsageError, existing_file
 from sigcat.limits import REGISTRY_ROWS
 from sigcat.terminal_text import printable
@@ -40,6 +42,8 @@ def add_parser(commands: Actions) -> None:
     add_approvals(actions)
     _add_lines(actions)
     _add_transfer(actions)
+    add_events(actions)
+    add_webhooks(actions)
 
 
 def _add_reading(actions: Actions) -> None:

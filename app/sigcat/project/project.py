@@ -20,6 +20,15 @@ class RegistrySettings(NamedTuple):
     """SQLite database, which the first publish creates."""
     key: Path | None = None
     """Private key that signs the log."""
+    webhook_hosts: tuple[str, ...] = ()
+    """Hosts to which webhooks may be sent."""
+    webhook_networks: tuple[str, ...] = ()
+    """Private networks that these hosts may be in."""
+
+    @property
+    def files(self) -> tuple[Path | None, ...]:
+        """The files of the registry."""
+        return self.database, self.key
 
 
 class Project(NamedTuple):
@@ -67,7 +76,7 @@ class Project(NamedTuple):
     @property
     def files(self) -> tuple[Path, ...]:
         """The project file and the files that it names: no command writes over them."""
-        named = (self.file, self.deployment, *(self.registry or ()))
+        named = (self.file, self.deployment, *(self.registry.files if self.registry else ()))
         overlays = (path for vehicle in self.vehicles for path in vehicle.overlays)
         lists = (*self.rules, *self.units, *self.quantities, *self.dbc, *overlays)
         return (*(path for path in named if path is not None), *lists)

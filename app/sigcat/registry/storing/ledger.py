@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 from sqlalchemy import Connection, insert, select
 
 from sigcat.digest import digest_of
+from sigcat.limits import REGISTRY_ROWS
 from sigcat.registry.storing.database import writing
 from sigcat.registry.storing.entry import BEGIN, Action, Entry, Link, linked, now
 from sigcat.registry.storing.replay import apply
@@ -65,3 +66,9 @@ def head(connection: Connection) -> Link | None:
     """The last entry of the log."""
     row = connection.execute(select(LOG).order_by(LOG.c.number.desc()).limit(1)).first()
     return Link(*row) if row is not None else None
+
+
+def links_after(connection: Connection, number: int) -> tuple[Link, ...]:
+    """Entries behind one, in order: at most so many as an answer has."""
+    chosen = select(LOG).where(LOG.c.number > number).order_by(LOG.c.number).limit(REGISTRY_ROWS)
+    return tuple(Link(*row) for row in connection.execute(chosen))

@@ -1,4 +1,7 @@
-"""Tables of the registry. All but `contents` and `log` follow from the log."""
+"""Tables of the registry. `contents` and `log` are the source, and the others follow from the log.
+
+Only `subscriptions` and `deliveries` do not: they say to whom events are sent, and which are.
+"""
 
 from sqlalchemy import Column, ForeignKey, Index, Integer, LargeBinary, MetaData, String, Table, UniqueConstraint
 
@@ -69,6 +72,29 @@ APPROVALS = Table(
     Column("at", String, nullable=False),
     Column("until", String, nullable=False),
     Column("reason", String, nullable=False),
+)  # fmt: skip
+SUBSCRIPTIONS = Table(
+    "subscriptions", METADATA,
+    Column("id", String, primary_key=True),
+    Column("url", String, nullable=False),
+    Column("types", String, nullable=False),
+    Column("secret", String, nullable=False),
+    Column("at", String, nullable=False),
+    Column("number", Integer, nullable=False),
+)  # fmt: skip
+DELIVERIES = Table(
+    "deliveries", METADATA,
+    Column("id", String, primary_key=True),
+    Column("subscription_id", ForeignKey("subscriptions.id"), nullable=False),
+    Column("number", ForeignKey("log.number"), nullable=False),
+    Column("state", String, nullable=False),
+    Column("attempts", Integer, nullable=False),
+    Column("due", String, nullable=False),
+    Column("lease", String, nullable=False),
+    Column("at", String, nullable=False),
+    Column("answer", String, nullable=False),
+    Index("deliveries_due", "state", "due"),
+    Index("deliveries_subscription", "subscription_id"),
 )  # fmt: skip
 LOG = Table(
     "log", METADATA,
