@@ -127,6 +127,11 @@ KINDS = (
         ),
     ),
     Kind(
+        "the model of Backstage",
+        ("tests/registry/test_backstage.py::test_the_model_of_backstage_accepts_every_entity",),
+        (),
+    ),
+    Kind(
         "every page in a browser",
         ("tests/web/in_browser",),
         (
