@@ -198,14 +198,37 @@ def test_users_are_direct_and_through_errors_reactions_and_modes(field: Run) -> 
     ]
     _, text = field("users", "Vehicle.Function.CoreAcc.Error.BrakePressureTimeout", "--format", "json")
     assert json.loads(text)["users"][0]["name"] == "CoreAcc_BrakePressureTimeout_ErrorSts"
-    assert field("users", "Vehicle.Nothing") == (0, "No published function uses Vehicle.Nothing.\n")
+    assert field("users", "Vehicle.CurrentLocation.Altitude") == (
+        0,
+        "No published function uses Vehicle.CurrentLocation.Altitude.\n",
+    )
+
+
+def test_users_of_a_definition_are_those_of_its_instances(field: Run) -> None:
+    wheels = "Vehicle.Chassis.Axle.Row1.Wheel.Left.AngularSpeed"
+    status, text = field("users", wheels)
+    assert (status, f"WheelSpeedCalculation 1.0.0 consumes {wheels}," in text) == (0, True), text
+    status, text = field("users", "Vehicle.Chassis.Axle.Wheel.AngularSpeed")
+    assert (status, f"WheelSpeedCalculation 1.0.0 consumes {wheels}," in text) == (0, True), text
+    assert field("users", "Vehicle.Cabin.Door.IsOpen") == (0, "No published function uses Vehicle.Cabin.Door.IsOpen.\n")
+
+
+def test_a_path_that_is_unknown_everywhere_is_not_one_that_nobody_uses(field: Run) -> None:
+    for form in ("text", "json"):
+        status, text = field("users", "Vehicle.Spede", "--format", form)
+        assert (status, "error E005 No published catalogue or function has 'Vehicle.Spede'" in text) == (1, True), text
+        assert "Did you mean 'Vehicle.Speed'?" in text
+    Path("own.vspec").write_text("Vehicle.Own: {type: sensor, datatype: float, description: Own.}\n", encoding="utf-8")
+    assert field("users", "Vehicle.Own")[0] == 1
+    assert field("publish", "own.vspec", "--version", "1.0.0")[0] == 0
+    assert field("users", "Vehicle.Own") == (0, "No published function uses Vehicle.Own.\n")
 
 
 def test_users_of_a_branch_are_those_of_the_nodes_below_it(field: Run) -> None:
     _, text = field("users", "Vehicle.ADAS.EcoControl", "--format", "json")
     assert PROPOSAL in {each["path"] for each in json.loads(text)["users"]}
-    _, text = field("users", "Vehicle.ADAS.EcoCont")
-    assert text.startswith("No published function")
+    status, text = field("users", "Vehicle.ADAS.EcoCont")
+    assert (status, "error E005" in text) == (1, True)
 
 
 def test_a_published_file_is_shown_byte_for_byte_and_a_list_has_owners_and_lines(field: Run) -> None:
@@ -326,6 +349,9 @@ def test_a_key_is_made_once_and_its_owner_alone_reads_it(field: Run) -> None:
     assert field("registry", "new-key", "registry.key")[0] == 0
     assert Path("registry.key").stat().st_mode & 0o777 == 0o600
     assert field("registry", "new-key", "registry.key")[0] == 2
+    Path("link.key").symlink_to("other.key")
+    assert field("registry", "new-key", "link.key")[0] == 2
+    assert not Path("other.key").exists()
     with Path("sigcat.toml").open("a", encoding="utf-8") as project:
         project.write('key = "registry.key"\n')
     status, text = field("registry", "verify")
@@ -378,4 +404,4 @@ def test_an_empty_registry_answers_nothing(run: Run, arguments: tuple[str, ...])
     for _ in range(2):
         status, text = run(*arguments)
         assert (status, "nothing is published in registry.db" in text) == (2, True)
-        assert run("registry", "import", "cut.jsonl")[0] == 1  # it leaves an empty database
+        assert run("registry", "import", "cut.jsonl")[0] == 1  # it leaves no database

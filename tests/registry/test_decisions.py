@@ -10,10 +10,12 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.function.function_file import CheckedFunction
 from sigcat.function.sets.check_set import check_set
 from sigcat.registry.breaking import broken_by_catalogue
+from sigcat.registry.candidate import Candidate
 from sigcat.registry.deploying import can_deploy
 from sigcat.registry.reference import Reference
 from sigcat.registry.storing.database import in_memory
 from sigcat.registry.users import users_of
+from tests.catalogue.trees import ROOT, catalogue_of
 from tests.needs import IS_SLOW_RUN
 from tests.registry.parts import NAMES, SIGNALS, add, candidate, catalogue, checked, declaration, deploy
 
@@ -167,3 +169,60 @@ def test_a_signal_that_the_catalogue_lacks_has_its_users() -> None:
         (user,) = users_of(connection, "Vehicle.S0").users
         assert (user.use.verb, user.use.is_optional) == ("consumes", True)
         assert broken_by_catalogue(connection, catalogue(), "tree.vspec") == ()
+
+
+def follower(name: str, previous: str, version: str = "1.0.0") -> Candidate:
+    """A function whose step runs after one of another function, or after none."""
+    nodes = [
+        f"Vehicle.Function.{each}: {{type: branch, description: A function.}}\n"
+        f"Vehicle.Function.{each}.Scheduling: {{type: branch, description: Calls.}}\n"
+        f"Vehicle.Function.{each}.Scheduling.Step: {{type: branch, description: Runs., runType: Cyclic, cycleTime: 10, priority: 1,"
+        f" scheduling: Preemptive, ASILlevel: QM{f', previousRunnable: {previous}_Step' if previous and each == name else ''}}}\n"
+        for each in ("One", "Two", "Three", "Four")
+    ]
+    signal = "Vehicle.S0: {type: sensor, datatype: float, description: A signal.}\n"
+    functions = "Vehicle.Function: {type: branch, description: Functions.}\n"
+    over = catalogue_of(ROOT, f"{functions}{''.join(nodes)}{signal}")
+    return candidate(declaration(name, ("S0",) if name == "One" else (), (), version), over)
+
+
+@pytest.mark.parametrize(
+    ("previous", "field", "decision"),
+    [
+        ({"One": "Two", "Two": "Three", "Three": "One"}, ("Two", "Three"), "no"),
+        ({"One": "Two", "Two": "Three", "Three": "Four", "Four": "One"}, ("Two", "Three", "Four"), "no"),
+        ({"One": "Two", "Two": "Three", "Three": ""}, ("Two", "Three"), "yes"),
+        ({"One": "Two", "Two": "Three", "Three": "One"}, ("Two",), "yes"),
+        (
+            {"One": "Two", "Two": "Three", "Three": "Four", "Four": "Two"},
+            ("Two", "Three", "Four"),
+            "yes",
+        ),  # it was before
+    ],
+)
+def test_a_deployment_that_closes_a_circle_of_calls_is_refused(
+    previous: Mapping[str, str], field: Sequence[str], decision: str
+) -> None:
+    with in_memory() as connection:
+        add(connection, *(follower(name, before) for name, before in previous.items()))
+        deploy(connection, "SUV-2025", [Reference(name, "1.0.0") for name in field])
+        answer = can_deploy(connection, [Reference("One", "1.0.0")], "SUV-2025")
+    assert answer.decision == decision, answer.conflicts
+    assert all("depends on itself" in each.message for each in answer.conflicts)
+
+
+def test_a_circle_exists_in_one_vehicle_only_if_it_has_one_version_of_each_function() -> None:
+    functions = [
+        ("One", "Two", "1.0.0"),
+        ("Two", "Three", "1.0.0"),
+        ("Two", "", "1.1.0"),
+        ("Three", "Two", "1.0.0"),
+        ("Three", "One", "1.1.0"),
+    ]
+    decisions = {}
+    for chosen in (("Two", "1.0.0"), ("Two", "1.1.0")):
+        with in_memory() as connection:
+            add(connection, *(follower(*each) for each in functions))
+            deploy(connection, "SUV-2025", [Reference(*chosen), Reference("Three", "1.1.0")])
+            decisions[chosen] = can_deploy(connection, [Reference("One", "1.0.0")], "SUV-2025").decision
+    assert list(decisions.values()) == ["no", "yes"]

@@ -13,12 +13,12 @@ from sigcat.registry.candidate import Candidate
 from sigcat.registry.lines import record, set_rule, set_state
 from sigcat.registry.publish import publish
 from sigcat.registry.published import all_versions, version_named
-from sigcat.registry.reference import Reference
+from sigcat.registry.reference import Kind, Reference, name_problem
 from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.database import Place, reading
 from sigcat.registry.storing.ledger import Registry
 from sigcat.registry.storing.tables import SCHEMA
-from sigcat.registry.version import raised_part, version_of
+from sigcat.registry.version import raised_part, version_of, version_problem
 from tests.registry.parts import candidate, catalogue, declaration, plain_candidate
 
 CATALOGUE = catalogue()
@@ -122,6 +122,47 @@ def test_a_version_that_is_none_is_refused(file: Path, version: str) -> None:
     assert not file.exists()
 
 
+@pytest.mark.parametrize(
+    ("version", "fix"),
+    [
+        ("1.2", "Write 1.2.0."),
+        ("v1.0.0", "Write 1.0.0."),
+        ("V2", "Write 2.0.0."),
+        ("01.02.0-rc.1", "Write 1.2.0-rc.1."),
+        ("1.2.3.4", "Write 1.2.3."),
+        ("latest", "Write three numbers, such as 1.2.0."),
+        ("1.0.0-01", "Write three numbers, such as 1.2.0."),
+        ("1.0.9999999999", "Write smaller numbers."),
+        (f"1.0.0-{'a' * 200}", "Shorten it."),
+    ],
+)
+def test_a_version_that_is_none_gets_the_nearest_one_as_advice(version: str, fix: str) -> None:
+    problem = version_problem(version)
+    assert problem is not None
+    assert problem.fix == fix
+
+
+@given(text=st.text(max_size=120) | st.from_regex(r"v?[0-9.]{1,20}[-+a-z0-9.]{0,10}"))
+def test_any_text_is_a_version_or_has_advice(text: str) -> None:
+    assert (version_problem(text) is None) == (version_of(text) is not None)
+
+
+@pytest.mark.parametrize(
+    ("name", "kind", "requirement", "fix"),
+    [
+        ("a b", "overlay", "have only letters and digits of ASCII", "Rename the file"),
+        ("-a", "function", "begin with a letter or a digit", "Rename the function"),
+        ("x" * 101, "line", "have at most 100 characters", "SUV-2025"),
+        ("Vеhicle", "catalogue", "have only letters and digits of ASCII", "[[catalogue]]"),
+    ],
+)
+def test_a_name_that_is_none_says_what_is_wrong(name: str, kind: Kind, requirement: str, fix: str) -> None:
+    finding = name_problem(name, kind)
+    assert finding is not None
+    assert requirement in finding.message
+    assert fix in finding.fix
+
+
 NAMES = ("", ".", "..", "a/b", "../a", "a\\b", "a b", "a\n", "a@1", "-a", "Vеhicle", "CoreＡcc", "a\u202eb", "x" * 101)
 
 
@@ -202,6 +243,13 @@ def test_a_version_in_a_vehicle_line_is_not_retired_and_a_draft_is_not_deployed(
         record(registry, "deployment", "SUV-2025", reference)
     with pytest.raises(InputRefused):
         set_state(registry, "function", reference, "deprecated")
+
+
+def test_a_version_is_not_its_own_successor(registry: Registry) -> None:
+    outcome(registry, alpha("1.0.0"))
+    with pytest.raises(InputRefused) as refused:
+        set_state(registry, "function", Reference("Alpha", "1.0.0"), "deprecated", successor="1.0.0")
+    assert [each.rule for each in refused.value.findings] == ["E009"]
 
 
 @pytest.mark.parametrize("date", ["soon", "2027-02-30", "27-01-01", "2027-1-1"])

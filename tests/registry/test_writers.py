@@ -6,6 +6,7 @@ import random
 import resource
 import signal
 import sqlite3
+import tempfile
 import time
 from contextlib import suppress
 from pathlib import Path
@@ -13,7 +14,7 @@ from pathlib import Path
 import pytest
 from sqlalchemy import Connection
 
-from sigcat.errors import InputRefused
+from sigcat.errors import InputRefused, RegistryUnusable
 from sigcat.registry.publish import publish
 from sigcat.registry.published import all_versions
 from sigcat.registry.storing import sqlite as store
@@ -130,6 +131,48 @@ def _publish_on_full_disk(database: Path) -> tuple[list[str], str]:
     except InputRefused as refused:
         return [each.rule for each in refused.findings], refused.findings[0].fix
     return [], ""
+
+
+@pytest.mark.parametrize(("file_mode", "folder_mode"), [(0o444, 0o777), (0o444, 0o555), (0o644, 0o555)])
+def test_who_may_only_read_leaves_no_files(file_mode: int, folder_mode: int) -> None:
+    with tempfile.TemporaryDirectory() as name:
+        database = Path(name, "registry.db")
+        publish(Registry(database), [plain_candidate("small", "1.0.0")])
+        store.close_all()
+        database.chmod(file_mode)
+        database.parent.chmod(folder_mode)
+        process = _FORK.Process(target=_read_as_another_user, args=(database,))
+        process.start()
+        process.join()
+        assert process.exitcode == 0
+        assert [each.name for each in database.parent.iterdir()] == ["registry.db"]
+        database.parent.chmod(0o700)
+
+
+def _read_as_another_user(database: Path) -> None:
+    if os.geteuid() == 0:
+        os.setgid(65534)
+        os.setuid(65534)
+    assert versions_in(database) == ["1.0.0"]
+    with pytest.raises(RegistryUnusable):
+        publish(Registry(database), [plain_candidate("small", "1.1.0")])
+    store.close_all()
+
+
+def test_what_was_read_while_another_user_wrote_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    database = tmp_path / "registry.db"
+    publish(Registry(database), [plain_candidate("small", "1.0.0")])
+    store.close_all()
+    monkeypatch.setattr("os.access", lambda *_: False)
+    with pytest.raises(RegistryUnusable) as refused, reading(database):
+        _write_meanwhile(database, monkeypatch)
+    assert refused.value.findings[0].fix == "Run the command again."
+    assert versions_in(database) == ["1.0.0", "1.1.0"]
+
+
+def _write_meanwhile(database: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.undo()
+    publish(Registry(database), [plain_candidate("small", "1.1.0")])
 
 
 @pytest.mark.parametrize("folder", ["/proc", "/nowhere/at/all"])

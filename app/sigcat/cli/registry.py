@@ -220,7 +220,7 @@ def new_key(arguments: argparse.Namespace) -> int:
         from sigcat.registry.storing.signing import new_key as make_key
     public = arguments.file.with_name(f"{arguments.file.name}.pub")
     for file in (arguments.file, public):
-        if file.exists():
+        if file.exists() or file.is_symlink():  # a link may lead to no file
             raise UsageError(f"{file} is there already")
     private_text, public_text = make_key()
     make_folder(arguments.file.parent)

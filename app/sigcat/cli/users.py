@@ -3,8 +3,8 @@
 import argparse
 from typing import TYPE_CHECKING
 
-from sigcat.cli.project_options import add_project_options
 from sigcat.cli.registry_options import read_registry
+from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
@@ -18,7 +18,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         help="list the published functions that use a signal, a type, an error or a mode",
         description=(
             "List the users of a path or of the nodes below it, and what follows from them: a signal sets an error, an "
-            "error a safety reaction, also in other functions."
+            "error a safety reaction, also in other functions. The path of a definition has the users of its instances in the "
+            "catalogue."
         ),
     )
     parser.add_argument("path", metavar="PATH", help="path of a node, or name of an interface")
@@ -26,16 +27,18 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "--all", action="store_true", help="all versions (default: those in vehicle lines, and the newest ones)"
     )
     parser.add_argument("--format", choices=("text", "json"), default="text", help="default: %(default)s")
-    add_project_options(parser)
+    add_tree_options(parser)
     parser.set_defaults(run=users)
 
 
 def users(arguments: argparse.Namespace) -> int:
     """Print the users. Without any, this is said on standard output, too."""
     with read_registry(arguments) as connection:
-        from sigcat.registry.users import users_of
+        from sigcat.registry.users import users_of, users_of_instances
 
         found = users_of(connection, arguments.path, is_complete=arguments.all)
+        if not found.users:
+            found = users_of_instances(connection, arguments.path, read_tree(arguments), is_complete=arguments.all)
     if arguments.format == "json":
         import json
 

@@ -1,6 +1,7 @@
 """Conflicts of functions that are deployed with those in a vehicle line, by the checks of a set of functions."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import islice, product
 from typing import NamedTuple
 
 from sigcat import codes
@@ -66,6 +67,7 @@ def conflicts(deployed: Sequence[Member], field: Sequence[Member], replaced: Seq
     others = [each for each in field if each.name not in {member.name for member in deployed}]
     alone = _mismatches(deployed, ())
     found = [*alone, *(each for other in others for each in _with_other(deployed, other, alone))]
+    found += _in_circles(deployed, others, found)
     found += _lost(deployed, others, replaced)
     return tuple(dict.fromkeys(found))
 
@@ -74,6 +76,45 @@ def _with_other(deployed: Sequence[Member], other: Member, known: Sequence[Confl
     if any(not member.elements.isdisjoint(other.elements) for member in deployed):
         seen = {(each.rule, each.message) for each in known}
         yield from (each for each in _mismatches(deployed, (other,)) if (each.rule, each.message) not in seen)
+
+
+_OF_CIRCLES = frozenset((codes.CALLS_OF_FUNCTIONS_IN_A_CIRCLE.id, codes.ERRORS_OF_FUNCTIONS_IN_A_CIRCLE.id))
+_MOST_VEHICLES = 1_000
+"""Combinations of versions in which circles are searched."""
+
+
+def _in_circles(deployed: Sequence[Member], others: Sequence[Member], known: Sequence[Conflict]) -> Iterator[Conflict]:
+    """Yield circles of calls or errors through several functions. A vehicle has one version of each function."""
+    seen = {(each.rule, each.message) for each in known}
+    versions = _by_name(_on_ways_back(deployed, others))
+    if len(versions) < 2:
+        return
+    for vehicle in islice(product(*versions.values()), _MOST_VEHICLES):
+        before = {(each.rule, each.message) for each in check_set([each.checked for each in vehicle], is_whole=False)}
+        for each in _mismatches(deployed, vehicle):
+            if each.rule in _OF_CIRCLES and (each.rule, each.message) not in before | seen:
+                seen.add((each.rule, each.message))
+                yield each
+
+
+def _on_ways_back(deployed: Sequence[Member], others: Sequence[Member]) -> Sequence[Member]:
+    """Functions to which the deployed ones lead by the order of calls or by errors, and which lead back to them.
+
+    Only functions on the way are read.
+    """
+    reached, waiting = list[Member](), list(deployed)
+    while waiting:
+        member = waiting.pop()
+        following = [each for each in others if each not in reached and member.depends_on(each)]
+        reached += following
+        waiting += following
+    back, waiting = list[Member](), list(deployed)
+    while waiting:
+        member = waiting.pop()
+        before = [each for each in reached if each not in back and each.depends_on(member)]
+        back += before
+        waiting += before
+    return back
 
 
 def _mismatches(deployed: Sequence[Member], others: Sequence[Member]) -> tuple[Conflict, ...]:

@@ -17,7 +17,7 @@ _DATE = re.compile(r"[0-9]{4}-[0-9]{2}-[0-9]{2}", re.ASCII)
 
 def record(registry: Registry, action: Action, line: str, reference: Reference) -> str:
     """Record a deployment, a release or the end of support, and return the head of the log. Raises InputRefused."""
-    problem = name_problem(line)
+    problem = name_problem(line, "line")
     if problem is not None:
         raise refused(problem)
     with ledger_of(registry) as ledger:
@@ -46,7 +46,10 @@ def set_state(
             message = f"{reference} is retired, and stays so."
             raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message, path=reference.name))
         if successor:
-            version_named(ledger.connection, kind, Reference(reference.name, successor))
+            replacing = version_named(ledger.connection, kind, Reference(reference.name, successor))
+            if replacing.id == published.id:
+                message = f"The successor of {reference} must be another version."
+                raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message, path=reference.name))
         _check_retired(ledger.connection, reference, state)
         data = {"kind": kind, "name": reference.name, "version": reference.version, "state": state}
         ledger.append("state", {**data, "until": until, "successor": successor})

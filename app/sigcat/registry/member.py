@@ -6,10 +6,12 @@ from functools import cached_property, partial
 
 from sqlalchemy import Connection
 
+from sigcat.function.checks.order import previous_calls
 from sigcat.function.document.read_json import read_json
 from sigcat.function.exchange import exchange_of, parts_of
 from sigcat.function.function_file import CheckedFunction
 from sigcat.function.function_json.reading import read_function
+from sigcat.function.function_json.walk import errors, runnables
 from sigcat.registry.candidate import Candidate
 from sigcat.registry.candidates import ReadFunction
 from sigcat.registry.published import Published
@@ -47,6 +49,24 @@ class Member:
     def elements(self) -> frozenset[str]:
         """Identities of everything that it exchanges."""
         return frozenset(use.element for use in self.uses)
+
+    @cached_property
+    def declared(self) -> frozenset[str]:
+        """Names of its calls and errors, on which those of other functions may depend."""
+        return frozenset(use.name for use in self.uses if use.verb in ("runs", "reports"))
+
+    @cached_property
+    def dependencies(self) -> frozenset[str]:
+        """Names of the calls before its calls, and of the errors on which its errors depend."""
+        function = self.checked.function
+        if function is None:
+            return frozenset()
+        calls = (name for _, _, call in runnables(function) for name in previous_calls(call))
+        return frozenset((*calls, *(name for _, _, error in errors(function) for name in error.dependencies)))
+
+    def depends_on(self, other: "Member") -> bool:
+        """Whether a call or an error depends on one of another function."""
+        return other.name != self.name and not self.dependencies.isdisjoint(other.declared)
 
     @property
     def needed(self) -> tuple[str, ...]:

@@ -20,7 +20,7 @@ from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.ledger import Ledger, Registry, head, ledger_of
 from sigcat.registry.storing.tables import NAMES, VERSIONS
 from sigcat.registry.use import from_json
-from sigcat.registry.version import RELEASED, is_enough, raised_part, version_of
+from sigcat.registry.version import RELEASED, is_enough, raised_part, version_of, version_problem
 
 Status = Literal["published", "draft", "pending", "unchanged"]
 
@@ -62,13 +62,12 @@ def publish(registry: Registry, candidates: Sequence[Candidate], *, is_draft: bo
 
 
 def _malformed(candidate: Candidate) -> Iterator[Finding]:
-    problem = name_problem(candidate.name)
+    problem = name_problem(candidate.name, candidate.kind)
     if problem is not None:
         yield problem._replace(file=candidate.file)
-    if version_of(candidate.version) is None:
-        message = f"The version must be one of SemVer 2.0, not {candidate.version[:60]!r}."
-        fix = "Write three numbers, such as 1.2.0."
-        yield codes.VERSION_NOT_SEMANTIC.finding(message, candidate.file, fix=fix)
+    found = version_problem(candidate.version)
+    if found is not None:
+        yield codes.VERSION_NOT_SEMANTIC.finding(found.message, candidate.file, fix=found.fix)
 
 
 def _publish(

@@ -1,7 +1,7 @@
 """Published names, and references such as `CoreAcc@1.2.0`."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Literal, NamedTuple, get_args
 
 from sigcat import codes
@@ -19,7 +19,17 @@ DEPLOYABLE: frozenset[State] = frozenset(("published", "deprecated"))
 CHANGEABLE: frozenset[State] = frozenset(("draft", "pending"))
 """States in which a version may get other content."""
 
-_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,99}", re.ASCII)
+_LONGEST = 100
+"""Characters of a name."""
+_NAME = re.compile(rf"[A-Za-z0-9][A-Za-z0-9._-]{{0,{_LONGEST - 1}}}", re.ASCII)
+_LETTERS = re.compile(r"[A-Za-z0-9._-]+", re.ASCII)
+_ARTICLES: Mapping[Kind, str] = {
+    "function": "a function", "overlay": "an overlay", "catalogue": "a catalogue", "line": "a vehicle line",
+}  # fmt: skip
+_RENAME: Mapping[Kind, str] = {
+    "function": "Rename the function in its file.", "overlay": "Rename the file: an overlay has the name of its file.",
+    "catalogue": "Change `id` of its [[catalogue]] in sigcat.toml.", "line": "Use a name such as SUV-2025.",
+}  # fmt: skip
 
 
 class Reference(NamedTuple):
@@ -32,12 +42,19 @@ class Reference(NamedTuple):
         return f"{self.name} {self.version}"
 
 
-def name_problem(name: str) -> Finding | None:
+def name_problem(name: str, kind: Kind) -> Finding | None:
     """Return why a name cannot be published; None if it can."""
     if _NAME.fullmatch(name):
         return None
-    message = f"A published name must be ASCII letters, digits, '.', '_' and '-', not {shown(name)}."
-    return codes.PUBLISHED_NAME_UNFIT.finding(message, fix="Use a name such as SUV-2025.")
+    if not _LETTERS.fullmatch(name):
+        requirement = "have only letters and digits of ASCII, '.', '_' and '-'"
+    elif len(name) > _LONGEST:
+        requirement = f"have at most {_LONGEST} characters"
+    else:
+        requirement = "begin with a letter or a digit"
+    return codes.PUBLISHED_NAME_UNFIT.finding(
+        f"The name of {_ARTICLES[kind]} must {requirement}, not {shown(name)}.", fix=_RENAME[kind]
+    )
 
 
 def reference_of(text: str) -> Reference:

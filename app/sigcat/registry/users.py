@@ -1,12 +1,18 @@
 """Users of a path, directly and through errors, safety reactions and modes."""
 
+import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from sqlalchemy import BindParameter, Connection, bindparam, select
 
+from sigcat import codes
+from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.limits import REGISTRY_ROWS
-from sigcat.registry.published import Published, lines_by_version, published_by_id
+from sigcat.names import did_you_mean
+from sigcat.registry.published import Published, all_versions, lines_by_version, published_by_id
+from sigcat.registry.reference import Kind, refused
+from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.replay import portions
 from sigcat.registry.storing.tables import RELIANCES, USES
 from sigcat.registry.use import Use, from_row
@@ -37,6 +43,35 @@ def users_of(connection: Connection, path: str, *, is_complete: bool = False) ->
     lines = lines_by_version(connection, (each.version for each in shown))
     users = (User(known[each.version], each.use, each.through, lines.get(each.version, ())) for each in shown)
     return Users(tuple(users), len(rows) - len(shown))
+
+
+def users_of_instances(connection: Connection, path: str, catalogue: Catalogue, *, is_complete: bool = False) -> Users:
+    """The users of the instances of a definition that a catalogue has. Raises InputRefused if the path is unknown."""
+    instances = [node.path for node in catalogue.nodes.values() if node.template == path]
+    each = [users_of(connection, instance, is_complete=is_complete) for instance in instances]
+    users = tuple({(user.published.id, user.use[:5]): user for found in each for user in found.users}.values())
+    if not users and not instances and path not in catalogue.nodes and not _is_published(connection, path):
+        message = f"No published catalogue or function has {path[:200]!r}, nor has the catalogue of the project."
+        fix = did_you_mean(path, catalogue.nodes) or "Search the catalogue: `sigcat search WORD`."
+        raise refused(codes.NOT_PUBLISHED.finding(message, path=path, fix=fix))
+    more = sum(found.more for found in each) + max(0, len(users) - REGISTRY_ROWS)
+    return Users(users[:REGISTRY_ROWS], more)
+
+
+def _is_published(connection: Connection, path: str) -> bool:
+    """Whether any version has a path: a function that uses it or a node below, or a catalogue or an overlay with the node."""
+    if next(_of_elements(connection, [path]), None) or connection.execute(_BELOW, _range(path)).first():
+        return True
+    versions = (version for kind in _WITH_NODES for version in all_versions(connection, kind))
+    key = f"{json.dumps(path, ensure_ascii=False)}:".encode()
+    return any(key in content_of(connection, resolved) for resolved in {version.resolved for version in versions})
+
+
+_WITH_NODES: tuple[Kind, ...] = ("catalogue", "overlay")
+
+
+def _range(path: str) -> Mapping[str, str]:
+    return {"first": f"{path}.", "end": f"{path}/"}
 
 
 class _Reached(NamedTuple):
@@ -70,7 +105,7 @@ def _reached(
     """Uses breadth first: of the path, then of its consequences, each once. Versions are added to `known`."""
     level: Mapping[str, tuple[str, ...]] = {path: ()}
     seen, told = {path}, set[tuple[int, int]]()
-    below = connection.execute(_BELOW, {"first": f"{path}.", "end": f"{path}/"})
+    below = connection.execute(_BELOW, _range(path))
     rows = [_Row._make(row) for row in below]
     while level:
         rows += _of_elements(connection, list(level))

@@ -6,12 +6,16 @@ from typing import NamedTuple
 
 from sigcat.catalogue.comparing.changelog import Part
 
-_NUMBER = r"(?:0|[1-9][0-9]{0,8})"
+_DIGITS = 9
+"""Digits of a number."""
+_NUMBER = rf"(?:0|[1-9][0-9]{{0,{_DIGITS - 1}}})"
 _IDENTIFIER = r"(?:0|[1-9][0-9]*|[0-9]*[A-Za-z-][0-9A-Za-z-]*)"
 _VERSION = re.compile(
     rf"({_NUMBER})\.({_NUMBER})\.({_NUMBER})"
     rf"(?:-({_IDENTIFIER}(?:\.{_IDENTIFIER})*))?(?:\+[0-9A-Za-z-]+(?:\.[0-9A-Za-z-]+)*)?"
 )
+_BEGIN = re.compile(r"(v?)([0-9.]*)(.*)", re.ASCII | re.DOTALL | re.IGNORECASE)
+"""Any text: a letter that many write, numbers, and the rest."""
 _LONGEST = 100
 """Characters of a version."""
 
@@ -64,6 +68,28 @@ def version_of(text: str) -> Version | None:
     numbers, parts = (int(major), int(minor), int(patch)), tuple(prerelease.split(".")) if prerelease else ()
     identifiers = tuple((0, int(each), "") if each.isdigit() else (1, 0, each) for each in parts)
     return Version(text, numbers, parts, (numbers, not parts, identifiers))
+
+
+class Problem(NamedTuple):
+    """The reason why a text is not a version, and what to write."""
+
+    message: str
+    fix: str
+
+
+def version_problem(text: str) -> Problem | None:
+    """Return why a text is not a version; None if it is one."""
+    if version_of(text) is not None:
+        return None
+    if len(text) > _LONGEST:
+        return Problem(f"A version must have at most {_LONGEST} characters, not {len(text)}.", "Shorten it.")
+    _, numbers, rest = _BEGIN.fullmatch(text).groups()  # type: ignore[union-attr]  # matches any text
+    parts = [part.lstrip("0") or "0" for part in numbers.split(".") if part]
+    if any(len(part) > _DIGITS for part in parts):
+        return Problem(f"A number of a version must have at most {_DIGITS} digits: {text!r}.", "Write smaller numbers.")
+    nearest = f"{'.'.join([*parts, '0', '0'][:3])}{rest}" if parts else ""
+    fix = f"Write {nearest}." if version_of(nearest) is not None else "Write three numbers, such as 1.2.0."
+    return Problem(f"A version must be three numbers by SemVer 2.0, such as 1.2.0 or 1.2.0-rc.1, not {text!r}.", fix)
 
 
 _PARTS: tuple[Part, ...] = ("major", "minor", "patch", "none")

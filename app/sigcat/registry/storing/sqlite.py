@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from functools import lru_cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple
 
 from sqlalchemy import Connection, Engine, NullPool, QueuePool, create_engine, event
@@ -47,8 +48,33 @@ class SqliteStore(NamedTuple):
     @contextmanager
     def connected(self) -> Iterator[Connection]:
         """A connection, which the process keeps: the last one of a file that is closed writes its log into the file."""
-        with _engine(str(self.file)).connect() as connection:
-            yield connection
+        if self._is_at_rest:
+            with self._unchanged(), _read_only_engine(self.file).connect() as connection:
+                yield connection
+        else:
+            with _engine(str(self.file)).connect() as connection:
+                yield connection
+
+    @property
+    def _is_at_rest(self) -> bool:
+        """Whether nobody writes, and this process may not: SQLite would leave files beside it that nobody removes."""
+        is_writable = os.access(self.file, os.W_OK) and os.access(self.file.parent, os.W_OK)
+        return self.exists() and not is_writable and not self._log.exists()
+
+    @property
+    def _log(self) -> Path:
+        return self.file.with_name(f"{self.file.name}-wal")
+
+    @contextmanager
+    def _unchanged(self) -> Iterator[None]:
+        """Refuse what was read in the block if another user began to write meanwhile."""
+        before = self.file.stat()
+        yield
+        after = self.file.stat()
+        if self._log.exists() or (before.st_ino, before.st_mtime_ns) != (after.st_ino, after.st_mtime_ns):
+            message = "Others wrote to the database while it was read, and it is read-only here."
+            fix = _ADVICE[sqlite3.SQLITE_BUSY]
+            raise RegistryUnusable(codes.REGISTRY_UNUSABLE.finding(message, self.name, fix=fix))
 
     @contextmanager
     def exclusive(self, connection: Connection, seconds: float) -> Iterator[None]:
@@ -100,6 +126,17 @@ def in_memory_engine() -> Engine:
 
 
 @lru_cache(maxsize=8)
+def _read_only_engine(file: Path) -> Engine:
+    """The engine of a file that nobody writes: SQLite needs no files beside it then."""
+    address = f"{file.absolute().as_uri()}?mode=ro&immutable=1"
+
+    def connect() -> sqlite3.Connection:
+        return sqlite3.connect(address, uri=True, isolation_level=None)
+
+    return create_engine("sqlite://", creator=connect, poolclass=NullPool)
+
+
+@lru_cache(maxsize=8)
 def _engine(file: str) -> Engine:
     """The engine of a file, which keeps compiled statements and connections."""
 
@@ -135,6 +172,22 @@ def close_all() -> None:
 
 os.register_at_fork(before=close_all)
 atexit.register(close_all)
+
+
+@contextmanager
+def new_file(file: Path) -> Iterator[Path]:
+    """A file for a database, which gets its name when the block ends without an error. Raises RegistryUnusable."""
+    with TemporaryDirectory(prefix=f".{file.name}.", dir=file.parent) as folder:
+        part = Path(folder, file.name)
+        yield part
+        close_all()
+        try:
+            file.hardlink_to(part)
+        except FileExistsError:
+            message = "The registry must be empty to import another one."
+            raise RegistryUnusable(
+                codes.REGISTRY_UNUSABLE.finding(message, str(file), fix="Name a new `database`.")
+            ) from None
 
 
 def _identity(file: str) -> tuple[int, int] | None:

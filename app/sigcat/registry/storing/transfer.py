@@ -4,6 +4,7 @@ import base64
 import binascii
 import json
 from collections.abc import Iterable, Iterator
+from pathlib import Path
 from typing import Any
 
 from sqlalchemy import Connection, insert, select
@@ -16,6 +17,7 @@ from sigcat.registry.storing.content import all_content
 from sigcat.registry.storing.database import Place, writing
 from sigcat.registry.storing.entry import Link
 from sigcat.registry.storing.replay import apply
+from sigcat.registry.storing.sqlite import new_file
 from sigcat.registry.storing.tables import CONTENTS, LOG
 from sigcat.registry.storing.verify import read_log, verify
 
@@ -37,6 +39,13 @@ def exported(connection: Connection) -> Iterator[str]:
 
 def import_lines(database: Place, lines: Iterable[bytes], name: str) -> str:
     """Write an export into an empty registry, and return the head of its log. Raises InputRefused; then nothing is kept."""
+    if isinstance(database, Path) and database.parent.is_dir() and not database.exists():
+        with new_file(database) as file:
+            return _import(file, lines, name)
+    return _import(database, lines, name)
+
+
+def _import(database: Place, lines: Iterable[bytes], name: str) -> str:
     with writing(database) as connection:
         if connection.execute(select(LOG.c.number).limit(1)).first() is not None:
             raise _unfit("The registry must be empty to import another one.", name, fix="Name a new `database`.")
