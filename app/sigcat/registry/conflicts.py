@@ -104,7 +104,7 @@ def _lost(deployed: Sequence[Member], others: Sequence[Member], replaced: Sequen
 
     A vehicle has one version of each function.
     """
-    providers = _by_name((*deployed, *others))
+    providers = _providers((*deployed, *others))
     for consumer in (*deployed, *others):
         now = [each for each in replaced if consumer in deployed and each.name == consumer.name]
         for path in consumer.needed:
@@ -114,20 +114,21 @@ def _lost(deployed: Sequence[Member], others: Sequence[Member], replaced: Sequen
                 yield _lost_provider(path, consumer, before, deployed)
 
 
-def _by_name(members: Iterable[Member]) -> Mapping[str, Sequence[Member]]:
-    found: dict[str, list[Member]] = {}
+def _providers(members: Iterable[Member]) -> Mapping[str, frozenset[str]]:
+    """Names of the functions that provide an element in all of their versions, by element."""
+    always: dict[str, frozenset[str]] = {}
     for member in members:
-        found.setdefault(member.name, []).append(member)
-    return found
+        always[member.name] = always.get(member.name, member.provided) & member.provided
+    found: dict[str, set[str]] = {}
+    for name, elements in always.items():
+        for element in elements:
+            found.setdefault(element, set()).add(name)
+    return {element: frozenset(names) for element, names in found.items()}
 
 
-def _is_provided(path: str, consumer: Member, providers: Mapping[str, Sequence[Member]]) -> bool:
-    """Whether every vehicle has a provider: the consumer itself, or a function that provides it in all of its versions."""
-    return consumer.provides(path) or any(
-        all(version.provides(path) for version in versions)
-        for name, versions in providers.items()
-        if name != consumer.name
-    )
+def _is_provided(path: str, consumer: Member, providers: Mapping[str, frozenset[str]]) -> bool:
+    """Whether every vehicle has a provider: the consumer itself, or another function."""
+    return consumer.provides(path) or bool(providers.get(path, frozenset()) - {consumer.name})
 
 
 def _lost_provider(path: str, consumer: Member, before: Sequence[Member], deployed: Sequence[Member]) -> Conflict:
