@@ -4,6 +4,7 @@ import datetime as dt
 import json
 import multiprocessing
 import os
+import random
 import signal
 import socket
 import ssl
@@ -279,6 +280,28 @@ def test_a_delivery_of_a_killed_process_is_sent_by_another_one_with_the_same_id(
         assert [each.state for each in delivered(registry)] == ["delivered"]
     assert len(receiver.ids) == 2
     assert len(set(receiver.ids)) == 1
+
+
+def test_processes_that_are_killed_send_an_event_once_more_at_most_for_each_kill(
+    registry: Registry, monkeypatch
+) -> None:
+    monkeypatch.setattr("sigcat.registry.webhooks.deliveries.LEASE", dt.timedelta(seconds=1))
+    chance, kills = random.Random(0), 6
+    with receiving() as receiver:
+        subscribe(registry, receiver.url, (), LOCAL)
+        publish(registry, [plain_candidate("second", f"1.{n}.0") for n in range(60)])
+        for _ in range(kills):
+            process = _FORK.Process(target=_deliver_all, args=(registry,))
+            process.start()
+            time.sleep(chance.uniform(0.02, 0.2))
+            process.kill()
+            process.join()
+        deadline = time.monotonic() + 60
+        while set(states(registry)) != {("delivered", 1)} and time.monotonic() < deadline:
+            delivered(registry)
+            time.sleep(0.1)
+    assert len(set(receiver.ids)) == 60
+    assert 60 <= len(receiver.ids) <= 60 + kills
 
 
 def test_secrets_are_in_no_export(registry: Registry) -> None:

@@ -74,7 +74,7 @@ class SqliteStore(NamedTuple):
         if self._log.exists() or (before.st_ino, before.st_mtime_ns) != (after.st_ino, after.st_mtime_ns):
             message = "Others wrote to the database while it was read, and it is read-only here."
             fix = _ADVICE[sqlite3.SQLITE_BUSY]
-            raise RegistryUnusable(codes.REGISTRY_UNUSABLE.finding(message, self.name, fix=fix))
+            raise unusable(codes.REGISTRY_UNUSABLE.finding(message, self.name, fix=fix))
 
     @contextmanager
     def exclusive(self, connection: Connection, seconds: float) -> Iterator[None]:
@@ -185,9 +185,7 @@ def new_file(file: Path) -> Iterator[Path]:
             file.hardlink_to(part)
         except FileExistsError:
             message = "The registry must be empty to import another one."
-            raise RegistryUnusable(
-                codes.REGISTRY_UNUSABLE.finding(message, str(file), fix="Name a new `database`.")
-            ) from None
+            raise unusable(codes.REGISTRY_UNUSABLE.finding(message, str(file), fix="Name a new `database`.")) from None
 
 
 def _identity(file: str) -> tuple[int, int] | None:

@@ -36,6 +36,8 @@ def checked_url(url: str, policy: Policy) -> SplitResult:
         raise Forbidden(f"it must have at most {_LONGEST} printable characters of ASCII")
     if parts.scheme not in ("https", "http") or not parts.hostname or port == 0:
         raise Forbidden("it must begin with https:// and have a host")
+    if parts.scheme == "http" and not policy.networks:
+        raise Forbidden("http:// is for hosts in `webhook-networks` only")
     if parts.username is not None or parts.password is not None or parts.fragment:
         raise Forbidden("it must have no user, no password and no fragment")
     if parts.hostname not in {host.lower() for host in policy.hosts}:
