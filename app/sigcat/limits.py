@@ -205,6 +205,9 @@ WEBHOOK_SECONDS = 10
 WEBHOOK_ATTEMPTS = 12
 """Attempts to deliver an event to a webhook, within one to two days."""
 
+REGISTRY_ANSWER_BYTES = 256 * 1024 * 1024
+"""Bytes of an answer of a registry over HTTP; a longer one is refused."""
+
 # -- requests and pages ---------------------------------------------------------------------------------------------
 
 NAME_CHARACTERS = 300

@@ -138,11 +138,11 @@ TITLED = re.compile(r'```\w+ title="([^"]+)"\n(.*?)```', re.DOTALL)
 """Files that a page shows whole, by their names."""
 
 
-def write_titled(page: str, folder: Path) -> None:
-    """Write the files that a page shows."""
+def write_titled(page: str, folder: Path, address: str = SHOWN_AT) -> None:
+    """Write the files that a page shows, for a service at an address."""
     for name, text in TITLED.findall((ROOT / page).read_text("utf-8")):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (folder / name).write_text(text, encoding="utf-8")
+        (folder / name).write_text(text.replace(SHOWN_AT, address), encoding="utf-8")
 
 
 @pytest.mark.parametrize(("page", "block"), SHELL_BLOCKS, ids=lambda text: text.splitlines()[0])
@@ -150,7 +150,7 @@ def test_the_commands_run(page, block, environment, service, registry, folder):
     if not shutil.which("curl"):
         pytest.skip("curl: install it")
     address, token = service
-    write_titled(page, folder)
+    write_titled(page, folder, address)
     done = subprocess.run(
         ["bash", "-c", PRELUDE + block.replace(SHOWN_AT, address)],
         check=False,

@@ -4,7 +4,7 @@ import argparse
 from typing import TYPE_CHECKING
 
 from sigcat.cli.project_options import add_project_options
-from sigcat.cli.registry_options import print_more, read_registry
+from sigcat.cli.registry_options import add_server, print_more, read_registry, server_of
 from sigcat.limits import REGISTRY_ROWS
 from sigcat.terminal_text import printable
 
@@ -30,18 +30,14 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         help="version that ships together with it; may be repeated",
     )  # fmt: skip
     parser.add_argument("--format", choices=("text", "json"), default="text", help="default: %(default)s")
+    add_server(parser)
     add_project_options(parser)
     parser.set_defaults(run=can_i_deploy)
 
 
 def can_i_deploy(arguments: argparse.Namespace) -> int:
     """Print the answer with its reasons; 0 only if it is yes."""
-    with read_registry(arguments) as connection:
-        from sigcat.registry.deploying import can_deploy
-        from sigcat.registry.reference import reference_of
-
-        references = [reference_of(text) for text in (arguments.function, *arguments.others)]
-        answer = can_deploy(connection, references, arguments.to)
+    answer = _answer(arguments)
     if arguments.format == "json":
         import json
 
@@ -49,6 +45,23 @@ def can_i_deploy(arguments: argparse.Namespace) -> int:
     else:
         _print(answer)
     return int(answer.decision != "yes")
+
+
+def _answer(arguments: argparse.Namespace) -> "Answer":
+    """The answer of the service or of the database."""
+    server = server_of(arguments)
+    if server is not None:
+        from sigcat.registry import remote
+        from sigcat.registry.reference import reference_of
+
+        references = [reference_of(text) for text in (arguments.function, *arguments.others)]
+        return remote.can_deploy(server, references, arguments.to)
+    with read_registry(arguments) as connection:
+        from sigcat.registry.deploying import can_deploy
+        from sigcat.registry.reference import reference_of
+
+        references = [reference_of(text) for text in (arguments.function, *arguments.others)]
+        return can_deploy(connection, references, arguments.to)
 
 
 def _print(answer: "Answer") -> None:

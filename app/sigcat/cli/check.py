@@ -5,7 +5,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.published_files import published_files, read_catalogue
-from sigcat.cli.registry_options import add_report, print_report, read_registry
+from sigcat.cli.registry_options import (
+    add_report,
+    add_server,
+    posted_files,
+    print_report,
+    read_registry,
+    server_catalogue,
+    server_of,
+)
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.findings import has_errors, in_order
 
@@ -32,14 +40,21 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "files", type=Path, nargs="+", metavar="FILE", help="function, overlay, or root .vspec file of a catalogue"
     )
     add_report(parser)
+    add_server(parser)
     add_tree_options(parser)
     parser.set_defaults(run=check)
 
 
 def check(arguments: argparse.Namespace) -> int:
     """Report what breaks; 1 if anything does."""
-    with read_registry(arguments) as connection:
-        findings = in_order(_findings(arguments, connection))
+    server = server_of(arguments)
+    if server is not None:
+        from sigcat.registry import remote
+
+        findings = remote.check(server, posted_files(arguments.files), server_catalogue(arguments))
+    else:
+        with read_registry(arguments) as connection:
+            findings = tuple(in_order(_findings(arguments, connection)))
     print_report(findings, arguments.format, arguments.output)
     return int(has_errors(findings))
 

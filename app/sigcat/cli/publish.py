@@ -6,7 +6,14 @@ from typing import TYPE_CHECKING
 
 from sigcat.cli.published_files import published_files, read_catalogue
 from sigcat.cli.registry_approvals import print_decisions
-from sigcat.cli.registry_options import print_head, registry_of
+from sigcat.cli.registry_options import (
+    add_server,
+    posted_files,
+    print_head,
+    registry_of,
+    server_catalogue,
+    server_of,
+)
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import UsageError
 
@@ -14,6 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from sigcat.registry.candidate import Candidate
+    from sigcat.registry.publish import Receipt
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -35,21 +43,36 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     )
     parser.add_argument("--owner", metavar="TEAM", default="", help="owner of an overlay or a catalogue")
     parser.add_argument("--draft", action="store_true", help="publish a draft, which may change")
+    add_server(parser)
     add_tree_options(parser)
     parser.set_defaults(run=publish)
 
 
 def publish(arguments: argparse.Namespace) -> int:
     """Publish the files, and print each version. Raises InputRefused with every reason."""
+    receipt, is_signed = _published(arguments)
+    for outcome in receipt.outcomes:
+        print(f"{outcome.kind} {outcome.reference}: {outcome.status}")
+        print_decisions(outcome.approvals)
+    print_head(receipt.head, is_signed=is_signed)
+    return int(any(outcome.status == "pending" for outcome in receipt.outcomes))
+
+
+def _published(arguments: argparse.Namespace) -> "tuple[Receipt, bool]":
+    """Publish with the service or the database. Returns what became of the files, and whether the log is signed."""
+    server = server_of(arguments)
+    if server is not None:
+        from sigcat.registry import remote
+
+        return remote.publish(
+            server, posted_files(arguments.files), arguments.version, arguments.owner,
+            is_draft=arguments.draft, catalogue=server_catalogue(arguments),
+        )  # fmt: skip
     registry = registry_of(arguments)
     from sigcat.registry.publish import publish as publish_candidates
 
     receipt = publish_candidates(registry, tuple(_candidates(arguments)), is_draft=arguments.draft)
-    for outcome in receipt.outcomes:
-        print(f"{outcome.kind} {outcome.reference}: {outcome.status}")
-        print_decisions(outcome.approvals)
-    print_head(registry, receipt.head)
-    return int(any(outcome.status == "pending" for outcome in receipt.outcomes))
+    return receipt, registry.key is not None
 
 
 def _candidates(arguments: argparse.Namespace) -> "Iterator[Candidate]":

@@ -14,6 +14,7 @@ from sigcat.cli.registry_options import (
     Actions,
     add_action,
     add_report,
+    add_server,
     add_version,
     done,
     needing_extra,
@@ -21,6 +22,7 @@ from sigcat.cli.registry_options import (
     print_report,
     read_registry,
     registry_of,
+    server_of,
 )
 from sigcat.cli.registry_tokens import add_tokens
 from sigcat.cli.registry_webhooks import add_webhooks
@@ -29,6 +31,9 @@ from sigcat.limits import REGISTRY_ROWS
 from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from sigcat.registry.published import Published
     from sigcat.registry.reference import State
 
 _RULES = ("backward", "full", "approval", "none")
@@ -51,9 +56,11 @@ def add_parser(commands: Actions) -> None:
 def _add_reading(actions: Actions) -> None:
     listing = add_action(actions, "list", "list versions with their states, owners and vehicle lines", list_versions)
     listing.add_argument("--kind", choices=KINDS, help="only this kind")
+    add_server(listing)
     listing.add_argument("--line", metavar="LINE", help="only what vehicles of this line run")
     showing = add_action(actions, "show", "print the published bytes of a version", show)
     add_version(showing)
+    add_server(showing)
     showing.add_argument("--resolved", action="store_true", help="print its Function JSON, or its nodes")
     add_output(showing, "-o", "--output", metavar="FILE", help="write here instead of to standard output")
     verifying = add_action(actions, "verify", "check the log, its signatures and all content", verify)
@@ -65,11 +72,14 @@ def _add_reading(actions: Actions) -> None:
 def _add_states(actions: Actions) -> None:
     deprecating = add_action(actions, "deprecate", "mark a version as deprecated", deprecate)
     add_version(deprecating)
+    add_server(deprecating)
     deprecating.add_argument("--until", metavar="DATE", default="", help="day on which its support may end")
     deprecating.add_argument("--successor", metavar="V", default="", help="version that replaces it")
     retiring = add_action(actions, "retire", "mark a version as retired, which no vehicle runs", retire)
     add_version(retiring)
+    add_server(retiring)
     ruling = add_action(actions, "rule", "set the rule that new versions of a name follow", rule)
+    add_server(ruling)
     ruling.add_argument("name", metavar="NAME", help="published name")
     ruling.add_argument("rule", choices=_RULES, metavar="RULE", help=", ".join(_RULES))
     ruling.add_argument("--kind", choices=KINDS, default="function", help="default: %(default)s")
@@ -84,6 +94,7 @@ def _add_lines(actions: Actions) -> None:
         parser = add_action(actions, name, text, record)
         parser.add_argument("line", metavar="LINE", help="vehicle line")
         parser.add_argument("version", metavar="FUNC@V", help="published version of a function")
+        add_server(parser)
         parser.set_defaults(action=action)
 
 
@@ -103,6 +114,26 @@ def _add_transfer(actions: Actions) -> None:
 
 def list_versions(arguments: argparse.Namespace) -> int:
     """Print a line for each version."""
+    listed = _listed(arguments)
+    print_more(len(listed))
+    for published, lines in listed[:REGISTRY_ROWS]:
+        owner = f", owner {published.owner}" if published.owner else ""
+        until = f" until {published.until}" if published.until else ""
+        successor = f", successor {published.successor}" if published.successor else ""
+        where = f", in line {', '.join(lines)}" if lines else ""
+        named = f"{published.kind} {published.reference}"
+        print(printable(f"{named}: {published.state}{until}{successor}{owner}{where}"))
+    return 0
+
+
+def _listed(arguments: argparse.Namespace) -> "Sequence[tuple[Published, Sequence[str]]]":
+    """Versions with their lines, of the service or of the database."""
+    server = server_of(arguments)
+    if server is not None:
+        from sigcat.registry import remote
+
+        found = remote.all_versions(server, arguments.kind)
+        return [each for each in found if arguments.line is None or arguments.line in each.lines]
     with read_registry(arguments) as connection:
         from sigcat.registry.published import all_versions, lines_by_version, running
 
@@ -111,27 +142,30 @@ def list_versions(arguments: argparse.Namespace) -> int:
             listed = all_versions(connection, arguments.kind)
         else:
             listed = tuple(each.published for each in running(connection, arguments.line))
-    print_more(len(listed))
-    for each in listed[:REGISTRY_ROWS]:
-        owner = f", owner {each.owner}" if each.owner else ""
-        until = f" until {each.until}" if each.until else ""
-        successor = f", successor {each.successor}" if each.successor else ""
-        where = f", in line {', '.join(lines[each.id])}" if each.id in lines else ""
-        print(printable(f"{each.kind} {each.reference}: {each.state}{until}{successor}{owner}{where}"))
-    return 0
+    return [(each, lines.get(each.id, ())) for each in listed]
 
 
 def show(arguments: argparse.Namespace) -> int:
     """Write the bytes of a version."""
+    write_bytes(_content(arguments), arguments.output)
+    return 0
+
+
+def _content(arguments: argparse.Namespace) -> bytes:
+    server = server_of(arguments)
+    if server is not None:
+        from sigcat.registry import remote
+        from sigcat.registry.reference import reference_of
+
+        reference = reference_of(arguments.version)
+        return remote.content(server, arguments.kind, reference, is_resolved=arguments.resolved)
     with read_registry(arguments) as connection:
         from sigcat.registry.published import version_named
         from sigcat.registry.reference import reference_of
         from sigcat.registry.storing.content import content_of
 
         published = version_named(connection, arguments.kind, reference_of(arguments.version))
-        data = content_of(connection, published.resolved if arguments.resolved else published.content)
-    write_bytes(data, arguments.output)
-    return 0
+        return content_of(connection, published.resolved if arguments.resolved else published.content)
 
 
 def verify(arguments: argparse.Namespace) -> int:
@@ -159,33 +193,58 @@ def retire(arguments: argparse.Namespace) -> int:
 
 
 def _set_state(arguments: argparse.Namespace, state: "State", until: str = "", successor: str = "") -> int:
-    registry = registry_of(arguments)
-    from sigcat.registry.lines import set_state
-    from sigcat.registry.reference import reference_of
+    server = server_of(arguments)
+    if server is not None:
+        from sigcat.registry import remote
+        from sigcat.registry.reference import reference_of
 
-    reference = reference_of(arguments.version)
-    head = set_state(registry, arguments.kind, reference, state, until, successor)
-    return done(registry, f"{arguments.kind} {reference}: {state}", head)
+        reference = reference_of(arguments.version)
+        head, is_signed = remote.set_state(server, arguments.kind, reference, state, until, successor)
+    else:
+        registry = registry_of(arguments)
+        from sigcat.registry.lines import set_state
+        from sigcat.registry.reference import reference_of
+
+        reference = reference_of(arguments.version)
+        head = set_state(registry, arguments.kind, reference, state, until, successor)
+        is_signed = registry.key is not None
+    return done(f"{arguments.kind} {reference}: {state}", head, is_signed=is_signed)
 
 
 def rule(arguments: argparse.Namespace) -> int:
     """Set the rule of a name."""
-    registry = registry_of(arguments)
-    from sigcat.registry.lines import set_rule
+    server = server_of(arguments)
+    if server is not None:
+        from sigcat.registry import remote
 
-    head = set_rule(registry, arguments.kind, arguments.name, arguments.rule)
-    return done(registry, f"{arguments.kind} {arguments.name}: rule {arguments.rule}", head)
+        head, is_signed = remote.set_rule(server, arguments.kind, arguments.name, arguments.rule)
+    else:
+        registry = registry_of(arguments)
+        from sigcat.registry.lines import set_rule
+
+        head = set_rule(registry, arguments.kind, arguments.name, arguments.rule)
+        is_signed = registry.key is not None
+    return done(f"{arguments.kind} {arguments.name}: rule {arguments.rule}", head, is_signed=is_signed)
 
 
 def record(arguments: argparse.Namespace) -> int:
     """Record a deployment, a release or the end of support."""
-    registry = registry_of(arguments)
-    from sigcat.registry.lines import record as record_change
-    from sigcat.registry.reference import reference_of
+    server = server_of(arguments)
+    if server is not None:
+        from sigcat.registry import remote
+        from sigcat.registry.reference import reference_of
 
-    reference = reference_of(arguments.version)
-    head = record_change(registry, arguments.action, arguments.line, reference)
-    return done(registry, f"line {arguments.line}: {arguments.action} of {reference}", head)
+        reference = reference_of(arguments.version)
+        head, is_signed = remote.record(server, arguments.action, arguments.line, reference)
+    else:
+        registry = registry_of(arguments)
+        from sigcat.registry.lines import record as record_change
+        from sigcat.registry.reference import reference_of
+
+        reference = reference_of(arguments.version)
+        head = record_change(registry, arguments.action, arguments.line, reference)
+        is_signed = registry.key is not None
+    return done(f"line {arguments.line}: {arguments.action} of {reference}", head, is_signed=is_signed)
 
 
 def export(arguments: argparse.Namespace) -> int:
@@ -211,7 +270,7 @@ def import_file(arguments: argparse.Namespace) -> int:
 
     with existing_file(arguments.file).open("rb") as lines:
         head = import_lines(registry.database, lines, str(arguments.file))
-    return done(registry, f"{arguments.file}: imported", head)
+    return done(f"{arguments.file}: imported", head, is_signed=registry.key is not None)
 
 
 def new_key(arguments: argparse.Namespace) -> int:

@@ -92,6 +92,6 @@ def reject(arguments: argparse.Namespace) -> int:
 
 
 def _decided(registry: "Registry", text: str, decided: "Decided") -> int:
-    done(registry, text, decided.head)
+    done(text, decided.head, is_signed=registry.key is not None)
     print_decisions(decided.approvals)
     return 0

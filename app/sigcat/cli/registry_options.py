@@ -1,6 +1,7 @@
 """The registry of the project that a command is in, and how its answers are printed."""
 
 import argparse
+import os
 import sys
 from contextlib import contextmanager
 from importlib import import_module
@@ -10,7 +11,7 @@ from typing import TYPE_CHECKING, TypeAlias
 from sigcat.cli.output import write_text
 from sigcat.cli.output_options import FORMATS, add_output
 from sigcat.cli.project_options import add_project_options, project_of
-from sigcat.errors import UsageError
+from sigcat.errors import UsageError, existing_file
 from sigcat.limits import REGISTRY_ROWS
 from sigcat.project.project import ServerUrl
 from sigcat.terminal_text import printable
@@ -20,23 +21,63 @@ if TYPE_CHECKING:
 
     from sigcat.findings import Finding
     from sigcat.project.project import Project, RegistrySettings
+    from sigcat.registry.remote import Server
     from sigcat.registry.storing.database import Snapshot
     from sigcat.registry.storing.ledger import Registry
 
 Actions: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"  # noqa: SLF001 — argparse has no public name
 KINDS = ("function", "overlay", "catalogue")
 _HOW_TO = 'the project has no registry: add a table [registry] with `database = "registry.db"` to sigcat.toml'
+_NOT_OVER_HTTP = "this command runs where the database of the registry is, and [registry] names a server"
 
 
 def registry_of(arguments: argparse.Namespace) -> "Registry":
     """Return the registry of the project. Raises UsageError if it has none, or if the extra is missing."""
-    settings = project_of(arguments).registry
+    project = project_of(arguments)
+    settings = project.registry
     if settings is None:
-        raise UsageError(_HOW_TO)
+        raise UsageError(_NOT_OVER_HTTP if project.registry_server else _HOW_TO)
     _load_packages(settings)
     from sigcat.registry.storing.ledger import Registry
 
     return Registry(settings.database, settings.key)
+
+
+def add_server(parser: argparse.ArgumentParser) -> None:
+    """Add --server."""
+    parser.add_argument(
+        "--server",
+        metavar="URL",
+        help="service with the registry; its token is in SIGCAT_TOKEN (default: that of the project)",
+    )
+
+
+def server_of(arguments: argparse.Namespace) -> "Server | None":
+    """Return the service that has the registry; None if it is a database. Raises UsageError for an address that is not one."""
+    address = project_of(arguments).registry_server if arguments.server is None else arguments.server
+    if not address:
+        return None
+    from sigcat.project.read_project import SERVER
+
+    if not SERVER.fullmatch(address):
+        raise UsageError(f"--server must be an address such as https://signals.example, not {address[:80]!r}")
+    with needing_extra():
+        from sigcat.registry.remote import Server
+    return Server(address, os.environ.get("SIGCAT_TOKEN", ""))
+
+
+def server_catalogue(arguments: argparse.Namespace) -> str:
+    """Return the hosted catalogue that the options name. Raises UsageError for files: the service reads none of them."""
+    if arguments.overlays or arguments.units or arguments.quantities or arguments.types or arguments.include_dirs:
+        raise UsageError(
+            "a service checks files over a catalogue that it hosts: name one with `-s ID`, and pass no files of it"
+        )
+    return "" if arguments.vspec is None else str(arguments.vspec)
+
+
+def posted_files(files: "Sequence[Path]") -> "tuple[tuple[bytes, str], ...]":
+    """Return content and name of each file. Raises UsageError."""
+    return tuple((existing_file(file).read_bytes(), str(file)) for file in dict.fromkeys(files))
 
 
 def hosted_registry(project: "Project") -> "RegistrySettings | None":
@@ -104,10 +145,10 @@ def add_version(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--kind", choices=KINDS, default="function", help="default: %(default)s")
 
 
-def done(registry: "Registry", text: str, head: str) -> int:
+def done(text: str, head: str, *, is_signed: bool) -> int:
     """Print what was changed."""
     print(printable(text))
-    print_head(registry, head)
+    print_head(head, is_signed=is_signed)
     return 0
 
 
@@ -117,9 +158,9 @@ def add_report(parser: argparse.ArgumentParser) -> None:
     add_output(parser, "-o", "--output", metavar="FILE", help="write the report here")
 
 
-def print_head(registry: "Registry", head: str) -> None:
+def print_head(head: str, *, is_signed: bool) -> None:
     """Print the hash of the last entry, if the log is signed: whoever keeps it can prove later that none is missing."""
-    if registry.key is not None:
+    if is_signed:
         print(f"head of the log: {head}", file=sys.stderr)
 
 

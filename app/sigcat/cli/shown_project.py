@@ -34,11 +34,7 @@ def shown_project(project: Project, given: TreeOptions) -> Iterator[Shown]:
         yield from (Shown(name, str(path), project.line("", 0, _key(name))) for path in getattr(project, name))
     if project.deployment is not None:
         yield Shown("deployment", str(project.deployment), project.line("", 0, "deployment"))
-    if project.registry is not None:
-        for name, value in zip(project.registry._fields, project.registry, strict=True):
-            for each in value if isinstance(value, tuple) else (value,):
-                if each is not None:
-                    yield Shown(f"registry.{_key(name)}", str(each), project.line("registry", 0, _key(name)))
+    yield from _registry(project)
     yield Shown("watch", _yes(project.is_watching), project.line("", 0, "watch") if project.is_watching else "default")
     shipped = "default" if project.shipped is None else project.line("", 0, "shipped")
     yield Shown("shipped catalogues", _yes(project.has_shipped_catalogues), shipped)
@@ -51,6 +47,16 @@ def shown_project(project: Project, given: TreeOptions) -> Iterator[Shown]:
             yield from _catalogue("catalogue", source, project, TreeOptions())
     for vehicle in project.vehicles:
         yield from _vehicle(vehicle)
+
+
+def _registry(project: Project) -> Iterator[Shown]:
+    if project.registry_server:
+        yield Shown("registry.server", project.registry_server, project.line("registry", 0, "server"))
+    if project.registry is not None:
+        for name, value in zip(project.registry._fields, project.registry, strict=True):
+            for each in value if isinstance(value, tuple) else (value,):
+                if each is not None:
+                    yield Shown(f"registry.{_key(name)}", str(each), project.line("registry", 0, _key(name)))
 
 
 def _vehicle(vehicle: Vehicle) -> Iterator[Shown]:

@@ -3,7 +3,7 @@
 import argparse
 from typing import TYPE_CHECKING
 
-from sigcat.cli.registry_options import read_registry
+from sigcat.cli.registry_options import add_server, read_registry, server_of
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.terminal_text import printable
 
@@ -27,18 +27,14 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "--all", action="store_true", help="all versions (default: those in vehicle lines, and the newest ones)"
     )
     parser.add_argument("--format", choices=("text", "json"), default="text", help="default: %(default)s")
+    add_server(parser)
     add_tree_options(parser)
     parser.set_defaults(run=users)
 
 
 def users(arguments: argparse.Namespace) -> int:
     """Print the users. Without any, this is said on standard output, too."""
-    with read_registry(arguments) as connection:
-        from sigcat.registry.users import users_of, users_of_instances
-
-        found = users_of(connection, arguments.path, is_complete=arguments.all)
-        if not found.users:
-            found = users_of_instances(connection, arguments.path, read_tree(arguments), is_complete=arguments.all)
+    found = _found(arguments)
     if arguments.format == "json":
         import json
 
@@ -51,6 +47,22 @@ def users(arguments: argparse.Namespace) -> int:
     if not found.users:
         print(printable(f"No published function uses {arguments.path}."))
     return 0
+
+
+def _found(arguments: argparse.Namespace) -> "Users":
+    """The answer of the service or of the database."""
+    server = server_of(arguments)
+    if server is not None:
+        from sigcat.registry import remote
+
+        return remote.users_of(server, arguments.path, is_complete=arguments.all)
+    with read_registry(arguments) as connection:
+        from sigcat.registry.users import users_of, users_of_instances
+
+        found = users_of(connection, arguments.path, is_complete=arguments.all)
+        if found.users:
+            return found
+        return users_of_instances(connection, arguments.path, read_tree(arguments), is_complete=arguments.all)
 
 
 def _line(user: "User") -> str:

@@ -83,7 +83,8 @@ def project_schema() -> Schema:
     vehicle = _table("A vehicle, composed of a catalogue.", _of_vehicle(VEHICLE_KEYS) | {"state": states})
     vehicle["required"] = ["id"]
     lint = _table("Settings of `sigcat lint`.", {key: _OF_LINT.get(key, _TEXTS) for key in FIELDS})
-    registry = _table("The registry of published versions.", _kinds(REGISTRY_KEYS)) | {"required": ["database"]}
+    registry = _table("The registry of published versions.", _kinds(REGISTRY_KEYS))
+    registry["oneOf"] = [{"required": ["database"]}, {"required": ["server"]}]
     lists = {"catalogue": {"type": "array", "items": catalogue}, "vehicle": {"type": "array", "items": vehicle}}
     properties = _kinds(TOP_KEYS) | lists | {"lint": lint, "registry": registry}
     return {"$schema": _DIALECT, "title": "sigcat.toml", **_table("A project of sigcat.", properties)}

@@ -67,6 +67,8 @@ class Project(NamedTuple):
     """Whether to host what sigcat ships; None: the catalogues, and the functions unless the project has catalogues."""
     lint: LintOptions = LintOptions()
     registry: RegistrySettings | None = None
+    registry_server: str = ""
+    """Address of a service with the registry; empty: `registry`, if there is one."""
     tables: Mapping[str, Any] = MappingProxyType({})
     """The values that others made of their tables."""
     lines: Lines = Lines("")

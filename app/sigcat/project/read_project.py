@@ -46,8 +46,10 @@ CATALOGUE_KEYS: Mapping[str, type] = {
     "id": str, "title": str, "spec": str, "release": str, "standard-units": bool,
     **dict.fromkeys(("overlays", *_OF_CATALOGUES), list),
 }  # fmt: skip
+SERVER = re.compile(r"https?://[^\s/?#@]+(/[^\s?#]*)?")
+"""Address of a service: user names and passwords in it would be shown in messages."""
 REGISTRY_KEYS: Mapping[str, type] = {
-    "database": str, "key": str, "webhook-hosts": list, "webhook-networks": list,
+    "database": str, "key": str, "server": str, "webhook-hosts": list, "webhook-networks": list,
 }  # fmt: skip
 TOP_KEYS: Mapping[str, type] = {
     "watch": bool, "shipped": bool, "deployment": str, "catalogue": list, "vehicle": list,
@@ -126,6 +128,7 @@ def _project(data: Mapping[str, Any], reading: "Reading", readers: Mapping[str, 
         is_watching=bool(data.get("watch", False)),
         shipped=data.get("shipped"),
         registry=_registry(data, reading),
+        registry_server=_server(data),
         lint=lint._replace(rule_files=(*lists["rules"], *lint.rule_files), dbc=(*lists["dbc"], *lint.dbc)),
         tables=read,
         lines=reading.lines,
@@ -305,6 +308,26 @@ def _deployment(data: Mapping[str, Any], reading: Reading) -> Path | None:
     return path
 
 
+def _check_server(values: Mapping[str, Any], reading: Reading) -> None:
+    """Report an address that is not one, and a database beside it: one of both would be ignored."""
+    server = values["server"]
+    if isinstance(server, str) and not SERVER.fullmatch(server):
+        message = "[registry] `server` must be an address of HTTP or HTTPS."
+        reading.report(
+            codes.SETTING_UNFIT, message, "registry", 0, "server", 'Write `server = "https://signals.example"`.'
+        )
+    for other in ("database", "key"):
+        if other in values:
+            message = f"[registry] must have `server` or `{other}`, not both."
+            reading.report(codes.SETTING_UNFIT, message, "registry", 0, other, "Remove one of them.")
+
+
+def _server(data: Mapping[str, Any]) -> str:
+    values = data.get("registry")
+    server = values.get("server", "") if isinstance(values, dict) else ""
+    return server if isinstance(server, str) else ""
+
+
 def _registry(data: Mapping[str, Any], reading: Reading) -> RegistrySettings | None:
     """Return the place of the registry, whose files may not exist yet; None if the project has none."""
     values = data.get("registry")
@@ -312,6 +335,9 @@ def _registry(data: Mapping[str, Any], reading: Reading) -> RegistrySettings | N
         return None
     reading.check(values, REGISTRY_KEYS, "registry")
     database, key = values.get("database"), values.get("key")
+    if "server" in values:
+        _check_server(values, reading)
+        return None
     if database is None or database == "":
         message = "[registry] must have `database`, the path of a file or a URL of PostgreSQL."
         reading.report(codes.SETTING_UNFIT, message, "registry", 0, "database", 'Write `database = "registry.db"`.')

@@ -1,7 +1,7 @@
 """Values of the registry in the schemas of the API. Importing this loads SQLAlchemy."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from typing import Any, Literal, cast
 
 from sigcat.api.answers import registry_schemas as schemas
 from sigcat.api.answers.serializers import finding_schema, plain, plain_text
@@ -9,6 +9,7 @@ from sigcat.errors import NotFound
 from sigcat.findings import shown
 from sigcat.limits import REGISTRY_ROWS
 from sigcat.names import nearest
+from sigcat.registry.approvals import Approval
 from sigcat.registry.conflicts import Conflict
 from sigcat.registry.deploying import can_deploy
 from sigcat.registry.publish import Receipt
@@ -52,16 +53,24 @@ def log_entries(connection: Snapshot, after: int, most: int) -> list[schemas.Log
     ]
 
 
-def names(connection: Snapshot, group: schemas.RegistryGroup) -> list[schemas.RegistryName]:
+def names(
+    connection: Snapshot, group: schemas.RegistryGroup, *, has_versions: bool = False
+) -> list[schemas.RegistryName]:
     """All names of a group, in the order in which they were published: a page stays the same while others publish."""
     by_name: dict[str, list[Published]] = {}
     for each in all_versions(connection, _KINDS[group]):
         by_name.setdefault(each.name, []).append(each)
     in_order = sorted(by_name.values(), key=lambda versions: min(each.id for each in versions))
-    return [_name(versions) for versions in in_order]
+    lines = lines_by_version(connection) if has_versions else {}
+    return [
+        _name(
+            versions, [_version(each, versions, lines.get(each.id, ())) for each in versions] if has_versions else None
+        )
+        for versions in in_order
+    ]
 
 
-def _name(versions: Sequence[Published]) -> schemas.RegistryName:
+def _name(versions: Sequence[Published], listed: list[schemas.RegistryVersion] | None = None) -> schemas.RegistryName:
     default = _default(versions)
     return schemas.RegistryName(
         xid=f"/{_GROUPS[default.kind]}/{default.name}",
@@ -72,6 +81,7 @@ def _name(versions: Sequence[Published]) -> schemas.RegistryName:
         defaultversionid=default.version,
         versionscount=len(versions),
         createdat=min(each.at for each in versions),
+        versions=listed,
     )
 
 
@@ -216,10 +226,23 @@ def receipt(connection: Snapshot, published: Receipt) -> schemas.RegistryReceipt
             versionid=each.reference.version,
             is_new=each.status != "unchanged",
             is_draft=each.status == "draft",
+            is_pending=each.status == "pending",
+            approvals=[_approval(approval) for approval in each.approvals],
         )
         for each in published.outcomes
     ]
     return schemas.RegistryReceipt(versions_posted=outcomes, head=head_with(connection, published.head))
+
+
+def _approval(approval: Approval) -> schemas.RegistryApproval:
+    return schemas.RegistryApproval(
+        owner=approval.owner,
+        broken_functions=approval.functions,
+        approval_decision=cast("Literal['approved', 'rejected'] | None", approval.decision or None),
+        decided=approval.at or None,
+        valid_until=approval.until or None,
+        reason=approval.reason or None,
+    )
 
 
 def head_with(connection: Snapshot, digest: str) -> schemas.LogHead | None:

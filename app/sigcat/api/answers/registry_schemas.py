@@ -24,6 +24,9 @@ CompatibilityRule = TypeAliasType(
         ),
     ],
 )
+ApprovalDecision = TypeAliasType(
+    "ApprovalDecision", Annotated[Literal["approved", "rejected"], Field(description="Decision of an owner.")]
+)
 Lifecycle = TypeAliasType(
     "Lifecycle",
     Annotated[
@@ -84,6 +87,7 @@ class RegistryName(Schema):
     )
     versionscount: Count
     createdat: Moment
+    versions: "list[RegistryVersion] | None" = Field(description="By precedence; null without `?inline=versions`.")
 
 
 class RegistryNamePage(Schema):
@@ -180,6 +184,17 @@ class VehicleLineList(Schema):
     lines: list[VehicleLine]
 
 
+class RegistryApproval(Schema):
+    """The decision of an owner whose functions a pending version breaks."""
+
+    owner: str
+    broken_functions: str = Field(description="Functions of the owner that break, with their versions.")
+    approval_decision: ApprovalDecision | None = Field(description="Null as long as there is none.")
+    decided: Moment | None
+    valid_until: Moment | None = Field(description="When the approval ends.")
+    reason: str | None = Field(description="Reason of a rejection.")
+
+
 class RegistryOutcome(Schema):
     """A posted version, and whether it is new."""
 
@@ -189,6 +204,10 @@ class RegistryOutcome(Schema):
     versionid: str
     is_new: bool = Field(description="False: the same bytes were published under this version before.")
     is_draft: bool
+    is_pending: bool = Field(
+        description="It is not published before the owners of the functions that it breaks approve."
+    )
+    approvals: list[RegistryApproval]
 
 
 class RegistryReceipt(Schema):

@@ -49,6 +49,14 @@ class PageQuery(BaseModel):
     cursor: str | None = Field(None, max_length=NAME_CHARACTERS, description="`next_cursor` of the page before.")
 
 
+class NamesQuery(PageQuery):
+    """The requested page of names, and whether they come with their versions."""
+
+    inline: str | None = Field(
+        None, pattern="^versions$", max_length=8, description="`versions`: with the versions of each name."
+    )
+
+
 ThePage = Annotated[PageQuery, Query()]
 
 _CONTENT: dict[int | str, dict[str, Any]] = {
@@ -184,14 +192,18 @@ def get_registry_content(
 
 @router.get("/{group}", response_model=schemas.RegistryNamePage, responses=offered() | problem_documentation(404, 406))
 def list_registry_names(
-    request: Request, registry: TheRegistry, settings: TheSettings, group: Group, query: ThePage
+    request: Request,
+    registry: TheRegistry,
+    settings: TheSettings,
+    group: Group,
+    query: Annotated[NamesQuery, Query()],
 ) -> Response:
     """Published names, in the order in which they were published."""
     from sigcat.api.answers import registry_answers
 
     start = offset_of(query.cursor, group) if query.cursor else 0
     with registry.reading() as connection:
-        found = registry_answers.names(connection, group)
+        found = registry_answers.names(connection, group, has_versions=query.inline is not None)
         _mark(request, connection)
     end = start + page_size(query.limit, settings)
     cursor = cursor_of(end, group) if end < len(found) else None

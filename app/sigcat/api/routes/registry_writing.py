@@ -68,6 +68,10 @@ _POSTED = problem_documentation(401, 403, 404, 408, 413, 415, 422, 503)
     responses={
         200: {"description": "Everything was published before."},
         201: {"model": registry_schemas.RegistryReceipt, "description": "Versions were published."},
+        202: {
+            "model": registry_schemas.RegistryReceipt,
+            "description": "A version is pending until the owners of broken functions approve it.",
+        },
         **_POSTED,
         **problem_documentation(409, 507),
     },
@@ -91,8 +95,7 @@ async def publish_versions(
     owned = owner or author.owner
     candidates = await queue.run(_candidates, text, name, hosted.catalogue, version, owned, settings.limits)
     receipt = await _in_turn(request, lambda: _publish(registry, author, candidates, is_draft=draft))
-    is_new = any(each.is_new for each in receipt.versions_posted)
-    return Response(json_bytes(receipt), HTTPStatus.CREATED if is_new else HTTPStatus.OK, media_type=JSON)
+    return Response(json_bytes(receipt), _status(receipt), media_type=JSON)
 
 
 @router.post(
@@ -280,6 +283,12 @@ def _candidates(
     from sigcat.registry.posted import posted_candidates
 
     return posted_candidates(registry_files(text, name, limits), catalogue, version, owner, limits)
+
+
+def _status(receipt: registry_schemas.RegistryReceipt) -> HTTPStatus:
+    if any(each.is_pending for each in receipt.versions_posted):
+        return HTTPStatus.ACCEPTED
+    return HTTPStatus.CREATED if any(each.is_new for each in receipt.versions_posted) else HTTPStatus.OK
 
 
 def _report(database: Path | ServerUrl, text: bytes, name: str, catalogue: Catalogue, limits: Limits) -> bytes:
