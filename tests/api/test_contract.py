@@ -6,6 +6,7 @@ SIGCAT_FUZZ is the number of examples for each operation; `make fuzz` takes many
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import pytest
@@ -21,12 +22,19 @@ from schemathesis.specs.openapi.checks import (
 from sigcat.api.application import create_app
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import Library, Source
+from sigcat.registry.storing.database import writing
+from sigcat.registry.storing.tokens import create_token
 from tests.properties import FUZZ, IS_SEARCH, PROPERTY, found, is_literal
 from tests.reference_tools import checked_with
+from tests.registry.served import settings_of, signed_registry
 
 TREE = Path(__file__).parent / "tree"
 LIBRARY = Library([Source("interfaces", "A small tree", TREE / "tree.vspec", (TREE / "overlay.vspec",))])
-APP = create_app(LIBRARY, Settings(log="none"))
+FOLDER = TemporaryDirectory()
+REGISTRY = signed_registry(Path(FOLDER.name))
+with writing(REGISTRY.database) as connection:
+    TOKEN = {"Authorization": f"Bearer {create_token(connection, 'contract', ['administer'], '', '')}"}
+APP = create_app(LIBRARY, Settings(log="none"), registry=settings_of(REGISTRY))
 for schema in APP.openapi()["components"]["schemas"].values():
     if "properties" in schema:  # later versions may have more fields; this one has none that it does not name
         schema.setdefault("additionalProperties", False)
@@ -72,7 +80,7 @@ def test_every_operation_answers_as_its_schema_says(
     case: "schemathesis.Case[Any]", record_property: Callable[[str, object], None]
 ) -> None:
     with noted(case):
-        case.call_and_validate(checks=CHECKS)
+        case.call_and_validate(checks=CHECKS, headers=TOKEN if "/registry" in case.path else None)
     record_property("checks", 1)
 
 

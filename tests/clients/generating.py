@@ -29,8 +29,15 @@ class NoNode(Exception):
 
 @contextmanager
 def running_service() -> Iterator[str]:
-    """Address of a service with the shipped catalogues, in a separate process."""
-    command = [sys.executable, "-m", "sigcat.cli", "serve", "--port", "0"]
+    """Address of a service with the shipped catalogues and an empty registry, in a separate process."""
+    with TemporaryDirectory() as folder:
+        project = Path(folder) / "sigcat.toml"
+        project.write_text('[registry]\ndatabase = "registry.db"\n')
+        yield from _served(project)
+
+
+def _served(project: Path) -> Iterator[str]:
+    command = [sys.executable, "-m", "sigcat.cli", "serve", "--port", "0", "--config", str(project)]
     with subprocess.Popen(command, cwd=ROOT, env=_ENVIRONMENT, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         try:

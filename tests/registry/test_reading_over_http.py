@@ -44,9 +44,9 @@ def test_a_version_has_its_content_byte_for_byte_and_its_details_apart_from_it(a
         [LINE],
         None,
     )
-    assert ask(f"{API}/contents/{details['content_digest']}").content == CONTENT
+    assert ask(f"{API}/contents?digest={details['content_digest']}").content == CONTENT
     assert (
-        json.loads(ask(f"{API}/contents/{details['resolved_digest']}").content)["FunctionInfo"]["FunctionName"]
+        json.loads(ask(f"{API}/contents?digest={details['resolved_digest']}").content)["FunctionInfo"]["FunctionName"]
         == "CoreAcc"
     )
 
@@ -76,7 +76,7 @@ def test_users_of_a_path_are_named_with_their_lines(ask: Ask) -> None:
 
 def test_lines_have_what_their_vehicles_run(ask: Ask) -> None:
     (line,) = ask(f"{API}/lines").json()["lines"]
-    assert ask(f"{API}/lines/{LINE}").json() == line
+    assert ask(f"{API}/lines?line={LINE}").json() == {"lines": [line]}
     assert [(each["name"], each["versionid"]) for each in line["deployments"]] == [("CoreAcc", "1.0.0")]
 
 
@@ -108,8 +108,8 @@ def test_the_log_and_the_key_are_what_a_client_needs_to_verify_them(ask: Ask, fo
         (f"{API}/functions/CoreAc", ["CoreAcc"]),
         (f"{API}/functions/CoreAcc/versions/1.0.1", ["1.0.0"]),
         (f"{API}/functions/CoreAcc/versions/1.0.1$details", ["1.0.0"]),
-        (f"{API}/lines/SUV-2026", [LINE]),
-        (f"{API}/contents/{'0' * 64}", []),
+        (f"{API}/lines?line=SUV-2026", [LINE]),
+        (f"{API}/contents?digest={'0' * 64}", []),
     ],
 )
 def test_an_unknown_name_is_not_found_and_near_ones_are_named(ask: Ask, address: str, nearest: list[str]) -> None:

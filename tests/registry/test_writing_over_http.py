@@ -170,7 +170,7 @@ def test_a_deployment_is_answered_and_recorded(service: Service) -> None:
     assert (unknown["decision"], unknown["finding"]["rule"]) == ("unknown", "E012")
     assert rules(service.post(f"can-i-deploy?function=Usr@1.0.0&line={LINE}"), 422) == ["E005"]
     assert service.post(f"support-ended?function=CoreAcc@1.0.0&line={LINE}").status_code == 200
-    assert len(service.ask(f"{API}/lines/{LINE}").json()["deployments"]) == 2
+    assert len(service.ask(f"{API}/lines?line={LINE}").json()["lines"][0]["deployments"]) == 2
 
 
 def test_states_and_rules_are_set(service: Service) -> None:

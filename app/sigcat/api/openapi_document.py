@@ -24,8 +24,8 @@ TAGS = {
     "functions": "From the declaration of a function to Function JSON.",
     "integration": "From Function JSON to a platform.",
     "lint": "Checks of a posted text.",
-    "registry": "Published versions, their users, and what vehicle lines run.",
     "operation": "Health, and what an operator does.",
+    "registry": "Published versions, their users, and what vehicle lines run.",
     "rules": "The rules for names and fields.",
 }
 _EVERYWHERE = (422, 429, 431, 500, 503)

@@ -108,7 +108,7 @@ def content(server: Server, kind: Kind, reference: Reference, *, is_resolved: bo
     if not is_resolved:
         return _answer(server, "GET", address)
     digest = _asked(server, "GET", f"{address}$details")["resolved_digest"]
-    return _answer(server, "GET", f"/contents/{digest}")
+    return _answer(server, "GET", "/contents", {"digest": digest})
 
 
 @_understood

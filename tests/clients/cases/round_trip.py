@@ -19,8 +19,20 @@ from sigcat_client.api.integration import (
     integrate_functions,
 )
 from sigcat_client.api.lint import lint
+from sigcat_client.api.registry import (
+    can_deploy,
+    check_versions,
+    get_registry_version,
+    get_version_content,
+    list_registry_names,
+    list_registry_users,
+    publish_versions,
+    record_deployment,
+)
 from sigcat_client.models import (
     CatalogueList,
+    Decision,
+    DeploymentAnswer,
     Diff,
     ExportMode,
     FunctionJson,
@@ -29,6 +41,12 @@ from sigcat_client.models import (
     NodePage,
     PlatformName,
     Problem,
+    RegistryChange,
+    RegistryGroup,
+    RegistryNamePage,
+    RegistryReceipt,
+    RegistryUserList,
+    RegistryVersion,
     Ros2Distribution,
     SearchPage,
     Severity,
@@ -54,6 +72,7 @@ def main(address: str, declaration: Path) -> None:
         change(client, catalogue)
         export(client, catalogue)
         build(client, catalogue, declaration)
+        publish(client, catalogue, declaration)
 
 
 def read(client: Client, catalogue: str) -> None:
@@ -128,6 +147,34 @@ def build(client: Client, catalogue: str, declaration: Path) -> None:
         client=client, body=file(for_ros.content), distribution=Ros2Distribution("humble")
     )
     assert packages.content.startswith(b"PK"), packages.content
+
+
+def publish(client: Client, catalogue: str, declaration: Path) -> None:
+    text, functions = declaration.read_bytes(), RegistryGroup("functions")
+    receipt = publish_versions.sync(client=client, body=file(text), catalogue=catalogue)
+    assert isinstance(receipt, RegistryReceipt), receipt
+    published = receipt.versions_posted[0]
+    reference = f"{published.name}@{published.versionid}"
+    content = get_version_content.sync(functions, published.name, published.versionid, client=client)
+    assert isinstance(content, File)
+    assert content.payload.read() == text
+    version = get_registry_version.sync(functions, published.name, published.versionid, client=client, inline="uses")
+    assert isinstance(version, RegistryVersion)
+    assert version.uses
+    names = list_registry_names.sync(functions, client=client)
+    assert isinstance(names, RegistryNamePage)
+    assert names.total == 1
+    users = list_registry_users.sync(client=client, path=version.uses[0].element)
+    assert isinstance(users, RegistryUserList)
+    assert users.users[0].name == published.name
+    change = record_deployment.sync(client=client, function=reference, line="SUV-2025")
+    assert isinstance(change, RegistryChange)
+    answer = can_deploy.sync(client=client, function=reference, line="SUV-2025")
+    assert isinstance(answer, DeploymentAnswer)
+    assert answer.decision == Decision("yes")
+    report = check_versions.sync(client=client, body=file(text), catalogue=catalogue)
+    assert isinstance(report, LintReport)
+    assert report.ok
 
 
 if __name__ == "__main__":

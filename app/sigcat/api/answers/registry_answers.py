@@ -205,7 +205,7 @@ def line(connection: Snapshot, named: str) -> schemas.VehicleLine:
 
 def _line(named: str, found: Iterable[Running]) -> schemas.VehicleLine:
     deployments = [schemas.Deployment(**_reference(each.published), since=each.since) for each in found]
-    return schemas.VehicleLine(xid=f"/lines/{named}", name=named, deployments=deployments)
+    return schemas.VehicleLine(name=named, deployments=deployments)
 
 
 def _reference(published: Published) -> dict[str, Any]:

@@ -173,7 +173,6 @@ class Deployment(Schema):
 class VehicleLine(Schema):
     """A vehicle line, and what its vehicles run."""
 
-    xid: Xid
     name: str
     deployments: list[Deployment]
 

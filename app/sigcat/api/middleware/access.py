@@ -15,10 +15,10 @@ from sigcat.api.requests.dependencies import TheSettings
 from sigcat.api.settings import Settings
 from sigcat.api.tokens import Scope, Token, bearer
 
-BEARER = HTTPBearer(
+_BEARER = HTTPBearer(
     scheme_name="token",
     auto_error=False,
-    description="`Authorization: Bearer TOKEN`; `sigcat config --new-token` makes one.",
+    description="`Authorization: Bearer TOKEN`; `sigcat config --new-token` makes one; for the registry, `sigcat registry token create`.",
 )
 
 
@@ -62,7 +62,7 @@ def needs(scope: Scope) -> Any:
         check_scope(request.headers.get("authorization", ""), scope, settings.tokens)
 
     check.__name__ = f"needs_{scope}"
-    return (Security(BEARER), Security(check))
+    return (Security(_BEARER), Security(check))
 
 
 def check_scope(authorization: str, scope: Scope, tokens: Iterable[Token]) -> Token:

@@ -5,10 +5,10 @@ import re
 from http import HTTPStatus
 from typing import TYPE_CHECKING, Annotated, Any
 
-from fastapi import Depends, Request, Security
+from fastapi import Depends, Request
 from starlette.exceptions import HTTPException
 
-from sigcat.api.middleware.access import BEARER, check_scope
+from sigcat.api.middleware.access import check_scope
 from sigcat.api.requests.dependencies import TheSettings
 from sigcat.api.requests.hosted_registry import HostedRegistry, TheRegistry
 from sigcat.api.requests.thread_turns import in_thread
@@ -44,10 +44,9 @@ def author_with(scope: "Scope") -> Any:
         return await in_thread(request, _author, authorization, registry, scope, needs_token=needs_token)
 
     author.__name__ = f"author_with_{scope}"
-    return Security(author)
+    return Depends(author)
 
 
-TheBearer = Annotated[Any, Security(BEARER)]
 Publisher = Annotated[Any, author_with("publish")]
 Approver = Annotated[Any, author_with("approve")]
 Administrator = Annotated[Any, author_with("administer")]

@@ -29,7 +29,7 @@ _LOG = "log"
 """State of a cursor of the log, which only grows: its pages stay as they are."""
 
 Name = Annotated[str, Path(description="Published name.", examples=["CoreAcc"], max_length=NAME_CHARACTERS)]
-Line = Annotated[str, Path(description="Vehicle line.", examples=["SUV-2025"], max_length=NAME_CHARACTERS)]
+Line = Annotated[str | None, Query(description="Only this line.", examples=["SUV-2025"], max_length=NAME_CHARACTERS)]
 VersionId = Annotated[str, Path(description="Version of SemVer 2.0.", examples=["1.0.0"], max_length=NAME_CHARACTERS)]
 Group = Annotated[schemas.RegistryGroup, Path(description="Kind of names.", examples=["functions"])]
 Inline = Annotated[
@@ -119,25 +119,14 @@ def list_registry_users(
 
 
 @router.get("/lines", response_model=schemas.VehicleLineList, responses=offered() | problem_documentation(404, 406))
-def list_vehicle_lines(request: Request, registry: TheRegistry) -> Response:
-    """All vehicle lines, and what their vehicles run."""
+def list_vehicle_lines(request: Request, registry: TheRegistry, line: Line = None) -> Response:
+    """Vehicle lines, and what their vehicles run."""
     from sigcat.api.answers import registry_answers
 
     with registry.reading() as connection:
-        found = registry_answers.lines(connection)
+        found = registry_answers.lines(connection) if line is None else [registry_answers.line(connection, line)]
         _mark(request, connection)
     return answer(request, schemas.VehicleLineList(lines=found))
-
-
-@router.get("/lines/{line}", response_model=schemas.VehicleLine, responses=offered() | problem_documentation(404, 406))
-def get_vehicle_line(request: Request, registry: TheRegistry, line: Line) -> Response:
-    """A vehicle line, and what its vehicles run."""
-    from sigcat.api.answers import registry_answers
-
-    with registry.reading() as connection:
-        found = registry_answers.line(connection, line)
-        _mark(request, connection)
-    return answer(request, found)
 
 
 @router.get("/log", response_model=schemas.LogPage, responses=offered() | problem_documentation(404, 406))
@@ -172,11 +161,11 @@ def get_registry_key(registry: TheRegistry) -> Response:
     return Response(public_text(public_key(registry.settings.key)), media_type=TEXT)
 
 
-@router.get("/contents/{digest}", response_class=Response, responses=_CONTENT | problem_documentation(404))
+@router.get("/contents", response_class=Response, responses=_CONTENT | problem_documentation(404))
 def get_registry_content(
     request: Request,
     registry: TheRegistry,
-    digest: Annotated[str, Path(description="SHA-256 of the content.", pattern="^[0-9a-f]{64}$", max_length=64)],
+    digest: Annotated[str, Query(description="SHA-256 of the content.", pattern="^[0-9a-f]{64}$", max_length=64)],
 ) -> Response:
     """Content by its digest, such as the Function JSON of a version. It never changes."""
     from sigcat.registry.storing.content import content_of, has_content

@@ -13,7 +13,7 @@ from sigcat.api.answers import registry_schemas, schemas
 from sigcat.api.answers.negotiation import JSON, json_bytes
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.answers.serializers import lint_report
-from sigcat.api.middleware.registry_access import Administrator, Approver, Publisher, Reader, TheBearer
+from sigcat.api.middleware.registry_access import Administrator, Approver, Publisher, Reader
 from sigcat.api.requests.clients import client_of
 from sigcat.api.requests.dependencies import FileName, NamedCatalogue, PostedText, TheSettings, TheWorkQueue, text_body
 from sigcat.api.requests.hosted_registry import HostedRegistry, TheRegistry
@@ -79,7 +79,6 @@ _POSTED = problem_documentation(401, 403, 404, 408, 413, 415, 422, 503)
 )
 async def publish_versions(
     request: Request,
-    _: TheBearer,
     author: Publisher,
     registry: TheRegistry,
     text: PostedText,
@@ -143,7 +142,7 @@ async def can_deploy(
 
 @router.post("/record-deployment", response_model=registry_schemas.RegistryChange, responses=_CHANGED)
 async def record_deployment(
-    request: Request, _: TheBearer, author: Approver, registry: TheRegistry, function: FunctionVersion, line: LineName
+    request: Request, author: Approver, registry: TheRegistry, function: FunctionVersion, line: LineName
 ) -> Response:
     """Record that all vehicles of a line run a version, in place of other versions of it."""
     return await _recorded(request, registry, author, "deployment", function, line)
@@ -151,7 +150,7 @@ async def record_deployment(
 
 @router.post("/record-release", response_model=registry_schemas.RegistryChange, responses=_CHANGED)
 async def record_release(
-    request: Request, _: TheBearer, author: Approver, registry: TheRegistry, function: FunctionVersion, line: LineName
+    request: Request, author: Approver, registry: TheRegistry, function: FunctionVersion, line: LineName
 ) -> Response:
     """Record that vehicles of a line run a version, next to the versions that others keep."""
     return await _recorded(request, registry, author, "release", function, line)
@@ -159,7 +158,7 @@ async def record_release(
 
 @router.post("/support-ended", response_model=registry_schemas.RegistryChange, responses=_CHANGED)
 async def end_support(
-    request: Request, _: TheBearer, author: Approver, registry: TheRegistry, function: FunctionVersion, line: LineName
+    request: Request, author: Approver, registry: TheRegistry, function: FunctionVersion, line: LineName
 ) -> Response:
     """Record that no vehicle of a line runs a version any more."""
     return await _recorded(request, registry, author, "support ended", function, line)
@@ -168,7 +167,6 @@ async def end_support(
 @router.post("/deprecate", response_model=registry_schemas.RegistryChange, responses=_CHANGED)
 async def deprecate_version(
     request: Request,
-    _: TheBearer,
     author: Publisher,
     registry: TheRegistry,
     reference: AnyVersion,
@@ -192,7 +190,6 @@ async def deprecate_version(
 @router.post("/retire", response_model=registry_schemas.RegistryChange, responses=_CHANGED)
 async def retire_version(
     request: Request,
-    _: TheBearer,
     author: Publisher,
     registry: TheRegistry,
     reference: AnyVersion,
@@ -210,7 +207,6 @@ async def retire_version(
 @router.post("/rule", response_model=registry_schemas.RegistryChange, responses=_CHANGED)
 async def set_compatibility_rule(
     request: Request,
-    _: TheBearer,
     author: Administrator,
     registry: TheRegistry,
     published: Annotated[Text, Query(description="Published name.", examples=["CoreAcc"])],
