@@ -6,6 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from sigcat.cli.registry_options import hosted_registry
+from sigcat.project.project import Project, RegistrySettings
+
 _WITHOUT = "import sys; sys.modules.update(dict.fromkeys({packages})); from sigcat.cli import main; sys.exit(main())"
 _LOADED = (
     "import sys; from sigcat.cli import main; main();"
@@ -43,6 +46,12 @@ def test_a_command_without_the_driver_of_its_database_says_what_to_install(tmp_p
     ended = run(_WITHOUT.format(packages=("psycopg",)), tmp_path, "registry", "list")
     assert (ended.returncode, ended.stdout) == (2, "")
     assert ended.stderr.endswith("run `pip install 'sigcat[registry-postgresql]'`\n")
+
+
+def test_a_service_whose_key_is_missing_serves_the_rest(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    settings = RegistrySettings(tmp_path / "registry.db", tmp_path / "missing.key")
+    assert hosted_registry(Project(registry=settings)) is None
+    assert "the registry is not served" in capsys.readouterr().err
 
 
 def test_a_lint_in_a_project_with_a_registry_loads_neither(tmp_path: Path) -> None:

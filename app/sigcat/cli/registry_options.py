@@ -81,11 +81,18 @@ def posted_files(files: "Sequence[Path]") -> "tuple[tuple[bytes, str], ...]":
 
 
 def hosted_registry(project: "Project") -> "RegistrySettings | None":
-    """Return the registry of a project that is served; None if it has none. A missing extra is reported, and the rest served."""
+    """Return the registry of a project that is served; None if it has none.
+
+    A missing extra or key is reported, and the rest is served.
+    """
     settings = project.registry
     try:
         if settings is not None:
             _load_packages(settings)
+        if settings is not None and settings.key is not None:
+            from sigcat.registry.storing.signing import signature_of
+
+            signature_of("", settings.key)  # better reported now than with the first change
     except UsageError as error:
         print(f"sigcat: the registry is not served: {error}", file=sys.stderr)
         return None
