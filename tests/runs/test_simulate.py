@@ -291,6 +291,15 @@ def test_a_call_that_crashes_is_told_with_what_it_had_received(case, statement, 
     assert lines[-1] == "0.040000000,Counter_Step,,,,,6,4.166666666666667,true,"
 
 
+def test_a_file_that_is_there_stays_if_the_run_is_stopped(case):
+    Path("out.csv").write_text("earlier\n")
+    status, said = case("-o", "new.csv", filter_c=(LAST, "    if (filter_in.speed > 15) { __builtin_trap(); }"))
+    assert status == 1
+    assert "sigcat: out.csv stays as it was: the run did not come to its end." in said
+    assert Path("out.csv").read_text() == "earlier\n"
+    assert len(Path("new.csv").read_text().splitlines()) > 2
+
+
 def test_a_call_without_an_end_is_stopped_after_a_limit(case):
     status, said = case("--step-limit", "0.3", filter_c=(LAST, "    while (filter_in.speed > 15) {}"))
     assert status == 1

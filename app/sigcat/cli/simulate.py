@@ -2,7 +2,7 @@
 
 import argparse
 import sys
-from contextlib import ExitStack
+from contextlib import ExitStack, contextmanager, suppress
 from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -19,7 +19,8 @@ from sigcat.errors import InputRefused, UsageError, existing_file
 
 if TYPE_CHECKING:
     import ctypes
-    from collections.abc import Callable, Collection, Iterable
+    from collections.abc import Callable, Collection, Iterable, Iterator
+    from typing import BinaryIO
 
     from sigcat.adapter.toolchain import Toolchain
     from sigcat.findings import Finding
@@ -146,7 +147,13 @@ def _simulate(arguments: argparse.Namespace, found: "list[Finding]") -> int:
 
         def begin() -> "list[Form]":
             forms = [
-                form_of(form, files.enter_context(opened(path)), prepared, trace, arguments.plot)
+                form_of(
+                    form,
+                    files.enter_context(_opened(path, lambda: simulated.stop is not None)),
+                    prepared,
+                    trace,
+                    arguments.plot,
+                )
                 for path, form in listed
             ]
             return [*forms, expected] if expected else forms
@@ -164,6 +171,21 @@ def _simulate(arguments: argparse.Namespace, found: "list[Finding]") -> int:
     if expected is not None:
         _refuse_differences(arguments.expect, expected)
     return 0
+
+
+class _StoppedError(Exception):
+    """A run that did not come to its end, whose output is discarded."""
+
+
+@contextmanager
+def _opened(path: Path | None, is_stopped: "Callable[[], bool]") -> "Iterator[BinaryIO]":
+    """Open an output. A file that is there is replaced only if the run comes to its end."""
+    is_there = path is not None and path.is_file()
+    with suppress(_StoppedError), opened(path) as file:
+        yield file
+        if is_there and is_stopped():
+            print(f"sigcat: {path} stays as it was: the run did not come to its end.", file=sys.stderr)
+            raise _StoppedError
 
 
 def _written(run: "Callable[[Take], Simulated]", begin: "Callable[[], list[Form]]") -> "Simulated":
