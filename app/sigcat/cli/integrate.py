@@ -13,8 +13,10 @@ from sigcat.errors import existing_file
 from sigcat.platforms.table import PLATFORMS
 
 if TYPE_CHECKING:
+    from sigcat.catalogue.model.catalogue import Catalogue
     from sigcat.function.function_json.resolved_function import ResolvedFunction
     from sigcat.integration.deployment import Deployment
+    from sigcat.platforms.platform import Platform
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -61,8 +63,9 @@ def run(arguments: argparse.Namespace) -> int:
     from sigcat.integration.report import written_as
     from sigcat.platforms.integrate import integrate
 
-    functions = _functions(arguments)
-    integrated = integrate(arguments.platform, functions, _deployment(arguments), _previous(arguments))
+    catalogue = read_tree(arguments)
+    functions = _functions(arguments, catalogue)
+    integrated = integrate(arguments.platform, functions, _deployment(arguments, catalogue), _previous(arguments))
     print_findings(integrated.findings)
     write_bytes(integrated.document, arguments.output)
     if arguments.report is not None:
@@ -70,24 +73,27 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _functions(arguments: argparse.Namespace) -> "tuple[ResolvedFunction, ...]":
+def _functions(arguments: argparse.Namespace, catalogue: "Catalogue") -> "tuple[ResolvedFunction, ...]":
     from sigcat.integration.reading import read_functions
 
     files = [(path.read_bytes(), str(path)) for path in functions_of(arguments)]
-    functions, findings = read_functions(files, read_tree(arguments))
+    functions, findings = read_functions(files, catalogue)
     print_findings(findings)
     return functions
 
 
-def _deployment(arguments: argparse.Namespace) -> "Deployment":
-    """Return the deployment, with the ids of the named files."""
+def _deployment(arguments: argparse.Namespace, catalogue: "Catalogue") -> "Deployment":
+    """Return the deployment, with the ids of the named files, and what the platform needs of the catalogue."""
     from sigcat.limits import DEFAULT_LIMITS
     from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, deployment_of_file
 
-    path, with_identifiers = deployment_of(arguments), arguments.platform.with_identifiers
+    platform: Platform = arguments.platform
+    path = deployment_of(arguments)
     deployment = DEFAULT_DEPLOYMENT if path is None else deployment_of_file(path, os.environ)
     files = [(existing_file(each).read_bytes(), str(each)) for each in getattr(arguments, "identifiers", ())]
-    return with_identifiers(deployment, files, DEFAULT_LIMITS) if files else deployment
+    if files and platform.with_identifiers is not None:
+        deployment = platform.with_identifiers(deployment, files, DEFAULT_LIMITS)
+    return deployment if platform.with_catalogue is None else platform.with_catalogue(deployment, catalogue)
 
 
 def _previous(arguments: argparse.Namespace) -> tuple[bytes, str] | None:

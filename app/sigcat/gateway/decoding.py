@@ -10,14 +10,14 @@ from typing import Any, NamedTuple
 
 from sigcat.adapter.host.shapes import Number
 from sigcat.catalogue.network.can_database import CanDatabase
+from sigcat.catalogue.network.mapped_signals import Mapped
 from sigcat.catalogue.network.markers import with_markers
-from sigcat.catalogue.network.signal_limits import limited, names, physical, step, within
-from sigcat.catalogue.network.values import OUTSIDE, NetworkValue, Unfit, Value, value_of
+from sigcat.catalogue.network.signal_limits import limited, names, network_value, physical
+from sigcat.catalogue.network.values import OUTSIDE, Unfit, Value, value_of
 from sigcat.gateway.counts import Counts
 from sigcat.gateway.frames import Frame
 from sigcat.gateway.j1939 import by_pgn, pgn
 from sigcat.gateway.layout import Bits, bits, numbers, width
-from sigcat.gateway.mapped import Mapped
 from sigcat.runs.recording.cells import cell_of
 
 _KNOWN_VALUES = 4096
@@ -58,7 +58,6 @@ class _Target:
         self._mapped = mapped
         self._signal = signal
         self._raw = numbers(signal)
-        self._limits = signal.minimum, signal.maximum, step(signal)
         self._shape = Number(mapped.datatype)
         self._names = names(signal)
         self._mapping = with_markers(
@@ -73,12 +72,9 @@ class _Target:
         return value
 
     def _value(self, raw: float) -> Decoded | Failed:
-        found = physical(self._signal, raw)
-        number = within(found, *self._limits)
-        name = self._names.get(raw)  # type: ignore[call-overload]  # a float has a name too
-        if number is None and name is None:
+        given = network_value(self._signal, raw, self._names)
+        if given is None:
             return Failed(self._number, OUTSIDE, is_attempt=False)
-        given = NetworkValue(raw, found if number is None else number, name, number is not None)
         try:
             value = value_of(given, self._mapping, self._mapped.datatype, self._mapped.allowed)
         except Unfit as reason:

@@ -7,10 +7,10 @@ from pathlib import Path
 
 from sigcat import codes
 from sigcat.catalogue.network.can_database import CanDatabase
+from sigcat.catalogue.network.sent_numbers import raw_of
 from sigcat.catalogue.network.values import Unfit
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, has_errors, shown
-from sigcat.gateway.encoding import raw_of
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.names import did_you_mean
 

@@ -1,21 +1,17 @@
 """Inputs of a run of the gateway are read and compared: the database, and the mappings of the catalogue."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.network.can_database import CanDatabase, of_channels, read_can_database
-from sigcat.catalogue.network.mapping import ATTRIBUTES
-from sigcat.data import INTERFACE_RULES
+from sigcat.catalogue.network.mapped_signals import Mapped, mapped_signals
+from sigcat.catalogue.network.sent_numbers import Outgoing, outgoing_signals
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, has_errors, in_order
-from sigcat.gateway.encoding import Outgoing, outgoing_signals
-from sigcat.gateway.mapped import Mapped, mapped_signals
-from sigcat.rules.compiled import compiled_rules
-from sigcat.rules.engine import found_in
-from sigcat.rules.rule_set import RuleSet
+from sigcat.rules.mapping_findings import mapping_findings
 
 
 class Prepared(NamedTuple):
@@ -47,7 +43,7 @@ def prepare(
         raise InputRefused("The CAN database cannot be used.", database.findings)
     mapped = mapped_signals(catalogue)
     outgoing = outgoing_signals(catalogue)
-    findings = in_order(list(_mapping_findings(catalogue, database)))
+    findings = in_order(list(mapping_findings(catalogue, database)))
     if has_errors(findings):
         raise InputRefused("The mappings cannot be used.", findings)
     if not (outgoing if is_sending else mapped):
@@ -57,15 +53,6 @@ def prepare(
         raise InputRefused("There is nothing to do.", (*findings, finding))
     datatypes = {path: str(node.values["datatype"]) for path, node in catalogue.nodes.items() if node.is_leaf}
     return Prepared(database, mapped, outgoing, (*database.findings, *findings), datatypes)
-
-
-def _mapping_findings(catalogue: Catalogue, database: CanDatabase) -> Iterator[Finding]:
-    """Return the findings of `sigcat lint` in the mappings."""
-    rules = RuleSet(rule for rule in compiled_rules(INTERFACE_RULES) if rule.category == "mapping")
-    judged = [each for each in catalogue.definitions.values() if not each.values.keys().isdisjoint(ATTRIBUTES)]
-    for finding, _ in found_in(catalogue, rules, judged, can=database):
-        if finding.rule in rules.codes:
-            yield finding
 
 
 def _name_of(catalogue: Catalogue) -> str:

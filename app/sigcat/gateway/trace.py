@@ -9,9 +9,9 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.adapter.host.shapes import Number
 from sigcat.catalogue.model.datatypes import PRIMITIVES
+from sigcat.catalogue.network.mapped_signals import Mapped
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, shown
-from sigcat.gateway.mapped import Mapped
 from sigcat.gateway.translation import Moment
 from sigcat.limits import TRACE_ROW_BYTES
 from sigcat.names import did_you_mean

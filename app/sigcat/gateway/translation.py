@@ -6,6 +6,7 @@ from typing import NamedTuple, TypeGuard
 from sigcat import codes
 from sigcat.adapter.host.shapes import Number
 from sigcat.catalogue.network.can_database import CanDatabase
+from sigcat.catalogue.network.mapped_signals import Mapped
 from sigcat.catalogue.network.mapping import SignalMapping
 from sigcat.catalogue.network.values import Value
 from sigcat.findings import Finding
@@ -13,7 +14,6 @@ from sigcat.gateway.counts import Counts
 from sigcat.gateway.decoding import Decoded, Decoder, Failed, decoded
 from sigcat.gateway.frames import Frame, Passed
 from sigcat.gateway.j1939 import assembled
-from sigcat.gateway.mapped import Mapped
 
 _MOST_LATE = 10**9
 """Frames of several channels may come in another order; a time that is a second before the last one is of another drive."""

@@ -1,6 +1,6 @@
 """Findings of `derive`, each at the part of a function that it is about."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
@@ -48,6 +48,10 @@ class FindingCollector:
     def report_deployment(self, rule: RuleCode, message: str, pointer: Pointer, fix: str, path: str) -> None:
         """Report one about a place in the deployment file, which has a setting for `path`."""
         self._found[self.deployment.finding(rule, pointer, message, fix, path)] = None
+
+    def take(self, findings: Iterable[Finding]) -> None:
+        """Add findings of other code."""
+        self._found.update(dict.fromkeys(findings))
 
     @property
     def findings(self) -> tuple[Finding, ...]:

@@ -1,12 +1,14 @@
 """FMI, as the table of platforms has it."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sigcat.platforms.platform import Generator, Integrated, Options, Platform
 
 if TYPE_CHECKING:
     from sigcat.adapter.files import GeneratedFile
+    from sigcat.catalogue.model.catalogue import Catalogue
     from sigcat.function.function_json.resolved_function import ResolvedFunction
     from sigcat.integration.deployment import Deployment
     from sigcat.integration.fmi.settings import FmiSettings
@@ -26,6 +28,22 @@ def _derive(functions: "Sequence[ResolvedFunction]", deployment: "Deployment", s
 
     model, findings, report = derive(functions, deployment, settings)
     return Integrated(to_json(model), findings, report)
+
+
+def _with_files(deployment: "Deployment", folder: "Path", environment: "Mapping[str, str]") -> "Deployment":
+    del environment
+    settings: FmiSettings = deployment.fmi  # type: ignore[attr-defined]
+    return deployment.model_copy(update={"fmi": settings.in_folder(folder)})
+
+
+def _with_catalogue(deployment: "Deployment", catalogue: "Catalogue") -> "Deployment":
+    from sigcat.integration.fmi.network import read_network
+
+    settings: FmiSettings = deployment.fmi  # type: ignore[attr-defined]
+    if settings.bus is None:
+        return deployment
+    network = read_network(settings.bus.dbc, catalogue, deployment)
+    return deployment.model_copy(update={"fmi": settings.model_copy().with_network(network)})
 
 
 def _schema() -> dict[str, Any]:
@@ -57,4 +75,6 @@ FMUS = Generator(
     generate=_generate,
     view="fmus",
 )
-FMI = Platform("fmi", "FMI", _settings, _derive, _schema, (FMUS,))
+FMI = Platform(
+    "fmi", "FMI", _settings, _derive, _schema, (FMUS,), with_files=_with_files, with_catalogue=_with_catalogue
+)

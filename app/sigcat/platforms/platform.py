@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
     from sigcat.adapter.files import GeneratedFile
+    from sigcat.catalogue.model.catalogue import Catalogue
     from sigcat.findings import Finding
     from sigcat.function.declaration.form import DeclarationModel
     from sigcat.function.function_json.resolved_function import ResolvedFunction
@@ -85,6 +86,9 @@ class Platform(NamedTuple):
     with_files: "Callable[[Deployment, Path, Mapping[str, str]], Deployment] | None" = None
     """A deployment with the files of this machine that it names, relative to the folder of its file, given an
     environment; None if the platform names none."""
+
+    with_catalogue: "Callable[[Deployment, Catalogue], Deployment] | None" = None
+    """A deployment with what it needs of a catalogue of this machine; None if the platform needs nothing. Raises InputRefused."""
 
     @property
     def section(self) -> str:

@@ -29,7 +29,7 @@ DEPLOYMENT: dict[str, Any] = {
         "signals": {"Vehicle.Demo.In": {"signal": "In", "message": "Status", "database": "can.dbc"}},
         "e2e": {"elements": {"Vehicle.Demo.In": {"valid": {"windowSize": 4}}}},
     },
-    "fmi": {"fmus": "set", "stepSize": 10, "license": "Proprietary", "copyright": "Demo team"},
+    "fmi": {"fmus": "set", "stepSize": 10, "license": "Proprietary", "copyright": "Demo team", "bus": {"name": "Can", "dbc": ["can.dbc"]}},
     "ros2": {
         "namespace": "/demo", "messagePackage": "demo_messages", "maintainer": "Team", "email": "team@example.com", "license": "Proprietary",
         "quality": {"vehicle/demo/in": {"depth": 2}},

@@ -2,7 +2,7 @@
 
 import hashlib
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import NamedTuple
@@ -10,6 +10,7 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.adapter.core.cores import plans
 from sigcat.adapter.core.identifiers import identifier
+from sigcat.adapter.fmi.bus.derive import bus_of
 from sigcat.adapter.fmi.clocks import clocks_of
 from sigcat.adapter.fmi.variables import Layout, Variable, layout_of
 from sigcat.adapter.host.connections import Connections, Member, connect
@@ -21,6 +22,7 @@ from sigcat.function.function_json.walk import methods, parts
 from sigcat.integration.application import Application, application, joined
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 from sigcat.integration.finding_collector import FindingCollector, Subject
+from sigcat.integration.fmi.bus import FmuBus
 from sigcat.integration.fmi.model import EnumerationItem, FmiIntegration, Fmu, FmuClock, FmuConnection, FmuVariable
 from sigcat.integration.fmi.settings import NO_SETTINGS, FmiSettings
 from sigcat.integration.report import Entry, FieldTarget, entries
@@ -54,6 +56,7 @@ def derive(
     findings = FindingCollector(app.functions, deployment)
     _report_methods(app, settings, findings)
     units = units_of(app.functions, app.name if settings.fmus == "set" else None, has_arrays=settings.version == "3.0")
+    buses = _buses(units, settings, findings)
     model = FmiIntegration(
         meta=_meta(app),
         info=FunctionInfo(
@@ -66,8 +69,8 @@ def derive(
         interface="scheduledExecution" if settings.interface == "scheduledExecution" else None,
         license=Text(settings.license),
         copyright=Text(settings.copyright) if settings.copyright else None,
-        fmus=tuple(_fmu(unit, settings) for unit in units),
-        connections=tuple(_connections(units)),
+        fmus=tuple(_fmu(unit, settings, buses[unit.name]) for unit in units),
+        connections=tuple(_connections(units, buses)),
         functions=tuple(each.function for each in app.functions),
     )
     return Derived(model, findings.findings, tuple(_targets(app, units)))
@@ -87,7 +90,28 @@ def units_of(
     return tuple(Unit(each.members[0].name[:_LONGEST_NAME], each, layout(each)) for each in alone)
 
 
-def _fmu(unit: Unit, settings: FmiSettings) -> Fmu:
+def _buses(units: Sequence[Unit], settings: FmiSettings, findings: FindingCollector) -> Mapping[str, FmuBus | None]:
+    """The bus of each FMU; None if nothing of it is mapped."""
+    if settings.bus is None:
+        return dict.fromkeys((unit.name for unit in units), None)
+    at = ("fmi", "bus")
+    if settings.network is None:
+        fix = "Run `sigcat integrate fmi` where the CAN database is, or remove `bus`."
+        findings.report_deployment(codes.BUS_UNFIT, "The CAN database of the bus is not read here.", at, fix, "")
+        return dict.fromkeys((unit.name for unit in units), None)
+    found = {unit.name: bus_of(unit.connections, unit.layout, settings.bus, settings.network) for unit in units}
+    findings.take(settings.network.findings)
+    for each in found.values():
+        findings.take(each.findings)
+    if not any(each.bus or each.findings for each in found.values()):
+        fix = "Pass the overlay with `network_serialization`, `dbc2vss` or `vss2dbc` with -l."
+        findings.report_deployment(
+            codes.BUS_UNFIT, "No signal of the functions is mapped to the CAN database.", at, fix, ""
+        )
+    return {name: each.bus for name, each in found.items()}
+
+
+def _fmu(unit: Unit, settings: FmiSettings, bus: FmuBus | None) -> Fmu:
     members = unit.connections.members
     cycles = [call.cycle for member in members for call in member.plan.steps if call.cycle]
     variables = tuple(_variable(index, each) for index, each in enumerate(unit.layout.variables))
@@ -96,10 +120,11 @@ def _fmu(unit: Unit, settings: FmiSettings) -> Fmu:
         name=unit.name,
         description=joined((each.plan.description for each in members), " "),
         functions=tuple(each.function.name for each in members),
-        token=token_of(unit.name, (*variables, *(clocks or ()))),
+        token=token_of(unit.name, (*variables, *(clocks or ()), *((bus,) if bus else ()))),
         step_size=settings.step_size or (_milliseconds(min(cycles)) if cycles else _DEFAULT_STEP_MS),
         variables=variables,
         clocks=clocks,
+        bus=bus,
     )
 
 
@@ -108,7 +133,7 @@ def _milliseconds(nanoseconds: int) -> int | float:
     return nanoseconds / 10**6 if rest else whole
 
 
-def token_of(name: str, variables: Sequence[FmuVariable | FmuClock]) -> str:
+def token_of(name: str, variables: Sequence[FmuVariable | FmuClock | FmuBus]) -> str:
     """The instantiation token: it changes with everything that an importer reads of the variables."""
     read = [name, *(each.model_dump(mode="json", by_alias=True) for each in variables)]
     return f"sigcat_{hashlib.sha256(json.dumps(read, sort_keys=True).encode()).hexdigest()[:32]}"
@@ -122,13 +147,18 @@ def _variable(index: int, each: Variable) -> FmuVariable:
     )  # fmt: skip
 
 
-def _connections(units: Sequence[Unit]) -> Iterator[FmuConnection]:
+def _connections(units: Sequence[Unit], buses: Mapping[str, FmuBus | None]) -> Iterator[FmuConnection]:
     """Outputs of one FMU, and the inputs of others that have their names."""
+    hidden = {name: bus.hidden if bus else frozenset[int]() for name, bus in buses.items()}
+    shown = {
+        unit.name: [each for number, each in enumerate(unit.layout.variables) if number not in hidden[unit.name]]
+        for unit in units
+    }
     outputs = {
-        each.name: (unit.name, each) for unit in units for each in unit.layout.variables if each.causality == "output"
+        each.name: (unit.name, each) for unit in units for each in shown[unit.name] if each.causality == "output"
     }
     for unit in units:
-        for each in unit.layout.variables:
+        for each in shown[unit.name]:
             found = outputs.get(each.name) if each.causality == "input" else None
             if found and found[0] != unit.name and (found[1].type, found[1].length) == (each.type, each.length):
                 yield FmuConnection(

@@ -14,6 +14,8 @@ from sigcat import __version__, codes
 from sigcat.adapter.core.generate import core_files
 from sigcat.adapter.core.plan import CorePlan
 from sigcat.adapter.files import GeneratedFile, shipped, within
+from sigcat.adapter.fmi.bus.formula import OPERATIONS, in_c
+from sigcat.adapter.fmi.bus.plan import bus_plan
 from sigcat.adapter.fmi.clocks import clocks_of, is_inside
 from sigcat.adapter.fmi.derive import Unit, units_of
 from sigcat.adapter.fmi.variables import Variable
@@ -32,6 +34,8 @@ from sigcat.limits import Limits
 
 _C = Path(__file__).with_name("c")
 _C2 = Path(__file__).with_name("c2")
+_C_BUS = Path(__file__).parent / "bus" / "c"
+_BUS_VARIABLES = ("Rx_Clock", "Rx_Data", "Tx_Clock", "Tx_Data")
 _CPP = frozenset((".cc", ".cpp", ".cxx", ".c++", ".C"))
 _FREE = {"name": "", "description": ""}
 _AGAIN = "Integrate the functions again."
@@ -78,6 +82,10 @@ class _FmuPlan(NamedTuple):
     is_single: bool
     is_copied: bool
     is_cpp: bool
+    bus_variables: tuple[str, ...]
+    """Names of the variables of its bus, in the order of their value references."""
+    hidden: frozenset[int]
+    """Value references of variables that are only on the bus."""
     units: tuple[str, ...]
     languages: tuple[tuple[str, tuple[str, ...]], ...]
     """Languages, as FMI names them, and the sources in each."""
@@ -126,10 +134,31 @@ def report(data: bytes, name: str, limits: Limits) -> tuple[Entry, ...]:
             made += entries(fmu.name, clock.name, "clock", clock, dict.fromkeys(_aliases(clock), place))
         for each in fmu.variables:
             made += entries(fmu.name, each.name, "variable", each, dict.fromkeys(_aliases(each), place))
+        for place_of, message in _bus_parts(fmu):
+            made += entries(
+                fmu.name,
+                place_of,
+                "bus",
+                message,
+                dict.fromkeys(_aliases(message), FieldTarget(f"{fmu.name}/sources/sigcat_bus_model.c")),
+            )
     for one in model.connections:
         system = FieldTarget("SystemStructure.ssd")
         made += entries(one.end_fmu, one.end_variable, "connection", one, dict.fromkeys(_aliases(one), system))
     return tuple(made)
+
+
+def _bus_parts(fmu: Fmu) -> Iterator[tuple[str, BaseModel]]:
+    """The bus of an FMU; its messages by their identifiers, their signals by their first bits, and the variables of these."""
+    if fmu.bus is None:
+        return
+    yield fmu.bus.name, fmu.bus
+    for message in fmu.bus.messages:
+        yield f"{message.identifier:X}", message
+        for signal in message.signals:
+            yield f"{message.identifier:X}:{signal.start}", signal
+            for each in signal.mappings:
+                yield fmu.variables[each.reference].name, each
 
 
 def _aliases(model: BaseModel) -> list[str]:
@@ -142,6 +171,7 @@ def _check(model: FmiIntegration, units: Sequence[Unit]) -> None:
         raise _unlike("/FmuList", "The FMUs must be those of the functions of the document.")
     for index, (fmu, unit) in enumerate(zip(model.fmus, units, strict=True)):
         _check_clocks(fmu, unit, model, index)
+        _check_bus(fmu, index)
         at = f"/FmuList/{index}/VariableList"
         if len(fmu.variables) != len(unit.layout.variables):
             message = f"{fmu.name} must have {len(unit.layout.variables)} variables, as its functions, not {len(fmu.variables)}."
@@ -170,6 +200,14 @@ def _check_clocks(fmu: Fmu, unit: Unit, model: FmiIntegration, index: int) -> No
         )
 
 
+def _check_bus(fmu: Fmu, index: int) -> None:
+    """Raise InputRefused if C cannot compute a formula of the bus."""
+    for each in fmu.bus.mappings if fmu.bus else ():
+        if each.formula is not None and in_c(each.formula) is None:
+            at = f"/FmuList/{index}/CanBus"
+            raise _unlike(at, f"The formula {each.formula} must have only {OPERATIONS}.")
+
+
 def _unlike(pointer: str, message: str) -> InputRefused:
     finding = codes.NOT_WRITABLE_AS_FMU.finding(message, pointer=pointer, fix=_AGAIN)
     return InputRefused("The document cannot be used.", (finding,))
@@ -195,7 +233,9 @@ def _plan(fmu: Fmu, unit: Unit, model: FmiIntegration) -> _FmuPlan:
         calls=tuple(_calls(unit)) if fmu.clocks is not None else (),
         parameters=layout.parameters, values=layout.values,
         is_single=has_globals, is_copied=not has_globals and not is_cpp, is_cpp=is_cpp,
-        languages=tuple(_languages(sources, model)),
+        languages=tuple(_languages(sources, model, has_bus=fmu.bus is not None)),
+        bus_variables=_BUS_VARIABLES if fmu.bus is not None else (),
+        hidden=fmu.bus.hidden if fmu.bus is not None else frozenset(),
         units=tuple(dict.fromkeys(each.unit for each in fmu.variables if each.unit)),
     )  # fmt: skip
 
@@ -205,8 +245,12 @@ def _calls(unit: Unit) -> Iterator[_Call]:
         yield _Call(each.name, is_inside(each, unit.connections))
 
 
-def _languages(sources: Sequence[_Source], model: FmiIntegration) -> Iterator[tuple[str, tuple[str, ...]]]:
-    of_fmi = ("sigcat_fmu.c", *(("sigcat_fmi2.c",) if model.version else ()), "sigcat_model.c")
+def _languages(
+    sources: Sequence[_Source], model: FmiIntegration, *, has_bus: bool
+) -> Iterator[tuple[str, tuple[str, ...]]]:
+    of_version = ("sigcat_fmi2.c",) if model.version else ()
+    of_bus = ("sigcat_bus.c", "sigcat_bus_model.c") if has_bus else ()
+    of_fmi = ("sigcat_fmu.c", *of_version, *of_bus, "sigcat_model.c")
     own = [name for each in sources for name in (*each.generated, *(inside for _, inside, _ in each.code))]
     cpp = tuple(each for each in own if Path(each).suffix in _CPP)
     yield "C99", (*of_fmi, *(each for each in own if each not in cpp))
@@ -240,6 +284,9 @@ def _inside(path: str, root: tuple[str, ...]) -> str:
 def _files(plan: _FmuPlan, unit: Unit) -> Iterator[GeneratedFile]:
     yield _description(plan)
     yield _file("documentation/index.html", plan)
+    if plan.fmu.bus is not None:
+        yield _file("terminalsAndIcons/terminalsAndIcons.xml", plan)
+        yield _file("extra/org.fmi-standard.fmi-ls-bus/fmi-ls-manifest.xml", plan)
     numbers = numbers_of(unit.connections)
     sources: list[GeneratedFile] = [
         *(() if plan.model.version else (_file("buildDescription.xml", plan),)),
@@ -248,9 +295,19 @@ def _files(plan: _FmuPlan, unit: Unit) -> Iterator[GeneratedFile]:
         *(glue_file(unit.connections, numbers, index) for index in range(len(unit.connections.members))),
         *shipped(_C),
         *(shipped(_C2) if plan.model.version else ()),
+        *_bus_sources(plan, unit),
         GeneratedFile(HOST_HEADER.name, HOST_HEADER.read_bytes()),
     ]
     yield from within("sources", sources)
+
+
+def _bus_sources(plan: _FmuPlan, unit: Unit) -> Iterator[GeneratedFile]:
+    if plan.fmu.bus is None:
+        return
+    tables = bus_plan(plan.fmu.bus, unit.layout, plan.version)
+    yield from shipped(_C_BUS)
+    for name in ("sigcat_bus_sizes.h", "sigcat_bus_model.c"):
+        yield GeneratedFile(name, rendered(f"adapter/fmi/bus/{name}.j2", tables).encode())
 
 
 def _description(plan: _FmuPlan) -> GeneratedFile:

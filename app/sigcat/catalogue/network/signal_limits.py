@@ -1,7 +1,10 @@
 """Limits that a CAN database states for a signal, which is one of cantools, and numbers as they are transmitted."""
 
 import math
+from collections.abc import Mapping
 from typing import Any
+
+from sigcat.catalogue.network.values import NetworkValue
 
 _ROUNDING = 1e-14
 """Largest relative error of a product and a sum of doubles against the decimal that they mean."""
@@ -38,6 +41,16 @@ def step(signal: Any) -> float:
 def limited(signal: Any, number: float) -> float | None:
     """A number in the unit of a signal, within its limits; None if it is outside."""
     return within(number, signal.minimum, signal.maximum, step(signal))
+
+
+def network_value(signal: Any, raw: float, known: Mapping[int, str]) -> NetworkValue | None:
+    """The value of a transmitted number; None if it is outside of the limits and has no name among the known ones."""
+    found = physical(signal, raw)
+    number = limited(signal, found)
+    name = known.get(raw)  # type: ignore[call-overload]  # a float has a name too
+    if number is None and name is None:
+        return None
+    return NetworkValue(raw, found if number is None else number, name, number is not None)
 
 
 def names(signal: Any) -> dict[int, str]:

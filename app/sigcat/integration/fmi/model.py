@@ -8,6 +8,7 @@ from sigcat.function.document.field_types import CIdentifier, FmiVariableName, F
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.model import FunctionInfo, FunctionJson, MetaInfo
 from sigcat.function.function_json.wire import Integer, Listed, Number, WireModel, always, own, written
+from sigcat.integration.fmi.bus import FmuBus
 from sigcat.integration.source_functions import source_functions
 
 Causality = Literal["independent", "input", "output", "parameter"]
@@ -72,6 +73,7 @@ class Fmu(WireModel):
     step_size: Annotated[Number, Field(gt=0)] = always("StepSize", "Proposed step.", unit="ms")
     variables: Listed[FmuVariable] = always("VariableList", "Variables, by value reference.")
     clocks: Listed[FmuClock] | None = own("ClockList", "Clocks of its calls, for scheduled execution.")
+    bus: FmuBus | None = own("CanBus", "CAN bus that carries its variables.")
 
 
 class FmuConnection(WireModel):

@@ -6,6 +6,9 @@
  *
  * With event mode, inputs that are set in it are received at that time, and the calls that are due run in it.
  *
+ * A bus is used in event mode: what it has sent in a step is in Tx_Data at its end, and what it has received is handed over by
+ * fmi3UpdateDiscreteStates. Tx_Data has the operations of one iteration of an event.
+ *
  * In scheduled execution, the importer activates each call by its clock. Other calls that are due wait for their clocks. Everything
  * but the code of a call is locked against preemption.
  */
@@ -20,6 +23,7 @@
 #define NANOSECONDS 1e9
 #define OUT_OF_RANGE "A parameter is out of its range; none of its function has changed."
 #define ENDLESS "Calls trigger each other without end."
+#define LOST "The bus has sent more than Tx_Data holds, and frames are lost. Use shorter steps."
 #define LONGEST 9e6 /* s: a double holds every nanosecond of it */
 
 static const size_t sizes[] = {4U, 8U, 1U, 1U, 2U, 2U, 4U, 4U, 8U, 8U, 1U}; /* by sigcat_type */
@@ -37,6 +41,8 @@ typedef struct {
     double start; /* in s */
     phase phase;
     usage usage;
+    bool is_received; /* whether the clock of what the bus receives is active */
+    bool is_announced; /* whether the importer knows that the bus has sent */
 } progress;
 
 typedef struct {
@@ -52,6 +58,7 @@ typedef struct {
     bool *has_parameters; /* of each function: whether one was set since the last step */
     bool *is_waiting; /* of each call: whether it is due, and its clock was not activated yet */
     void **states;
+    void *bus; /* state of the bus; NULL without one */
 } component;
 
 static bool is_instantiated; /* where a process has one instance */
@@ -84,11 +91,20 @@ static component *in_phase(fmi3Instance instance, phase wanted, const char *mess
 
 /* -- what functions exchange ------------------------------------------------------------------------------------- */
 
+/* A bus needs its clocks. */
+static bool has_bus(const component *self)
+{
+    return (sigcat_model.bus != NULL) && (self->at.usage == WITH_EVENTS);
+}
+
 static void sends(void *given, uint32_t number, const unsigned char *bytes)
 {
     component *const self = (component *)given;
     const sigcat_output *const sent = &sigcat_model.outputs[number];
     (void)memcpy(&self->values[sent->offset], bytes, sent->size);
+    if (has_bus(self)) {
+        sigcat_model.bus->send_value(self->bus, number, bytes);
+    }
     for (uint32_t i = 0; i < sent->count; i++) {
         const sigcat_input *const input = &sigcat_model.inputs[sent->inputs[i]];
         sigcat_model.functions[input->function]->receive(self->states[input->function], input->receiver, bytes, self->at.now);
@@ -126,6 +142,33 @@ static void receive_inputs(component *self)
         }
     }
     (void)memset(self->is_set, 0, sigcat_model.input_count * sizeof(bool));
+}
+
+/* An input has come over the bus. */
+static void take(void *given, uint32_t variable, const unsigned char *bytes)
+{
+    component *const self = (component *)given;
+    const sigcat_variable *const input = &sigcat_model.variables[variable];
+    (void)memcpy(&self->values[input->offset], bytes, sizes[input->type]);
+    self->is_set[input->owner] = true;
+}
+
+static void receive_bus(component *self)
+{
+    const sigcat_bus_host host = {self, take};
+    if (self->at.is_received) {
+        sigcat_model.bus->receive(self->bus, self->at.now, &host);
+        self->at.is_received = false;
+    }
+}
+
+static bool has_sent(const component *self)
+{
+    size_t size = 0;
+    if (has_bus(self)) {
+        (void)sigcat_model.bus->get_sent(self->bus, &size);
+    }
+    return size > 0U;
 }
 
 static bool take_parameters(component *self)
@@ -203,6 +246,9 @@ static bool run_calls(component *self)
         rounds++;
     }
     supervise(self);
+    if (has_bus(self)) {
+        sigcat_model.bus->flush(self->bus, self->at.now);
+    }
     return rounds < ROUNDS;
 }
 
@@ -236,10 +282,10 @@ static bool run_activated(component *self, uint32_t activated)
     return rounds < ROUNDS;
 }
 
-/* Whether a call or a window of supervision is due now. */
+/* Whether a call, a window of supervision or a frame is due now. */
 static bool is_due(const component *self)
 {
-    bool found = false;
+    bool found = has_bus(self) && (sigcat_model.bus->next_time(self->bus) <= self->at.now);
     for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
         found = found || (sigcat_model.functions[i]->next_time(self->states[i]) <= self->at.now);
     }
@@ -254,6 +300,10 @@ static uint64_t next_time(const component *self, uint64_t end)
         if ((time > self->at.now) && (time < found)) {
             found = time;
         }
+    }
+    if (has_bus(self)) {
+        const uint64_t time = sigcat_model.bus->next_time(self->bus);
+        found = ((time > self->at.now) && (time < found)) ? time : found;
     }
     return found;
 }
@@ -292,12 +342,15 @@ static bool create_states(component *self)
 
 static void begin_again(component *self, usage wanted)
 {
-    const progress beginning = {0U, 0.0, INSTANTIATED, wanted};
+    const progress beginning = {0U, 0.0, INSTANTIATED, wanted, false, false};
     self->at = beginning;
     (void)memcpy(self->values, sigcat_model.values, sigcat_model.value_count);
     (void)memset(self->is_set, 0, sigcat_model.input_count * sizeof(bool));
     (void)memset(self->has_parameters, 0, sigcat_model.function_count * sizeof(bool));
     (void)memset(self->is_waiting, 0, sigcat_model.call_count * sizeof(bool));
+    if (self->bus != NULL) {
+        sigcat_model.bus->start(self->bus);
+    }
 }
 
 static void free_component(component *self)
@@ -310,6 +363,7 @@ static void free_component(component *self)
     free(self->has_parameters);
     free(self->is_waiting);
     free(self->states);
+    free(self->bus);
     free(self);
 }
 
@@ -324,8 +378,9 @@ static component *new_component(void)
         self->has_parameters = (bool *)calloc((size_t)sigcat_model.function_count + 1U, sizeof(bool));
         self->is_waiting = (bool *)calloc((size_t)sigcat_model.call_count + 1U, sizeof(bool));
         self->states = (void **)calloc((size_t)sigcat_model.function_count + 1U, sizeof(void *));
+        self->bus = (sigcat_model.bus != NULL) ? malloc(sigcat_model.bus->state_size) : NULL;
         if ((self->values == NULL) || (self->is_set == NULL) || (self->has_parameters == NULL) || (self->is_waiting == NULL)
-            || (self->states == NULL) || !create_states(self)) {
+            || (self->states == NULL) || ((self->bus == NULL) && (sigcat_model.bus != NULL)) || !create_states(self)) {
             free_component(self);
             self = NULL;
         }
@@ -385,6 +440,9 @@ static component *instantiated(
     self->is_logging = is_logging;
     begin_again(self, wanted);
     is_instantiated = true;
+    if ((sigcat_model.bus != NULL) && (wanted != WITH_EVENTS)) {
+        (void)told(self, fmi3Warning, "Without event mode, nothing is sent to the bus, and nothing is received from it.");
+    }
     return self;
 }
 
@@ -528,6 +586,7 @@ SIGCAT_EXPORT fmi3Status FMI3(UpdateDiscreteStates)(
     fmi3Float64 *nextEventTime)
 {
     component *const self = in_phase(instance, EVENT, "fmi3UpdateDiscreteStates is called in event mode.");
+    bool is_whole = true;
     if ((self == NULL) || (discreteStatesNeedUpdate == NULL) || (terminateSimulation == NULL)
         || (nominalsOfContinuousStatesChanged == NULL) || (valuesOfContinuousStatesChanged == NULL) || (nextEventTimeDefined == NULL)
         || (nextEventTime == NULL)) {
@@ -542,8 +601,17 @@ SIGCAT_EXPORT fmi3Status FMI3(UpdateDiscreteStates)(
     if (!take_parameters(self)) {
         return told(self, fmi3Error, OUT_OF_RANGE);
     }
+    if (has_bus(self)) {
+        is_whole = sigcat_model.bus->clear_sent(self->bus);
+        self->at.is_announced = false;
+        receive_bus(self);
+    }
     receive_inputs(self);
-    return run_calls(self) ? fmi3OK : told(self, fmi3Error, ENDLESS);
+    if (!run_calls(self)) {
+        return told(self, fmi3Error, ENDLESS);
+    }
+    *discreteStatesNeedUpdate = has_sent(self);
+    return is_whole ? fmi3OK : told(self, fmi3Warning, LOST);
 }
 
 /* In s since the start of the simulation to ns since then; false if it is not a time of this instance. */
@@ -585,7 +653,7 @@ SIGCAT_EXPORT fmi3Status FMI3(DoStep)(
     if (!run_until(self, end)) {
         return told(self, fmi3Error, ENDLESS);
     }
-    *eventHandlingNeeded = (self->at.usage == WITH_EVENTS) && is_due(self);
+    *eventHandlingNeeded = (self->at.usage == WITH_EVENTS) && (is_due(self) || has_sent(self));
     *lastSuccessfulTime = currentCommunicationPoint + communicationStepSize;
     return fmi3OK;
 }
@@ -801,11 +869,112 @@ ACCESS(Int64, fmi3Int64, SIGCAT_INT64)
 ACCESS(UInt64, fmi3UInt64, SIGCAT_UINT64)
 ACCESS(Boolean, fmi3Boolean, SIGCAT_BOOLEAN)
 
+/* -- bus ---------------------------------------------------------------------------------------------------------- */
+
+/* An instance whose bus has all of these variables; NULL, with a message, otherwise. */
+static component *with_bus(fmi3Instance instance, const fmi3ValueReference references[], size_t count, const void *values, uint32_t allowed)
+{
+    component *const self = (component *)instance;
+    if ((self == NULL) || ((self->at.phase != EVENT) && (self->at.phase != INITIALIZATION))) {
+        (void)told(self, fmi3Error, "Clocks and binary variables are used in event mode and in initialization mode.");
+        return NULL;
+    }
+    if ((count > 0U) && ((references == NULL) || (values == NULL))) {
+        (void)told(self, fmi3Error, "Value references and values must be there.");
+        return NULL;
+    }
+    for (size_t i = 0; i < count; i++) {
+        const uint32_t number = references[i] - sigcat_model.variable_count; /* wraps round for a variable */
+        if (!has_bus(self) || (number >= (uint32_t)SIGCAT_BUS_VARIABLES) || (((allowed >> number) & 1U) == 0U)) {
+            (void)told(self, fmi3Error, "A value reference is not one of a bus, of this type and causality.");
+            return NULL;
+        }
+    }
+    return self;
+}
+
+#define ONE(variable) (1U << (uint32_t)(variable))
+
+SIGCAT_EXPORT fmi3Status FMI3(GetClock)(
+    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, fmi3Clock values[])
+{
+    component *const self =
+        with_bus(instance, valueReferences, nValueReferences, values, ONE(SIGCAT_RX_CLOCK) | ONE(SIGCAT_TX_CLOCK));
+    if (self == NULL) {
+        return fmi3Error;
+    }
+    for (size_t i = 0; i < nValueReferences; i++) {
+        if ((valueReferences[i] - sigcat_model.variable_count) == (uint32_t)SIGCAT_RX_CLOCK) {
+            values[i] = self->at.is_received;
+        } else {
+            values[i] = has_sent(self) && !self->at.is_announced; /* it is active once */
+            self->at.is_announced = self->at.is_announced || values[i];
+        }
+    }
+    return fmi3OK;
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(SetClock)(
+    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const fmi3Clock values[])
+{
+    component *const self = with_bus(instance, valueReferences, nValueReferences, values, ONE(SIGCAT_RX_CLOCK));
+    if (self == NULL) {
+        return fmi3Error;
+    }
+    for (size_t i = 0; i < nValueReferences; i++) {
+        self->at.is_received = values[i];
+    }
+    return fmi3OK;
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(GetBinary)(
+    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, size_t valueSizes[], fmi3Binary values[],
+    size_t nValues)
+{
+    component *const self =
+        with_bus(instance, valueReferences, nValueReferences, values, ONE(SIGCAT_RX_DATA) | ONE(SIGCAT_TX_DATA));
+    if (self == NULL) {
+        return fmi3Error;
+    }
+    if ((nValues != nValueReferences) || ((nValues > 0U) && (valueSizes == NULL))) {
+        return told(self, fmi3Error, "Each binary variable has one value, with a size.");
+    }
+    for (size_t i = 0; i < nValues; i++) {
+        const bool is_sent = (valueReferences[i] - sigcat_model.variable_count) == (uint32_t)SIGCAT_TX_DATA;
+        values[i] = is_sent ? sigcat_model.bus->get_sent(self->bus, &valueSizes[i])
+                            : sigcat_model.bus->get_received(self->bus, &valueSizes[i]);
+    }
+    return fmi3OK;
+}
+
+SIGCAT_EXPORT fmi3Status FMI3(SetBinary)(
+    fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const size_t valueSizes[],
+    const fmi3Binary values[], size_t nValues)
+{
+    component *const self = with_bus(instance, valueReferences, nValueReferences, values, ONE(SIGCAT_RX_DATA));
+    if (self == NULL) {
+        return fmi3Error;
+    }
+    if ((nValues != nValueReferences) || ((nValues > 0U) && (valueSizes == NULL))) {
+        return told(self, fmi3Error, "Each binary variable has one value, with a size.");
+    }
+    for (size_t i = 0; i < nValues; i++) {
+        if ((valueSizes[i] > 0U) && (values[i] == NULL)) {
+            return told(self, fmi3Error, "A binary value must be there.");
+        }
+        if (!sigcat_model.bus->set_received(self->bus, values[i], valueSizes[i])) {
+            return told(self, fmi3Error, "Rx_Data has more bytes than a bus of this FMU takes at once.");
+        }
+    }
+    return fmi3OK;
+}
+
 /* -- state ------------------------------------------------------------------------------------------------------- */
 
 static size_t saved_size(void)
 {
-    size_t found = sizeof(progress) + sigcat_model.value_count + sigcat_model.input_count + sigcat_model.function_count + sigcat_model.call_count;
+    size_t found = sizeof(progress) + sigcat_model.value_count + sigcat_model.input_count + sigcat_model.function_count + sigcat_model.call_count
+        + ((sigcat_model.bus != NULL) ? sigcat_model.bus->state_size : 0U);
     for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
         found += sigcat_model.functions[i]->state_size;
     }
@@ -819,6 +988,9 @@ static void save(const component *self, unsigned char *to)
     to = sigcat_put(to, self->is_set, sigcat_model.input_count);
     to = sigcat_put(to, self->has_parameters, sigcat_model.function_count);
     to = sigcat_put(to, self->is_waiting, sigcat_model.call_count);
+    if (self->bus != NULL) {
+        to = sigcat_put(to, self->bus, sigcat_model.bus->state_size);
+    }
     for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
         to = sigcat_put(to, self->states[i], sigcat_model.functions[i]->state_size);
     }
@@ -831,6 +1003,9 @@ static void restore(component *self, const unsigned char *from)
     from = sigcat_take(from, self->is_set, sigcat_model.input_count);
     from = sigcat_take(from, self->has_parameters, sigcat_model.function_count);
     from = sigcat_take(from, self->is_waiting, sigcat_model.call_count);
+    if (self->bus != NULL) {
+        from = sigcat_take(from, self->bus, sigcat_model.bus->state_size);
+    }
     for (uint32_t i = 0; i < sigcat_model.function_count; i++) {
         from = sigcat_take(from, self->states[i], sigcat_model.functions[i]->state_size);
     }
@@ -978,16 +1153,8 @@ SIGCAT_EXPORT fmi3Instance FMI3(InstantiateModelExchange)(
 
 NOT_OFFERED(GetString, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, fmi3String
     values[], size_t nValues)
-NOT_OFFERED(GetBinary, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, size_t
-    valueSizes[], fmi3Binary values[], size_t nValues)
-NOT_OFFERED(GetClock, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, fmi3Clock
-    values[])
 NOT_OFFERED(SetString, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const
     fmi3String values[], size_t nValues)
-NOT_OFFERED(SetBinary, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const size_t
-    valueSizes[], const fmi3Binary values[], size_t nValues)
-NOT_OFFERED(SetClock, fmi3Instance instance, const fmi3ValueReference valueReferences[], size_t nValueReferences, const fmi3Clock
-    values[])
 NOT_OFFERED(GetNumberOfVariableDependencies, fmi3Instance instance, fmi3ValueReference valueReference, size_t *nDependencies)
 NOT_OFFERED(GetVariableDependencies, fmi3Instance instance, fmi3ValueReference dependent, size_t elementIndicesOfDependent[],
     fmi3ValueReference independents[], size_t elementIndicesOfIndependents[], fmi3DependencyKind dependencyKinds[], size_t

@@ -56,6 +56,29 @@ typedef struct {
     bool is_inside; /* whether a signal of the same function triggers it: it runs in the activation that sends the signal */
 } sigcat_call;
 
+/* What a bus hands to the FMU. */
+typedef struct {
+    void *self;
+    void (*take)(void *self, uint32_t variable, const unsigned char *bytes); /* a value of an input */
+} sigcat_bus_host;
+
+/* A bus, whose operations are in two binary variables with a clock each. */
+typedef struct {
+    size_t state_size;
+    void (*start)(void *state);
+    bool (*set_received)(void *state, const unsigned char *bytes, size_t size); /* false: they are too many */
+    const unsigned char *(*get_received)(const void *state, size_t *size);
+    void (*receive)(void *state, uint64_t now, const sigcat_bus_host *host); /* hands over the values that were received */
+    void (*send_value)(void *state, uint32_t output, const unsigned char *bytes);
+    void (*flush)(void *state, uint64_t now); /* makes frames of the values that are due */
+    uint64_t (*next_time)(const void *state); /* when a value that waits is due */
+    const unsigned char *(*get_sent)(const void *state, size_t *size);
+    bool (*clear_sent)(void *state); /* false: frames were lost */
+} sigcat_bus;
+
+/* Value references of a bus follow those of the variables, in this order. */
+typedef enum { SIGCAT_RX_CLOCK, SIGCAT_RX_DATA, SIGCAT_TX_CLOCK, SIGCAT_TX_DATA, SIGCAT_BUS_VARIABLES } sigcat_bus_variable;
+
 typedef struct {
     const char *token;
     uint32_t function_count;
@@ -74,6 +97,7 @@ typedef struct {
     bool is_scheduled; /* whether the importer activates its calls; it has one function then */
     uint32_t call_count;
     const sigcat_call *calls;
+    const sigcat_bus *bus; /* NULL without one */
 } sigcat_fmu;
 
 extern const sigcat_fmu sigcat_model;

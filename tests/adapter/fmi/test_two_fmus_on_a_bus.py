@@ -1,0 +1,110 @@
+"""Two FMUs that are connected by their buses exchange the values that they exchange by connected signals."""
+
+import struct
+
+import pytest
+
+from tests.adapter.fmi.bus.made import HERE, made
+from tests.adapter.fmi.bus.operations import Instance, operations, settle_together
+from tests.needs import cmake
+
+pytest.importorskip("fmpy", reason="FMPy: pip install fmpy")
+pytest.importorskip("cantools", reason="cantools: pip install 'sigcat[can]'")
+pytestmark = cmake
+STEP = 0.01
+PAIR = HERE / "pair"
+
+
+def pair(folder, signals):
+    """Two functions that exchange a speed and an answer."""
+    found = []
+    for name in ("wheel", "display"):
+        (folder / name).mkdir()
+        options = {"tree": PAIR / "tree.vspec", "dbc": PAIR / "pair.dbc", "signals": signals}
+        found.append(Instance(made(folder / name, PAIR / f"{name}.yaml", **options)))
+    return found
+
+
+@pytest.fixture
+def beside(tmp_path):
+    found = pair(tmp_path, "beside")
+    yield found
+    for each in found:
+        each.close()
+
+
+def values_of(wheel, display):
+    return wheel.get("Vehicle.Speed"), display.get("Vehicle.Answer")
+
+
+def over_signals(instances, times):
+    """Outputs at each communication point, if the importer hands outputs over to inputs in its events."""
+    wheel, display = instances
+    for time in times:
+        for each in (wheel, display):
+            if time > 0:
+                each.step(time)
+                each.fmu.enterEventMode()
+        for _ in range(3):
+            display.set("Vehicle.Speed", wheel.get("Vehicle.Speed"))
+            wheel.set("Vehicle.Answer", display.get("Vehicle.Answer"))
+            for each in (wheel, display):
+                each.update()
+        for each in (wheel, display):
+            each.fmu.enterStepMode()
+        yield values_of(wheel, display)
+
+
+def over_the_bus(instances, times):
+    wheel, display = instances
+    for time in times:
+        for each in (wheel, display):
+            if time > 0:
+                each.step(time)
+                each.fmu.enterEventMode()
+        settle_together((wheel, display))
+        yield values_of(wheel, display)
+
+
+@pytest.mark.parametrize("step", [0.005, 0.01, 0.035])
+def test_two_fmus_exchange_the_values_of_connected_signals(beside, tmp_path, step):
+    times = [index * step for index in range(200)]
+    values = list(over_the_bus(beside, times))
+    (tmp_path / "signals").mkdir()
+    connected = pair(tmp_path / "signals", "beside")
+    assert values == list(over_signals(connected, times))
+    assert values[-1][0] > 100
+    for each in connected:
+        each.close()
+
+
+def test_a_frame_is_received_at_the_end_of_the_step_in_which_it_is_sent(beside):
+    wheel, display = beside
+    settle_together(beside)
+    for each in beside:
+        each.step(0.035)
+    assert wheel.get("Vehicle.Speed") == 2.0
+    assert display.get("Vehicle.Speed") == 0.25
+    for each in beside:
+        each.fmu.enterEventMode()
+    sent = [struct.unpack("<d", each.frame[2])[0] for each in operations(wheel.take())]
+    assert sent == [1.5, 1.75, 2.0]
+
+
+def test_signals_are_on_the_bus_only(tmp_path):
+    found = pair(tmp_path, "replaced")
+    wheel, display = found
+    assert {name for name in wheel.variables if name.startswith("Vehicle.")} == set()
+    speeds = []
+    for index in range(20):
+        for each in found:
+            if index > 0:
+                each.step(index * STEP)
+                each.fmu.enterEventMode()
+        sent = display.take()
+        speeds += [struct.unpack("<d", each.frame[2])[0] for each in operations(wheel.settle(sent))]
+        display.fmu.updateDiscreteStates()
+        display.fmu.enterStepMode()
+    assert speeds[-1] > 1
+    for each in found:
+        each.close()
