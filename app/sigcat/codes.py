@@ -306,6 +306,7 @@ REGISTRY_UNUSABLE = RuleCode("E011", "error")
 LINE_UNKNOWN = RuleCode("E012", "error")
 IMPORT_UNFIT = RuleCode("E013", "error")
 DECISION_UNFIT = RuleCode("E014", "error")
+OWNED_BY_ANOTHER = RuleCode("E015", "error")
 
 # request
 PARAMETER_THAT_DOES_NOT_FIT = RuleCode("Q001", "error")
@@ -372,3 +373,4 @@ VALUE_MISSPELLED = RuleCode("V027", "warning")
 PATTERN_INVALID = RuleCode("V028", "warning")
 RANGE_WITH_SPACE = RuleCode("V029", "error")
 NUMBER_NOT_FINITE = RuleCode("V030", "error")
+ARRAY_SIZE_NOT_POSITIVE = RuleCode("V126", "warning")

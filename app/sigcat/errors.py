@@ -36,8 +36,8 @@ class InputRefused(SigcatError):
 class RegistryUnusable(InputRefused):
     """The database of the registry cannot be used, which says nothing of the input."""
 
-    def __init__(self, finding: Finding, *, is_full: bool = False) -> None:
-        super().__init__("nothing was changed in the registry", (finding,))
+    def __init__(self, message: str, findings: tuple[Finding, ...] = (), *, is_full: bool = False) -> None:
+        super().__init__(message, findings)
         self.is_full = is_full
 
 

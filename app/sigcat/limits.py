@@ -196,6 +196,9 @@ REGISTRY_ROWS = 1_000
 REGISTRY_SECONDS = 60
 """Seconds for which a command waits until others have written to the registry."""
 
+REGISTRY_REQUEST_SECONDS = 5
+"""Seconds for which the service waits until others have written to the registry; then the request is answered with 503."""
+
 # -- requests and pages ---------------------------------------------------------------------------------------------
 
 NAME_CHARACTERS = 300

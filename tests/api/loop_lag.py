@@ -13,6 +13,7 @@ from pathlib import Path
 from time import process_time
 
 import uvicorn
+from sqlalchemy import update
 from starlette.types import Receive, Scope, Send
 
 from sigcat.api.server import prepare, uvicorn_config
@@ -22,6 +23,9 @@ from sigcat.catalogue.hosting.library import Library
 from sigcat.catalogue.hosting.source import Source
 from sigcat.catalogue.hosting.sources import shipped_sources
 from sigcat.catalogue.model.vehicle import Setting, Vehicle
+from sigcat.registry.storing.database import writing
+from sigcat.registry.storing.ledger import Registry
+from sigcat.registry.storing.tokens import TOKENS, create_token
 from sigcat.web.site import create_site
 from tests.api.conftest import SOURCES
 from tests.registry.served import settings_of, signed_registry
@@ -34,6 +38,16 @@ _VEHICLES = tuple(
 )
 
 
+def _registry(folder: Path, settings: Settings) -> Registry:
+    """A registry with a token that is the one of the service."""
+    registry = signed_registry(folder)
+    (token,) = settings.tokens
+    with writing(registry.database) as connection:
+        create_token(connection, token.name, ["administer"], "", "")
+        connection.execute(update(TOKENS).values(digest=token.digest))
+    return registry
+
+
 class Watched:
     """An application, and the longest time that its event loop stood still since it was last asked."""
 
@@ -41,7 +55,7 @@ class Watched:
         self._app = create_site(
             Library([*shipped_sources(), Source("wide", "A wide tree", tree, vehicles=_VEHICLES), SOURCES[0]]),
             settings,
-            registry=settings_of(signed_registry(tree.parent)),
+            registry=settings_of(_registry(tree.parent, settings)),
         )
         self._longest = 0.0
         self._watching: asyncio.Task[None] | None = None

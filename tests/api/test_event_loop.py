@@ -191,6 +191,16 @@ COSTLY: dict[str, list[Costly]] = {
         "/api/v1/integrate/autosar-classic/archive?catalogue=interfaces", FUNCTION, _DOCUMENT
     ),
     "POST /api/v1/lint": post("/api/v1/lint?catalogue=wide", LINES, _DOCUMENT, b"Vehicle.*: {max: 1}\n" * 1000),
+    "POST /api/v1/registry/can-i-deploy": post(f"{REGISTRY}/can-i-deploy?function=CoreAcc@1.0.0&line=SUV-2025", b""),
+    "POST /api/v1/registry/check": post(f"{REGISTRY}/check?catalogue=wide", FUNCTION, LINES, _DOCUMENT),
+    "POST /api/v1/registry/deprecate": post(f"{REGISTRY}/deprecate?reference=CoreAcc@1.0.0", b""),
+    "POST /api/v1/registry/publish": post(f"{REGISTRY}/publish?catalogue=wide&version=1.0.0", FUNCTION, LINES, _DOCUMENT),
+    **{
+        f"POST /api/v1/registry/{action}": post(f"{REGISTRY}/{action}?function=CoreAcc@1.0.0&line=SUV-2026", b"")
+        for action in ("record-deployment", "record-release", "support-ended")
+    },
+    "POST /api/v1/registry/retire": post(f"{REGISTRY}/retire?reference=Alpha@1.0.0", b""),
+    "POST /api/v1/registry/rule": post(f"{REGISTRY}/rule?published=Alpha&compatibility_rule=full", b""),
     "POST /propose": forms("/propose"),
     "POST /try": forms("/try"),
     "POST /wiring": forms("/wiring"),

@@ -137,6 +137,15 @@ IN_THE_ROUND_TRIP = (
     "generate_fmi",
     "generate_ros2",
     "get_registry_content",
+    "publish_versions",
+    "check_versions",
+    "can_deploy",
+    "record_deployment",
+    "record_release",
+    "end_support",
+    "deprecate_version",
+    "retire_version",
+    "set_compatibility_rule",
 )
 """They need a token, or what another operation answers: tests/clients and tests/registry have them."""
 UNFIT = ("export_avro", "export_vhal")

@@ -156,6 +156,12 @@ def test_the_status_is_0_when_clean_1_with_findings_and_2_when_it_could_not_run(
         ("sigcat.toml", "[lint]\nselct = []\n", "Did you mean 'select'?"),
         ("sigcat.toml", "[lint.severity]\nV101 = 'eror'\n", "Did you mean 'error'?"),
         ("sigcat.toml", "[lint.per-file.here]\nX1 = 'off'\n", "No rule has the code 'X1'."),
+        (
+            "sigcat.toml",
+            "[lint]\n[lint.severity]\nV199 = 'off'\n",
+            "sigcat.toml:3:1: error L012 No rule has the code 'V199'.",
+        ),
+        ("pyproject.toml", "[tool.sigcat.lint]\nseverity = {V199 = 'off'}\n", "pyproject.toml:2:1: error L012"),
         ("sigcat.toml", "[lint.options.V102]\nprefxes = ['Is']\n", "Did you mean 'prefixes'?"),
         ("sigcat.toml", "[lint.options.V102]\nprefixes = 3\n", "must be a list of names, not 3"),
         ("sigcat.toml", "[lint.options.R001]\nmost = 3\n", "Rule R001 has no options."),

@@ -20,7 +20,7 @@ SIGCAT = (sys.executable, "-m", "sigcat.cli")
 SHOWN_AT = "http://127.0.0.1:8000"
 BEYOND = (
     *("make ", ".venv/", "sigcat pull", "openapi-python-client ", "npx ", "docker ", "uvicorn "),
-    *("sigcat registry verify", "sigcat registry export"),
+    *("sigcat registry verify", "sigcat registry export", "sigcat registry token revoke"),
     *("python3 -m venv", "venv/bin/", "export PATH=", "mkdir speed_warning", "git push", "git switch"),
 )
 """Commands that have separate tests or set up a machine: they need more than a shell and a service."""
@@ -80,8 +80,8 @@ def environment(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, str]:
 
 
 @pytest.fixture(scope="module")
-def registry(environment: Mapping[str, str], tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The project of the page about the registry, with its functions published."""
+def registry(environment: Mapping[str, str], tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
+    """The project of the page about the registry, with its functions published, and a token."""
     folder = tmp_path_factory.mktemp("registry")
     write_titled("docs/how-to/registry.md", folder)
     project = folder / "sigcat.toml"
@@ -93,17 +93,19 @@ def registry(environment: Mapping[str, str], tmp_path_factory: pytest.TempPathFa
     ):
         subprocess.run([*SIGCAT, *arguments], cwd=folder, env=environment, check=True, capture_output=True)
     (folder / "served.toml").write_text('[registry]\ndatabase = "registry.db"\nkey = "registry.key"\n')
-    return folder / "served.toml"
+    new = [*SIGCAT, "registry", "token", "create", "ci", "--scope", "administer"]
+    token = subprocess.run(new, cwd=folder, env=environment, capture_output=True, text=True, check=True).stdout.strip()
+    return folder / "served.toml", token
 
 
 @pytest.fixture(scope="module")
-def service(environment: Mapping[str, str], registry: Path) -> Iterator[tuple[str, str]]:
+def service(environment: Mapping[str, str], registry: tuple[Path, str]) -> Iterator[tuple[str, str]]:
     """Address of a service, and a token that it takes."""
     new = [*SIGCAT, "config", "--new-token", "ci", "--scope", "reload"]
     printed = subprocess.run(new, env=environment, capture_output=True, text=True, check=True).stdout
     token = re.findall(r"^sigcat_\S+", printed, re.MULTILINE)[0]
     with_token = {**environment, "SIGCAT_TOKENS": re.findall(r"ci:reload:[0-9a-f]{64}", printed)[0]}
-    command = [*SIGCAT, "serve", "--port", "0", "--config", str(registry)]
+    command = [*SIGCAT, "serve", "--port", "0", "--config", str(registry[0])]
     with subprocess.Popen(command, env=with_token, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as run:
         assert run.stdout is not None
         match = re.search(r"http://\S+", run.stdout.readline())
@@ -144,7 +146,7 @@ def write_titled(page: str, folder: Path) -> None:
 
 
 @pytest.mark.parametrize(("page", "block"), SHELL_BLOCKS, ids=lambda text: text.splitlines()[0])
-def test_the_commands_run(page, block, environment, service, folder):
+def test_the_commands_run(page, block, environment, service, registry, folder):
     if not shutil.which("curl"):
         pytest.skip("curl: install it")
     address, token = service
@@ -153,7 +155,7 @@ def test_the_commands_run(page, block, environment, service, folder):
         ["bash", "-c", PRELUDE + block.replace(SHOWN_AT, address)],
         check=False,
         cwd=folder,
-        env={**environment, "TOKEN": token},
+        env={**environment, "TOKEN": token, "SIGCAT_TOKEN": registry[1]},
         capture_output=True,
         text=True,
         timeout=600,

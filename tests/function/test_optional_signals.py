@@ -22,6 +22,7 @@ CASE = Path(__file__).with_name("optional")
 ROOF = "functions/roof/function.yaml"
 POSITION, LOAD = "Vehicle.Cabin.Sunroof.Position", "Vehicle.Trailer.Load"
 SEAT, SWITCH = "Vehicle.Cabin.Seat.Row2.DriverSide.Position", "Vehicle.Cabin.Sunroof.Switch"
+SHADE = "Vehicle.Cabin.Sunroof.Shade.Position"
 
 
 @pytest.fixture
@@ -31,11 +32,11 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path / "project"
 
 
-def built(vehicle: str) -> dict[str, Any]:
-    """The contract of the step in a vehicle."""
+def built(vehicle: str, call: int = 1) -> dict[str, Any]:
+    """The contract of a call in a vehicle."""
     assert main(["function", "build", ROOF, "-s", vehicle, "-o", "built.json"]) == 0
     document = json.loads(Path("built.json").read_bytes())
-    contract: dict[str, Any] = document["ComponentList"][0]["functionList"][1]["funcContractList"][0]
+    contract: dict[str, Any] = document["ComponentList"][0]["functionList"][call]["funcContractList"][0]
     return contract
 
 
@@ -52,7 +53,7 @@ def test_a_note_names_the_vehicles_without_a_signal(capsys: pytest.CaptureFixtur
     findings = json.loads(capsys.readouterr().out)["findings"]
     assert {each["severity"] for each in findings} == {"info"}
     told = {each["path"]: each["message"] for each in findings if each["message"].startswith("Vehicle")}
-    assert set(told) == {POSITION, LOAD, SEAT, SWITCH}
+    assert set(told) == {POSITION, LOAD, SEAT, SWITCH, SHADE}
     assert told[SEAT] == f"Vehicle 'coupe' has no {SEAT!r}. It is optional: the function runs without it."
 
 
@@ -89,6 +90,27 @@ def test_signals_that_a_vehicle_lacks_keep_their_types():
         POSITION: ("DT_SInt8", "int8"), SEAT: ("DT_Float32", "uint16"), LOAD: ("DT_UInt16", "uint16"),
         SWITCH: ("DT_CabinSunroofSwitch", "string"),
     }  # fmt: skip
+
+
+@pytest.mark.usefixtures("project")
+def test_a_queue_is_absent_in_a_list_of_its_own():
+    assert paths(built("vehicle:coupe", 2), "AbsentDataQList") == [SHADE]
+    assert paths(built("vehicle:truck", 2), "DataQList") == [SHADE]
+
+
+@pytest.mark.usefixtures("project")
+@pytest.mark.parametrize("platform", ["autosar-adaptive", "autosar-classic", "ros2", "fmi"])
+def test_every_platform_integrates_and_generates_it(platform: str, capsys: pytest.CaptureFixture[str]):
+    """A call whose only trigger is absent is never due; no field is left out of the report."""
+    output = ["-o", f"{platform}.json", "--report", "report.md"]
+    assert main(["integrate", platform, ROOF, "-s", "vehicle:coupe", *output]) == 0
+    assert "warning" not in capsys.readouterr().err
+    assert main(["generate", platform, f"{platform}.json", "-o", platform]) == 0
+    assert "| not carried |" not in Path("report.md").read_text()
+    document = json.loads(Path(f"{platform}.json").read_text())
+    document.pop("SourceFunctionList", None)
+    document.pop("ComponentList" if platform == "ros2" else "", None)
+    assert "Sunroof.Position" not in json.dumps(document)
 
 
 @c_compiler

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from sigcat.api.application import create_app
-from sigcat.catalogue.hosting.library import Library
+from sigcat.catalogue.hosting.library import Library, Source
 from sigcat.project.project import RegistrySettings
 from sigcat.registry.lines import record
 from sigcat.registry.publish import publish
@@ -14,17 +14,22 @@ from tests.api.conftest import Ask, asker
 from tests.registry.parts import candidate, catalogue, declaration
 
 LINE = "SUV-2025"
-CONTENT = b"""\
-function: CoreAcc
-description: An example.
-responsible: Team CoreAcc
-version: 1.0.0
-define: {scheduling: {Step: {cycleTime: 100, priority: 10, asil: QM, description: Runs.}}}
-components:
-  - name: CoreAcc
-    runnables:
-      - {interface: Step, data: [{path: Vehicle.S0, role: provided}, {path: Vehicle.S1, role: consumed}]}
-"""
+TREE = "Vehicle: {type: branch, description: A vehicle.}\n"
+OVERLAY = "".join(
+    f"Vehicle.{name}: {{type: sensor, datatype: float, description: A signal.}}\n" for name in ("S0", "S1", "S2", "S3")
+)
+
+
+def function_file(name: str, data: str, version: str = "1.0.0") -> bytes:
+    """A function.yaml with its own schedule. `data` is a list such as `{path: Vehicle.S0, role: provided}`."""
+    return (
+        f"function: {name}\ndescription: An example.\nresponsible: Team {name}\nversion: {version}\n"
+        "define: {scheduling: {Step: {cycleTime: 100, priority: 10, asil: QM, description: Runs.}}}\n"
+        f"components: [{{name: {name}, runnables: [{{interface: Step, data: [{data}]}}]}}]\n"
+    ).encode()
+
+
+CONTENT = function_file("CoreAcc", "{path: Vehicle.S0, role: provided}, {path: Vehicle.S1, role: consumed}")
 
 
 def signed_registry(folder: Path) -> Registry:
@@ -47,3 +52,11 @@ def settings_of(registry: Registry) -> RegistrySettings:
 def asking(registry: Registry) -> Ask:
     """A function that asks a service with a registry and no catalogue."""
     return asker(create_app(Library(()), registry=settings_of(registry)))
+
+
+def fleet(folder: Path) -> Source:
+    """A catalogue of a tree, and of an overlay with the signals of the functions."""
+    tree, overlay = folder / "tree.vspec", folder / "signals.vspec"
+    tree.write_text(TREE, encoding="utf-8")
+    overlay.write_text(OVERLAY, encoding="utf-8")
+    return Source("fleet", "Fleet", tree, (overlay,))

@@ -14,6 +14,7 @@ from sigcat.registry.candidate import Candidate
 from sigcat.registry.deploying import can_deploy
 from sigcat.registry.reference import Reference
 from sigcat.registry.storing.database import in_memory
+from sigcat.registry.users import users_of
 from tests.catalogue.trees import ROOT, catalogue_of
 from tests.needs import IS_SLOW_RUN
 from tests.registry.parts import NAMES, SIGNALS, add, candidate, catalogue, checked, declaration, deploy
@@ -203,3 +204,25 @@ def test_a_circle_exists_in_one_vehicle_only_if_it_has_one_version_of_each_funct
             deploy(connection, "SUV-2025", [Reference(*chosen), Reference("Three", "1.1.0")])
             decisions[chosen] = can_deploy(connection, [Reference("One", "1.0.0")], "SUV-2025").decision
     assert list(decisions.values()) == ["no", "yes"]
+
+
+@pytest.mark.parametrize(("more", "rules"), [("", ["E006"]), (", optional: true, init: 0", [])])
+def test_an_optional_signal_that_is_removed_breaks_nothing(more: str, rules: list[str]) -> None:
+    """A change of its datatype breaks the function all the same."""
+    text = declaration("Alpha", consumed=["S0"]).replace(b"role: consumed", f"role: consumed{more}".encode())
+    with in_memory() as connection:
+        add(connection, candidate(text, catalogue()))
+        without, other = catalogue(without=["S0"]), catalogue({"S0": "uint8"})
+        assert [finding.rule for finding in broken_by_catalogue(connection, without, "tree.vspec")] == rules
+        assert [finding.rule for finding in broken_by_catalogue(connection, other, "tree.vspec")] == ["E006"]
+
+
+def test_a_signal_that_the_catalogue_lacks_has_its_users() -> None:
+    text = declaration("Alpha", consumed=["S0"]).replace(
+        b"role: consumed", b"role: consumed, optional: true, datatype: float, init: 0"
+    )
+    with in_memory() as connection:
+        add(connection, candidate(text, catalogue(without=["S0"])))
+        (user,) = users_of(connection, "Vehicle.S0").users
+        assert (user.use.verb, user.use.is_optional) == ("consumes", True)
+        assert broken_by_catalogue(connection, catalogue(), "tree.vspec") == ()

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from sigcat.project.project import RegistrySettings
-from sigcat.registry.lines import record, set_state
+from sigcat.registry.lines import record, set_rule, set_state
 from sigcat.registry.publish import publish
 from sigcat.registry.reference import Reference
 from sigcat.registry.storing.ledger import Registry
@@ -22,5 +22,7 @@ def published(folder: Path) -> RegistrySettings:
     for line, name in (("SUV-2025", "Alpha"), ("SUV-2025", "Beta"), ("VAN-2026", "Alpha")):
         record(registry, "deployment", line, Reference(name, "1.0.0"))
     publish(registry, [candidate(declaration("Alpha", ("S2",), version="2.0.0"), over)])
+    set_rule(registry, "function", "Beta", "approval")
+    publish(registry, [candidate(declaration("Beta", (), ("S0",), version="1.1.0"), over)])
     set_state(registry, "function", Reference("Gamma", "1.0.0"), "deprecated", "2027-01-31")
     return RegistrySettings(registry.database)

@@ -13,10 +13,13 @@ from sigcat.catalogue.hosting.library import Library, shipped_sources
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.variables import variables
 from sigcat.function.function_json.walk import runnables
+from sigcat.web.pictures.interface_diagram import interface_diagram
 from sigcat.web.pictures.timeline import time_line
 from sigcat.web.site import create_site
 from sigcat.web.views.code_view import code_view
 from sigcat.web.views.generated_documents import VIEWS
+from tests.adapter.written import absent, error, signal, step
+from tests.adapter.written import function as written
 from tests.api.conftest import SOURCES, Ask, asker
 from tests.function.test_wiring import function, gives
 from tests.needs import IS_SLOW_RUN
@@ -62,6 +65,18 @@ def test_each_word_of_the_code_stands_on_the_page(name: str) -> None:
 
 def test_of_a_function_that_says_nothing_of_its_code_there_is_none() -> None:
     assert code_view(function("Acc", gives("Vehicle.Speed"))) is None
+
+
+def test_optional_signals_are_marked() -> None:
+    items = [signal("There", Optional=True, AbsentError="Lost"), absent(signal("Lacking")), signal("Speed")]
+    made = written(step(*items, error("Lost")))
+    marks = {port.outer: port.mark for port in interface_diagram(made).ports if port.kind == "signal"}
+    assert marks == {"There": " (optional)", "Lacking": " (optional, not in this catalogue)", "Speed": ""}
+    view = code_view(made)
+    assert view is not None
+    notes = {row.name: row.notes for row in view.variables}
+    assert notes["There"] == ("optional: without the signal, sets Lost",)
+    assert notes["Lacking"] == ("optional",)
 
 
 def test_a_set_beside_a_function_leads_to_the_wiring_of_all_of_it(site: Ask) -> None:

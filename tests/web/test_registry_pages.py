@@ -18,7 +18,7 @@ from tests.web.published import published
 
 PAGES = (
     "/registry", "/registry/lines", "/registry/users", "/registry/users?path=Vehicle.S0", "/registry/users?path=Vehicle.Nothing",
-    "/registry/functions/Alpha", "/registry/functions/Beta",
+    "/registry/functions/Alpha", "/registry/functions/Gamma",
 )  # fmt: skip
 
 
@@ -44,6 +44,12 @@ def test_names_have_their_newest_version_owner_and_lines(site):
     assert "publish function Alpha 2.0.0" in page
 
 
+def test_a_pending_version_has_the_owners_that_must_approve_it(site):
+    page = text_of(site("/registry").text)
+    assert "Beta 1.1.0 Team Beta" in page
+    assert "Team Gamma must approve it: it breaks Gamma 1.0.0" in page
+
+
 def test_a_cell_says_what_runs_and_why_the_newest_version_may_not_be_deployed(site):
     page = text_of(site("/registry/lines").text)
     assert "Alpha 2.0.0 1.0.0 ✕ 2.0.0 may not be deployed Removing Vehicle.S0 breaks Beta 1.0.0" in page
@@ -66,7 +72,7 @@ def test_a_name_has_its_versions_and_the_changes_between_two(site):
     page = text_of(site("/registry/functions/Alpha").text)
     assert "Changes from 1.0.0 to 2.0.0" in page
     assert "breaking Vehicle.S0 Removing Vehicle.S0" in page
-    assert "Changes from" not in text_of(site("/registry/functions/Beta").text)
+    assert "Changes from" not in text_of(site("/registry/functions/Gamma").text)
     backwards = text_of(site("/registry/functions/Alpha?old=2.0.0&new=1.0.0").text)
     assert "breaking Vehicle.S2 Removing Vehicle.S2" in backwards
 

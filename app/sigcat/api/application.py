@@ -47,6 +47,7 @@ from sigcat.api.routes import (
     integration,
     lint,
     registry_reading,
+    registry_writing,
     reloading,
     rules,
     viss,
@@ -80,9 +81,15 @@ _READABLE = ("ETag", "Link", "RateLimit", "RateLimit-Policy", "Retry-After", "Si
 """Headers that pages of other origins may read."""
 _ROUTERS = (
     catalogues.listing, catalogues.router, changes.router, exports.router, reloading.router, reloading.of_functions, viss.router, rules.router,
-    lint.router, functions.router, registry_reading.router, integration.router, health.router, contract.router,
+    lint.router, functions.router, registry_writing.router, registry_reading.router, integration.router, health.router, contract.router,
 )  # fmt: skip
 
+_MODULES_OF_REGISTRY = (
+    "sigcat.api.answers.registry_answers",
+    "sigcat.registry.posted",
+    "sigcat.api.routes.registry_writing",
+)
+"""Imported for work only where there is a registry: they load SQLAlchemy."""
 _MODULES_OF_WORK = tuple(module.__name__ for module in (changes, exports, functions, integration, lint))
 
 
@@ -134,12 +141,13 @@ def create_app(
     app.state.registry = HostedRegistry(registry) if registry else None
     app.state.settings = settings
     app.state.rules = service_rules(INTERFACE_RULES)
-    app.state.modules_of_work = [*_MODULES_OF_WORK]
+    app.state.modules_of_work = [*_MODULES_OF_WORK, *(_MODULES_OF_REGISTRY if registry else ())]
     app.state.rehearsals = tuple
     app.state.work_queue = _queue(settings.heavy_requests, settings)
     app.state.export_queue = _queue(settings.exports, settings, EXPORTS)
     app.state.reading_turns = Turns(settings.long_answers, settings.heavy_waiting, settings.client_share)
     app.state.thread_turns = Turns(THREADS, ceil(settings.connections / settings.client_share), settings.client_share)
+    app.state.registry_turns = Turns(1, settings.heavy_waiting, settings.client_share)
     app.state.held_bodies = HeldBodies(settings.bodies_bytes)
     app.state.metrics = Metrics(library, app.state.functions, app.state.work_queue, app.state.export_queue)
     app.state.request_notes = RequestNotes(app.state.metrics)

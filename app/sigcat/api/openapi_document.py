@@ -56,7 +56,7 @@ _HEADERS: Mapping[str, Mapping[str, Any]] = {
         "schema": {"type": "string"},
     },
     "RateLimit-Policy": {
-        "description": "The quotas that the request used: `work`, `exports`, `answers` and `long-answers` in concurrent "
+        "description": "The quotas that the request used: `work`, `exports`, `answers`, `long-answers` and `registry` in concurrent "
         "requests, `bodies` in bytes of bodies.",
         "schema": {"type": "string"},
     },

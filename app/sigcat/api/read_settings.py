@@ -16,7 +16,9 @@ from sigcat.names import did_you_mean
 
 PREFIX = "SIGCAT_"
 TABLE = "service"
-OTHERS = ("SIGCAT_CONFIG", "SIGCAT_DATA", "SIGCAT_DEBUG", "SIGCAT_BROWSER", "SIGCAT_FUZZ", "SIGCAT_SLOW")
+OTHERS = (
+    "SIGCAT_CONFIG", "SIGCAT_DATA", "SIGCAT_DEBUG", "SIGCAT_TOKEN", "SIGCAT_BROWSER", "SIGCAT_FUZZ", "SIGCAT_SLOW",
+)  # fmt: skip
 """Variables that are not settings; the last three are for the tests."""
 _SET_BY_KUBERNETES = ("SIGCAT_SERVICE_", "SIGCAT_PORT_")
 

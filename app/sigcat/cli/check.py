@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from sigcat.cli.published_files import published_files, read_catalogue
 from sigcat.cli.registry_options import add_report, print_report, read_registry
 from sigcat.cli.tree_options import add_tree_options, read_tree
-from sigcat.errors import InputRefused
 from sigcat.findings import has_errors, in_order
 
 if TYPE_CHECKING:
@@ -52,7 +51,8 @@ def _findings(arguments: argparse.Namespace, connection: "Snapshot") -> "Iterato
 
     files = published_files(arguments.files)
     if files.functions:
-        members = [file_member(each) for each in read_functions(files.functions, read_tree(arguments))]
+        named = [(file.read_bytes(), str(file)) for file in files.functions]
+        members = [file_member(each) for each in read_functions(named, read_tree(arguments))]
         yield from (conflict.finding for conflict in broken_by_functions(connection, members))
     for file in files.overlays:
         yield from broken_by_catalogue(connection, _with_overlay(arguments, file), str(file))
@@ -62,11 +62,8 @@ def _findings(arguments: argparse.Namespace, connection: "Snapshot") -> "Iterato
 
 def _with_overlay(arguments: argparse.Namespace, file: Path) -> "Catalogue":
     """The catalogue with an overlay in its present form. Raises InputRefused if it brings errors."""
-    from sigcat.catalogue.comparing.trial import try_layer
     from sigcat.catalogue.reading.layers import read_layer
+    from sigcat.registry.candidates import overlay_trial
 
-    base = read_tree(arguments, without=file)
-    trial = try_layer(base, read_layer(file, arguments.include_dirs, is_overlay=True))
-    if has_errors(trial.findings):
-        raise InputRefused("the overlay has errors; nothing was checked", trial.findings)
-    return trial.catalogue
+    layer = read_layer(file, arguments.include_dirs, is_overlay=True)
+    return overlay_trial(layer, read_tree(arguments, without=file)).catalogue

@@ -53,15 +53,18 @@ def publish(arguments: argparse.Namespace) -> int:
 
 
 def _candidates(arguments: argparse.Namespace) -> "Iterator[Candidate]":
+    from sigcat.catalogue.reading.layers import read_layer
     from sigcat.registry.candidates import catalogue_candidate, function_candidates, overlay_candidate, read_functions
 
     files = published_files(arguments.files)
     if (files.overlays or files.trees) and not arguments.version:
         raise UsageError("an overlay or a catalogue has no version: pass `--version V`")
     if files.functions:
-        yield from function_candidates(read_functions(files.functions, read_tree(arguments)), arguments.version)
+        named = [(file.read_bytes(), str(file)) for file in files.functions]
+        yield from function_candidates(read_functions(named, read_tree(arguments)), arguments.version)
     for file in files.overlays:
         base = read_tree(arguments, without=file)
-        yield overlay_candidate(file, base, arguments.version, arguments.owner, arguments.include_dirs)
+        layer = read_layer(file, arguments.include_dirs, is_overlay=True)
+        yield overlay_candidate(layer, file.read_bytes(), base, arguments.version, arguments.owner)
     for file in files.trees:
         yield catalogue_candidate(read_catalogue(arguments, file), arguments.version, arguments.owner)

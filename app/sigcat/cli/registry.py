@@ -21,6 +21,7 @@ from sigcat.cli.registry_options import (
     read_registry,
     registry_of,
 )
+from sigcat.cli.registry_tokens import add_tokens
 from sigcat.errors import UsageError, existing_file
 from sigcat.limits import REGISTRY_ROWS
 from sigcat.terminal_text import printable
@@ -40,6 +41,7 @@ def add_parser(commands: Actions) -> None:
     add_approvals(actions)
     _add_lines(actions)
     _add_transfer(actions)
+    add_tokens(actions)
 
 
 def _add_reading(actions: Actions) -> None:

@@ -38,6 +38,11 @@ class FieldTarget(NamedTuple):
 
 Targets = Mapping[str, FieldTarget | str]
 """By field. A place may have words such as `{port}`."""
+OF_ABSENT: Targets = dict.fromkeys(
+    ("AbsentSignalList", "AbsentDataQList"),
+    FieldTarget(SOURCE_FUNCTIONS, "the vehicle lacks the signals: the core has their start values"),
+)
+"""Targets of optional signals that are absent, on every platform."""
 
 
 def entries(

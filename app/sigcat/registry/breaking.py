@@ -101,7 +101,8 @@ def _broken_uses(
     file: str,
 ) -> Iterator[BrokenUse]:
     calls = _calls(uses)
-    for path, use in {use.path: use for use in uses}.items():
+    strictest = sorted(uses, key=lambda use: not use.is_optional)  # of several uses of a node, the last one counts
+    for path, use in {use.path: use for use in strictest}.items():
         for change in _for_role(use, changes.get((path, use.relied), ())):
             side = Side(published.name, published.version, published.owner, calls[path])
             yield BrokenUse(side, _finding(change, side, lines, _place(change, catalogue, file), use.via))
@@ -115,8 +116,10 @@ _OF_PROVIDERS: Mapping[str, Class] = {
 
 
 def _for_role(use: Use, changes: Iterable[UseChange]) -> Iterator[UseChange]:
-    """Yield the changes that break a use, or may."""
+    """Yield the changes that break a use, or may. An optional use needs no node."""
     for change in changes:
+        if use.is_optional and change.rule == "removed":
+            continue
         compatibility = _OF_PROVIDERS.get(change.rule) if use.provides else None
         found = change if compatibility is None else change._replace(compatibility=compatibility)
         if found.compatibility in _ABOUT:

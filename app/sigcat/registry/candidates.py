@@ -3,20 +3,21 @@
 import json
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from pathlib import Path
+from pathlib import Path, PurePath
 from typing import Any, NamedTuple
 
 from sigcat import codes
 from sigcat.catalogue.comparing.diff_report import plain
-from sigcat.catalogue.comparing.trial import try_layer
+from sigcat.catalogue.comparing.trial import Trial, try_layer
 from sigcat.catalogue.model.catalogue import Catalogue, Node
-from sigcat.catalogue.reading.layers import read_layer
+from sigcat.catalogue.reading.layers import Layer
 from sigcat.data import OVERLAYS, VSPEC
 from sigcat.errors import InputRefused
 from sigcat.findings import has_errors
 from sigcat.function.function_file import CheckedFunction
 from sigcat.function.function_json.model import FunctionJson, to_json
 from sigcat.function.sets.check_set import read_set
+from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.registry.candidate import Candidate
 from sigcat.registry.reference import refused
 from sigcat.registry.use import Use, uses_of
@@ -26,7 +27,7 @@ from sigcat.registry.use import to_json as uses_json
 class ReadFunction(NamedTuple):
     """A function of a file that has no errors."""
 
-    file: Path
+    file: str
     content: bytes
     checked: CheckedFunction
     uses: tuple[Use, ...]
@@ -38,17 +39,17 @@ class ReadFunction(NamedTuple):
         return self.checked.function
 
 
-def read_functions(files: Sequence[Path], catalogue: Catalogue) -> tuple[ReadFunction, ...]:
-    """Read the functions of files as one set, so that one may use definitions of another. Raises InputRefused."""
-    contents = [file.read_bytes() for file in files]
-    named = [(data, str(file)) for data, file in zip(contents, files, strict=True)]
-    members, over = read_set(named, catalogue)
+def read_functions(
+    files: Sequence[tuple[bytes, str]], catalogue: Catalogue, limits: Limits = DEFAULT_LIMITS
+) -> tuple[ReadFunction, ...]:
+    """Read functions of named texts as one set, so that one may use definitions of another. Raises InputRefused."""
+    members, over = read_set(files, catalogue, limits)
     findings = tuple(finding for member in members for finding in member.findings)
     if has_errors(findings):
         raise InputRefused("the functions have errors; nothing was changed in the registry", findings)
     return tuple(
         ReadFunction(file, data, member, uses_of(member.function, catalogue, over))
-        for file, data, member in zip(files, contents, members, strict=True)
+        for (data, file), member in zip(files, members, strict=True)
         if member.function is not None
     )
 
@@ -62,28 +63,34 @@ def _function_candidate(read: ReadFunction, version: str) -> Candidate:
     info = read.function.info
     if version and info.version and info.version != version:
         message = f"The version must be {info.version}, as the file says, not {version}."
-        finding = codes.VERSION_TAKEN.finding(message, str(read.file), fix="Change the version in the file.")
+        finding = codes.VERSION_TAKEN.finding(message, read.file, fix="Change the version in the file.")
         raise refused(finding)
     chosen = version or info.version or ""
     if not chosen:
         message = f"{info.function_name} has no version."
         fix = "Write `version: 1.0.0` in the file, or pass `--version 1.0.0`."
-        raise refused(codes.VERSION_NOT_SEMANTIC.finding(message, str(read.file), fix=fix))
+        raise refused(codes.VERSION_NOT_SEMANTIC.finding(message, read.file, fix=fix))
     owner = info.function_responsible.raw
     resolved, uses = to_json(read.function), uses_json(read.uses)
-    return Candidate("function", info.function_name, chosen, owner, read.content, resolved, uses, str(read.file))
+    return Candidate("function", info.function_name, chosen, owner, read.content, resolved, uses, read.file)
 
 
 def overlay_candidate(
-    file: Path, base: Catalogue, version: str, owner: str = "", include_dirs: Sequence[Path] = ()
+    layer: Layer, content: bytes, base: Catalogue, version: str, owner: str = "", limits: Limits = DEFAULT_LIMITS
 ) -> Candidate:
     """The candidate of an overlay over the catalogue without it. Raises InputRefused."""
-    trial = try_layer(base, read_layer(file, include_dirs, is_overlay=True))
+    trial = overlay_trial(layer, base, limits)
+    resolved = _nodes_json({node.path: _values(node) for node in trial.nodes})
+    name, after = PurePath(layer.name).stem, trial.catalogue
+    return Candidate("overlay", name, version, owner, content, resolved, b"", layer.name, all_nodes(after), after)
+
+
+def overlay_trial(layer: Layer, base: Catalogue, limits: Limits = DEFAULT_LIMITS) -> Trial:
+    """Apply an overlay to the catalogue without it. Raises InputRefused if it brings errors."""
+    trial = try_layer(base, layer, limits)
     if has_errors(trial.findings):
         raise InputRefused("the overlay has errors; nothing was changed in the registry", trial.findings)
-    nodes = {node.path: _values(node) for node in trial.nodes}
-    content, resolved, after = file.read_bytes(), _nodes_json(nodes), trial.catalogue
-    return Candidate("overlay", file.stem, version, owner, content, resolved, b"", str(file), all_nodes(after), after)
+    return trial
 
 
 def catalogue_candidate(catalogue: Catalogue, version: str, owner: str = "") -> Candidate:

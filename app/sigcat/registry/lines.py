@@ -7,10 +7,10 @@ from sqlalchemy import Connection
 
 from sigcat import codes
 from sigcat.registry.deploying import deployable
-from sigcat.registry.published import names_of, running, version_named
+from sigcat.registry.published import all_versions, names_of, running, version_named
 from sigcat.registry.reference import CHANGEABLE, Kind, Reference, Rule, State, name_problem, refused, unknown
 from sigcat.registry.storing.entry import Action
-from sigcat.registry.storing.ledger import Registry, head, ledger_of
+from sigcat.registry.storing.ledger import Ledger, Registry, head, ledger_of
 
 _DATE = re.compile(r"[0-9]{4}-[0-9]{2}-[0-9]{2}", re.ASCII)
 
@@ -38,6 +38,7 @@ def set_state(
     _check_date(until)
     with ledger_of(registry) as ledger:
         published = version_named(ledger.connection, kind, reference)
+        _check_owner(ledger, reference.name, published.owner)
         if published.state in CHANGEABLE:
             message = f"{reference} is {published.state}, and no function relies on it."
             raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message, path=reference.name, fix="Publish it first."))
@@ -61,8 +62,15 @@ def set_rule(registry: Registry, kind: Kind, name: str, rule: Rule) -> str:
         known = names_of(ledger.connection, kind)
         if name not in known:
             raise unknown(kind, name, known)
+        _check_owner(ledger, name, *(each.owner for each in all_versions(ledger.connection, kind, name)[-1:]))
         ledger.append("rule", {"kind": kind, "name": name, "rule": rule})
         return _head(ledger.connection)
+
+
+def _check_owner(ledger: Ledger, name: str, *owners: str) -> None:
+    findings = tuple(ledger.author.refusals(name, owners))
+    if findings:
+        raise refused(*findings)
 
 
 def _check_running(connection: Connection, line: str, reference: Reference) -> None:

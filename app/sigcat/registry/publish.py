@@ -14,7 +14,7 @@ from sigcat.registry.affected import Affected, affected_owners
 from sigcat.registry.approvals import Approval, approvals_of, approving
 from sigcat.registry.candidate import Candidate
 from sigcat.registry.changes import UseChange, function_changes, node_changes
-from sigcat.registry.published import PUBLISHED, Published, version_named
+from sigcat.registry.published import PUBLISHED, Published, all_versions, version_named
 from sigcat.registry.reference import CHANGEABLE, DEPLOYABLE, Kind, Reference, name_problem, refused
 from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.ledger import Ledger, Registry, head, ledger_of
@@ -51,7 +51,7 @@ def publish(registry: Registry, candidates: Sequence[Candidate], *, is_draft: bo
     with ledger_of(registry) as ledger:
         for each in candidates:
             known = _same_release(ledger.connection, each)
-            problems = list(_problems(ledger.connection, each, known, is_draft=is_draft))
+            problems = list(_problems(ledger, each, known, is_draft=is_draft))
             findings += problems
             if not problems:
                 outcomes.append(_publish(ledger, each, known, candidates, is_draft=is_draft))
@@ -120,10 +120,13 @@ def _asked(connection: Connection, version: Published) -> Mapping[str, str]:
     return {each.owner: each.functions for each in approvals_of(connection, version)}
 
 
-def _problems(
-    connection: Connection, candidate: Candidate, known: Published | None, *, is_draft: bool
-) -> Iterator[Finding]:
+def _problems(ledger: Ledger, candidate: Candidate, known: Published | None, *, is_draft: bool) -> Iterator[Finding]:
+    connection = ledger.connection
     yield from _other_spelling(connection, candidate)
+    if ledger.author.owner:
+        owners = [each.owner for each in all_versions(connection, candidate.kind, candidate.name)]
+        for problem in ledger.author.refusals(candidate.name, [*owners[-1:], candidate.owner]):
+            yield problem._replace(file=candidate.file)
     if known is not None and known.state not in CHANGEABLE:
         yield from _taken(connection, candidate, known)
     elif not is_draft:

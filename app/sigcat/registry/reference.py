@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 from typing import Literal, NamedTuple, get_args
 
 from sigcat import codes
-from sigcat.errors import InputRefused
+from sigcat.errors import InputRefused, RegistryUnusable
 from sigcat.findings import Finding, shown
 from sigcat.names import did_you_mean
 
@@ -70,6 +70,11 @@ def unknown(kind: str, name: str, known: Iterable[str]) -> InputRefused:
     """The refusal of a name that is not in the registry, with near ones."""
     message = f"The registry has no {kind} {shown(name)}."
     return refused(codes.NOT_PUBLISHED.finding(message, path=name, fix=did_you_mean(name, known)))
+
+
+def unusable(finding: Finding, *, is_full: bool = False) -> RegistryUnusable:
+    """The failure of a database, which changed nothing."""
+    return RegistryUnusable("nothing was changed in the registry", (finding,), is_full=is_full)
 
 
 def refused(*findings: Finding) -> InputRefused:

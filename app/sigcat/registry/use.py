@@ -11,8 +11,9 @@ from sigcat.catalogue.model.datatypes import element_of
 from sigcat.function.exchange import Side, causes, exchange_of, parts_of
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.role import CONSUMER
 from sigcat.function.function_json.status_interfaces import SafetyReaction
-from sigcat.function.function_json.walk import parameters, runnables
+from sigcat.function.function_json.walk import absent, parameters, runnables
 from sigcat.function.sets.check_set import needs_provider
 
 RELIED_ON = ("type", "datatype", "arraysize", "unit", "min", "max", "allowed", "enum")
@@ -47,6 +48,8 @@ class Use(NamedTuple):
     """Whether the catalogue defines the node, and not a function."""
     is_needed: bool = False
     """Whether another function must provide it."""
+    is_optional: bool = False
+    """Whether the function runs without it."""
     leads_to: tuple[str, ...] = ()
     """Names of errors, reactions and modes that follow from it in this function."""
 
@@ -74,6 +77,12 @@ def uses_of(function: FunctionJson, catalogue: Catalogue, over: Catalogue) -> tu
         Use("is set by", item.vss_path or "", item.name, located.runnable.name, item.variable or "")
         for _, located, item in parameters(function)
     ]
+    found += [
+        Use("consumes", item.vss_path or "", item.name, located.runnable.name, item.variable or "", is_optional=True,
+            leads_to=(item.absent_error,) if item.absent_error else ())
+        for _, located, item in absent(function)
+        if item.role == CONSUMER
+    ]  # fmt: skip
     found += [Use("runs", each.runnable.vss_path or "", each.runnable.name) for each in runnables(function)]
     with_nodes = (_with_node(use, catalogue, over) for use in found)
     parts = (part for use in with_nodes for part in (use, *_struct_uses(use, catalogue, over)))
@@ -87,14 +96,15 @@ def _of_side(side: Side, function: FunctionJson, sides: Iterable[Side], over: Ca
     variable = getattr(side.interface, "variable", None) or ""
     call = side.call.name if side.call else ""
     consequences = tuple(dict.fromkeys(_consequences(side, function, sides)))
-    return Use(verb, side.path, name, call, variable, is_needed=needed, leads_to=consequences)
+    is_optional = side.kind == "data" and bool(side.data.is_optional)
+    return Use(verb, side.path, name, call, variable, is_needed=needed, is_optional=is_optional, leads_to=consequences)
 
 
 def _consequences(side: Side, function: FunctionJson, sides: Iterable[Side]) -> Iterator[str]:
     """Names of consequences: a time-out sets its error, an error its reactions, a reaction changes the mode."""
     interface = side.interface
     if isinstance(interface, Signal | DataQueue):
-        ways = ("timeout_error", "range_error", "e2e_error", "overflow_error")
+        ways = ("timeout_error", "range_error", "e2e_error", "absent_error", "overflow_error")
         yield from (name for way in ways if (name := getattr(interface, way, None)))
     elif isinstance(interface, SafetyReaction):
         yield from (mode.name for mode in function.mode_interfaces or () if mode.direction == "Out")

@@ -115,6 +115,17 @@ def test_what_a_person_wrote_stays(folder):
     assert not any(word in line for line in removed for word in ("mine", "tank", "team", "Speed", "Tank"))
 
 
+def test_an_optional_signal_that_the_catalogue_lacks_stays(folder, capsys):
+    file = folder / "function.yaml"
+    entry = "path: Vehicle.Gone.IsEnabled\n            optional: true\n            datatype: boolean\n            init: true"
+    file.write_text(file.read_text().replace("path: Vehicle.Pump.IsEnabled", entry))
+    write(folder, NEXT, NEXT_SOURCE)
+    capsys.readouterr()
+    assert update(folder) == 0
+    assert "Enabled" not in capsys.readouterr().out
+    assert entry in file.read_text()
+
+
 def test_entries_in_braces_and_other_line_ends_stay_so(folder, capsys):
     file = folder / "function.yaml"
     file.write_bytes(

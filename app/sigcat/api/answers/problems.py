@@ -27,11 +27,12 @@ _LOG = logging.getLogger("sigcat")
 KINDS: dict[int, tuple[str, str]] = {
     400: ("bad-request", "Bad request"),
     401: ("unauthorized", "Authentication required"),
-    403: ("forbidden", "The token lacks a scope"),
+    403: ("forbidden", "The request is not allowed"),
     404: ("not-found", "Not found"),
     405: ("method-not-allowed", "Method not allowed"),
     406: ("not-acceptable", "Not acceptable"),
     408: ("request-timeout", "Request timed out"),
+    409: ("conflict", "Conflict with what is published"),
     412: ("precondition-failed", "Precondition failed: version mismatch"),
     413: ("body-too-large", "Body too large"),
     415: ("unsupported-media-type", "Unsupported media type"),
@@ -45,6 +46,8 @@ KINDS: dict[int, tuple[str, str]] = {
 """Name in the problem's `type` and its title, by status."""
 
 
+_STATUS_BY_RULE: dict[str, int] = {codes.OWNED_BY_ANOTHER.id: 403, codes.VERSION_TAKEN.id: 409}
+"""Statuses of refused inputs about which a finding says more than that they are invalid."""
 _STATUSES: dict[type[SigcatError], int] = {NoRoom: 507, ToolCrashed: 500}
 ANSWERED = (SigcatError, RequestValidationError, HTTPException, ClientDisconnect, Exception)
 """Exceptions that are answered. A client that is gone reads nothing, but its request is not a failure of the service."""
@@ -74,11 +77,7 @@ def problem_from(error: Exception) -> schemas.Problem:
     if isinstance(error, NotFound):
         return problem_of(404, str(error), nearest=error.nearest)
     if isinstance(error, InputRefused):
-        return (
-            _unusable_registry(error)
-            if isinstance(error, RegistryUnusable)
-            else problem_of(422, str(error), error.findings)
-        )
+        return _unusable_registry(error) if isinstance(error, RegistryUnusable) else _refused_input(error)
     if isinstance(error, SigcatError):
         return problem_of(_STATUSES.get(type(error), HTTPStatus.UNPROCESSABLE_ENTITY), str(error))
     if isinstance(error, RequestValidationError):
@@ -126,6 +125,11 @@ def headers_of(error: Exception) -> dict[str, str]:
     if "GET" in (methods := headers.get("Allow", "").split(", ")):
         headers["Allow"] = ", ".join(sorted({*methods, "HEAD"}))
     return headers
+
+
+def _refused_input(error: InputRefused) -> schemas.Problem:
+    statuses = (_STATUS_BY_RULE[each.rule] for each in error.findings if each.rule in _STATUS_BY_RULE)
+    return problem_of(next(statuses, 422), str(error), error.findings)
 
 
 def _unusable_registry(error: RegistryUnusable) -> schemas.Problem:

@@ -4,16 +4,20 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from sigcat.api.answers import registry_schemas as schemas
-from sigcat.api.answers.serializers import plain
+from sigcat.api.answers.serializers import finding_schema, plain, plain_text
 from sigcat.errors import NotFound
 from sigcat.findings import shown
+from sigcat.limits import REGISTRY_ROWS
 from sigcat.names import nearest
+from sigcat.registry.conflicts import Conflict
+from sigcat.registry.deploying import can_deploy
+from sigcat.registry.publish import Receipt
 from sigcat.registry.published import Published, Running, all_versions, lines_by_version, names_of, running
-from sigcat.registry.reference import DEPLOYABLE, KINDS, Kind
+from sigcat.registry.reference import DEPLOYABLE, KINDS, Kind, reference_of
 from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.database import Snapshot
 from sigcat.registry.storing.entry import Link
-from sigcat.registry.storing.ledger import head, log_page
+from sigcat.registry.storing.ledger import head, link_with, log_page
 from sigcat.registry.use import Use, from_json
 from sigcat.registry.users import User
 from sigcat.registry.users import users_of as users_of_path
@@ -200,3 +204,61 @@ def _reference(published: Published) -> dict[str, Any]:
         "name": published.name, "versionid": published.version, "lifecycle": published.state,
         "owner": published.owner or None,
     }  # fmt: skip
+
+
+def receipt(connection: Snapshot, published: Receipt) -> schemas.RegistryReceipt:
+    """What became of posted files."""
+    outcomes = [
+        schemas.RegistryOutcome(
+            xid=f"/{_GROUPS[each.kind]}/{each.reference.name}/versions/{each.reference.version}",
+            group=_GROUPS[each.kind],
+            name=each.reference.name,
+            versionid=each.reference.version,
+            is_new=each.status != "unchanged",
+            is_draft=each.status == "draft",
+        )
+        for each in published.outcomes
+    ]
+    return schemas.RegistryReceipt(versions_posted=outcomes, head=head_with(connection, published.head))
+
+
+def head_with(connection: Snapshot, digest: str) -> schemas.LogHead | None:
+    """The entry of the log with a hash."""
+    link = link_with(connection, digest)
+    return log_head(link) if link else None
+
+
+def deployment_answer(connection: Snapshot, references: Sequence[str], line: str) -> schemas.DeploymentAnswer:
+    """Whether versions may be deployed to a line. Raises InputRefused."""
+    found = can_deploy(connection, [reference_of(text) for text in references], line)
+    return schemas.DeploymentAnswer(
+        decision=found.decision,
+        vehicle_line=found.line,
+        deployed=[schemas.VersionReference(name=each.name, versionid=each.version) for each in found.deployed],
+        checked=[schemas.VersionReference(name=each.name, versionid=each.version) for each in found.checked],
+        conflicts=[_conflict(each) for each in found.conflicts[:REGISTRY_ROWS]],
+        finding=finding_schema(found.finding) if found.finding else None,
+    )
+
+
+def _conflict(conflict: Conflict) -> schemas.RegistryConflict:
+    return schemas.RegistryConflict(
+        rule=conflict.rule,
+        severity=conflict.severity,
+        message=plain_text(conflict.message),
+        path=conflict.path or None,
+        attribute=conflict.attribute or None,
+        fix=conflict.fix or None,
+        sides=[
+            schemas.ConflictSide(
+                name=side.function, versionid=side.version, owner=side.owner or None, calls=list(side.calls)
+            )
+            for side in conflict.sides
+        ],
+        vehicle_lines=list(conflict.lines),
+    )
+
+
+def kind_of(group: schemas.RegistryGroup) -> Kind:
+    """The kind of the names of a group."""
+    return _KINDS[group]

@@ -5,8 +5,8 @@ from typing import Annotated, Any, Literal
 from pydantic import ConfigDict, Field, RootModel
 from typing_extensions import TypeAliasType
 
-from sigcat.api.answers.named_types import Count, Cursor, Digest, Moment, NodeValues
-from sigcat.api.answers.schemas import Schema
+from sigcat.api.answers.named_types import Count, Cursor, Digest, Moment, NodeValues, Severity
+from sigcat.api.answers.schemas import Finding, Schema
 
 RegistryGroup = TypeAliasType(
     "RegistryGroup",
@@ -107,6 +107,7 @@ class RegistryUse(Schema):
     values: NodeValues = Field(description="Attributes of the node that the function relies on.")
     is_in_catalogue: bool = Field(description="Whether the catalogue defines the node, and not a function.")
     is_needed: bool = Field(description="Whether another function must provide it.")
+    is_optional: bool = Field(description="Whether the function runs without it.")
     leads_to: list[str] = Field(description="Errors, reactions and modes that follow from it in this function.")
 
 
@@ -177,6 +178,76 @@ class VehicleLineList(Schema):
     """All vehicle lines by name."""
 
     lines: list[VehicleLine]
+
+
+class RegistryOutcome(Schema):
+    """A posted version, and whether it is new."""
+
+    xid: Xid
+    group: RegistryGroup
+    name: str
+    versionid: str
+    is_new: bool = Field(description="False: the same bytes were published under this version before.")
+    is_draft: bool
+
+
+class RegistryReceipt(Schema):
+    """Published versions, and the log that proves it."""
+
+    versions_posted: list[RegistryOutcome]
+    head: LogHead | None = Field(description="The last entry of the log behind the change.")
+
+
+class RegistryChange(Schema):
+    """A change of the registry, and the log that proves it."""
+
+    head: LogHead | None = Field(description="The last entry of the log behind the change.")
+
+
+class VersionReference(Schema):
+    """A version of a function."""
+
+    name: str
+    versionid: str
+
+
+class ConflictSide(Schema):
+    """A function of a conflict."""
+
+    name: str
+    versionid: str
+    owner: str | None
+    calls: list[str]
+
+
+class RegistryConflict(Schema):
+    """Two functions that do not fit, or one that loses its provider. The function at fault is the first side."""
+
+    rule: str
+    severity: Severity
+    message: str
+    path: str | None
+    attribute: str | None = Field(description="Attribute of the signal in which both differ.")
+    fix: str | None
+    sides: list[ConflictSide]
+    vehicle_lines: list[str]
+
+
+Decision = TypeAliasType(
+    "Decision",
+    Annotated[Literal["yes", "no", "unknown"], Field(description="`unknown`: nothing is recorded for the line.")],
+)
+
+
+class DeploymentAnswer(Schema):
+    """Whether versions may be deployed to the vehicles of a line, and why not."""
+
+    decision: Decision
+    vehicle_line: str
+    deployed: list[VersionReference]
+    checked: list[VersionReference] = Field(description="Versions in the vehicles that they were checked with.")
+    conflicts: list[RegistryConflict]
+    finding: Finding | None = Field(description="Why nothing is known; null if it is.")
 
 
 class RegistryCapabilities(RootModel[dict[str, Any]]):

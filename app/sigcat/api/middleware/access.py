@@ -15,14 +15,14 @@ from sigcat.api.requests.dependencies import TheSettings
 from sigcat.api.settings import Settings
 from sigcat.api.tokens import Scope, Token, bearer
 
-_BEARER = HTTPBearer(
+BEARER = HTTPBearer(
     scheme_name="token",
     auto_error=False,
     description="`Authorization: Bearer TOKEN`; `sigcat config --new-token` makes one.",
 )
 
 
-_ALWAYS_OPEN = ("/health/", "/problems/", "/static/")
+_ALWAYS_OPEN = ("/health/", "/problems/", "/static/", "/api/v1/registry")
 _HEALTH = ("/health", "/healthz")
 
 
@@ -47,7 +47,10 @@ class ReadAccess:
 
 
 def _is_open(scope: Connection) -> bool:
-    """Health, explanations of problems and their style need no token; nor does a browser's question before CORS."""
+    """Health, explanations of problems and their style need no token; nor does a browser's question before CORS.
+
+    The registry has tokens of its own, and asks for them itself.
+    """
     path: str = scope["path"].removeprefix(scope.get("root_path", ""))
     return path in _HEALTH or path.startswith(_ALWAYS_OPEN) or scope["method"] == "OPTIONS"
 
@@ -59,7 +62,7 @@ def needs(scope: Scope) -> Any:
         check_scope(request.headers.get("authorization", ""), scope, settings.tokens)
 
     check.__name__ = f"needs_{scope}"
-    return (Security(_BEARER), Security(check))
+    return (Security(BEARER), Security(check))
 
 
 def check_scope(authorization: str, scope: Scope, tokens: Iterable[Token]) -> Token:

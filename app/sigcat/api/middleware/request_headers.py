@@ -4,7 +4,8 @@ A client may send a header that is a list several times; all of them are one lis
 an answer sees the same value. Readers that took the first or the last of them would disagree, and one client's form of an answer
 would be kept for others.
 
-No answer depends on `Host`, which a client chooses freely: addresses in answers, redirects included, are relative.
+No answer depends on `Host`, which a client chooses freely: addresses in answers, redirects included, are relative. Only what refuses
+pages of other sites reads it, from the state of the request.
 """
 
 from starlette.types import ASGIApp, Receive, Scope, Send
@@ -24,6 +25,7 @@ class RequestHeaders:
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Pass a request on with one line for each of these headers."""
         if scope["type"] == "http":
+            scope.setdefault("state", {})["host"] = dict(scope["headers"]).get(b"host", b"").decode("latin-1")
             scope["headers"] = _joined(scope["headers"])
             scope["server"] = None  # Starlette makes addresses of it, where there is no `Host`
         await self._app(scope, receive, send)

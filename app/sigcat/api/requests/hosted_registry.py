@@ -8,11 +8,15 @@ from typing import TYPE_CHECKING, Annotated
 from fastapi import Depends, Request
 
 from sigcat import codes
-from sigcat.errors import NotFound, RegistryUnusable
-from sigcat.project.project import RegistrySettings
+from sigcat.errors import NotFound
+from sigcat.limits import REGISTRY_REQUEST_SECONDS
+from sigcat.project.project import RegistrySettings, ServerUrl
+from sigcat.registry.reference import unusable
 
 if TYPE_CHECKING:
+    from sigcat.registry.author import Author
     from sigcat.registry.storing.database import Snapshot
+    from sigcat.registry.storing.ledger import Registry
 
 _NONE = (
     "The service has no registry. Add a table [registry] with `database` to its sigcat.toml, and install the extra "
@@ -36,14 +40,25 @@ class HostedRegistry:
         with reading(self.settings.database) as connection:
             yield connection
 
+    def written_by(self, author: "Author") -> "Registry":
+        """The registry to write to. Raises RegistryUnusable."""
+        from sigcat.registry.storing.ledger import Registry
+
+        self.refuse_gone()
+        return Registry(self.settings.database, self.settings.key, author, REGISTRY_REQUEST_SECONDS)
+
+    def present(self) -> Path | ServerUrl:
+        """The database, for work in another process. Raises RegistryUnusable."""
+        self.refuse_gone()
+        return self.settings.database
+
     def refuse_gone(self) -> None:
         """Raises RegistryUnusable if the database was there before, and is not now."""
         database = self.settings.database
         is_there = not isinstance(database, Path) or database.exists()
         if self._was_there and not is_there:
             fix = "Restore the file from a backup or an export."
-            finding = codes.REGISTRY_UNUSABLE.finding("The database is gone.", str(database), fix=fix)
-            raise RegistryUnusable(finding)
+            raise unusable(codes.REGISTRY_UNUSABLE.finding("The database is gone.", str(database), fix=fix))
         self._was_there = is_there
 
 

@@ -10,6 +10,7 @@ from sigcat import __version__
 from sigcat.api.answers import registry_schemas as schemas
 from sigcat.api.answers.negotiation import answer, caching_headers, offered
 from sigcat.api.answers.problems import problem_documentation
+from sigcat.api.middleware.registry_access import Reader
 from sigcat.api.requests.cursors import cursor_of, offset_of
 from sigcat.api.requests.dependencies import TheSettings, judge_conditions, mark_state
 from sigcat.api.requests.hosted_registry import TheRegistry
@@ -21,7 +22,7 @@ from sigcat.limits import NAME_CHARACTERS, PARAMETER_CHARACTERS
 if TYPE_CHECKING:
     from sigcat.registry.storing.database import Snapshot
 
-router = APIRouter(prefix="/api/v1/registry", tags=["registry"], route_class=InThread)
+router = APIRouter(prefix="/api/v1/registry", tags=["registry"], route_class=InThread, dependencies=[Reader])
 
 BYTES, TEXT = "application/octet-stream", "text/plain"
 _LOG = "log"
@@ -290,7 +291,11 @@ def _mark(request: Request, connection: "Snapshot") -> None:
 
 
 _CAPABILITIES: dict[str, Any] = {
-    "available": {name: {"mutable": False} for name in ("capabilities", "entities", "model")},
+    "available": {
+        "capabilities": {"mutable": False},
+        "entities": {"mutable": True},
+        "model": {"mutable": False},
+    },
     "compatibilities": {"*": ["backward", "full", "approval", "none"]},
     "flags": ["inline"],
     "formats": [],

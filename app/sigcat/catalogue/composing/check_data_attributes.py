@@ -85,7 +85,11 @@ def _check_conflicts(values: Mapping[str, Any], datatype: str, scope: Scope) -> 
         yield _conflict(codes.RESTRICTIONS_EXCLUDE_EACH_OTHER, "allowed", "`allowed` and `min`/`max`")
     if bounded and values.get("enum") is not None:
         yield _conflict(codes.RESTRICTIONS_EXCLUDE_EACH_OTHER, "enum", "`enum` and `min`/`max`")
-    if values.get("arraysize") is not None and not is_array(datatype):
+    size = values.get("arraysize")
+    if size is not None and size < 1:
+        message, fix = f"`arraysize` must be 1 or more, not {size}.", "Remove it for an array of any length."
+        yield Problem(codes.ARRAY_SIZE_NOT_POSITIVE, "arraysize", message, fix)
+    if size is not None and not is_array(datatype):
         message = f"`arraysize` needs an array datatype, not {datatype}."
         yield Problem(codes.ARRAYSIZE_WITHOUT_ARRAY, "arraysize", message, f"Remove it, or write {datatype}[].")
 

@@ -12,7 +12,7 @@ from sigcat.function.function_json.status_interfaces import ErrorInterface, Mode
 from sigcat.integration.autosar_adaptive.code import CallCode, ParameterCode
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.elements import Service, element_paths
-from sigcat.integration.report import Entry, FieldTarget, Targets, entries
+from sigcat.integration.report import OF_ABSENT, Entry, FieldTarget, Targets, entries
 
 _CATALOGUE = "sent in the catalogue's datatype and unit; its use has those of the code"
 _RANGE = "the event has the catalogue's range, or else the provider's"
@@ -98,6 +98,7 @@ _META: Targets = {
 _CODE: Targets = {str(field.alias): f"Code/{field.alias}" for field in CodeInterface.model_fields.values()}
 _COMPONENT: Targets = {"Name": "Name", "functionList": "FunctionList"}
 _CONTRACT: Targets = {
+    **OF_ABSENT,
     "Type": "ContractTypes",
     **dict.fromkeys(
         ("SignalList", "DataQList", "MethodList", "ErrorList", "SafetyReactionList"),

@@ -18,7 +18,7 @@ from sigcat.function.function_json.wire import own_fields
 from sigcat.integration.autosar_classic.context import Context, named_calls
 from sigcat.integration.autosar_classic.elements import Element
 from sigcat.integration.autosar_classic.parameters import Parameter, parameters_of
-from sigcat.integration.report import Entry, FieldTarget, Targets, entries
+from sigcat.integration.report import OF_ABSENT, Entry, FieldTarget, Targets, entries
 
 _CORE = FieldTarget("SourceFunctionList", "the core decides it, from the function that the document carries")
 _SENT = "values are sent in the catalogue's datatype and unit; the core converts"
@@ -116,6 +116,7 @@ _META: Targets = {
 _CODE: Targets = {str(field.alias): f"Code/{field.alias}" for field in CodeInterface.model_fields.values()}
 _COMPONENT: Targets = {"Name": "Name", "functionList": "Runnables"}
 _CONTRACT: Targets = {
+    **OF_ABSENT,
     "Type": _CORE,
     **dict.fromkeys(
         ("SignalList", "DataQList", "MethodList", "ErrorList", "SafetyReactionList"),

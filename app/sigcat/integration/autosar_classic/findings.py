@@ -8,6 +8,7 @@ from sigcat.asil import is_above
 from sigcat.function.exchange import Side
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.runnable import Runnable
+from sigcat.function.function_json.triggers import absent_in
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import STEP, Context, named_calls
 from sigcat.integration.autosar_classic.elements import Element
@@ -69,7 +70,8 @@ def report_calls(context: Context) -> None:
 
 def _report_call(call: Runnable, context: Context) -> None:
     subject = Subject(call.name, call)
-    consumed = any(contract.signals or contract.queues for contract in call.contracts or ())
+    contracts = call.contracts or ()
+    consumed = absent_in(call) or any(contract.signals or contract.queues for contract in contracts)
     if not call.cycle_time and not (call.run_type == "EventTriggered" and consumed):
         message = f"{call.name} must have a cycle time, or events that start it: no event starts its runnable."
         context.findings.report(codes.RUNNABLE_WITHOUT_EVENT, message, subject, "Give `cycleTime` in its scheduling.")

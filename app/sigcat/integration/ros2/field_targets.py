@@ -13,7 +13,7 @@ from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.wire import own_fields
-from sigcat.integration.report import NOT_CARRIED, Entry, FieldTarget, Targets, entries
+from sigcat.integration.report import NOT_CARRIED, OF_ABSENT, Entry, FieldTarget, Targets, entries
 from sigcat.integration.ros2.model import Communication, FieldMapping, RosNode, RosService, RosTopic
 from sigcat.integration.ros2.services import SERVER
 from sigcat.integration.ros2.signal_uses import INIT, SHUTDOWN, run_kind
@@ -190,6 +190,7 @@ _META: Targets = {
 }  # fmt: skip
 _COMPONENT: Targets = {"Name": "node {node}: ComponentName", "functionList": "node {node}: Lifecycle and Schedules"}
 _CONTRACT: Targets = {
+    **OF_ABSENT,
     "Type": _VERBATIM,
     **dict.fromkeys(
         ("SignalList", "DataQList", "MethodList", "ParameterList", "ErrorList", "SafetyReactionList"),

@@ -10,7 +10,7 @@ from sigcat.function.exchange import Part, contracts_of
 from sigcat.function.function_json.duration import milliseconds, whole
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.status_interfaces import ModeInterface
-from sigcat.function.function_json.triggers import triggers
+from sigcat.function.function_json.triggers import absent_in, triggers
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.common_types import STAMP
 from sigcat.integration.ros2.messages import MessageBook, constants, unresolved
@@ -111,7 +111,7 @@ def _transitions(part: Part) -> tuple[Transition, ...]:
 def _schedule(call: Runnable, part: Part, context: NodeContext) -> Schedule:
     is_timed, findings = run_kind(call) == CYCLIC, context.findings
     topics = () if is_timed else _triggers(call, part, context.exchanged)
-    if (is_timed and not call.cycle_time) or (not is_timed and not topics):
+    if (is_timed and not call.cycle_time) or not (is_timed or topics or absent_in(call)):
         lacking = "a cycle time" if is_timed else "a signal that it consumes"
         findings.report(
             codes.CALL_WITHOUT_TRIGGER,

@@ -12,8 +12,9 @@ from sqlalchemy import Connection
 from sqlalchemy.exc import DBAPIError
 
 from sigcat import codes
-from sigcat.errors import RegistryUnusable
+from sigcat.limits import REGISTRY_SECONDS
 from sigcat.project.project import ServerUrl
+from sigcat.registry.reference import unusable
 from sigcat.registry.storing.sqlite import SqliteStore, in_memory_engine
 from sigcat.registry.storing.store import Store
 from sigcat.registry.storing.tables import METADATA, REVISION, SCHEMA
@@ -25,10 +26,10 @@ Snapshot: TypeAlias = Connection
 
 
 @contextmanager
-def writing(place: Place) -> Iterator[Connection]:
+def writing(place: Place, seconds: float = REGISTRY_SECONDS) -> Iterator[Connection]:
     """A transaction that writes, after those of others. Nothing of it is kept if the block raises."""
     store = _store(place)
-    with _reported(store), store.connected() as connection, store.exclusive(connection):
+    with _reported(store), store.connected() as connection, store.exclusive(connection, seconds):
         _make_current(store, connection)
         yield connection
 
@@ -44,7 +45,7 @@ def reading(place: Place) -> Iterator[Connection]:
             return
         with store.connected() as connection:
             if _checked(store, connection) not in (0, SCHEMA):
-                with store.exclusive(connection):
+                with store.exclusive(connection, REGISTRY_SECONDS):
                     _make_current(store, connection)
             with store.snapshot(connection):
                 if _known_schema(store, connection):
@@ -99,7 +100,7 @@ def _known_schema(store: Store, connection: Connection) -> int:
     schema = store.schema(connection)
     if schema > SCHEMA:
         message = f"The schema of the database must be at most {SCHEMA}, not {schema}."
-        raise RegistryUnusable(codes.REGISTRY_UNUSABLE.finding(message, store.name, fix="Use a newer sigcat."))
+        raise unusable(codes.REGISTRY_UNUSABLE.finding(message, store.name, fix="Use a newer sigcat."))
     return schema
 
 
@@ -112,4 +113,4 @@ def _reported(store: Store) -> Iterator[None]:
         text = str(error.orig).partition("\n")[0].rpartition("failed: ")[2].strip().rstrip(".")  # without its address
         message = f"The database cannot be used: {text}."
         finding = codes.REGISTRY_UNUSABLE.finding(message, store.name, fix=store.advice(error))
-        raise RegistryUnusable(finding, is_full=store.is_full(error)) from None
+        raise unusable(finding, is_full=store.is_full(error)) from None

@@ -8,6 +8,8 @@ from typing import Any, NamedTuple
 from sqlalchemy import Connection, insert, select
 
 from sigcat.digest import digest_of
+from sigcat.limits import REGISTRY_SECONDS
+from sigcat.registry.author import ANYONE, Author
 from sigcat.registry.storing.content import has_content
 from sigcat.registry.storing.database import Place, writing
 from sigcat.registry.storing.entry import BEGIN, Action, Entry, Link, linked, now
@@ -16,11 +18,14 @@ from sigcat.registry.storing.tables import CONTENTS, LOG
 
 
 class Registry(NamedTuple):
-    """The place of a registry."""
+    """The place of a registry, and who writes to it."""
 
     database: Place
     key: Path | None = None
     """Private key that signs the log."""
+    author: Author = ANYONE
+    seconds: float = REGISTRY_SECONDS
+    """Time to wait until others have written."""
 
 
 class Ledger(NamedTuple):
@@ -28,6 +33,7 @@ class Ledger(NamedTuple):
 
     connection: Connection
     key: Path | None
+    author: Author = ANYONE
 
     def put(self, data: bytes) -> str:
         """Store content, and return its digest."""
@@ -39,7 +45,8 @@ class Ledger(NamedTuple):
     def append(self, action: Action, data: Mapping[str, Any]) -> None:
         """Write an entry behind the last one, and change the tables."""
         last = head(self.connection)
-        entry = Entry(last.number + 1 if last else 1, now(), action, data)
+        by = {"by": self.author.name} if self.author.name else {}
+        entry = Entry(last.number + 1 if last else 1, now(), action, {**data, **by})
         self._write(linked(entry, last.hash if last else BEGIN))
 
     def _write(self, link: Link) -> None:
@@ -62,13 +69,19 @@ _HEAD = select(LOG).order_by(LOG.c.number.desc()).limit(1)
 @contextmanager
 def ledger_of(registry: Registry) -> Iterator[Ledger]:
     """One transaction: all of its entries are written, or none."""
-    with writing(registry.database) as connection:
-        yield Ledger(connection, registry.key)
+    with writing(registry.database, registry.seconds) as connection:
+        yield Ledger(connection, registry.key, registry.author)
 
 
 def head(connection: Connection) -> Link | None:
     """The last entry of the log."""
     row = connection.execute(_HEAD).first()
+    return Link(*row) if row is not None else None
+
+
+def link_with(connection: Connection, digest: str) -> Link | None:
+    """The entry with a hash."""
+    row = connection.execute(select(LOG).where(LOG.c.hash == digest)).first()
     return Link(*row) if row is not None else None
 
 

@@ -11,9 +11,8 @@ from sqlalchemy import URL, Connection, Engine, create_engine, make_url, text
 from sqlalchemy.exc import ArgumentError, DBAPIError
 
 from sigcat import codes
-from sigcat.errors import RegistryUnusable
-from sigcat.limits import REGISTRY_SECONDS
 from sigcat.project.project import ServerUrl
+from sigcat.registry.reference import unusable
 from sigcat.registry.storing.tables import APPLICATION
 
 _CONNECT_SECONDS = 10
@@ -49,10 +48,10 @@ class PostgresqlStore(NamedTuple):
             yield connection
 
     @contextmanager
-    def exclusive(self, connection: Connection) -> Iterator[None]:
+    def exclusive(self, connection: Connection, seconds: float) -> Iterator[None]:
         """A transaction that writes. Each of its statements sees what writers before it committed."""
         with connection.begin():
-            connection.execute(text(f"SET LOCAL lock_timeout = '{REGISTRY_SECONDS}s'"))
+            connection.execute(text(f"SET LOCAL lock_timeout = '{seconds * 1000:.0f}ms'"))
             connection.execute(text("SET LOCAL synchronous_commit = on"))
             connection.execute(text(f"SELECT pg_advisory_xact_lock({APPLICATION})"))
             yield
@@ -71,7 +70,7 @@ class PostgresqlStore(NamedTuple):
         revisions = connection.execute(text("SELECT version_num FROM alembic_version")).scalars().all()
         if len(revisions) != 1 or not revisions[0].isdecimal():
             message, fix = "The database belongs to another program.", "Create a database for the registry alone."
-            raise RegistryUnusable(codes.REGISTRY_UNUSABLE.finding(message, self.name, fix=fix))
+            raise unusable(codes.REGISTRY_UNUSABLE.finding(message, self.name, fix=fix))
         return int(revisions[0])
 
     def set_schema(self, connection: Connection) -> None:
@@ -93,7 +92,7 @@ def _url(url: ServerUrl) -> URL:
     except (ArgumentError, ValueError):
         message = "The URL of the database cannot be read."
         fix = f"Write it such as {_URL} in [registry]."
-        raise RegistryUnusable(codes.REGISTRY_UNUSABLE.finding(message, fix=fix)) from None
+        raise unusable(codes.REGISTRY_UNUSABLE.finding(message, fix=fix)) from None
 
 
 @lru_cache(maxsize=8)

@@ -15,8 +15,8 @@ from sqlalchemy import Connection, Engine, NullPool, QueuePool, create_engine, e
 from sqlalchemy.exc import DBAPIError, DisconnectionError
 
 from sigcat import codes
-from sigcat.errors import RegistryUnusable
 from sigcat.limits import REGISTRY_SECONDS
+from sigcat.registry.reference import unusable
 from sigcat.registry.storing.tables import APPLICATION, SCHEMA
 
 _ADVICE: Mapping[int, str] = {
@@ -74,15 +74,16 @@ class SqliteStore(NamedTuple):
         if self._log.exists() or (before.st_ino, before.st_mtime_ns) != (after.st_ino, after.st_mtime_ns):
             message = "Others wrote to the database while it was read, and it is read-only here."
             fix = _ADVICE[sqlite3.SQLITE_BUSY]
-            raise RegistryUnusable(codes.REGISTRY_UNUSABLE.finding(message, self.name, fix=fix))
+            raise unusable(codes.REGISTRY_UNUSABLE.finding(message, self.name, fix=fix))
 
     @contextmanager
-    def exclusive(self, connection: Connection) -> Iterator[None]:
+    def exclusive(self, connection: Connection, seconds: float) -> Iterator[None]:
         """A transaction that writes."""
+        connection.exec_driver_sql(f"PRAGMA busy_timeout = {seconds * 1000:.0f}")
         if connection.exec_driver_sql("PRAGMA journal_mode").scalar_one() != "wal":
             with self.snapshot(connection):
                 self.schema(connection)  # the file of another program stays as it is
-            _use_wal(connection)
+            _use_wal(connection, seconds)
         with _transaction(connection, "BEGIN IMMEDIATE"):
             yield
 
@@ -101,7 +102,7 @@ class SqliteStore(NamedTuple):
         if application != APPLICATION and (application or _has_tables(connection)):
             message = "The database belongs to another program."
             fix = _ADVICE[sqlite3.SQLITE_NOTADB]
-            raise RegistryUnusable(codes.REGISTRY_UNUSABLE.finding(message, self.name, fix=fix))
+            raise unusable(codes.REGISTRY_UNUSABLE.finding(message, self.name, fix=fix))
         return schema
 
     def set_schema(self, connection: Connection) -> None:
@@ -184,9 +185,7 @@ def new_file(file: Path) -> Iterator[Path]:
             file.hardlink_to(part)
         except FileExistsError:
             message = "The registry must be empty to import another one."
-            raise RegistryUnusable(
-                codes.REGISTRY_UNUSABLE.finding(message, str(file), fix="Name a new `database`.")
-            ) from None
+            raise unusable(codes.REGISTRY_UNUSABLE.finding(message, str(file), fix="Name a new `database`.")) from None
 
 
 def _identity(file: str) -> tuple[int, int] | None:
@@ -210,9 +209,9 @@ def _transaction(connection: Connection, begin: str) -> Iterator[None]:
         raise
 
 
-def _use_wal(connection: Connection) -> None:
+def _use_wal(connection: Connection, seconds: float) -> None:
     """Switch the journal. SQLite refuses this at once while others are connected, so it is tried again."""
-    end = time.monotonic() + REGISTRY_SECONDS
+    end = time.monotonic() + seconds
     while True:
         try:
             connection.exec_driver_sql("PRAGMA journal_mode = WAL")

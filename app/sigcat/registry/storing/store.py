@@ -20,8 +20,8 @@ class Store(Protocol):
     def connected(self) -> AbstractContextManager[Connection]:
         """A connection outside of any transaction."""
 
-    def exclusive(self, connection: Connection) -> AbstractContextManager[object]:
-        """A transaction that writes. It begins when those of other writers have ended."""
+    def exclusive(self, connection: Connection, seconds: float) -> AbstractContextManager[object]:
+        """A transaction that writes. It begins when those of other writers have ended, within so many seconds."""
 
     def snapshot(self, connection: Connection) -> AbstractContextManager[object]:
         """A transaction that reads one state."""

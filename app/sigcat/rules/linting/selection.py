@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from sigcat import codes
+from sigcat.catalogue.reading.toml_lines import Lines
 from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import SEVERITIES, Finding
 from sigcat.names import did_you_mean
@@ -99,10 +100,36 @@ def _is_always_told(rule: Rule) -> bool:
 
 def _refuse_unknown(rules: Sequence[Rule], options: LintOptions) -> None:
     known = [rule.id for rule in rules]
+    _refuse_unknown_in_file(known, options)
     by_file = [code for entry in options.per_file for code in entry.severities]
     for named in (*options.select, *options.ignore, *options.extend_select, *options.severities, *by_file):
-        if not named or not any(code.startswith(named) for code in known):
+        if not _is_known(named, known):
             raise UsageError(f"No rule has the code {named!r}. {did_you_mean(named, known)}".strip())
     for severity in options.severities.values():
         if severity != OFF:
             as_severity(str(severity))
+
+
+def _refuse_unknown_in_file(known: Sequence[str], options: LintOptions) -> None:
+    """Raise InputRefused for codes that match no rule in the tables of severities, which only a file has."""
+    tables = {"severity": options.severities, **{f"per-file.{each.glob}": each.severities for each in options.per_file}}
+    unknown = [(key, code) for key, table in tables.items() for code in table if not _is_known(code, known)]
+    if not unknown or options.file is None:
+        return
+    lines = Lines(options.file.read_text(encoding="utf-8"))
+    table = "tool.sigcat.lint" if options.file.name == "pyproject.toml" else "lint"
+    findings = [
+        codes.CONFIGURATION_UNUSABLE.finding(
+            f"No rule has the code {code!r}.",
+            str(options.file),
+            *lines.position_below(table, f"{key}.{code}"),
+            path=f"{key}.{code}",
+            fix=did_you_mean(code, known),
+        )
+        for key, code in unknown
+    ]
+    raise InputRefused(f"The configuration {str(options.file)!r} cannot be used.", tuple(findings))
+
+
+def _is_known(named: str, known: Sequence[str]) -> bool:
+    return bool(named) and any(code.startswith(named) for code in known)

@@ -7,7 +7,7 @@ from typing import Literal, NamedTuple
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.function.function_json.walk import calls_of, data_of
+from sigcat.function.function_json.walk import absent_of, calls_of, data_of
 from sigcat.web.template_filters import unit as typeset_unit
 
 _LABELS_LEFT, _LABELS_RIGHT = 344, 776
@@ -37,6 +37,8 @@ class Port(NamedTuple):
     path: str
     """Path in the catalogue; empty if the document has none."""
     title: str
+    mark: str = ""
+    """After the label outside: ` (optional)`."""
 
 
 class Heading(NamedTuple):
@@ -76,6 +78,7 @@ class _Item(NamedTuple):
     inner: str
     path: str
     title: str
+    mark: str = ""
 
 
 def interface_diagram(function: FunctionJson) -> Diagram:
@@ -95,7 +98,7 @@ def interface_diagram(function: FunctionJson) -> Diagram:
 
 def _reach(ports: Iterable[Port]) -> int:
     """Return the outward width of the labels of ports."""
-    return max([_LEAST_REACH, *(math.ceil(_CHARACTER * len(port.outer)) for port in ports)])
+    return max([_LEAST_REACH, *(math.ceil(_CHARACTER * len(port.outer + port.mark)) for port in ports)])
 
 
 def when(call: Runnable) -> str:
@@ -160,11 +163,12 @@ def _outgoing(function: FunctionJson) -> list[tuple[str, list[_Item]]]:
 
 
 def _signals(function: FunctionJson, *, provided: bool) -> list[_Item]:
+    contracts = [contract for call in calls_of(function) for contract in call.contracts or ()]
+    there = [(each, " (optional)" if each.is_optional else "") for contract in contracts for each in data_of(contract)]
+    lacking = [(each, " (optional, not in this catalogue)") for contract in contracts for each in absent_of(contract)]
     return [
-        _Item("signal", _label(s.vss_path, s.name), _with(s.name, s.units), s.vss_path or "", s.description.raw)
-        for call in calls_of(function)
-        for contract in call.contracts or ()
-        for s in data_of(contract)
+        _Item("signal", _label(s.vss_path, s.name), _with(s.name, s.units), s.vss_path or "", s.description.raw, mark)
+        for s, mark in (*there, *lacking)
         if (s.role == PROVIDER) is provided
     ]
 
@@ -207,6 +211,6 @@ def _placed(side: Side, groups: Iterable[tuple[str, list[_Item]]], top: int) -> 
         y += _HEADING
         for item in items:
             inner = item.inner if len(item.inner) <= _LONGEST_INSIDE else f"{item.inner[: _LONGEST_INSIDE - 1]}…"
-            ports.append(Port(y + _ROW // 2, side, item.kind, item.outer, inner, item.path, item.title))
+            ports.append(Port(y + _ROW // 2, side, item.kind, item.outer, inner, item.path, item.title, item.mark))
             y += _ROW
     return ports, headings, y

@@ -10,7 +10,7 @@ from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
-from sigcat.function.function_json.walk import data, errors, methods, parameters, runnables, safety_reactions
+from sigcat.function.function_json.walk import absent, data, errors, methods, parameters, runnables, safety_reactions
 
 
 class CallRow(NamedTuple):
@@ -86,7 +86,7 @@ def _call(call: Runnable) -> CallRow:
 
 
 def _variables(function: FunctionJson) -> Iterator[VariableRow]:
-    for _, _, item in data(function):
+    for _, _, item in (*data(function), *absent(function)):
         count = item.count_variable if isinstance(item, DataQueue) else None
         yield _row(item.name, item.vss_path, (item.variable, count), _of_data(item))
     for _, _, parameter in parameters(function):
@@ -112,6 +112,7 @@ def _said(notes: list[str]) -> tuple[str, ...]:
 def _of_data(item: Signal | DataQueue) -> list[str]:
     return [
         _defined(item),
+        _optional(item),
         f"starts with {item.init_elements.raw}" if item.init_elements else "",
         _late(item),
         _out_of_range(item.range_error_action, item.range_error),
@@ -119,6 +120,11 @@ def _of_data(item: Signal | DataQueue) -> list[str]:
         _queued(item) if isinstance(item, DataQueue) else "",
         _members(item),
     ]
+
+
+def _optional(item: Signal | DataQueue) -> str:
+    sets = f": without the signal, sets {item.absent_error}" if item.absent_error else ""
+    return f"optional{sets}" if item.is_optional else ""
 
 
 def _late(item: Signal | DataQueue) -> str:

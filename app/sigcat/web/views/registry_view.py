@@ -8,6 +8,7 @@ from typing import NamedTuple, TypeVar
 
 from sigcat.errors import NotFound
 from sigcat.names import nearest
+from sigcat.registry.approvals import Pending, pending
 from sigcat.registry.changes import UseChange, function_changes
 from sigcat.registry.conflicts import Conflict
 from sigcat.registry.deploying import Decision, can_deploy
@@ -15,7 +16,7 @@ from sigcat.registry.published import Published, all_versions, lines_by_version,
 from sigcat.registry.reference import DEPLOYABLE, Kind
 from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.database import Snapshot
-from sigcat.registry.storing.entry import Entry
+from sigcat.registry.storing.entry import Entry, now
 from sigcat.registry.storing.ledger import head, log_page
 from sigcat.registry.use import from_json
 
@@ -51,6 +52,9 @@ class RegistryView(NamedTuple):
     """The last entries of the log, the newest first."""
     entry_total: int
     lines: tuple[str, ...]
+    pending: tuple[Pending, ...]
+    """Versions that wait for approvals, the newest first."""
+    now: str
 
     @property
     def previous(self) -> int:
@@ -121,7 +125,9 @@ def registry_view(connection: Snapshot, start: int) -> RegistryView:
     entries = tuple(each.entry for each in log_page(connection, max(0, number - ENTRIES), ENTRIES))
     following = start + _NAMES if start + _NAMES < len(rows) else 0
     shown = rows[start : start + _NAMES]
-    return RegistryView(shown, start, following, len(rows), entries[::-1], number, names_of(connection, "line"))
+    lines_of_vehicles = names_of(connection, "line")
+    waiting = pending(connection)[::-1]
+    return RegistryView(shown, start, following, len(rows), entries[::-1], number, lines_of_vehicles, waiting, now())
 
 
 def _name_rows(versions: Iterable[Published], lines: Mapping[int, tuple[str, ...]]) -> Iterator[NameRow]:

@@ -22,3 +22,11 @@ void roof_step(void)
 void roof_terminate(void)
 {
 }
+
+uint8_t shade;
+uint8_t font;
+
+void shade_step(void)
+{
+    font = (uint8_t)(shade % 3U);
+}

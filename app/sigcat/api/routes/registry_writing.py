@@ -1,0 +1,310 @@
+"""Routes that change the registry, and those that ask what a change would do."""
+
+from collections.abc import Callable, Sequence
+from http import HTTPStatus
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, TypeVar
+
+from fastapi import APIRouter, Query, Request
+from fastapi.concurrency import run_in_threadpool
+from fastapi.responses import Response
+
+from sigcat.api.answers import registry_schemas, schemas
+from sigcat.api.answers.negotiation import JSON, json_bytes
+from sigcat.api.answers.problems import problem_documentation
+from sigcat.api.answers.serializers import lint_report
+from sigcat.api.middleware.registry_access import Administrator, Approver, Publisher, Reader, TheBearer
+from sigcat.api.requests.clients import client_of
+from sigcat.api.requests.dependencies import FileName, NamedCatalogue, PostedText, TheSettings, TheWorkQueue, text_body
+from sigcat.api.requests.hosted_registry import HostedRegistry, TheRegistry
+from sigcat.api.work.quotas import mark_quota
+from sigcat.api.work.turns import Turns
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.errors import UsageError
+from sigcat.limits import NAME_CHARACTERS, PARAMETER_VALUES, Limits
+from sigcat.project.project import ServerUrl
+
+if TYPE_CHECKING:
+    from sigcat.registry.author import Author
+    from sigcat.registry.candidate import Candidate
+    from sigcat.registry.storing.database import Snapshot
+    from sigcat.registry.storing.entry import Action
+
+router = APIRouter(prefix="/api/v1/registry", tags=["registry"])
+
+_Result = TypeVar("_Result")
+_FILES = (
+    "A function or an overlay: the text of its file. Or several, as a JSON object with `files`, a list of objects with "
+    "`name` and `text`."
+)
+_EXAMPLE = """\
+function: WheelSpeedCalculation
+version: 1.0.0
+responsible: Chassis
+description: Turns the rotation of the four wheels into their speeds over ground.
+components:
+  - name: WheelSpeedCalculation
+    runnables:
+      - WheelSpeedCalculation_Init
+      - WheelSpeedCalculation_Terminate
+"""
+
+Text = Annotated[str, Query(max_length=NAME_CHARACTERS)]
+FunctionVersion = Annotated[
+    str, Query(max_length=NAME_CHARACTERS, description="Published version of a function.", examples=["CoreAcc@1.0.0"])
+]
+AnyVersion = Annotated[
+    str, Query(max_length=NAME_CHARACTERS, description="Published version.", examples=["CoreAcc@1.0.0"])
+]
+LineName = Annotated[str, Query(max_length=NAME_CHARACTERS, description="Vehicle line.", examples=["SUV-2025"])]
+GroupName = Annotated[registry_schemas.RegistryGroup, Query(description="Kind of the name.")]
+_CHANGED = problem_documentation(401, 403, 404, 422, 503, 507)
+_POSTED = problem_documentation(401, 403, 404, 408, 413, 415, 422, 503)
+
+
+@router.post(
+    "/publish",
+    response_model=registry_schemas.RegistryReceipt,
+    responses={
+        200: {"description": "Everything was published before."},
+        201: {"model": registry_schemas.RegistryReceipt, "description": "Versions were published."},
+        **_POSTED,
+        **problem_documentation(409, 507),
+    },
+    openapi_extra=text_body(_FILES, _EXAMPLE),
+)
+async def publish_versions(
+    request: Request,
+    _: TheBearer,
+    author: Publisher,
+    registry: TheRegistry,
+    text: PostedText,
+    hosted: NamedCatalogue,
+    settings: TheSettings,
+    queue: TheWorkQueue,
+    name: FileName = "posted.yaml",
+    version: Annotated[Text, Query(description="Version of SemVer 2.0; without it, that of the function file.")] = "",
+    owner: Annotated[Text, Query(description="Owner of an overlay; without it, that of the token.")] = "",
+    draft: Annotated[bool, Query(description="Publish drafts, which may change.")] = False,
+) -> Response:
+    """Publish files as versions: all of them, or none. The same bytes again change nothing; other bytes are refused."""
+    owned = owner or author.owner
+    candidates = await queue.run(_candidates, text, name, hosted.catalogue, version, owned, settings.limits)
+    receipt = await _in_turn(request, lambda: _publish(registry, author, candidates, is_draft=draft))
+    is_new = any(each.is_new for each in receipt.versions_posted)
+    return Response(json_bytes(receipt), HTTPStatus.CREATED if is_new else HTTPStatus.OK, media_type=JSON)
+
+
+@router.post(
+    "/check",
+    response_model=schemas.LintReport,
+    responses=_POSTED,
+    openapi_extra=text_body(_FILES, _EXAMPLE),
+    dependencies=[Reader],
+)
+async def check_versions(
+    registry: TheRegistry,
+    text: PostedText,
+    hosted: NamedCatalogue,
+    settings: TheSettings,
+    queue: TheWorkQueue,
+    name: FileName = "posted.yaml",
+) -> Response:
+    """Published functions that files would break, in the vehicle lines in which they run. Nothing is published."""
+    database = registry.present()
+    report = await queue.run(_report, database, text, name, hosted.catalogue, settings.limits)
+    return Response(report, media_type=JSON)
+
+
+@router.post(
+    "/can-i-deploy",
+    response_model=registry_schemas.DeploymentAnswer,
+    responses=problem_documentation(401, 404, 422, 503),
+    dependencies=[Reader],
+)
+async def can_deploy(
+    registry: TheRegistry,
+    queue: TheWorkQueue,
+    function: FunctionVersion,
+    line: LineName,
+    others: Annotated[
+        list[Text] | None,
+        Query(max_length=PARAMETER_VALUES, description="Versions that ship together with it, such as `Advisor@1.0.0`."),
+    ] = None,
+) -> Response:
+    """Whether a version fits every version of other functions that vehicles of the line run. Nothing is recorded."""
+    database = registry.present()
+    answer = await queue.run(_deployment, database, (function, *(others or ())), line)
+    return Response(answer, media_type=JSON)
+
+
+@router.post("/record-deployment", response_model=registry_schemas.RegistryChange, responses=_CHANGED)
+async def record_deployment(
+    request: Request, _: TheBearer, author: Approver, registry: TheRegistry, function: FunctionVersion, line: LineName
+) -> Response:
+    """Record that all vehicles of a line run a version, in place of other versions of it."""
+    return await _recorded(request, registry, author, "deployment", function, line)
+
+
+@router.post("/record-release", response_model=registry_schemas.RegistryChange, responses=_CHANGED)
+async def record_release(
+    request: Request, _: TheBearer, author: Approver, registry: TheRegistry, function: FunctionVersion, line: LineName
+) -> Response:
+    """Record that vehicles of a line run a version, next to the versions that others keep."""
+    return await _recorded(request, registry, author, "release", function, line)
+
+
+@router.post("/support-ended", response_model=registry_schemas.RegistryChange, responses=_CHANGED)
+async def end_support(
+    request: Request, _: TheBearer, author: Approver, registry: TheRegistry, function: FunctionVersion, line: LineName
+) -> Response:
+    """Record that no vehicle of a line runs a version any more."""
+    return await _recorded(request, registry, author, "support ended", function, line)
+
+
+@router.post("/deprecate", response_model=registry_schemas.RegistryChange, responses=_CHANGED)
+async def deprecate_version(
+    request: Request,
+    _: TheBearer,
+    author: Publisher,
+    registry: TheRegistry,
+    reference: AnyVersion,
+    group: GroupName = "functions",
+    removal: Annotated[Text, Query(description="Day on which its support may end, such as 2027-01-31.")] = "",
+    alternative: Annotated[Text, Query(description="Version that replaces it.")] = "",
+) -> Response:
+    """Mark a version as deprecated."""
+    from sigcat.api.answers.registry_answers import kind_of
+    from sigcat.registry.lines import set_state
+    from sigcat.registry.reference import reference_of
+
+    named, kind = reference_of(reference), kind_of(group)
+    return await _changed(
+        request,
+        registry,
+        lambda: set_state(registry.written_by(author), kind, named, "deprecated", removal, alternative),
+    )
+
+
+@router.post("/retire", response_model=registry_schemas.RegistryChange, responses=_CHANGED)
+async def retire_version(
+    request: Request,
+    _: TheBearer,
+    author: Publisher,
+    registry: TheRegistry,
+    reference: AnyVersion,
+    group: GroupName = "functions",
+) -> Response:
+    """Mark a version as retired, which no vehicle runs."""
+    from sigcat.api.answers.registry_answers import kind_of
+    from sigcat.registry.lines import set_state
+    from sigcat.registry.reference import reference_of
+
+    named, kind = reference_of(reference), kind_of(group)
+    return await _changed(request, registry, lambda: set_state(registry.written_by(author), kind, named, "retired"))
+
+
+@router.post("/rule", response_model=registry_schemas.RegistryChange, responses=_CHANGED)
+async def set_compatibility_rule(
+    request: Request,
+    _: TheBearer,
+    author: Administrator,
+    registry: TheRegistry,
+    published: Annotated[Text, Query(description="Published name.", examples=["CoreAcc"])],
+    compatibility_rule: Annotated[
+        registry_schemas.CompatibilityRule, Query(description="Rule for new versions.", examples=["full"])
+    ],
+    group: GroupName = "functions",
+) -> Response:
+    """Set the rule that new versions of a name follow."""
+    from sigcat.api.answers.registry_answers import kind_of
+    from sigcat.registry.lines import set_rule
+
+    kind = kind_of(group)
+    return await _changed(
+        request, registry, lambda: set_rule(registry.written_by(author), kind, published, compatibility_rule)
+    )
+
+
+# -- writing, one after the other ---------------------------------------------------------------------------------
+
+
+async def _in_turn(request: Request, write: Callable[[], _Result]) -> _Result:
+    """Return the result of writing in a thread: one request writes, others wait without a thread."""
+    turns: Turns = request.app.state.registry_turns
+    client = client_of(request)
+    mark_quota(request, turns.quota_of(client, "registry"))
+    return await turns.to_the_end(client, lambda: run_in_threadpool(write))
+
+
+async def _recorded(
+    request: Request, registry: HostedRegistry, author: "Author", action: "Action", function: str, line: str
+) -> Response:
+    from sigcat.registry.lines import record
+    from sigcat.registry.reference import reference_of
+
+    named = reference_of(function)
+    return await _changed(request, registry, lambda: record(registry.written_by(author), action, line, named))
+
+
+async def _changed(request: Request, registry: HostedRegistry, change: Callable[[], str]) -> Response:
+    """Make a change, and answer with the signed head of the log that it returns."""
+    return Response(json_bytes(await _in_turn(request, lambda: _with_head(registry, change()))), media_type=JSON)
+
+
+def _with_head(registry: HostedRegistry, digest: str) -> registry_schemas.RegistryChange:
+    from sigcat.api.answers.registry_answers import head_with
+
+    with registry.reading() as connection:
+        return registry_schemas.RegistryChange(head=head_with(connection, digest))
+
+
+def _publish(
+    registry: HostedRegistry, author: "Author", candidates: "Sequence[Candidate]", *, is_draft: bool
+) -> registry_schemas.RegistryReceipt:
+    from sigcat.api.answers.registry_answers import receipt
+    from sigcat.registry.publish import publish
+
+    published = publish(registry.written_by(author), candidates, is_draft=is_draft)
+    with registry.reading() as connection:
+        return receipt(connection, published)
+
+
+# -- in a worker --------------------------------------------------------------------------------------------------
+
+
+def _candidates(
+    text: bytes, name: str, catalogue: Catalogue, version: str, owner: str, limits: Limits
+) -> "tuple[Candidate, ...]":
+    from sigcat.api.requests.registry_files import registry_files
+    from sigcat.registry.posted import posted_candidates
+
+    return posted_candidates(registry_files(text, name, limits), catalogue, version, owner, limits)
+
+
+def _report(database: Path | ServerUrl, text: bytes, name: str, catalogue: Catalogue, limits: Limits) -> bytes:
+    from sigcat.api.requests.registry_files import registry_files
+    from sigcat.registry.posted import posted_findings
+    from sigcat.registry.storing.database import reading
+
+    files = registry_files(text, name, limits)
+    with reading(database) as connection:
+        _refuse_empty(connection)
+        return json_bytes(lint_report(posted_findings(connection, files, catalogue, limits)))
+
+
+def _deployment(database: Path | ServerUrl, references: Sequence[str], line: str) -> bytes:
+    from sigcat.api.answers.registry_answers import deployment_answer
+    from sigcat.registry.storing.database import reading
+
+    with reading(database) as connection:
+        _refuse_empty(connection)
+        return json_bytes(deployment_answer(connection, references, line))
+
+
+def _refuse_empty(connection: "Snapshot") -> None:
+    """Raises UsageError if nothing is published: then no answer would mean anything."""
+    from sigcat.registry.storing.ledger import head
+
+    if head(connection) is None:
+        raise UsageError("Nothing is published in the registry, so that the answer is unknown.")

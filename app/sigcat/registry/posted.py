@@ -1,0 +1,84 @@
+"""Files that are posted to the service: functions and overlays over a hosted catalogue."""
+
+from collections.abc import Iterator, Sequence
+from pathlib import PurePath
+from typing import NamedTuple
+
+from sigcat.catalogue.hosting.variants import Choice, overlays_of, variant_of
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.reading.layers import Layer, layer_from_text
+from sigcat.errors import UsageError
+from sigcat.file_kind import file_kind, root_branch
+from sigcat.findings import Finding, in_order
+from sigcat.limits import Limits
+from sigcat.registry.breaking import broken_by_catalogue, broken_by_functions
+from sigcat.registry.candidate import Candidate
+from sigcat.registry.candidates import function_candidates, overlay_candidate, overlay_trial, read_functions
+from sigcat.registry.member import file_member
+from sigcat.registry.storing.database import Snapshot
+
+File = tuple[bytes, str]
+"""Content and name."""
+
+
+class Posted(NamedTuple):
+    """Files by their kind."""
+
+    functions: tuple[File, ...]
+    overlays: tuple[File, ...]
+
+
+def posted_files(files: Sequence[File]) -> Posted:
+    """The files by their kind. Raises UsageError for others."""
+    functions, overlays = list[File](), list[File]()
+    for data, name in files:
+        kind = file_kind(data, name)
+        if kind in ("function", "function json"):
+            functions.append((data, name))
+        elif kind == "vspec" and not root_branch(data):
+            overlays.append((data, name))
+        else:
+            raise UsageError(f"{name} must be a function or an overlay. A tree is published where its files are.")
+    return Posted(tuple(functions), tuple(overlays))
+
+
+def posted_candidates(
+    files: Sequence[File], catalogue: Catalogue, version: str, owner: str, limits: Limits
+) -> tuple[Candidate, ...]:
+    """Candidates of posted files. Raises InputRefused, and UsageError for an overlay without a version."""
+    posted = posted_files(files)
+    if posted.overlays and not version:
+        raise UsageError("An overlay has no version: give the parameter `version`.")
+    functions = read_functions(posted.functions, catalogue, limits) if posted.functions else ()
+    overlays = (
+        overlay_candidate(layer, data, _without(catalogue, name), version, owner, limits)
+        for data, name, layer in _layers(posted.overlays, limits)
+    )
+    return (*function_candidates(functions, version), *overlays)
+
+
+def posted_findings(
+    connection: Snapshot, files: Sequence[File], catalogue: Catalogue, limits: Limits
+) -> tuple[Finding, ...]:
+    """Findings about published functions that the files break. Raises InputRefused for files with errors."""
+    return tuple(in_order(_broken(connection, posted_files(files), catalogue, limits)))
+
+
+def _broken(connection: Snapshot, posted: Posted, catalogue: Catalogue, limits: Limits) -> Iterator[Finding]:
+    if posted.functions:
+        members = [file_member(each) for each in read_functions(posted.functions, catalogue, limits)]
+        yield from (conflict.finding for conflict in broken_by_functions(connection, members))
+    for _, name, layer in _layers(posted.overlays, limits):
+        trial = overlay_trial(layer, _without(catalogue, name), limits)
+        yield from broken_by_catalogue(connection, trial.catalogue, name)
+
+
+def _layers(overlays: Sequence[File], limits: Limits) -> Iterator[tuple[bytes, str, Layer]]:
+    for data, name in overlays:
+        yield data, name, layer_from_text(data, name, limits=limits)
+
+
+def _without(catalogue: Catalogue, overlay: str) -> Catalogue:
+    """The catalogue without its own state of an overlay, which is known by its name."""
+    name = PurePath(overlay).stem
+    return variant_of(catalogue, Choice("", frozenset([name]))) if name in overlays_of(catalogue) else catalogue
