@@ -95,11 +95,12 @@ def _approving(connection: Connection, known: Published | None, data: Mapping[st
 
 def _asked_owners(connection: Connection, candidate: Candidate, together: Sequence[Candidate]) -> Affected:
     """Owners that the rule `approval` asks: a new major version breaks nobody that keeps the one before it."""
+    rule = connection.execute(_RULE, {"of_kind": candidate.kind, "of_folded": candidate.name.casefold()}).scalar()
+    if rule != "approval":
+        return {}
     base, version = _baseline(connection, candidate), version_of(candidate.version)
     assert version is not None
-    rule = connection.execute(_RULE, {"of_kind": candidate.kind, "of_folded": candidate.name.casefold()}).scalar()
-    is_new_major = base is not None and raised_part(base.precedence, version) == "major"
-    if rule != "approval" or is_new_major:
+    if base is not None and raised_part(base.precedence, version) == "major":
         return {}
     return affected_owners(connection, candidate, together, base.owner if base else candidate.owner)
 
