@@ -307,6 +307,7 @@ LINE_UNKNOWN = RuleCode("E012", "error")
 IMPORT_UNFIT = RuleCode("E013", "error")
 DECISION_UNFIT = RuleCode("E014", "error")
 OWNED_BY_ANOTHER = RuleCode("E015", "error")
+WEBHOOK_UNFIT = RuleCode("E016", "error")
 
 # request
 PARAMETER_THAT_DOES_NOT_FIT = RuleCode("Q001", "error")

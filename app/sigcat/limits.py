@@ -199,6 +199,12 @@ REGISTRY_SECONDS = 60
 REGISTRY_REQUEST_SECONDS = 5
 """Seconds for which the service waits until others have written to the registry; then the request is answered with 503."""
 
+WEBHOOK_SECONDS = 10
+"""Seconds for which a webhook waits for an answer."""
+
+WEBHOOK_ATTEMPTS = 12
+"""Attempts to deliver an event to a webhook, within one to two days."""
+
 # -- requests and pages ---------------------------------------------------------------------------------------------
 
 NAME_CHARACTERS = 300

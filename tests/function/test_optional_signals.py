@@ -176,6 +176,8 @@ SPEED = "{path: Vehicle.Speed, role: consumed, asil: QM}"
         ("path: Vehicle.No, role: consumed, optional: false, datatype: uint8, init: 1", "F010"),
         ("path: Vehicle.Chassis.Axle.Wheel.Speed, role: consumed, optional: true, datatype: float, init: 1", "F010"),
         ("path: Vehicle.Chassis, role: consumed, optional: true, init: 1", "F011"),
+        ("path: Vehicle.Cabin.Door.Row1.DriverSide.IsOpne, role: consumed, optional: true, init: 1", "F115"),
+        ("path: Vehicle.Cabin.Door.Row9.DriverSide.IsOpen, role: consumed, optional: true, init: true", "F114"),
         ("path: Vehicle.Speed, role: consumed, optional: true", "F116"),
         ("path: Vehicle.Speed, role: consumed, optional: maybe", "F004"),
     ],

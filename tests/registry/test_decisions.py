@@ -149,6 +149,28 @@ def test_a_narrower_range_breaks_who_provides_and_a_wider_one_may_break_who_read
         assert [finding.rule for finding in broken_by_catalogue(connection, after, "tree.vspec")] == rules
 
 
+@pytest.mark.parametrize(("more", "rules"), [("", ["E006"]), (", optional: true, init: 0", [])])
+def test_an_optional_signal_that_is_removed_breaks_nothing(more: str, rules: list[str]) -> None:
+    """A change of its datatype breaks the function all the same."""
+    text = declaration("Alpha", consumed=["S0"]).replace(b"role: consumed", f"role: consumed{more}".encode())
+    with in_memory() as connection:
+        add(connection, candidate(text, catalogue()))
+        without, other = catalogue(without=["S0"]), catalogue({"S0": "uint8"})
+        assert [finding.rule for finding in broken_by_catalogue(connection, without, "tree.vspec")] == rules
+        assert [finding.rule for finding in broken_by_catalogue(connection, other, "tree.vspec")] == ["E006"]
+
+
+def test_a_signal_that_the_catalogue_lacks_has_its_users() -> None:
+    text = declaration("Alpha", consumed=["S0"]).replace(
+        b"role: consumed", b"role: consumed, optional: true, datatype: float, init: 0"
+    )
+    with in_memory() as connection:
+        add(connection, candidate(text, catalogue(without=["S0"])))
+        (user,) = users_of(connection, "Vehicle.S0").users
+        assert (user.use.verb, user.use.is_optional) == ("consumes", True)
+        assert broken_by_catalogue(connection, catalogue(), "tree.vspec") == ()
+
+
 def follower(name: str, previous: str, version: str = "1.0.0") -> Candidate:
     """A function whose step runs after one of another function, or after none."""
     nodes = [
@@ -204,25 +226,3 @@ def test_a_circle_exists_in_one_vehicle_only_if_it_has_one_version_of_each_funct
             deploy(connection, "SUV-2025", [Reference(*chosen), Reference("Three", "1.1.0")])
             decisions[chosen] = can_deploy(connection, [Reference("One", "1.0.0")], "SUV-2025").decision
     assert list(decisions.values()) == ["no", "yes"]
-
-
-@pytest.mark.parametrize(("more", "rules"), [("", ["E006"]), (", optional: true, init: 0", [])])
-def test_an_optional_signal_that_is_removed_breaks_nothing(more: str, rules: list[str]) -> None:
-    """A change of its datatype breaks the function all the same."""
-    text = declaration("Alpha", consumed=["S0"]).replace(b"role: consumed", f"role: consumed{more}".encode())
-    with in_memory() as connection:
-        add(connection, candidate(text, catalogue()))
-        without, other = catalogue(without=["S0"]), catalogue({"S0": "uint8"})
-        assert [finding.rule for finding in broken_by_catalogue(connection, without, "tree.vspec")] == rules
-        assert [finding.rule for finding in broken_by_catalogue(connection, other, "tree.vspec")] == ["E006"]
-
-
-def test_a_signal_that_the_catalogue_lacks_has_its_users() -> None:
-    text = declaration("Alpha", consumed=["S0"]).replace(
-        b"role: consumed", b"role: consumed, optional: true, datatype: float, init: 0"
-    )
-    with in_memory() as connection:
-        add(connection, candidate(text, catalogue(without=["S0"])))
-        (user,) = users_of(connection, "Vehicle.S0").users
-        assert (user.use.verb, user.use.is_optional) == ("consumes", True)
-        assert broken_by_catalogue(connection, catalogue(), "tree.vspec") == ()

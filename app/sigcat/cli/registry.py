@@ -5,9 +5,10 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sigcat.cli.output import make_folder, write_bytes, write_lines
+from sigcat.cli.output import make_folder, write_bytes, write_lines, write_text
 from sigcat.cli.output_options import add_output, refuse_overwriting
 from sigcat.cli.registry_approvals import add_approvals
+from sigcat.cli.registry_events import add_events
 from sigcat.cli.registry_options import (
     KINDS,
     Actions,
@@ -22,6 +23,7 @@ from sigcat.cli.registry_options import (
     registry_of,
 )
 from sigcat.cli.registry_tokens import add_tokens
+from sigcat.cli.registry_webhooks import add_webhooks
 from sigcat.errors import UsageError, existing_file
 from sigcat.limits import REGISTRY_ROWS
 from sigcat.terminal_text import printable
@@ -42,6 +44,8 @@ def add_parser(commands: Actions) -> None:
     _add_lines(actions)
     _add_transfer(actions)
     add_tokens(actions)
+    add_events(actions)
+    add_webhooks(actions)
 
 
 def _add_reading(actions: Actions) -> None:
@@ -85,6 +89,9 @@ def _add_lines(actions: Actions) -> None:
 
 def _add_transfer(actions: Actions) -> None:
     exporting = add_action(actions, "export", "write everything as lines of JSON", export)
+    exporting.add_argument(
+        "--backstage", action="store_true", help="write functions, owners and APIs as catalog-info.yaml of Backstage"
+    )
     add_output(exporting, "-o", "--output", metavar="FILE", help="write here instead of to standard output")
     importing = add_action(actions, "import", "read an export into an empty registry", import_file)
     importing.add_argument("file", type=Path, metavar="FILE", help="export")
@@ -186,6 +193,11 @@ def export(arguments: argparse.Namespace) -> int:
     registry = registry_of(arguments)
     refuse_overwriting(arguments, (each for each in registry if isinstance(each, Path)))
     with read_registry(arguments) as connection:
+        if arguments.backstage:
+            from sigcat.registry.backstage import backstage_entities, written
+
+            write_text(written(backstage_entities(connection)), arguments.output)
+            return 0
         from sigcat.registry.storing.transfer import exported
 
         write_lines(exported(connection), arguments.output)

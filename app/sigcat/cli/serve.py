@@ -55,6 +55,7 @@ def serve(arguments: argparse.Namespace) -> int:
     from sigcat.api.server import run
     from sigcat.catalogue.hosting.library import Library, Watch
     from sigcat.function.hosting import FunctionLibrary
+    from sigcat.project.changed_file import ProjectFile
     from sigcat.temporary_files import temporary_folder
     from sigcat.web.site import create_site
 
@@ -67,7 +68,7 @@ def serve(arguments: argparse.Namespace) -> int:
     functions = FunctionLibrary(project.functions, has_shipped=project.has_shipped_functions, catalogues=library)
     if was_interrupted():
         raise KeyboardInterrupt
-    with Watch(library, functions) if project.is_watching else nullcontext():
+    with Watch(library, functions, ProjectFile(project.file)) if project.is_watching else nullcontext():
         run(create_site(library, settings, functions, hosted_registry(project)), settings)
     return 0
 
@@ -102,6 +103,7 @@ def application() -> "FastAPI":
     from sigcat.api.server import prepare
     from sigcat.catalogue.hosting.library import Library, Watch
     from sigcat.function.hosting import FunctionLibrary
+    from sigcat.project.changed_file import ProjectFile
     from sigcat.web.site import create_site
 
     ignore_hangup()
@@ -117,6 +119,6 @@ def application() -> "FastAPI":
     prepare(service, settings)
     if project.is_watching:
         watching = ExitStack()
-        watching.enter_context(Watch(library, functions))
+        watching.enter_context(Watch(library, functions, ProjectFile(project.file)))
         atexit.register(watching.close)
     return service

@@ -35,9 +35,10 @@ def shown_project(project: Project, given: TreeOptions) -> Iterator[Shown]:
     if project.deployment is not None:
         yield Shown("deployment", str(project.deployment), project.line("", 0, "deployment"))
     if project.registry is not None:
-        for name, path in zip(project.registry._fields, project.registry, strict=True):
-            if path is not None:
-                yield Shown(f"registry.{name}", str(path), project.line("registry", 0, name))
+        for name, value in zip(project.registry._fields, project.registry, strict=True):
+            for each in value if isinstance(value, tuple) else (value,):
+                if each is not None:
+                    yield Shown(f"registry.{_key(name)}", str(each), project.line("registry", 0, _key(name)))
     yield Shown("watch", _yes(project.is_watching), project.line("", 0, "watch") if project.is_watching else "default")
     shipped = "default" if project.shipped is None else project.line("", 0, "shipped")
     yield Shown("shipped catalogues", _yes(project.has_shipped_catalogues), shipped)

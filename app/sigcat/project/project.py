@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -16,7 +17,8 @@ POSTGRESQL = "postgresql://"
 """The begin of the URL of a PostgreSQL database."""
 
 
-class ServerUrl(NamedTuple):
+@dataclass(frozen=True)
+class ServerUrl:
     """The URL of a database on a server. It is shown without its password."""
 
     text: str
@@ -32,6 +34,10 @@ class RegistrySettings(NamedTuple):
     """SQLite database, which the first publish creates, or the URL of a PostgreSQL database."""
     key: Path | None = None
     """Private key that signs the log."""
+    webhook_hosts: tuple[str, ...] = ()
+    """Hosts to which webhooks may be sent."""
+    webhook_networks: tuple[str, ...] = ()
+    """Private networks that these hosts may be in."""
 
     @property
     def files(self) -> tuple[Path, ...]:

@@ -46,7 +46,9 @@ CATALOGUE_KEYS: Mapping[str, type] = {
     "id": str, "title": str, "spec": str, "release": str, "standard-units": bool,
     **dict.fromkeys(("overlays", *_OF_CATALOGUES), list),
 }  # fmt: skip
-REGISTRY_KEYS: Mapping[str, type] = {"database": str, "key": str}
+REGISTRY_KEYS: Mapping[str, type] = {
+    "database": str, "key": str, "webhook-hosts": list, "webhook-networks": list,
+}  # fmt: skip
 TOP_KEYS: Mapping[str, type] = {
     "watch": bool, "shipped": bool, "deployment": str, "catalogue": list, "vehicle": list,
     **dict.fromkeys(("functions", "rules", *_OF_CATALOGUES, "dbc"), list),
@@ -319,4 +321,30 @@ def _registry(data: Mapping[str, Any], reading: Reading) -> RegistrySettings | N
         message = f"`database` of [registry] must be the path of a file, or a URL of PostgreSQL, not {shown(database)}."
         reading.report(codes.SETTING_UNFIT, message, "registry", 0, "database", f"Write {POSTGRESQL}USER@HOST/NAME.")
     place = ServerUrl(database) if database.startswith(POSTGRESQL) else reading.path(database)
-    return RegistrySettings(place, reading.path(key) if isinstance(key, str) else None)
+    key_file = reading.path(key) if isinstance(key, str) else None
+    hosts, networks = (_texts(values, name, reading) for name in ("webhook-hosts", "webhook-networks"))
+    for network in networks:
+        if not _is_network(network):
+            message = f"`webhook-networks` must have networks such as 10.20.0.0/16, not {network!r}."
+            reading.report(codes.SETTING_UNFIT, message, "registry", 0, written_key(values, "webhook-networks"))
+    return RegistrySettings(place, key_file, hosts, networks)
+
+
+def _texts(values: Mapping[str, Any], name: str, reading: Reading) -> tuple[str, ...]:
+    key = written_key(values, name)
+    listed = values.get(key, [])
+    if not isinstance(listed, list) or not all(isinstance(item, str) for item in listed):
+        if isinstance(listed, list):
+            reading.report(codes.SETTING_UNFIT, f"`{name}` must be a list of texts.", "registry", 0, key)
+        return ()
+    return tuple(listed)
+
+
+def _is_network(text: str) -> bool:
+    import ipaddress
+
+    try:
+        ipaddress.ip_network(text)
+    except ValueError:
+        return False
+    return True

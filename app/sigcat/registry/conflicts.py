@@ -86,7 +86,9 @@ _MOST_VEHICLES = 1_000
 def _in_circles(deployed: Sequence[Member], others: Sequence[Member], known: Sequence[Conflict]) -> Iterator[Conflict]:
     """Yield circles of calls or errors through several functions. A vehicle has one version of each function."""
     seen = {(each.rule, each.message) for each in known}
-    versions = _by_name(_on_ways_back(deployed, others))
+    versions: dict[str, list[Member]] = {}
+    for member in _on_ways_back(deployed, others):
+        versions.setdefault(member.name, []).append(member)
     if len(versions) < 2:
         return
     for vehicle in islice(product(*versions.values()), _MOST_VEHICLES):
@@ -145,7 +147,7 @@ def _lost(deployed: Sequence[Member], others: Sequence[Member], replaced: Sequen
 
     A vehicle has one version of each function.
     """
-    providers = _by_name((*deployed, *others))
+    providers = _providers((*deployed, *others))
     for consumer in (*deployed, *others):
         now = [each for each in replaced if consumer in deployed and each.name == consumer.name]
         for path in consumer.needed:
@@ -155,20 +157,21 @@ def _lost(deployed: Sequence[Member], others: Sequence[Member], replaced: Sequen
                 yield _lost_provider(path, consumer, before, deployed)
 
 
-def _by_name(members: Iterable[Member]) -> Mapping[str, Sequence[Member]]:
-    found: dict[str, list[Member]] = {}
+def _providers(members: Iterable[Member]) -> Mapping[str, frozenset[str]]:
+    """Names of the functions that provide an element in all of their versions, by element."""
+    always: dict[str, frozenset[str]] = {}
     for member in members:
-        found.setdefault(member.name, []).append(member)
-    return found
+        always[member.name] = always.get(member.name, member.provided) & member.provided
+    found: dict[str, set[str]] = {}
+    for name, elements in always.items():
+        for element in elements:
+            found.setdefault(element, set()).add(name)
+    return {element: frozenset(names) for element, names in found.items()}
 
 
-def _is_provided(path: str, consumer: Member, providers: Mapping[str, Sequence[Member]]) -> bool:
-    """Whether every vehicle has a provider: the consumer itself, or a function that provides it in all of its versions."""
-    return consumer.provides(path) or any(
-        all(version.provides(path) for version in versions)
-        for name, versions in providers.items()
-        if name != consumer.name
-    )
+def _is_provided(path: str, consumer: Member, providers: Mapping[str, frozenset[str]]) -> bool:
+    """Whether every vehicle has a provider: the consumer itself, or another function."""
+    return consumer.provides(path) or bool(providers.get(path, frozenset()) - {consumer.name})
 
 
 def _lost_provider(path: str, consumer: Member, before: Sequence[Member], deployed: Sequence[Member]) -> Conflict:

@@ -40,7 +40,7 @@ def set_state(
         published = version_named(ledger.connection, kind, reference)
         _check_owner(ledger, reference.name, published.owner)
         if published.state in CHANGEABLE:
-            message = f"{reference} is {published.state}, and no function relies on it."
+            message = f"{reference} must be published; it is {published.state}."
             raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message, path=reference.name, fix="Publish it first."))
         if published.state == "retired":
             message = f"{reference} is retired, and stays so."

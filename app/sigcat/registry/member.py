@@ -73,9 +73,14 @@ class Member:
         """Identities of signals that another function must provide."""
         return tuple(dict.fromkeys(use.element for use in self.uses if use.is_needed))
 
+    @cached_property
+    def provided(self) -> frozenset[str]:
+        """Identities of everything on which others may rely."""
+        return frozenset(use.element for use in self.uses if use.provides)
+
     def provides(self, element: str) -> bool:
         """Whether it provides a signal."""
-        return any(use.element == element and use.provides for use in self.uses)
+        return element in self.provided
 
     def calls(self, element: str) -> tuple[str, ...]:
         """Names of the calls that use an element."""

@@ -15,7 +15,7 @@ from sigcat.registry.approvals import Approval, approvals_of, approving
 from sigcat.registry.candidate import Candidate
 from sigcat.registry.changes import UseChange, function_changes, node_changes
 from sigcat.registry.published import PUBLISHED, Published, all_versions, version_named
-from sigcat.registry.reference import CHANGEABLE, DEPLOYABLE, Kind, Reference, name_problem, refused
+from sigcat.registry.reference import CHANGEABLE, DEPLOYABLE, Kind, Reference, Rule, name_problem, refused
 from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.ledger import Ledger, Registry, head, ledger_of
 from sigcat.registry.storing.tables import NAMES, VERSIONS
@@ -95,14 +95,18 @@ def _approving(connection: Connection, known: Published | None, data: Mapping[st
 
 def _asked_owners(connection: Connection, candidate: Candidate, together: Sequence[Candidate]) -> Affected:
     """Owners that the rule `approval` asks: a new major version breaks nobody that keeps the one before it."""
-    rule = connection.execute(_RULE, {"of_kind": candidate.kind, "of_folded": candidate.name.casefold()}).scalar()
-    if rule != "approval":
+    if _rule(connection, candidate) != "approval":
         return {}
     base, version = _baseline(connection, candidate), version_of(candidate.version)
-    assert version is not None
-    if base is not None and raised_part(base.precedence, version) == "major":
+    if base is not None and version is not None and raised_part(base.precedence, version) == "major":
         return {}
     return affected_owners(connection, candidate, together, base.owner if base else candidate.owner)
+
+
+def _rule(connection: Connection, candidate: Candidate) -> Rule | None:
+    key = {"of_kind": candidate.kind, "of_folded": candidate.name.casefold()}
+    rule: Rule | None = connection.execute(_RULE, key).scalar()
+    return rule
 
 
 def _ask(

@@ -43,12 +43,13 @@ def absent_node(item: DataItem, at: Pointer, context: Context) -> Node | None:
 def removed_node(path: str, catalogue: Catalogue) -> Node | None:
     """The node at a path that an overlay or a vehicle removes, or one of an instance that it does not have."""
     definition: Definition | None = None
+    below: Definition | None = None
     for name in path.split("."):
         below = catalogue.definitions.get(f"{definition.path}.{name}" if definition else name)
         if below is None and (definition is None or not instances_of(definition.values)):
             return None
         definition = below or definition
-    return sound_node(Node(path, definition, ())) if definition is not None else None
+    return sound_node(Node(path, below, ())) if below is not None else None
 
 
 def _declared_node(item: DataItem, context: Context) -> Node | None:

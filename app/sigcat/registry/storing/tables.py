@@ -1,7 +1,8 @@
-"""Tables of the registry. All but `contents` and `log` follow from the log.
+"""Tables of the registry. `contents` and `log` are the source, and the others follow from the log.
 
-A changed table needs a new revision in `revisions/`. A row of a table that follows from the log has the next free number,
-so that the log makes the same rows again.
+Only `subscriptions` and `deliveries` do not: they say to whom events are sent, and which are. A changed table needs a new
+revision in `revisions/`. A row of a table that follows from the log has the next free number, so that the log makes the
+same rows again.
 """
 
 from sqlalchemy import Column, ForeignKey, Index, Integer, LargeBinary, MetaData, String, Table, UniqueConstraint
@@ -87,6 +88,29 @@ APPROVALS = Table(
     Column("at", _TEXT, nullable=False),
     Column("until", _TEXT, nullable=False),
     Column("reason", _TEXT, nullable=False),
+)  # fmt: skip
+SUBSCRIPTIONS = Table(
+    "subscriptions", METADATA,
+    Column("id", _TEXT, primary_key=True),
+    Column("url", _TEXT, nullable=False),
+    Column("types", _TEXT, nullable=False),
+    Column("secret", _TEXT, nullable=False),
+    Column("at", _TEXT, nullable=False),
+    Column("number", Integer, nullable=False),
+)  # fmt: skip
+DELIVERIES = Table(
+    "deliveries", METADATA,
+    Column("id", _TEXT, primary_key=True),
+    Column("subscription_id", ForeignKey("subscriptions.id"), nullable=False),
+    Column("number", ForeignKey("log.number"), nullable=False),
+    Column("state", _TEXT, nullable=False),
+    Column("attempts", Integer, nullable=False),
+    Column("due", _TEXT, nullable=False),
+    Column("lease", _TEXT, nullable=False),
+    Column("at", _TEXT, nullable=False),
+    Column("answer", _TEXT, nullable=False),
+    Index("deliveries_due", "state", "due"),
+    Index("deliveries_subscription", "subscription_id"),
 )  # fmt: skip
 LOG = Table(
     "log", METADATA,

@@ -61,6 +61,23 @@ def upgrade() -> None:
         *(sa.Column(name, _TEXT, primary_key=True) for name in ("content", "uses", "owner")),
         *_texts("functions", "decision", "at", "until", "reason"),
     )
+    op.create_table(
+        "subscriptions",
+        sa.Column("id", _TEXT, primary_key=True),
+        *_texts("url", "types", "secret", "at"),
+        sa.Column("number", sa.Integer, nullable=False),
+    )
+    op.create_table(
+        "deliveries",
+        sa.Column("id", _TEXT, primary_key=True),
+        sa.Column("subscription_id", _TEXT, sa.ForeignKey("subscriptions.id"), nullable=False),
+        sa.Column("number", sa.Integer, sa.ForeignKey("log.number"), nullable=False),
+        *_texts("state"),
+        sa.Column("attempts", sa.Integer, nullable=False),
+        *_texts("due", "lease", "at", "answer"),
+    )
+    op.create_index("deliveries_due", "deliveries", ["state", "due"])
+    op.create_index("deliveries_subscription", "deliveries", ["subscription_id"])
 
 
 def _texts(*names: str) -> tuple[sa.Column[str], ...]:
