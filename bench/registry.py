@@ -2,7 +2,7 @@
 
 import random
 import sqlite3
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 from operator import itemgetter
 from pathlib import Path
@@ -20,14 +20,13 @@ from sigcat.registry.use import Use, to_json
 from sigcat.registry.users import users_of
 
 _SIGNALS, _LINES, _USES = 5_000, 20, 100
-_PATHS = tuple(f"Vehicle.Branch{number % 100}.Signal{number}" for number in range(_SIGNALS))
 _VALUES = {"type": "sensor", "datatype": "float", "unit": "km/h", "min": 0, "max": 250}
 _TABLES = ("contents", "names", "versions", "reliances", "uses", "log")
 
 
 def check(bench: Bench) -> Row:
     """A catalogue with one other unit beside 1,000 functions with 100 signals each, in 20 lines."""
-    database, changed = _registry(bench.folder, 1_000), read_catalogue(_tree(bench.folder))
+    database, changed = _registry(bench.folder, 1_000, _paths(_SIGNALS)), read_catalogue(_tree(bench.folder))
     taken = []
     for _ in range(2 * bench.runs):
         start = process_time()
@@ -40,18 +39,21 @@ def check(bench: Bench) -> Row:
 
 def users(bench: Bench) -> Row:
     """Users of a signal among 1,000,000 uses, with the errors and modes that follow."""
-    database, chance = _registry(bench.folder, 10_000), random.Random(1)
-    p99 = median(_p99(database, chance.sample(_PATHS, 300)) for _ in range(bench.runs))
-    return Row("users of a signal among 1,000,000 uses, p99", time_of(p99), "", "", "under 10 ms", p99 < 0.01)
+    paths = _paths(10 * _SIGNALS)
+    database, chance = _registry(bench.folder, 10_000, paths), random.Random(1)
+    p99 = median(_p99(database, chance.sample(paths, 300)) for _ in range(bench.runs))
+    return Row(
+        "users of a signal among 1,000,000 uses, p99 of processor time", time_of(p99), "", "", "under 10 ms", p99 < 0.01
+    )
 
 
 def _p99(database: Path, paths: Iterable[str]) -> float:
     taken = []
     for path in paths:
-        start = perf_counter()
+        start = process_time()
         with reading(database) as connection:
             assert users_of(connection, path).users
-        taken.append(perf_counter() - start)
+        taken.append(process_time() - start)
     return sorted(taken)[int(len(taken) * 0.99)]
 
 
@@ -72,13 +74,17 @@ ROWS: Mapping[str, Callable[[Bench], Row]] = {
 }  # fmt: skip
 
 
-def _registry(folder: Path, functions: int) -> Path:
+def _paths(count: int) -> tuple[str, ...]:
+    return tuple(f"Vehicle.Branch{number % 100}.Signal{number}" for number in range(count))
+
+
+def _registry(folder: Path, functions: int, paths: Sequence[str]) -> Path:
     """A registry with functions of random signals; every tenth signal sets an error."""
     database, chance = folder / f"{functions}.db", random.Random(1)
     with ledger_of(Registry(database)) as ledger:
         for number in range(functions):
             name = f"Function{number}"
-            uses = to_json(_uses(name, chance.sample(_PATHS, _USES)))
+            uses = to_json(_uses(name, chance.sample(paths, _USES)))
             digests = {"content": ledger.put(name.encode()), "resolved": ledger.put(b"{}"), "uses": ledger.put(uses)}
             data = {"kind": "function", "name": name, "version": "1.0.0", "state": "published", "owner": "A team"}
             ledger.append("publish", data | digests)
@@ -100,12 +106,13 @@ def _uses(name: str, paths: Iterable[str]) -> Iterator[Use]:
 
 def _tree(folder: Path) -> Path:
     """The catalogue of the signals, in which one has another unit."""
-    branches = {"Vehicle", *(path.rpartition(".")[0] for path in _PATHS)}
+    paths = _paths(_SIGNALS)
+    branches = {"Vehicle", *(path.rpartition(".")[0] for path in paths)}
     lines = [f"{path}: {{type: branch, description: A branch.}}\n" for path in sorted(branches)]
     lines += [
-        f"{path}: {{type: sensor, datatype: float, unit: {'m/s' if path == _PATHS[17] else 'km/h'}, min: 0, max: 250,"
+        f"{path}: {{type: sensor, datatype: float, unit: {'m/s' if path == paths[17] else 'km/h'}, min: 0, max: 250,"
         " description: A signal.}\n"
-        for path in _PATHS
+        for path in paths
     ]
     file = folder / "tree.yaml"
     file.write_text("".join(lines), encoding="utf-8")
@@ -124,7 +131,7 @@ def _rates(folder: Path, run: int) -> tuple[float, float]:
 
 
 def _candidate(number: int) -> Candidate:
-    uses, name = to_json(_uses("Function", _PATHS[:3])), f"Function{number % 7}"
+    uses, name = to_json(_uses("Function", _paths(3))), f"Function{number % 7}"
     content = f"content {number}".encode()
     return Candidate("function", name, f"1.{number}.0", "A team", content, content + b" resolved", uses)
 

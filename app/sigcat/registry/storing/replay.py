@@ -48,6 +48,7 @@ def _publish(connection: Connection, data: _Data, at: str) -> None:
     }  # fmt: skip
     release = version.release if version else data["version"]
     version_id = connection.execute(_OF_RELEASE, {"of": name_id, "is_release": release}).scalar()
+    is_known = version_id is not None
     if version_id is None:
         version_id = _next(connection, VERSIONS.c.id)
         row = {"id": version_id, "name_id": name_id, "release": release, **values}
@@ -58,7 +59,8 @@ def _publish(connection: Connection, data: _Data, at: str) -> None:
     connection.execute(_SET_NEWEST, {"of": name_id})
     if data["kind"] == "function":
         _index_uses(connection, version_id, from_json(content_of(connection, data["uses"])))
-    _ask_owners(connection, version_id, data)
+    if is_known or data.get("broken"):
+        _ask_owners(connection, version_id, data)
 
 
 def _ask_owners(connection: Connection, version_id: int, data: _Data) -> None:
