@@ -64,8 +64,14 @@ def test_users_are_a_picture_and_a_table(site):
 
 
 def test_users_of_nothing_are_none(site):
-    page = text_of(site("/registry/users?path=Vehicle.Nothing").text)
+    page = text_of(site("/registry/users?path=Vehicle.Speed").text)
     assert "No published function uses it." in page
+
+
+def test_an_unknown_path_is_told_with_a_near_one(site):
+    page = text_of(site("/registry/users?path=Vehicle.Sped").text)
+    assert "No published catalogue or function has 'Vehicle.Sped'" in page
+    assert "Vehicle.Speed" in page
 
 
 def test_a_name_has_its_versions_and_the_changes_between_two(site):

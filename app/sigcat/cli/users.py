@@ -3,7 +3,7 @@
 import argparse
 from typing import TYPE_CHECKING
 
-from sigcat.cli.registry_options import add_server, read_registry, server_of
+from sigcat.cli.registry_options import add_server, read_registry, server_catalogue, server_of
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.terminal_text import printable
 
@@ -55,14 +55,12 @@ def _found(arguments: argparse.Namespace) -> "Users":
     if server is not None:
         from sigcat.registry import remote
 
-        return remote.users_of(server, arguments.path, is_complete=arguments.all)
+        over = server_catalogue(arguments)
+        return remote.users_of(server, arguments.path, is_complete=arguments.all, catalogue=over)
     with read_registry(arguments) as connection:
-        from sigcat.registry.users import users_of, users_of_instances
+        from sigcat.registry.users import users_in
 
-        found = users_of(connection, arguments.path, is_complete=arguments.all)
-        if found.users:
-            return found
-        return users_of_instances(connection, arguments.path, read_tree(arguments), is_complete=arguments.all)
+        return users_in(connection, arguments.path, read_tree(arguments), is_complete=arguments.all)
 
 
 def _line(user: "User") -> str:

@@ -112,10 +112,11 @@ def content(server: Server, kind: Kind, reference: Reference, *, is_resolved: bo
 
 
 @_understood
-def users_of(server: Server, path: str, *, is_complete: bool = False) -> Users:
+def users_of(server: Server, path: str, *, is_complete: bool = False, catalogue: str = "") -> Users:
     """The users of a path, or of nodes below it."""
     _refuse_empty(server)
-    found = _asked(server, "GET", "/users", {"path": path, "all_versions": str(is_complete).lower()})
+    query = {"path": path, "all_versions": str(is_complete).lower(), **_over(catalogue)}
+    found = _asked(server, "GET", "/users", query)
     return Users(tuple(map(_user, found["users"])), found["more"])
 
 

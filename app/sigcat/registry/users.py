@@ -45,6 +45,12 @@ def users_of(connection: Connection, path: str, *, is_complete: bool = False) ->
     return Users(tuple(users), len(rows) - len(shown))
 
 
+def users_in(connection: Connection, path: str, catalogue: Catalogue, *, is_complete: bool = False) -> Users:
+    """The users of a path, or of the instances of a definition. Raises InputRefused if the path is unknown."""
+    found = users_of(connection, path, is_complete=is_complete)
+    return found if found.users else users_of_instances(connection, path, catalogue, is_complete=is_complete)
+
+
 def users_of_instances(connection: Connection, path: str, catalogue: Catalogue, *, is_complete: bool = False) -> Users:
     """The users of the instances of a definition that a catalogue has. Raises InputRefused if the path is unknown."""
     instances = [node.path for node in catalogue.nodes.values() if node.template == path]

@@ -5,6 +5,7 @@ from typing import Any, Literal, cast
 
 from sigcat.api.answers import registry_schemas as schemas
 from sigcat.api.answers.serializers import finding_schema, plain, plain_text
+from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import NotFound
 from sigcat.findings import shown
 from sigcat.limits import REGISTRY_ROWS
@@ -20,8 +21,7 @@ from sigcat.registry.storing.database import Snapshot
 from sigcat.registry.storing.entry import Link
 from sigcat.registry.storing.ledger import head, link_with, log_page
 from sigcat.registry.use import Use, from_json
-from sigcat.registry.users import User
-from sigcat.registry.users import users_of as users_of_path
+from sigcat.registry.users import User, users_in
 
 _GROUPS: Mapping[Kind, schemas.RegistryGroup] = {
     "function": "functions", "overlay": "overlays", "catalogue": "catalogues",
@@ -172,9 +172,9 @@ def _use(use: Use) -> schemas.RegistryUse:
     return schemas.RegistryUse(**{**fields, "name": use.name, "values": plain(use.values), "element": use.element})
 
 
-def users(connection: Snapshot, path: str, *, is_complete: bool) -> schemas.RegistryUserList:
-    """Users of an element."""
-    found = users_of_path(connection, path, is_complete=is_complete)
+def users(connection: Snapshot, path: str, over: Catalogue, *, is_complete: bool) -> schemas.RegistryUserList:
+    """Users of an element, or of the instances of a definition. Raises InputRefused if the path is unknown."""
+    found = users_in(connection, path, over, is_complete=is_complete)
     return schemas.RegistryUserList(users=[_user(each) for each in found.users], more=found.more)
 
 

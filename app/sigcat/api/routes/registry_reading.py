@@ -12,10 +12,11 @@ from sigcat.api.answers.negotiation import answer, caching_headers, offered
 from sigcat.api.answers.problems import problem_documentation
 from sigcat.api.middleware.registry_access import Reader
 from sigcat.api.requests.cursors import cursor_of, offset_of
-from sigcat.api.requests.dependencies import TheSettings, judge_conditions, mark_state
+from sigcat.api.requests.dependencies import NamedCatalogue, TheSettings, judge_conditions, mark_state
 from sigcat.api.requests.hosted_registry import TheRegistry
 from sigcat.api.requests.thread_turns import InThread
 from sigcat.api.routes.catalogues import mark_next_page, page_size
+from sigcat.catalogue.hosting.variants import expanded_of
 from sigcat.errors import NotFound
 from sigcat.limits import NAME_CHARACTERS, PARAMETER_CHARACTERS
 
@@ -92,10 +93,13 @@ def get_registry_model(request: Request) -> Response:
     return answer(request, _MODEL)
 
 
-@router.get("/users", response_model=schemas.RegistryUserList, responses=offered() | problem_documentation(404, 406))
+@router.get(
+    "/users", response_model=schemas.RegistryUserList, responses=offered() | problem_documentation(404, 406, 422)
+)
 def list_registry_users(
     request: Request,
     registry: TheRegistry,
+    hosted: NamedCatalogue,
     path: Annotated[
         str,
         Query(
@@ -109,11 +113,14 @@ def list_registry_users(
         bool, Query(description="Also versions that are neither the newest nor in a vehicle line.")
     ] = False,
 ) -> Response:
-    """Functions that use a node, a node below it, a struct type, an error or a mode; and what follows from it in others."""
+    """Functions that use a node, a node below it, a struct type, an error or a mode; and what follows from it in others.
+
+    Instances of a definition are those of the catalogue.
+    """
     from sigcat.api.answers import registry_answers
 
     with registry.reading() as connection:
-        found = registry_answers.users(connection, path, is_complete=all_versions)
+        found = registry_answers.users(connection, path, expanded_of(hosted.catalogue), is_complete=all_versions)
         _mark(request, connection)
     return answer(request, found)
 

@@ -5,8 +5,11 @@ from typing import Annotated
 from fastapi import APIRouter, Query, Request
 from fastapi.responses import Response
 
-from sigcat.api.requests.dependencies import TheWorkQueue
+from sigcat.api.requests.dependencies import NamedCatalogue, TheWorkQueue
 from sigcat.api.requests.hosted_registry import HostedRegistry, TheRegistry
+from sigcat.catalogue.hosting.variants import expanded_of
+from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.errors import InputRefused
 from sigcat.limits import NAME_CHARACTERS, PARAMETER_CHARACTERS
 from sigcat.web.rendering import page_for
 from sigcat.web.visits import Visit, visit_of
@@ -35,10 +38,11 @@ async def show_users(
     request: Request,
     registry: TheRegistry,
     queue: TheWorkQueue,
+    hosted: NamedCatalogue,
     path: Annotated[str, Query(max_length=PARAMETER_CHARACTERS)] = "",
 ) -> Response:
     """Users of a path, with a picture."""
-    return await queue.run(_users, visit_of(request), registry, path)
+    return await queue.run(_users, visit_of(request), registry, hosted.catalogue, path)
 
 
 @router.get("/registry/{group}/{name}")
@@ -69,14 +73,19 @@ def _lines(visit: Visit, registry: HostedRegistry, start: int) -> Response:
         return page_for(visit, "registry_lines.html", view=matrix_view(connection, start))
 
 
-def _users(visit: Visit, registry: HostedRegistry, path: str) -> Response:
-    from sigcat.registry.users import users_of
+def _users(visit: Visit, registry: HostedRegistry, catalogue: Catalogue, path: str) -> Response:
+    from sigcat.registry.users import users_in
     from sigcat.web.pictures.signal_users import user_picture
 
     with registry.reading() as connection:
-        found = users_of(connection, path) if path else None
+        try:
+            found = users_in(connection, path, expanded_of(catalogue)) if path else None
+        except InputRefused as refused:
+            return page_for(
+                visit, "registry_users.html", sought=path, found=None, unknown=refused.findings[0], picture=None
+            )
     picture = user_picture(path, found.users) if found else None
-    return page_for(visit, "registry_users.html", sought=path, found=found, picture=picture)
+    return page_for(visit, "registry_users.html", sought=path, found=found, unknown=None, picture=picture)
 
 
 def _name(visit: Visit, registry: HostedRegistry, group: str, name: str, old: str, new: str) -> Response:
