@@ -8,6 +8,7 @@ import pytest
 from sigcat.errors import InputRefused
 from sigcat.registry import approvals
 from sigcat.registry.approvals import approve, pending, reject
+from sigcat.registry.author import Author
 from sigcat.registry.candidate import Candidate
 from sigcat.registry.deploying import can_deploy
 from sigcat.registry.lines import set_rule, set_state
@@ -190,6 +191,14 @@ def test_an_overlay_asks_the_owners_of_functions_that_rely_on_its_nodes(registry
     assert (outcome.status, [each.owner for each in outcome.approvals]) == ("pending", ["Team Beta"])
     approve(registry, "overlay", outcome.reference, "Team Beta")
     assert status(registry, overlay("1.1.0", S2="uint8")) == "published"
+
+
+def test_a_token_with_an_owner_decides_for_this_owner_alone(registry: Registry) -> None:
+    publish(registry, [BREAKING])
+    own = registry._replace(author=Author("ci", "Team Beta"))
+    assert refused(approve, own, "function", ALPHA, "Team Gamma") == ["E015"]
+    assert refused(reject, own, "function", ALPHA, "Team Gamma", "S0 is needed.") == ["E015"]
+    approve(own, "function", ALPHA, "Team Beta")
 
 
 def test_decisions_are_exported_imported_and_verified(registry: Registry, tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 import os
 import re
+import shlex
 import signal
 import subprocess
 import sys
@@ -17,7 +18,7 @@ import pytest
 
 from sigcat.cli import main
 from sigcat.registry.storing.database import reading, writing
-from sigcat.registry.storing.ledger import head
+from sigcat.registry.storing.ledger import head, log_page
 from sigcat.registry.storing.signing import new_key
 from sigcat.registry.storing.tokens import create_token
 from sigcat.registry.storing.verify import verify
@@ -31,6 +32,7 @@ FILES = {
     "User.yaml": function_file("User", "{path: Vehicle.S0, role: consumed}"),
     "Provider.yaml": function_file("Provider", "{path: Vehicle.S1, role: provided}"),
     "Lost.yaml": LOST,
+    "Unprovider.yaml": function_file("Provider", "{path: Vehicle.S0, role: consumed}", "1.1.0"),
     "Other.yaml": CONTENT.replace(b"An example", b"Another one"),
     "Wrong.yaml": CONTENT.replace(b"Vehicle.S0", b"Vehicle.S9"),
     "signals.vspec": OVERLAY.encode(),
@@ -71,6 +73,18 @@ STEPS = (
     "registry support-ended SUV-2025 CoreAcc@1.0.0",
     "registry retire CoreAcc@1.0.0",
     "registry rule CoreAcc full",
+    "registry rule Provider approval",
+    "publish Unprovider.yaml",
+    "registry pending",
+    "registry pending --owner Nobody",
+    "registry reject Provider@1.1.0 --owner 'Team Provider' --reason late",
+    "registry reject Provider@1.1.0 --owner 'Team CoreAcc' --reason S1_is_needed",
+    "registry approve Provider@1.1.0 --owner 'Team CoreAcc' --sha256 00",
+    "registry approve Provider@1.1.0 --owner 'Team CoreAcc' --valid-for 0",
+    "registry approve Provider@1.1.0 --owner 'Team CoreAcc'",
+    "registry pending",
+    "publish Unprovider.yaml",
+    "registry pending",
     "registry show CoreAcc@2.0.0",
     "registry show CoreAcc@2.0.0 --resolved",
     "registry list",
@@ -121,7 +135,7 @@ def run(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> 
 
     def command(folder: Path, words: str) -> tuple[int, str, str]:
         monkeypatch.chdir(folder)
-        status = main(words.split())
+        status = main(shlex.split(words))
         printed = capsys.readouterr()
         return status, printed.out, re.sub(r"head of the log: [0-9a-f]{64}", "head of the log", printed.err)
 
@@ -147,6 +161,8 @@ def test_every_step_gives_the_same_with_a_service_and_with_a_database(served: Se
         assert ours[0] == 2 or theirs[2] == ours[2], words
     with reading(served.folder / "registry.db") as connection:
         assert verify(connection, served.folder / "registry.key").findings == ()
+        actions = {link.entry.action for link in log_page(connection, 0, 1_000)}
+    assert actions == {"publish", "deployment", "state", "support ended", "rule", "approve", "reject"}
 
 
 def test_a_token_is_taken_from_the_environment(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

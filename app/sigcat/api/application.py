@@ -46,6 +46,7 @@ from sigcat.api.routes import (
     health,
     integration,
     lint,
+    registry_approvals,
     registry_reading,
     registry_writing,
     reloading,
@@ -81,7 +82,7 @@ _READABLE = ("ETag", "Link", "RateLimit", "RateLimit-Policy", "Retry-After", "Si
 """Headers that pages of other origins may read."""
 _ROUTERS = (
     catalogues.listing, catalogues.router, changes.router, exports.router, reloading.router, reloading.of_functions, viss.router, rules.router,
-    lint.router, functions.router, registry_writing.router, registry_reading.router, integration.router, health.router, contract.router,
+    lint.router, functions.router, registry_writing.router, registry_approvals.router, registry_reading.router, integration.router, health.router, contract.router,
 )  # fmt: skip
 
 _MODULES_OF_REGISTRY = (

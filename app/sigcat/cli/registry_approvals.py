@@ -3,21 +3,31 @@
 import argparse
 from typing import TYPE_CHECKING
 
-from sigcat.cli.registry_options import Actions, add_action, add_version, done, print_more, read_registry, registry_of
+from sigcat.cli.registry_options import (
+    Actions,
+    add_action,
+    add_server,
+    add_version,
+    done,
+    print_more,
+    read_registry,
+    registry_of,
+    server_of,
+)
 from sigcat.limits import REGISTRY_ROWS
 from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
-    from sigcat.registry.approvals import Approval, Decided
-    from sigcat.registry.storing.ledger import Registry
+    from sigcat.registry.approvals import Approval, Decided, Pending
 
 
 def add_approvals(actions: Actions) -> None:
     """Add the actions."""
     listing = add_action(actions, "pending", "list pending versions and the owners that must approve them", pending)
     listing.add_argument("--owner", metavar="TEAM", help="only versions that this owner must approve")
+    add_server(listing)
     approving = add_action(actions, "approve", "approve a pending version that breaks functions of an owner", approve)
     _add_decision(approving)
     approving.add_argument(
@@ -30,23 +40,14 @@ def add_approvals(actions: Actions) -> None:
 
 def _add_decision(parser: argparse.ArgumentParser) -> None:
     add_version(parser)
+    add_server(parser)
     parser.add_argument("--owner", required=True, metavar="TEAM", help="owner of functions that it breaks")
     parser.add_argument("--sha256", default="", metavar="DIGEST", help="content that must be pending")
 
 
 def pending(arguments: argparse.Namespace) -> int:
     """Print pending versions with the state of each decision."""
-    with read_registry(arguments) as connection:
-        from sigcat.registry.approvals import pending as pending_versions
-        from sigcat.registry.storing.entry import now
-
-        at = now()
-        listed = [
-            each
-            for each in pending_versions(connection)
-            if arguments.owner is None
-            or any(approval.owner == arguments.owner and not approval.is_valid(at) for approval in each.approvals)
-        ]
+    listed = _waiting_for(_pending(arguments), arguments.owner)
     if not listed:
         print("No version is pending.")
     print_more(len(listed))
@@ -55,6 +56,31 @@ def pending(arguments: argparse.Namespace) -> int:
         print(printable(f"{version.kind} {version.reference}: pending, SHA-256 {version.content}"))
         print_decisions(each.approvals, is_complete=True)
     return 0
+
+
+def _pending(arguments: argparse.Namespace) -> "Sequence[Pending]":
+    """Pending versions of the service or of the database."""
+    server = server_of(arguments)
+    if server is not None:
+        from sigcat.registry import remote
+
+        return remote.pending(server)
+    with read_registry(arguments) as connection:
+        from sigcat.registry.approvals import pending as pending_versions
+
+        return pending_versions(connection)
+
+
+def _waiting_for(found: "Sequence[Pending]", owner: str | None) -> "Sequence[Pending]":
+    """Those that an owner must approve; without one, all."""
+    from sigcat.registry.storing.entry import now
+
+    at = now()
+    return [
+        each
+        for each in found
+        if owner is None or any(one.owner == owner and not one.is_valid(at) for one in each.approvals)
+    ]
 
 
 def print_decisions(approvals: "Iterable[Approval]", *, is_complete: bool = False) -> None:
@@ -69,29 +95,43 @@ def print_decisions(approvals: "Iterable[Approval]", *, is_complete: bool = Fals
 
 def approve(arguments: argparse.Namespace) -> int:
     """Approve a pending version."""
-    registry = registry_of(arguments)
-    from sigcat.registry.approvals import approve as approve_version
     from sigcat.registry.reference import reference_of
 
-    reference = reference_of(arguments.version)
-    decided = approve_version(
-        registry, arguments.kind, reference, arguments.owner, arguments.valid_for, arguments.sha256
-    )
-    return _decided(registry, f"{arguments.kind} {reference}: approved by {arguments.owner}", decided)
+    reference, server = reference_of(arguments.version), server_of(arguments)
+    decision = (arguments.kind, reference, arguments.owner)
+    if server is not None:
+        from sigcat.registry import remote
+
+        decided, is_signed = remote.approve(server, *decision, arguments.valid_for, arguments.sha256)
+    else:
+        registry = registry_of(arguments)
+        from sigcat.registry.approvals import approve as approve_version
+
+        decided = approve_version(registry, *decision, arguments.valid_for, arguments.sha256)
+        is_signed = registry.key is not None
+    return _decided(f"{arguments.kind} {reference}: approved by {arguments.owner}", decided, is_signed=is_signed)
 
 
 def reject(arguments: argparse.Namespace) -> int:
     """Reject a pending version."""
-    registry = registry_of(arguments)
-    from sigcat.registry.approvals import reject as reject_version
     from sigcat.registry.reference import reference_of
 
-    reference = reference_of(arguments.version)
-    decided = reject_version(registry, arguments.kind, reference, arguments.owner, arguments.reason, arguments.sha256)
-    return _decided(registry, f"{arguments.kind} {reference}: rejected by {arguments.owner}", decided)
+    reference, server = reference_of(arguments.version), server_of(arguments)
+    decision = (arguments.kind, reference, arguments.owner)
+    if server is not None:
+        from sigcat.registry import remote
+
+        decided, is_signed = remote.reject(server, *decision, arguments.reason, arguments.sha256)
+    else:
+        registry = registry_of(arguments)
+        from sigcat.registry.approvals import reject as reject_version
+
+        decided = reject_version(registry, *decision, arguments.reason, arguments.sha256)
+        is_signed = registry.key is not None
+    return _decided(f"{arguments.kind} {reference}: rejected by {arguments.owner}", decided, is_signed=is_signed)
 
 
-def _decided(registry: "Registry", text: str, decided: "Decided") -> int:
-    done(text, decided.head, is_signed=registry.key is not None)
+def _decided(text: str, decided: "Decided", *, is_signed: bool) -> int:
+    done(text, decided.head, is_signed=is_signed)
     print_decisions(decided.approvals)
     return 0

@@ -114,6 +114,7 @@ def _decide(
     content: str,
     decision: Mapping[str, str],
 ) -> Decided:
+    _check_author(registry, reference, owner)
     with ledger_of(registry) as ledger:
         version = version_named(ledger.connection, kind, reference)
         _check_pending(version, content)
@@ -122,6 +123,14 @@ def _decide(
         ledger.append(action, {**data, "content": version.content, "uses": version.uses, **decision})
         last = head(ledger.connection)
         return Decided(approvals_of(ledger.connection, version), last.hash if last else "")
+
+
+def _check_author(registry: Registry, reference: Reference, owner: str) -> None:
+    """A token with an owner decides for this owner alone."""
+    own = registry.author.owner
+    if own and owner != own:
+        message = f"The owner must be {shown(own)}, as that of the token, not {shown(owner)}."
+        raise refused(codes.OWNED_BY_ANOTHER.finding(message, path=reference.name, fix="Use a token of the owner."))
 
 
 def _check_pending(version: Published, content: str) -> None:

@@ -13,7 +13,7 @@ from urllib.parse import quote, urlencode
 from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding
 from sigcat.limits import REGISTRY_ANSWER_BYTES, REGISTRY_SECONDS
-from sigcat.registry.approvals import Approval
+from sigcat.registry.approvals import Approval, Decided, Pending
 from sigcat.registry.conflicts import Conflict, Side
 from sigcat.registry.deploying import Answer
 from sigcat.registry.publish import Outcome, Receipt, Status
@@ -183,6 +183,38 @@ def set_rule(server: Server, kind: Kind, name: str, rule: str) -> Change:
     return _change(_asked(server, "POST", "/rule", query))
 
 
+@_understood
+def pending(server: Server) -> tuple[Pending, ...]:
+    """Versions that wait for approvals."""
+    _refuse_empty(server)
+    return tuple(map(_pending, _asked(server, "GET", "/pending")["versions_pending"]))
+
+
+@_understood
+def approve(
+    server: Server, kind: Kind, reference: Reference, owner: str, days: int, content: str
+) -> tuple[Decided, bool]:
+    """Approve the content of a pending version, and return all decisions, and whether the log is signed."""
+    return _decide(server, "/approve", kind, reference, owner, {"content_digest": content, "valid_days": str(days)})
+
+
+@_understood
+def reject(
+    server: Server, kind: Kind, reference: Reference, owner: str, reason: str, content: str
+) -> tuple[Decided, bool]:
+    """Reject the content of a pending version, and return all decisions, and whether the log is signed."""
+    return _decide(server, "/reject", kind, reference, owner, {"content_digest": content, "reason": reason})
+
+
+def _decide(
+    server: Server, path: str, kind: Kind, reference: Reference, owner: str, decision: _JSON
+) -> tuple[Decided, bool]:
+    query = {"reference": _written(reference), "group": _GROUPS[kind], "owner": owner}
+    found = _asked(server, "POST", path, {**query, **decision})
+    change = _change(found)
+    return Decided(tuple(map(_approval, found["approvals"])), change.head), change.is_signed
+
+
 # -- requests -----------------------------------------------------------------------------------------------------
 
 
@@ -281,6 +313,15 @@ def _status(data: _JSON) -> Status:
     if data["is_pending"]:
         return "pending"
     return "unchanged" if not data["is_new"] else "draft" if data["is_draft"] else "published"
+
+
+def _pending(data: _JSON) -> Pending:
+    reference = _reference(data)
+    published = Published(
+        0, _KINDS[data["group"]], reference.name, "approval", reference.version, "pending", data["owner"] or "",
+        data["content_digest"], "", "", "", "", "",
+    )  # fmt: skip
+    return Pending(published, tuple(map(_approval, data["approvals"])))
 
 
 def _approval(data: _JSON) -> Approval:

@@ -10,7 +10,7 @@ from sigcat.errors import NotFound
 from sigcat.findings import shown
 from sigcat.limits import REGISTRY_ROWS
 from sigcat.names import nearest
-from sigcat.registry.approvals import Approval
+from sigcat.registry.approvals import Approval, Decided, Pending, pending
 from sigcat.registry.conflicts import Conflict
 from sigcat.registry.deploying import can_deploy
 from sigcat.registry.publish import Receipt
@@ -232,6 +232,30 @@ def receipt(connection: Snapshot, published: Receipt) -> schemas.RegistryReceipt
         for each in published.outcomes
     ]
     return schemas.RegistryReceipt(versions_posted=outcomes, head=head_with(connection, published.head))
+
+
+def pending_versions(connection: Snapshot) -> schemas.RegistryPendingList:
+    """Versions that wait for approvals."""
+    return schemas.RegistryPendingList(versions_pending=[_pending(each) for each in pending(connection)])
+
+
+def _pending(found: Pending) -> schemas.RegistryPending:
+    published = found.published
+    return schemas.RegistryPending(
+        xid=f"/{_GROUPS[published.kind]}/{published.name}/versions/{published.version}",
+        group=_GROUPS[published.kind],
+        name=published.name,
+        versionid=published.version,
+        owner=published.owner or None,
+        content_digest=published.content,
+        approvals=[_approval(each) for each in found.approvals],
+    )
+
+
+def decision(connection: Snapshot, decided: Decided) -> schemas.RegistryDecision:
+    """The answer to a decision."""
+    approvals = [_approval(each) for each in decided.approvals]
+    return schemas.RegistryDecision(approvals=approvals, head=head_with(connection, decided.head))
 
 
 def _approval(approval: Approval) -> schemas.RegistryApproval:

@@ -209,6 +209,31 @@ class RegistryOutcome(Schema):
     approvals: list[RegistryApproval]
 
 
+class RegistryPending(Schema):
+    """A version that is stored, and not published."""
+
+    xid: Xid
+    group: RegistryGroup
+    name: str
+    versionid: str
+    owner: str | None
+    content_digest: Digest = Field(description="SHA-256 of the content that is to be approved.")
+    approvals: list[RegistryApproval]
+
+
+class RegistryPendingList(Schema):
+    """Pending versions by kind, name and precedence."""
+
+    versions_pending: list[RegistryPending]
+
+
+class RegistryDecision(Schema):
+    """All decisions about a pending version, and the log that proves the change."""
+
+    approvals: list[RegistryApproval]
+    head: LogHead | None = Field(description="The last entry of the log behind the change.")
+
+
 class RegistryReceipt(Schema):
     """Published versions, and the log that proves it."""
 

@@ -58,7 +58,8 @@ AnyVersion = Annotated[
 ]
 LineName = Annotated[str, Query(max_length=NAME_CHARACTERS, description="Vehicle line.", examples=["SUV-2025"])]
 GroupName = Annotated[registry_schemas.RegistryGroup, Query(description="Kind of the name.")]
-_CHANGED = problem_documentation(401, 403, 404, 422, 503, 507)
+CHANGED = problem_documentation(401, 403, 404, 422, 503, 507)
+"""Problems of a change."""
 _POSTED = problem_documentation(401, 403, 404, 408, 413, 415, 422, 503)
 
 
@@ -93,7 +94,7 @@ async def publish_versions(
     """Publish files as versions: all of them, or none. The same bytes again change nothing; other bytes are refused."""
     owned = owner or author.owner
     candidates = await queue.run(_candidates, text, name, hosted.catalogue, version, owned, settings.limits)
-    receipt = await _in_turn(request, lambda: _publish(registry, author, candidates, is_draft=draft))
+    receipt = await in_turn(request, lambda: _publish(registry, author, candidates, is_draft=draft))
     return Response(json_bytes(receipt), _status(receipt), media_type=JSON)
 
 
@@ -140,7 +141,7 @@ async def can_deploy(
     return Response(answer, media_type=JSON)
 
 
-@router.post("/record-deployment", response_model=registry_schemas.RegistryChange, responses=_CHANGED)
+@router.post("/record-deployment", response_model=registry_schemas.RegistryChange, responses=CHANGED)
 async def record_deployment(
     request: Request, author: Approver, registry: TheRegistry, function: FunctionVersion, line: LineName
 ) -> Response:
@@ -148,7 +149,7 @@ async def record_deployment(
     return await _recorded(request, registry, author, "deployment", function, line)
 
 
-@router.post("/record-release", response_model=registry_schemas.RegistryChange, responses=_CHANGED)
+@router.post("/record-release", response_model=registry_schemas.RegistryChange, responses=CHANGED)
 async def record_release(
     request: Request, author: Approver, registry: TheRegistry, function: FunctionVersion, line: LineName
 ) -> Response:
@@ -156,7 +157,7 @@ async def record_release(
     return await _recorded(request, registry, author, "release", function, line)
 
 
-@router.post("/support-ended", response_model=registry_schemas.RegistryChange, responses=_CHANGED)
+@router.post("/support-ended", response_model=registry_schemas.RegistryChange, responses=CHANGED)
 async def end_support(
     request: Request, author: Approver, registry: TheRegistry, function: FunctionVersion, line: LineName
 ) -> Response:
@@ -164,7 +165,7 @@ async def end_support(
     return await _recorded(request, registry, author, "support ended", function, line)
 
 
-@router.post("/deprecate", response_model=registry_schemas.RegistryChange, responses=_CHANGED)
+@router.post("/deprecate", response_model=registry_schemas.RegistryChange, responses=CHANGED)
 async def deprecate_version(
     request: Request,
     author: Publisher,
@@ -187,7 +188,7 @@ async def deprecate_version(
     )
 
 
-@router.post("/retire", response_model=registry_schemas.RegistryChange, responses=_CHANGED)
+@router.post("/retire", response_model=registry_schemas.RegistryChange, responses=CHANGED)
 async def retire_version(
     request: Request,
     author: Publisher,
@@ -204,7 +205,7 @@ async def retire_version(
     return await _changed(request, registry, lambda: set_state(registry.written_by(author), kind, named, "retired"))
 
 
-@router.post("/rule", response_model=registry_schemas.RegistryChange, responses=_CHANGED)
+@router.post("/rule", response_model=registry_schemas.RegistryChange, responses=CHANGED)
 async def set_compatibility_rule(
     request: Request,
     author: Administrator,
@@ -228,7 +229,7 @@ async def set_compatibility_rule(
 # -- writing, one after the other ---------------------------------------------------------------------------------
 
 
-async def _in_turn(request: Request, write: Callable[[], _Result]) -> _Result:
+async def in_turn(request: Request, write: Callable[[], _Result]) -> _Result:
     """Return the result of writing in a thread: one request writes, others wait without a thread."""
     turns: Turns = request.app.state.registry_turns
     client = client_of(request)
@@ -248,7 +249,7 @@ async def _recorded(
 
 async def _changed(request: Request, registry: HostedRegistry, change: Callable[[], str]) -> Response:
     """Make a change, and answer with the signed head of the log that it returns."""
-    return Response(json_bytes(await _in_turn(request, lambda: _with_head(registry, change()))), media_type=JSON)
+    return Response(json_bytes(await in_turn(request, lambda: _with_head(registry, change()))), media_type=JSON)
 
 
 def _with_head(registry: HostedRegistry, digest: str) -> registry_schemas.RegistryChange:

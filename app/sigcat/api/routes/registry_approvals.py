@@ -1,0 +1,95 @@
+"""Routes about pending versions: those that wait for approvals, and the decisions of owners."""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Annotated
+
+from fastapi import APIRouter, Query, Request
+from fastapi.responses import Response
+
+from sigcat.api.answers import registry_schemas as schemas
+from sigcat.api.answers.negotiation import JSON, answer, json_bytes, offered
+from sigcat.api.answers.problems import problem_documentation
+from sigcat.api.middleware.registry_access import Approver
+from sigcat.api.requests.hosted_registry import HostedRegistry, TheRegistry
+from sigcat.api.requests.thread_turns import InThread
+from sigcat.api.routes.registry_writing import CHANGED, AnyVersion, GroupName, Text, in_turn
+from sigcat.limits import PARAMETER_CHARACTERS
+
+if TYPE_CHECKING:
+    from sigcat.registry.approvals import Decided
+
+router = APIRouter(prefix="/api/v1/registry", tags=["registry"], route_class=InThread)
+_VALID_DAYS = 30
+Owner = Annotated[Text, Query(description="Owner of functions that it breaks; without it, that of the token.")]
+Content = Annotated[
+    Text, Query(description="SHA-256 of the content that must be pending; without it, whatever is pending.")
+]
+
+
+@router.get(
+    "/pending", response_model=schemas.RegistryPendingList, responses=offered() | problem_documentation(404, 406)
+)
+def list_pending_versions(request: Request, registry: TheRegistry) -> Response:
+    """Versions that wait for approvals, with the decisions about their content."""
+    from sigcat.api.answers import registry_answers
+
+    with registry.reading() as connection:
+        found = registry_answers.pending_versions(connection)
+    return answer(request, found)
+
+
+@router.post("/approve", response_model=schemas.RegistryDecision, responses=CHANGED)
+async def approve_version(
+    request: Request,
+    author: Approver,
+    registry: TheRegistry,
+    reference: AnyVersion,
+    owner: Owner = "",
+    group: GroupName = "functions",
+    content_digest: Content = "",
+    valid_days: Annotated[int, Query(description="Days until the approval ends.")] = _VALID_DAYS,
+) -> Response:
+    """Approve the content of a pending version. It is published when the same bytes are published again."""
+    from sigcat.api.answers.registry_answers import kind_of
+    from sigcat.registry.approvals import approve
+    from sigcat.registry.reference import reference_of
+
+    named, kind, team = reference_of(reference), kind_of(group), owner or author.owner
+    return await _decided(
+        request,
+        registry,
+        lambda: approve(registry.written_by(author), kind, named, team, valid_days, content_digest),
+    )
+
+
+@router.post("/reject", response_model=schemas.RegistryDecision, responses=CHANGED)
+async def reject_version(
+    request: Request,
+    author: Approver,
+    registry: TheRegistry,
+    reference: AnyVersion,
+    reason: Annotated[str, Query(max_length=PARAMETER_CHARACTERS, description="Reason, which the next publish has.")],
+    owner: Owner = "",
+    group: GroupName = "functions",
+    content_digest: Content = "",
+) -> Response:
+    """Reject the content of a pending version."""
+    from sigcat.api.answers.registry_answers import kind_of
+    from sigcat.registry.approvals import reject
+    from sigcat.registry.reference import reference_of
+
+    named, kind, team = reference_of(reference), kind_of(group), owner or author.owner
+    return await _decided(
+        request, registry, lambda: reject(registry.written_by(author), kind, named, team, reason, content_digest)
+    )
+
+
+async def _decided(request: Request, registry: HostedRegistry, decide: "Callable[[], Decided]") -> Response:
+    return Response(json_bytes(await in_turn(request, lambda: _decision(registry, decide()))), media_type=JSON)
+
+
+def _decision(registry: HostedRegistry, decided: "Decided") -> schemas.RegistryDecision:
+    from sigcat.api.answers.registry_answers import decision
+
+    with registry.reading() as connection:
+        return decision(connection, decided)
