@@ -28,8 +28,8 @@ _LIMITS = """
 A check is one comparison: an export, a file, a page, a request. What is not tested yet is listed under
 [Where it ends](why-sigcat.md#where-it-ends). `make test` and `make real` use the same tools, with fewer repetitions, before each change.
 
-Documents as attacks: a function.yaml, a deployment file, Function JSON and the four Integration JSON have 2,110 fields with strings.
-Each is tried with 24 payloads in the files of every generator: 94,608 combinations of field, payload and generator. A payload is refused
+Documents as attacks: a function.yaml, a deployment file, Function JSON and the four Integration JSON have 2,120 fields with strings.
+Each is tried with 24 payloads in the files of every generator: 95,040 combinations of field, payload and generator. A payload is refused
 with a finding at its field, or it is free text, in which libclang, CMake, Python, expat, a reader of YAML and rosidl find no code. In the
 JSON documents, fields with a type also have the most dangerous values that the type accepts, with the same result. The models are walked,
 so a new field is included. `.venv/bin/pytest tests/adapter/hostile tests/adapter/test_hostile_text.py` runs all of them, as a part of `make real`.

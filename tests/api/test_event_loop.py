@@ -114,6 +114,7 @@ COSTLY: dict[str, list[Costly]] = {
     "GET /api/v1/registry/lines": [*get(f"{REGISTRY}/lines", f"{REGISTRY}/lines?line={'x' * 300}"), Costly(f"{REGISTRY}/lines", YAML)],
     "GET /api/v1/registry/log": [*get(f"{REGISTRY}/log?limit=200"), Costly(f"{REGISTRY}/log?limit=200", YAML)],
     "GET /api/v1/registry/model": get(f"{REGISTRY}/model"),
+    "GET /api/v1/registry/pending": [*get(f"{REGISTRY}/pending"), Costly(f"{REGISTRY}/pending", YAML)],
     "GET /api/v1/registry/users": get(f"{REGISTRY}/users?path=Vehicle", f"{REGISTRY}/users?path={MISSPELLED}"),
     "GET /api/v1/registry/{group}": [*get(f"{REGISTRY}/functions?limit=200"), Costly(f"{REGISTRY}/functions", YAML)],
     "GET /api/v1/registry/{group}/{name}": get(f"{REGISTRY}/functions/CoreAcc", f"{REGISTRY}/functions/{'x' * 300}"),
@@ -163,6 +164,10 @@ COSTLY: dict[str, list[Costly]] = {
     "GET /openapi.json": get("/openapi.json"),
     "GET /problems/{kind}": get("/problems/busy", f"/problems/{'x' * 300}"),
     "GET /propose": get("/propose?catalogue=wide&change=Vehicle", "/propose?catalogue=wide&below=Vehicle", f"/propose?catalogue=wide&change={MISSPELLED}"),
+    "GET /registry": get("/registry", "/registry?from=99"),
+    "GET /registry/lines": get("/registry/lines", "/registry/lines?from=99"),
+    "GET /registry/users": get("/registry/users?path=Vehicle&catalogue=wide", f"/registry/users?path={MISSPELLED}&catalogue=wide"),
+    "GET /registry/{group}/{name}": get("/registry/functions/Alpha", f"/registry/functions/{'x' * 300}"),
     "GET /rows/{catalogue}": get("/rows/wide?depth=99", f"/rows/wide?path={MISSPELLED}"),
     "GET /rules": get("/rules", "/rules?catalogue=wide"),
     "GET /rules/{rule_id}": get("/rules/V102?catalogue=wide", f"/rules/{'V' * 300}"),
@@ -190,6 +195,10 @@ COSTLY: dict[str, list[Costly]] = {
         "/api/v1/integrate/autosar-classic/archive?catalogue=interfaces", FUNCTION, _DOCUMENT
     ),
     "POST /api/v1/lint": post("/api/v1/lint?catalogue=wide", LINES, _DOCUMENT, b"Vehicle.*: {max: 1}\n" * 1000),
+    **{
+        f"POST /api/v1/registry/{action}": post(f"{REGISTRY}/{action}?reference=Alpha@1.1.0&owner=Beta{more}", b"")
+        for action, more in (("approve", ""), ("reject", "&reason=No."))
+    },
     "POST /api/v1/registry/can-i-deploy": post(f"{REGISTRY}/can-i-deploy?function=CoreAcc@1.0.0&line=SUV-2025", b""),
     "POST /api/v1/registry/check": post(f"{REGISTRY}/check?catalogue=wide", FUNCTION, LINES, _DOCUMENT),
     "POST /api/v1/registry/deprecate": post(f"{REGISTRY}/deprecate?reference=CoreAcc@1.0.0", b""),

@@ -10,7 +10,7 @@ from sigcat.registry.publish import publish
 from sigcat.registry.reference import Reference
 from sigcat.registry.storing.ledger import Registry
 from sigcat.registry.storing.signing import new_key
-from tests.api.conftest import Ask, asker
+from tests.api.conftest import SOURCES, Ask, asker
 from tests.registry.parts import candidate, catalogue, declaration
 
 LINE = "SUV-2025"
@@ -50,8 +50,8 @@ def settings_of(registry: Registry) -> RegistrySettings:
 
 
 def asking(registry: Registry) -> Ask:
-    """A function that asks a service with a registry and no catalogue."""
-    return asker(create_app(Library(()), registry=settings_of(registry)))
+    """A function that asks a service with a registry."""
+    return asker(create_app(Library(SOURCES[:1]), registry=settings_of(registry)))
 
 
 def fleet(folder: Path) -> Source:
