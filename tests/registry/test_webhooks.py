@@ -388,7 +388,7 @@ def test_the_commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: p
         delivery = text.split()[0]
         assert text == f"{delivery} to {subscription}: published o@1.1.0, delivered after 1 attempt, HTTP 204\n"
         assert run("deliveries", "--state", "delivered")[1] == text
-        assert run("deliveries", "--state", "failed")[1] == "There are no deliveries.\n"
+        assert run("deliveries", "--state", "failed")[1] == "No deliveries.\n"
         assert run("redeliver", delivery) == (0, f"{delivery}: waiting\n", "")
         assert run("redeliver", "msg_0")[0] == 1
         assert run("deliver", "--once")[1] == text

@@ -78,7 +78,7 @@ def list_subscriptions(arguments: argparse.Namespace) -> int:
         types = ", ".join(kind.rpartition(".")[2] for kind in each.types) or "all events"
         print(printable(f"{each.id}: {each.url}, {types}"))
     if not listed:
-        print("There are no subscriptions.")
+        print("No subscriptions.")
     return 0
 
 
@@ -107,7 +107,7 @@ def list_deliveries(arguments: argparse.Namespace) -> int:
     for each in listed:
         print(_line(each))
     if not listed:
-        print("There are no deliveries.")
+        print("No deliveries.")
     return 0
 
 

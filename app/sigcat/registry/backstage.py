@@ -22,7 +22,7 @@ _KINDS = {
     "depends on": "error", "sends": "mode", "receives": "mode",
 }  # fmt: skip
 _UNKNOWN = "No published function provides it"
-"""Title of the owner of what functions consume and no function provides."""
+"""Title of the owner of signals that no function provides."""
 
 
 class _Function(NamedTuple):

@@ -50,7 +50,7 @@ _Changes = Mapping[tuple[str, str], tuple[UseChange, ...]]
 
 
 def _changes(connection: Connection, catalogue: Catalogue) -> _Changes:
-    """Changes of what functions rely on, which is compared once, however many they are."""
+    """Changes of attributes that functions rely on. Each attribute is compared once, however many functions rely on it."""
     vocabularies = Vocabularies(catalogue.vocabulary, catalogue.vocabulary)
     nodes, read = catalogue.nodes, lru_cache(maxsize=None)(_read)
     found: dict[tuple[str, str], tuple[UseChange, ...]] = {}

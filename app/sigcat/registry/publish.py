@@ -94,7 +94,7 @@ def _approving(connection: Connection, known: Published | None, data: Mapping[st
 
 
 def _asked_owners(connection: Connection, candidate: Candidate, together: Sequence[Candidate]) -> Affected:
-    """Owners that the rule `approval` asks: a new major version breaks nobody that keeps the one before it."""
+    """Owners that the rule `approval` asks: a new major version breaks no vehicle that keeps the version before it."""
     if _rule(connection, candidate) != "approval":
         return {}
     base, version = _baseline(connection, candidate), version_of(candidate.version)

@@ -217,7 +217,7 @@ class RegistryPending(Schema):
     name: str
     versionid: str
     owner: str | None
-    content_digest: Digest = Field(description="SHA-256 of the content that is to be approved.")
+    content_digest: Digest = Field(description="SHA-256 of the content to approve.")
     approvals: list[RegistryApproval]
 
 

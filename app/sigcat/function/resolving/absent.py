@@ -18,7 +18,7 @@ from sigcat.function.resolving.data_nodes import proposed
 
 
 def is_absent(item: DataItem, context: Context) -> bool:
-    """Whether a signal is optional, and the catalogue does not have it. A definition of instances is no signal."""
+    """Whether a signal is optional, and the catalogue does not have it. A definition of instances is not a signal."""
     return bool(item.optional) and context.data(item.path) is None and item.path not in context.instances
 
 
@@ -53,7 +53,7 @@ def removed_node(path: str, catalogue: Catalogue) -> Node | None:
 
 
 def _declared_node(item: DataItem, context: Context) -> Node | None:
-    """A node of what the declaration says: of an enumeration its numbers are enough."""
+    """A node with the datatype of the declaration: an enumeration needs only its numbers."""
     datatype = item.datatype or (smallest_integer(item.values) if item.values else "")
     struct = context.catalogue.get(datatype)
     if (datatype not in BY_VSS or is_array(datatype)) and (struct is None or struct.type != STRUCT):

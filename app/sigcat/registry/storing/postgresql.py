@@ -19,7 +19,7 @@ _CONNECT_SECONDS = 10
 _URL = "postgresql://USER@HOST/NAME"
 _ADVICE: Mapping[str, str] = {
     "": f"Start the server, or correct `database` in [registry]: {_URL}.",
-    "42": "Use a database of its own, whose user may create tables.",
+    "42": "Use a separate database, whose user may create tables.",
     "53": "Free space on the disk of the server, or raise its limit of connections.",
     "55": "Run the command again.",
     "57": "Run the command again when the server is there.",

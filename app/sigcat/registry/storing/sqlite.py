@@ -57,7 +57,7 @@ class SqliteStore(NamedTuple):
 
     @property
     def _is_at_rest(self) -> bool:
-        """Whether nobody writes, and this process may not: SQLite would leave files beside it that nobody removes."""
+        """Whether no process writes, and this one may not: SQLite would leave files beside it that no process removes."""
         is_writable = os.access(self.file, os.W_OK) and os.access(self.file.parent, os.W_OK)
         return self.exists() and not is_writable and not self._log.exists()
 
@@ -127,7 +127,7 @@ def in_memory_engine() -> Engine:
 
 @lru_cache(maxsize=8)
 def _read_only_engine(file: Path) -> Engine:
-    """The engine of a file that nobody writes: SQLite needs no files beside it then."""
+    """The engine of a file that no process writes: SQLite then needs no files beside it."""
     address = f"{file.absolute().as_uri()}?mode=ro&immutable=1"
 
     def connect() -> sqlite3.Connection:

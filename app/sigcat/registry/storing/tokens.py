@@ -92,7 +92,7 @@ def revoke_token(connection: Connection, name: str) -> None:
     """Refuse a token from now on. It stays in the list. Raises UsageError."""
     known = {each.name for each in all_tokens(connection)}
     if name not in known:
-        raise UsageError(f"there is no token {name[:80]!r}. {did_you_mean(name, known)}".rstrip())
+        raise UsageError(f"unknown token {name[:80]!r}. {did_you_mean(name, known)}".rstrip())
     now = dt.datetime.now(dt.UTC).isoformat(timespec="seconds")
     connection.execute(update(TOKENS).where(TOKENS.c.name == name, TOKENS.c.revoked == "").values(revoked=now))
 

@@ -10,7 +10,7 @@ Network: TypeAlias = IPv4Network | IPv6Network
 _LONGEST = 2000
 """Characters of an address."""
 _TRANSLATED = ip_network("64:ff9b::/96"), ip_network("64:ff9b:1::/48"), ip_network("::/96")
-"""Networks whose addresses stand for others of IPv4."""
+"""Networks whose addresses contain others of IPv4."""
 
 
 class Policy(NamedTuple):
@@ -80,7 +80,7 @@ def is_allowed(address: str, networks: Sequence[Network], scheme: str = "https")
 
 
 def _is_public(address: IPv4Address | IPv6Address) -> bool:
-    """Whether an address is reached through the Internet. One that stands for another address is not trusted."""
+    """Whether an address is reached through the Internet. One that contains another address is not trusted."""
     if isinstance(address, IPv6Address):
         embedded = (address.ipv4_mapped, address.sixtofour, address.teredo)
         if any(embedded) or any(address in network for network in _TRANSLATED):

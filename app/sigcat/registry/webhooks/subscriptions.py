@@ -58,7 +58,7 @@ def _type_of(name: str) -> str:
     if found not in TYPES:
         known = [each.rpartition(".")[2] for each in TYPES]
         fix = did_you_mean(name, known) or f"Known are {', '.join(known)}."
-        raise refused(codes.WEBHOOK_UNFIT.finding(f"There is no type of events {shown(name)}.", fix=fix))
+        raise refused(codes.WEBHOOK_UNFIT.finding(f"Unknown type of events: {shown(name)}.", fix=fix))
     return found
 
 

@@ -38,7 +38,7 @@ class UserPicture(NamedTuple):
 
 
 def user_picture(path: str, users: Sequence[User]) -> UserPicture | None:
-    """Return the picture of those who use a signal itself, and not through another element; None without any."""
+    """Return the picture of the direct users of a signal; None without any."""
     direct = [user for user in users if not user.through]
     left = _labels(user for user in direct if user.use.verb in PROVIDING)
     right = _labels(user for user in direct if user.use.verb not in PROVIDING)
