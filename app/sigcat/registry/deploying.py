@@ -1,6 +1,7 @@
 """Whether versions may be deployed to a vehicle line, and why not."""
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Literal, NamedTuple
 
 from sqlalchemy import Connection
@@ -9,7 +10,7 @@ from sigcat import codes
 from sigcat.findings import Finding
 from sigcat.names import did_you_mean
 from sigcat.registry.conflicts import Conflict, conflicts
-from sigcat.registry.member import published_member
+from sigcat.registry.member import Member, published_member
 from sigcat.registry.published import Published, names_of, running, version_named
 from sigcat.registry.reference import DEPLOYABLE, Reference, refused
 
@@ -29,8 +30,14 @@ class Answer(NamedTuple):
     """Why nothing is known."""
 
 
-def can_deploy(connection: Connection, references: Sequence[Reference], line: str) -> Answer:
-    """Return whether versions, which ship together, fit everything in the vehicles of a line. Raises InputRefused."""
+def can_deploy(
+    connection: Connection, references: Sequence[Reference], line: str, known: dict[int, Member] | None = None
+) -> Answer:
+    """Return whether versions, which ship together, fit everything in the vehicles of a line. Raises InputRefused.
+
+    `known` keeps functions that were read, by the id of their version, for the next question.
+    """
+    member = partial(_member, connection, {} if known is None else known)
     deployed = [deployable(connection, reference) for reference in dict.fromkeys(references)]
     _check_once(deployed)
     names = {each.name for each in deployed}
@@ -38,12 +45,18 @@ def can_deploy(connection: Connection, references: Sequence[Reference], line: st
     asked = tuple(each.reference for each in deployed)
     if not field:
         return Answer("unknown", line, asked, (), (), _unknown_line(connection, line))
-    members = [published_member(connection, each) for each in deployed]
-    others = [published_member(connection, each) for each in field if each.name not in names]
-    replaced = [published_member(connection, each) for each in field if each.name in names]
+    members = [member(each) for each in deployed]
+    others = [member(each) for each in field if each.name not in names]
+    replaced = [member(each) for each in field if each.name in names]
     found = tuple(each._replace(lines=(line,)) for each in conflicts(members, others, replaced))
     decision: Decision = "no" if any(each.severity == "error" for each in found) else "yes"
     return Answer(decision, line, asked, tuple(each.reference for each in field if each.name not in names), found)
+
+
+def _member(connection: Connection, known: dict[int, Member], published: Published) -> Member:
+    if published.id not in known:
+        known[published.id] = published_member(connection, published)
+    return known[published.id]
 
 
 def deployable(connection: Connection, reference: Reference) -> Published:

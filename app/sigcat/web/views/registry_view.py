@@ -12,6 +12,7 @@ from sigcat.registry.approvals import Pending, pending
 from sigcat.registry.changes import UseChange, function_changes
 from sigcat.registry.conflicts import Conflict
 from sigcat.registry.deploying import Decision, can_deploy
+from sigcat.registry.member import Member
 from sigcat.registry.published import Published, all_versions, lines_by_version, names_of, running
 from sigcat.registry.reference import DEPLOYABLE, Kind
 from sigcat.registry.storing.content import content_of
@@ -25,7 +26,7 @@ ENTRIES = 30
 """Entries of the log on the first page."""
 _NAMES = 120
 """Names on one page."""
-_FUNCTIONS, _LINES = 25, 12
+_FUNCTIONS, _LINES = 20, 8
 """Rows and columns of the matrix."""
 GROUPS: Mapping[str, Kind] = {"functions": "function", "overlays": "overlay", "catalogues": "catalogue"}
 """Kinds of names by the part of an address."""
@@ -182,22 +183,29 @@ def matrix_view(connection: Snapshot, start: int) -> MatrixView:
     for one in running(connection):
         runs.setdefault((one.published.name, one.line), []).append(one.published.version)
     shown = list(by_name.items())[start : start + _FUNCTIONS]
-    rows = tuple(_matrix_row(connection, versions, lines[:_LINES], runs) for _, versions in shown)
+    known: dict[int, Member] = {}
+    rows = tuple(_matrix_row(connection, versions, lines[:_LINES], runs, known) for _, versions in shown)
     following = start + _FUNCTIONS if start + _FUNCTIONS < len(by_name) else 0
     return MatrixView(lines[:_LINES], rows, start, following, len(by_name), len(lines))
 
 
 def _matrix_row(
-    connection: Snapshot, versions: Sequence[Published], lines: Sequence[str], runs: Mapping[tuple[str, str], list[str]]
+    connection: Snapshot,
+    versions: Sequence[Published],
+    lines: Sequence[str],
+    runs: Mapping[tuple[str, str], list[str]],
+    known: dict[int, Member],
 ) -> MatrixRow:
     newest = _newest(versions)
     named = newest or versions[-1]
-    cells = (_cell(connection, newest, line, runs.get((named.name, line), ())) for line in lines)
+    cells = (_cell(connection, newest, line, runs.get((named.name, line), ()), known) for line in lines)
     return MatrixRow(named.name, named.owner, newest.version if newest else "", tuple(cells))
 
 
-def _cell(connection: Snapshot, newest: Published | None, line: str, runs: Sequence[str]) -> Cell:
+def _cell(
+    connection: Snapshot, newest: Published | None, line: str, runs: Sequence[str], known: dict[int, Member]
+) -> Cell:
     if newest is None or newest.version in runs:
         return Cell(tuple(runs), "", None, ())
-    answer = can_deploy(connection, [newest.reference], line)
+    answer = can_deploy(connection, [newest.reference], line, known)
     return Cell(tuple(runs), newest.version, answer.decision, answer.conflicts)
