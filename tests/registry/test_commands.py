@@ -405,3 +405,14 @@ def test_an_empty_registry_answers_nothing(run: Run, arguments: tuple[str, ...])
         status, text = run(*arguments)
         assert (status, "nothing is published in registry.db" in text) == (2, True)
         assert run("registry", "import", "cut.jsonl")[0] == 1  # it leaves no database
+
+
+def test_a_question_about_two_lines_is_refused(field: Run) -> None:
+    status, text = field("can-i-deploy", "CoreAcc@1.0.0", "--to", "SUV-2025", "--to", "OTHER")
+    assert (status, "--to must be given once" in text) == (2, True)
+
+
+@pytest.mark.parametrize("owner", ["", " "])
+def test_a_token_of_an_empty_owner_is_refused(field: Run, owner: str) -> None:
+    status, text = field("registry", "token", "create", "ci", "--scope", "publish", "--owner", owner)
+    assert (status, "--owner must be the name of a team" in text, "sigcat_" in text) == (2, True, False)

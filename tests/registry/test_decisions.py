@@ -149,6 +149,26 @@ def test_a_narrower_range_breaks_who_provides_and_a_wider_one_may_break_who_read
         assert [finding.rule for finding in broken_by_catalogue(connection, after, "tree.vspec")] == rules
 
 
+SETTABLE = """
+Vehicle.Function: {{type: branch, description: Functions.}}
+Vehicle.Function.Alpha: {{type: branch, description: A function.}}
+Vehicle.Function.Alpha.Scheduling: {{type: branch, description: Calls.}}
+Vehicle.Function.Alpha.Scheduling.Step: {{type: branch, description: Runs., runType: Cyclic, cycleTime: 10, priority: 1, scheduling: Preemptive, ASILlevel: QM}}
+Vehicle.S0: {{type: {type}, datatype: float, description: A signal.}}
+"""
+
+
+@pytest.mark.parametrize(("provided", "consumed", "rules"), [((), ("S0",), []), (("S0",), (), ["E006"])])
+def test_a_node_that_cannot_be_set_any_more_breaks_who_sets_it(
+    provided: tuple[str, ...], consumed: tuple[str, ...], rules: list[str]
+) -> None:
+    before = catalogue_of(ROOT, SETTABLE.format(type="actuator"))
+    after = catalogue_of(ROOT, SETTABLE.format(type="sensor"))
+    with in_memory() as connection:
+        add(connection, candidate(declaration("Alpha", provided, consumed), before))
+        assert [finding.rule for finding in broken_by_catalogue(connection, after, "tree.vspec")] == rules
+
+
 @pytest.mark.parametrize(("more", "rules"), [("", ["E006"]), (", optional: true, init: 0", [])])
 def test_an_optional_signal_that_is_removed_breaks_nothing(more: str, rules: list[str]) -> None:
     """A change of its datatype breaks the function all the same."""

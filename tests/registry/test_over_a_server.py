@@ -179,6 +179,11 @@ def test_a_token_is_taken_from_the_environment(run: Run, tmp_path: Path, monkeyp
         assert run(client, "publish CoreAcc.yaml")[0] == 0
         assert "E015" in run(client, "publish User.yaml")[2]
         assert run(client, "registry record-deployment SUV-2025 CoreAcc@1.0.0")[0] == 2
+        monkeypatch.setenv("SIGCAT_TOKEN", f" {secret}\n")
+        assert run(client, "publish CoreAcc.yaml")[0] == 0
+        monkeypatch.setenv("SIGCAT_TOKEN", f"{secret}\nX: y")
+        status, _, told = run(client, "publish CoreAcc.yaml")
+        assert (status, "SIGCAT_TOKEN" in told, secret in told) == (2, True, False)
 
 
 @pytest.mark.parametrize(

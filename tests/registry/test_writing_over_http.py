@@ -241,6 +241,23 @@ def test_a_token_has_its_scopes_only(service: Service) -> None:
             assert answer.status_code == (200 if scope in scopes else 403), (address, scope, answer.text)
 
 
+def test_a_token_with_an_owner_records_what_the_owner_owns(service: Service) -> None:
+    assert service.publish(CONTENT, headers=service.token("all", "administer")).status_code == 201
+    other, own = (service.token(name, "approve", owner=f"Team {name}") for name in ("User", "CoreAcc"))
+    recorded = "record-deployment?function=CoreAcc@1.0.0&line=SUV-2025"
+    assert rules(service.post(recorded, headers=other), 403) == ["E015"]
+    assert service.post(recorded, headers=own).status_code == 200
+    ended = "support-ended?function=CoreAcc@1.0.0&line=SUV-2025"
+    assert rules(service.post(ended, headers=other), 403) == ["E015"]
+
+
+@pytest.mark.parametrize("more", ["line=SUV-2026", "function=CoreAcc@2.0.0"])
+def test_a_question_about_two_lines_or_versions_is_refused(service: Service, more: str) -> None:
+    service.publish(CONTENT)
+    answer = service.post(f"can-i-deploy?function=CoreAcc@1.0.0&line=SUV-2025&{more}")
+    assert "it takes one value" in problem(answer, 422)["detail"]
+
+
 def test_a_token_with_an_owner_publishes_what_the_owner_owns(service: Service) -> None:
     core = service.token("core", "publish", owner="Team CoreAcc")
     assert service.publish(CONTENT, headers=core).status_code == 201

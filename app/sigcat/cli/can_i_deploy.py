@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from sigcat.cli.project_options import add_project_options
 from sigcat.cli.registry_options import add_server, print_more, read_registry, server_of
+from sigcat.errors import UsageError
 from sigcat.limits import REGISTRY_ROWS
 from sigcat.terminal_text import printable
 
@@ -24,7 +25,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         epilog="Exit status: 0 yes; 1 no, or unknown because nothing is recorded for the line.",
     )
     parser.add_argument("function", metavar="FUNC@V", help="published version of a function")
-    parser.add_argument("--to", required=True, metavar="LINE", help="vehicle line")
+    parser.add_argument("--to", action="append", required=True, metavar="LINE", help="vehicle line")
     parser.add_argument(
         "--with", dest="others", action="append", default=[], metavar="OTHER@V",
         help="version that ships together with it; may be repeated",
@@ -47,6 +48,13 @@ def can_i_deploy(arguments: argparse.Namespace) -> int:
     return int(answer.decision != "yes")
 
 
+def _line_of(arguments: argparse.Namespace) -> str:
+    """The vehicle line. Raises UsageError for several: the answer is about one."""
+    if len(arguments.to) > 1:
+        raise UsageError("--to must be given once: ask for each vehicle line separately")
+    return str(arguments.to[0])
+
+
 def _answer(arguments: argparse.Namespace) -> "Answer":
     """The answer of the service or of the database."""
     server = server_of(arguments)
@@ -55,13 +63,13 @@ def _answer(arguments: argparse.Namespace) -> "Answer":
         from sigcat.registry.reference import reference_of
 
         references = [reference_of(text) for text in (arguments.function, *arguments.others)]
-        return remote.can_deploy(server, references, arguments.to)
+        return remote.can_deploy(server, references, _line_of(arguments))
     with read_registry(arguments) as connection:
         from sigcat.registry.deploying import can_deploy
         from sigcat.registry.reference import reference_of
 
         references = [reference_of(text) for text in (arguments.function, *arguments.others)]
-        return can_deploy(connection, references, arguments.to)
+        return can_deploy(connection, references, _line_of(arguments))
 
 
 def _print(answer: "Answer") -> None:

@@ -63,7 +63,10 @@ def server_of(arguments: argparse.Namespace) -> "Server | None":
         raise UsageError(f"--server must be an address such as https://signals.example, not {address[:80]!r}")
     with needing_extra():
         from sigcat.registry.remote import Server
-    return Server(address, os.environ.get("SIGCAT_TOKEN", ""))
+    token = os.environ.get("SIGCAT_TOKEN", "").strip()
+    if not (token.isascii() and token.isprintable()):
+        raise UsageError("the token in SIGCAT_TOKEN must be printable ASCII; its value is not shown")
+    return Server(address, token)
 
 
 def server_catalogue(arguments: argparse.Namespace) -> str:
@@ -93,6 +96,8 @@ def hosted_registry(project: "Project") -> "RegistrySettings | None":
             from sigcat.registry.storing.signing import signature_of
 
             signature_of("", settings.key)  # better reported now than with the first change
+        if settings is not None and isinstance(settings.database, Path) and not settings.database.exists():
+            print(f"sigcat: {settings.database} does not exist: the registry is empty", file=sys.stderr)
     except UsageError as error:
         print(f"sigcat: the registry is not served: {error}", file=sys.stderr)
         return None

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from sigcat.cli.project_options import add_project_options
 from sigcat.cli.registry_options import registry_of
+from sigcat.errors import UsageError
 from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ def add_tokens(actions: Actions) -> None:
         help=f"what it may do: {', '.join(_SCOPES)}; may be repeated",
     )  # fmt: skip
     creating.add_argument(
-        "--owner", metavar="TEAM", default="", help="publish only what this team owns (default: everything)"
+        "--owner", metavar="TEAM", help="publish, approve and record only what this team owns (default: everything)"
     )
     creating.add_argument(
         "--expires", metavar="DATE", default="", help="last day on which it is valid (default: no end)"
@@ -44,12 +45,14 @@ def _add(actions: Actions, name: str, text: str, run: "Callable[[argparse.Namesp
 
 def create(arguments: argparse.Namespace) -> int:
     """Print a new token, of which the registry keeps the hash."""
+    if arguments.owner is not None and not arguments.owner.strip():
+        raise UsageError("--owner must be the name of a team; without it, the token is for everything")
     registry = registry_of(arguments)
     from sigcat.registry.storing.database import writing
     from sigcat.registry.storing.tokens import create_token
 
     with writing(registry.database) as connection:
-        secret = create_token(connection, arguments.name, arguments.scope, arguments.owner, arguments.expires)
+        secret = create_token(connection, arguments.name, arguments.scope, arguments.owner or "", arguments.expires)
     print(secret)
     return 0
 

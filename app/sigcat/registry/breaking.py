@@ -115,12 +115,16 @@ _OF_PROVIDERS: Mapping[str, Class] = {
 """Classes for a function that provides a value, by rule: it may send what is no longer allowed, whatever the node is."""
 
 
+_OF_CONSUMERS: Mapping[str, Class] = {"type-not-settable": "compatible"}
+"""Classes for a function that consumes a value: it does not set the node."""
+
+
 def _for_role(use: Use, changes: Iterable[UseChange]) -> Iterator[UseChange]:
     """Yield the changes that break a use, or may. An optional use needs no node."""
     for change in changes:
         if use.is_optional and change.rule == "removed":
             continue
-        compatibility = _OF_PROVIDERS.get(change.rule) if use.provides else None
+        compatibility = (_OF_PROVIDERS if use.provides else _OF_CONSUMERS).get(change.rule)
         found = change if compatibility is None else change._replace(compatibility=compatibility)
         if found.compatibility in _ABOUT:
             yield found

@@ -23,9 +23,11 @@ def record(registry: Registry, action: Action, line: str, reference: Reference) 
     with ledger_of(registry) as ledger:
         if action == "support ended":
             _check_running(ledger.connection, line, reference)
+            owner = version_named(ledger.connection, "function", reference).owner
         else:
             _check_spelling(ledger.connection, line)
-            deployable(ledger.connection, reference)
+            owner = deployable(ledger.connection, reference).owner
+        _check_owner(ledger, reference.name, owner)
         if not (action == "release" and _runs(ledger.connection, line, reference)):
             ledger.append(action, {"line": line, "name": reference.name, "version": reference.version})
         return _head(ledger.connection)

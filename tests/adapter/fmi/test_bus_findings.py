@@ -44,6 +44,7 @@ SPEED = "network_serialization: {signal: Speed, message: Wheel}"
         ("network_serialization: {signal: Sped}", BUS, "M101"),
         ("network_serialization: {signal: Speed, message: Wheels}", BUS, "M101"),
         (SPEED, "{bus: {name: Can, dbc: [other.dbc]}}", "other.dbc must be a file. Correct the path."),
+        (FORMULA.replace("sqrt(x)", "x*1e400"), BUS, "J003 The formula of Wheel.Speed, x*1e400, must have only +, -, *, / by a constant, abs, floor, ceil and round."),
         ("comment: Nothing.", BUS, "J003 No signal of the functions is mapped to the CAN database."),
         (SPEED, "{bus: {name: Can, dbc: [bus.dbc]}, version: '2.0'}", "A bus needs FMI 3.0."),
         (SPEED, "{bus: {name: Can, dbc: [bus.dbc]}, interface: scheduledExecution}", "A bus needs `coSimulation`."),

@@ -1,5 +1,6 @@
 """Query parameters that an operation does not have are refused, in the same way by all of them: none is ignored silently."""
 
+from collections import Counter
 from collections.abc import Collection, Iterable, Iterator
 from typing import Any
 from urllib.parse import unquote_to_bytes
@@ -9,6 +10,7 @@ from fastapi.dependencies.models import Dependant
 from fastapi.exceptions import RequestValidationError
 from pydantic import BaseModel
 
+from sigcat.errors import UsageError
 from sigcat.limits import PROPOSAL_CHARACTERS
 from sigcat.names import did_you_mean
 
@@ -32,7 +34,9 @@ def refuse_unless_known(request: Request, also: Iterable[str] = ()) -> None:
     """Raises RequestValidationError for parameters that the route does not have, and that are not among these."""
     if query := request.scope["query_string"]:
         _refuse_unless_utf8(query)
-        refuse_others(request.query_params, {*parameter_names(request.scope["route"].dependant), *also})
+        dependant = request.scope["route"].dependant
+        refuse_others(request.query_params, {*parameter_names(dependant), *also})
+        _refuse_repeated((name for name, _ in request.query_params.multi_items()), {*_lists(dependant), *also})
 
 
 def _refuse_unless_utf8(query: bytes) -> None:
@@ -53,6 +57,29 @@ def _is_utf8(part: bytes) -> bool:
 def _not_utf8(name: bytes) -> dict[str, Any]:
     shown = unquote_to_bytes(name[:300]).decode(errors="replace")[:100]
     return {"type": "string_unicode", "loc": ("query", shown), "msg": "Must be percent-encoded UTF-8", "input": ""}
+
+
+def _lists(dependant: Dependant) -> Iterator[str]:
+    """Names of parameters that may be repeated."""
+    for field in dependant.query_params:
+        kind: Any = field.field_info.annotation
+        if isinstance(kind, type) and issubclass(kind, BaseModel):
+            yield from (name for name, info in kind.model_fields.items() if _is_list(info.annotation))
+        elif _is_list(kind):
+            yield field.alias
+    for each in dependant.dependencies:
+        yield from _lists(each)
+
+
+def _is_list(annotation: Any) -> bool:
+    return "list" in str(annotation).casefold() or "sequence" in str(annotation).casefold()
+
+
+def _refuse_repeated(given: Iterable[str], lists: Collection[str]) -> None:
+    """Raises UsageError for a parameter with one value that is given several: only one of them could count."""
+    for name, count in Counter(given).items():
+        if count > 1 and name not in lists:
+            raise UsageError(f"The parameter {name[:100]!r} is given {count} times; it takes one value.")
 
 
 def refuse_others(given: Iterable[str], known: Collection[str]) -> None:

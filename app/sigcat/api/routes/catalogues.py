@@ -161,7 +161,6 @@ def search_nodes(
     request: Request, hosted: TheCatalogue, settings: TheSettings, query: Annotated[SearchQuery, Query()]
 ) -> Response:
     """Nodes whose path, description or unit has all the words, best first, with counts for every filter."""
-    _refuse_repeated(request)
     page = search_page(request, *found(hosted, settings, query))
     return answer(request, page, rows(page.hits))
 
@@ -176,7 +175,6 @@ def list_nodes(
 ) -> Response:
     """Nodes with the fields that are asked for, and nothing else. CSV without a limit has all of them, as a stream."""
     fields = query.chosen_fields
-    _refuse_repeated(request)
     _refuse_unknown_fields(request, hosted.catalogue, fields)
     if query.limit is None and query.cursor is None and is_table(request):
         parts = csv_parts(fields, (row_of(node, fields) for node in _all_found(hosted, settings, query)))
@@ -276,17 +274,6 @@ def _check(hosted: Hosted, settings: Settings, query: SearchQuery) -> None:
     if len(query.q) > settings.query_characters:
         raise UsageError(f"The text to search for is longer than {settings.query_characters} characters.")
     checked_filters(query.filters, hosted.catalogue, hosted.search_index)
-
-
-def _refuse_repeated(request: Request) -> None:
-    """Raises UsageError for a parameter that is given twice, of which only one could count."""
-    given = request.query_params
-    names = [name for name, _ in given.multi_items()]
-    if len(names) == len(given):
-        return
-    for name in names:
-        if names.count(name) > 1:
-            raise UsageError(f"The parameter {name[:100]!r} is given {names.count(name)} times; it takes one value.")
 
 
 def _refuse_unknown_fields(request: Request, catalogue: Catalogue, fields: Iterable[str]) -> None:

@@ -1,5 +1,6 @@
 """A formula of a mapping as an expression of C: sums, products, quotients by constants, and rounding."""
 
+from math import isfinite
 from typing import Any, NamedTuple, NoReturn
 
 from sigcat.catalogue.network.formula import read_formula
@@ -32,6 +33,8 @@ def _literal(number: Any) -> str:
     """A number of a formula as a double."""
     if isinstance(number, bool) or not isinstance(number, int | float):
         raise TypeError
+    if not isfinite(number):
+        raise ValueError  # C has no literal of it
     return repr(float(number))
 
 
