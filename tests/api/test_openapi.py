@@ -143,6 +143,8 @@ IN_THE_ROUND_TRIP = (
     "record_deployment",
     "record_release",
     "end_support",
+    "approve_version",
+    "reject_version",
     "deprecate_version",
     "retire_version",
     "set_compatibility_rule",

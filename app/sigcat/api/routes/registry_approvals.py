@@ -47,7 +47,7 @@ async def approve_version(
     owner: Owner = "",
     group: GroupName = "functions",
     content_digest: Content = "",
-    valid_days: Annotated[int, Query(description="Days until the approval ends.")] = _VALID_DAYS,
+    valid_days: Annotated[int, Query(ge=0, description="Days until the approval ends.")] = _VALID_DAYS,
 ) -> Response:
     """Approve the content of a pending version. It is published when the same bytes are published again."""
     from sigcat.api.answers.registry_answers import kind_of
