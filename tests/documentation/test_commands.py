@@ -89,7 +89,7 @@ def registry(environment: Mapping[str, str], tmp_path_factory: pytest.TempPathFa
     for arguments in (
         ("registry", "new-key", "registry.key"),
         ("publish", *(f"functions/{name}.function.yaml" for name in ("Advisor", "Display", "Meter"))),
-        ("registry", "record-deployment", "SUV-2025", "Advisor@1.0.0"),
+        ("registry", "record-deployment", "SUV-2025", "Display@1.0.0"),
     ):
         subprocess.run([*SIGCAT, *arguments], cwd=folder, env=environment, check=True, capture_output=True)
     (folder / "served.toml").write_text('[registry]\ndatabase = "registry.db"\nkey = "registry.key"\n')

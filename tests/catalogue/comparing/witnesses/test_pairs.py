@@ -62,8 +62,8 @@ def test_table_and_tool_agree(binding, seed, tmp_path):
     assert not disagreements(catalogues, binding, verdicts)
 
 
-PLACES = frozenset(("added-before", "reordered", "label-renumbered"))
-"""Effects of positions, which numbers of a lock do not have."""
+PLACES = frozenset(("added-before", "reordered", "label-renumbered", "label-removed"))
+"""Effects of positions, which numbers of a lock do not have, and of removed texts, whose numbers it reserves."""
 
 
 @buf
