@@ -54,6 +54,7 @@ STEPS = (
     "registry record-deployment SUV-2025 Usr@1.0.0",
     "registry record-release a/b User@1.0.0",
     "registry list --line SUV-2025",
+    "registry list --line SUV-2025 --kind overlay",
     "users Vehicle.S0",
     "users Vehicle.S0 --all --format json",
     "users Vehicle.S8",

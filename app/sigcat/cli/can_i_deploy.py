@@ -4,7 +4,7 @@ import argparse
 from typing import TYPE_CHECKING
 
 from sigcat.cli.project_options import add_project_options
-from sigcat.cli.registry_options import add_server, print_more, read_registry, server_of
+from sigcat.cli.registry_options import access_of, add_server, print_more
 from sigcat.errors import UsageError
 from sigcat.limits import REGISTRY_ROWS
 from sigcat.terminal_text import printable
@@ -38,7 +38,11 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def can_i_deploy(arguments: argparse.Namespace) -> int:
     """Print the answer with its reasons; 0 only if it is yes."""
-    answer = _answer(arguments)
+    access, line = access_of(arguments), _line_of(arguments)
+    from sigcat.registry.reference import reference_of
+
+    references = [reference_of(text) for text in (arguments.function, *arguments.others)]
+    answer = access.can_deploy(references, line)
     if arguments.format == "json":
         import json
 
@@ -53,23 +57,6 @@ def _line_of(arguments: argparse.Namespace) -> str:
     if len(arguments.to) > 1:
         raise UsageError("--to must be given once: ask for each vehicle line separately")
     return str(arguments.to[0])
-
-
-def _answer(arguments: argparse.Namespace) -> "Answer":
-    """The answer of the service or of the database."""
-    server = server_of(arguments)
-    if server is not None:
-        from sigcat.registry import remote
-        from sigcat.registry.reference import reference_of
-
-        references = [reference_of(text) for text in (arguments.function, *arguments.others)]
-        return remote.can_deploy(server, references, _line_of(arguments))
-    with read_registry(arguments) as connection:
-        from sigcat.registry.deploying import can_deploy
-        from sigcat.registry.reference import reference_of
-
-        references = [reference_of(text) for text in (arguments.function, *arguments.others)]
-        return can_deploy(connection, references, _line_of(arguments))
 
 
 def _print(answer: "Answer") -> None:

@@ -49,9 +49,7 @@ def check(arguments: argparse.Namespace) -> int:
     """Report what breaks; 1 if anything does."""
     server = server_of(arguments)
     if server is not None:
-        from sigcat.registry import remote
-
-        findings = remote.check(server, posted_files(arguments.files), server_catalogue(arguments))
+        findings = server.check(posted_files(arguments.files), server_catalogue(arguments))
     else:
         with read_registry(arguments) as connection:
             findings = tuple(in_order(_findings(arguments, connection)))

@@ -20,6 +20,7 @@ from sigcat.errors import UsageError
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from sigcat.registry.access import Change
     from sigcat.registry.candidate import Candidate
     from sigcat.registry.publish import Receipt
 
@@ -50,29 +51,28 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def publish(arguments: argparse.Namespace) -> int:
     """Publish the files, and print each version. Raises InputRefused with every reason."""
-    receipt, is_signed = _published(arguments)
+    receipt, change = _published(arguments)
     for outcome in receipt.outcomes:
         print(f"{outcome.kind} {outcome.reference}: {outcome.status}")
         print_decisions(outcome.approvals)
-    print_head(receipt.head, is_signed=is_signed)
+    print_head(change)
     return int(any(outcome.status == "pending" for outcome in receipt.outcomes))
 
 
-def _published(arguments: argparse.Namespace) -> "tuple[Receipt, bool]":
-    """Publish with the service or the database. Returns what became of the files, and whether the log is signed."""
+def _published(arguments: argparse.Namespace) -> "tuple[Receipt, Change]":
+    """Publish with the service or the database, and return what became of the files."""
     server = server_of(arguments)
     if server is not None:
-        from sigcat.registry import remote
-
-        return remote.publish(
-            server, posted_files(arguments.files), arguments.version, arguments.owner,
+        return server.publish(
+            posted_files(arguments.files), arguments.version, arguments.owner,
             is_draft=arguments.draft, catalogue=server_catalogue(arguments),
         )  # fmt: skip
     registry = registry_of(arguments)
+    from sigcat.registry.access import Change
     from sigcat.registry.publish import publish as publish_candidates
 
     receipt = publish_candidates(registry, tuple(_candidates(arguments)), is_draft=arguments.draft)
-    return receipt, registry.key is not None
+    return receipt, Change(receipt.head, is_signed=registry.key is not None)
 
 
 def _candidates(arguments: argparse.Namespace) -> "Iterator[Candidate]":

@@ -12,6 +12,7 @@ from sigcat.cli.registry_events import add_events
 from sigcat.cli.registry_options import (
     KINDS,
     Actions,
+    access_of,
     add_action,
     add_report,
     add_server,
@@ -22,7 +23,6 @@ from sigcat.cli.registry_options import (
     print_report,
     read_registry,
     registry_of,
-    server_of,
 )
 from sigcat.cli.registry_tokens import add_tokens
 from sigcat.cli.registry_webhooks import add_webhooks
@@ -31,9 +31,6 @@ from sigcat.limits import REGISTRY_ROWS
 from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from sigcat.registry.published import Published
     from sigcat.registry.reference import State
 
 _RULES = ("backward", "full", "approval", "none")
@@ -114,7 +111,8 @@ def _add_transfer(actions: Actions) -> None:
 
 def list_versions(arguments: argparse.Namespace) -> int:
     """Print a line for each version."""
-    listed = _listed(arguments)
+    found = access_of(arguments).all_versions(arguments.kind)
+    listed = [each for each in found if arguments.line is None or arguments.line in each.lines]
     print_more(len(listed))
     for published, lines in listed[:REGISTRY_ROWS]:
         owner = f", owner {published.owner}" if published.owner else ""
@@ -126,46 +124,14 @@ def list_versions(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _listed(arguments: argparse.Namespace) -> "Sequence[tuple[Published, Sequence[str]]]":
-    """Versions with their lines, of the service or of the database."""
-    server = server_of(arguments)
-    if server is not None:
-        from sigcat.registry import remote
-
-        found = remote.all_versions(server, arguments.kind)
-        return [each for each in found if arguments.line is None or arguments.line in each.lines]
-    with read_registry(arguments) as connection:
-        from sigcat.registry.published import all_versions, lines_by_version, running
-
-        lines = lines_by_version(connection)
-        if arguments.line is None:
-            listed = all_versions(connection, arguments.kind)
-        else:
-            listed = tuple(each.published for each in running(connection, arguments.line))
-    return [(each, lines.get(each.id, ())) for each in listed]
-
-
 def show(arguments: argparse.Namespace) -> int:
     """Write the bytes of a version."""
-    write_bytes(_content(arguments), arguments.output)
+    access = access_of(arguments)
+    from sigcat.registry.reference import reference_of
+
+    reference = reference_of(arguments.version)
+    write_bytes(access.content(arguments.kind, reference, is_resolved=arguments.resolved), arguments.output)
     return 0
-
-
-def _content(arguments: argparse.Namespace) -> bytes:
-    server = server_of(arguments)
-    if server is not None:
-        from sigcat.registry import remote
-        from sigcat.registry.reference import reference_of
-
-        reference = reference_of(arguments.version)
-        return remote.content(server, arguments.kind, reference, is_resolved=arguments.resolved)
-    with read_registry(arguments) as connection:
-        from sigcat.registry.published import version_named
-        from sigcat.registry.reference import reference_of
-        from sigcat.registry.storing.content import content_of
-
-        published = version_named(connection, arguments.kind, reference_of(arguments.version))
-        return content_of(connection, published.resolved if arguments.resolved else published.content)
 
 
 def verify(arguments: argparse.Namespace) -> int:
@@ -193,58 +159,28 @@ def retire(arguments: argparse.Namespace) -> int:
 
 
 def _set_state(arguments: argparse.Namespace, state: "State", until: str = "", successor: str = "") -> int:
-    server = server_of(arguments)
-    if server is not None:
-        from sigcat.registry import remote
-        from sigcat.registry.reference import reference_of
+    access = access_of(arguments)
+    from sigcat.registry.reference import reference_of
 
-        reference = reference_of(arguments.version)
-        head, is_signed = remote.set_state(server, arguments.kind, reference, state, until, successor)
-    else:
-        registry = registry_of(arguments)
-        from sigcat.registry.lines import set_state
-        from sigcat.registry.reference import reference_of
-
-        reference = reference_of(arguments.version)
-        head = set_state(registry, arguments.kind, reference, state, until, successor)
-        is_signed = registry.key is not None
-    return done(f"{arguments.kind} {reference}: {state}", head, is_signed=is_signed)
+    reference = reference_of(arguments.version)
+    change = access.set_state(arguments.kind, reference, state, until, successor)
+    return done(f"{arguments.kind} {reference}: {state}", change)
 
 
 def rule(arguments: argparse.Namespace) -> int:
     """Set the rule of a name."""
-    server = server_of(arguments)
-    if server is not None:
-        from sigcat.registry import remote
-
-        head, is_signed = remote.set_rule(server, arguments.kind, arguments.name, arguments.rule)
-    else:
-        registry = registry_of(arguments)
-        from sigcat.registry.lines import set_rule
-
-        head = set_rule(registry, arguments.kind, arguments.name, arguments.rule)
-        is_signed = registry.key is not None
-    return done(f"{arguments.kind} {arguments.name}: rule {arguments.rule}", head, is_signed=is_signed)
+    change = access_of(arguments).set_rule(arguments.kind, arguments.name, arguments.rule)
+    return done(f"{arguments.kind} {arguments.name}: rule {arguments.rule}", change)
 
 
 def record(arguments: argparse.Namespace) -> int:
     """Record a deployment, a release or the end of support."""
-    server = server_of(arguments)
-    if server is not None:
-        from sigcat.registry import remote
-        from sigcat.registry.reference import reference_of
+    access = access_of(arguments)
+    from sigcat.registry.reference import reference_of
 
-        reference = reference_of(arguments.version)
-        head, is_signed = remote.record(server, arguments.action, arguments.line, reference)
-    else:
-        registry = registry_of(arguments)
-        from sigcat.registry.lines import record as record_change
-        from sigcat.registry.reference import reference_of
-
-        reference = reference_of(arguments.version)
-        head = record_change(registry, arguments.action, arguments.line, reference)
-        is_signed = registry.key is not None
-    return done(f"line {arguments.line}: {arguments.action} of {reference}", head, is_signed=is_signed)
+    reference = reference_of(arguments.version)
+    change = access.record(arguments.action, arguments.line, reference)
+    return done(f"line {arguments.line}: {arguments.action} of {reference}", change)
 
 
 def export(arguments: argparse.Namespace) -> int:
@@ -266,11 +202,12 @@ def export(arguments: argparse.Namespace) -> int:
 def import_file(arguments: argparse.Namespace) -> int:
     """Read the export."""
     registry = registry_of(arguments)
+    from sigcat.registry.access import Change
     from sigcat.registry.storing.transfer import import_lines
 
     with existing_file(arguments.file).open("rb") as lines:
         head = import_lines(registry.database, lines, str(arguments.file))
-    return done(f"{arguments.file}: imported", head, is_signed=registry.key is not None)
+    return done(f"{arguments.file}: imported", Change(head, is_signed=registry.key is not None))
 
 
 def new_key(arguments: argparse.Namespace) -> int:

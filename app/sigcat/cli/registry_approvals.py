@@ -5,14 +5,12 @@ from typing import TYPE_CHECKING
 
 from sigcat.cli.registry_options import (
     Actions,
+    access_of,
     add_action,
     add_server,
     add_version,
     done,
     print_more,
-    read_registry,
-    registry_of,
-    server_of,
 )
 from sigcat.limits import REGISTRY_ROWS
 from sigcat.terminal_text import printable
@@ -20,7 +18,9 @@ from sigcat.terminal_text import printable
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
+    from sigcat.registry.access import Change
     from sigcat.registry.approvals import Approval, Decided, Pending
+    from sigcat.registry.reference import Kind, Reference
 
 
 def add_approvals(actions: Actions) -> None:
@@ -47,7 +47,7 @@ def _add_decision(parser: argparse.ArgumentParser) -> None:
 
 def pending(arguments: argparse.Namespace) -> int:
     """Print pending versions with the state of each decision."""
-    listed = _waiting_for(_pending(arguments), arguments.owner)
+    listed = _waiting_for(access_of(arguments).pending(), arguments.owner)
     if not listed:
         print("No version is pending.")
     print_more(len(listed))
@@ -56,19 +56,6 @@ def pending(arguments: argparse.Namespace) -> int:
         print(printable(f"{version.kind} {version.reference}: pending, SHA-256 {version.content}"))
         print_decisions(each.approvals, is_complete=True)
     return 0
-
-
-def _pending(arguments: argparse.Namespace) -> "Sequence[Pending]":
-    """Pending versions of the service or of the database."""
-    server = server_of(arguments)
-    if server is not None:
-        from sigcat.registry import remote
-
-        return remote.pending(server)
-    with read_registry(arguments) as connection:
-        from sigcat.registry.approvals import pending as pending_versions
-
-        return pending_versions(connection)
 
 
 def _waiting_for(found: "Sequence[Pending]", owner: str | None) -> "Sequence[Pending]":
@@ -95,43 +82,26 @@ def print_decisions(approvals: "Iterable[Approval]", *, is_complete: bool = Fals
 
 def approve(arguments: argparse.Namespace) -> int:
     """Approve a pending version."""
-    from sigcat.registry.reference import reference_of
-
-    reference, server = reference_of(arguments.version), server_of(arguments)
-    decision = (arguments.kind, reference, arguments.owner)
-    if server is not None:
-        from sigcat.registry import remote
-
-        decided, is_signed = remote.approve(server, *decision, arguments.valid_for, arguments.sha256)
-    else:
-        registry = registry_of(arguments)
-        from sigcat.registry.approvals import approve as approve_version
-
-        decided = approve_version(registry, *decision, arguments.valid_for, arguments.sha256)
-        is_signed = registry.key is not None
-    return _decided(f"{arguments.kind} {reference}: approved by {arguments.owner}", decided, is_signed=is_signed)
+    access = access_of(arguments)
+    return _decided(arguments, "approved", access.approve(*_about(arguments), arguments.valid_for, arguments.sha256))
 
 
 def reject(arguments: argparse.Namespace) -> int:
     """Reject a pending version."""
+    access = access_of(arguments)
+    return _decided(arguments, "rejected", access.reject(*_about(arguments), arguments.reason, arguments.sha256))
+
+
+def _about(arguments: argparse.Namespace) -> "tuple[Kind, Reference, str]":
+    """Kind and version, and the owner that decides."""
     from sigcat.registry.reference import reference_of
 
-    reference, server = reference_of(arguments.version), server_of(arguments)
-    decision = (arguments.kind, reference, arguments.owner)
-    if server is not None:
-        from sigcat.registry import remote
-
-        decided, is_signed = remote.reject(server, *decision, arguments.reason, arguments.sha256)
-    else:
-        registry = registry_of(arguments)
-        from sigcat.registry.approvals import reject as reject_version
-
-        decided = reject_version(registry, *decision, arguments.reason, arguments.sha256)
-        is_signed = registry.key is not None
-    return _decided(f"{arguments.kind} {reference}: rejected by {arguments.owner}", decided, is_signed=is_signed)
+    return arguments.kind, reference_of(arguments.version), arguments.owner
 
 
-def _decided(text: str, decided: "Decided", *, is_signed: bool) -> int:
-    done(text, decided.head, is_signed=is_signed)
+def _decided(arguments: argparse.Namespace, decision: str, made: "tuple[Decided, Change]") -> int:
+    kind, reference, owner = _about(arguments)
+    decided, change = made
+    done(f"{kind} {reference}: {decision} by {owner}", change)
     print_decisions(decided.approvals)
     return 0

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     from sigcat.findings import Finding
     from sigcat.project.project import Project, RegistrySettings
+    from sigcat.registry.access import Access, Change
     from sigcat.registry.remote import Server
     from sigcat.registry.storing.database import Snapshot
     from sigcat.registry.storing.ledger import Registry
@@ -128,17 +129,23 @@ def needing_extra() -> "Iterator[None]":
 
 @contextmanager
 def read_registry(arguments: argparse.Namespace) -> "Iterator[Snapshot]":
-    """One state of the registry, to read. Raises UsageError if nothing is in it: then no answer would mean anything."""
+    """One state of the registry, to read. Raises UsageError if nothing is in it."""
     registry = registry_of(arguments)
-    from sigcat.registry.storing.database import reading
-    from sigcat.registry.storing.ledger import head
+    from sigcat.registry.local import reading_published
 
-    with reading(registry.database) as connection:
-        if head(connection) is None:
-            raise UsageError(
-                f"nothing is published in {registry.database}: run `sigcat publish` or `sigcat registry import`"
-            )
+    with reading_published(registry) as connection:
         yield connection
+
+
+def access_of(arguments: argparse.Namespace) -> "Access":
+    """Access to the registry, wherever it is. Raises UsageError if the project has none."""
+    server = server_of(arguments)
+    if server is not None:
+        return server
+    registry = registry_of(arguments)
+    from sigcat.registry.local import Local
+
+    return Local(registry)
 
 
 def add_action(
@@ -157,10 +164,10 @@ def add_version(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--kind", choices=KINDS, default="function", help="default: %(default)s")
 
 
-def done(text: str, head: str, *, is_signed: bool) -> int:
+def done(text: str, change: "Change") -> int:
     """Print what was changed."""
     print(printable(text))
-    print_head(head, is_signed=is_signed)
+    print_head(change)
     return 0
 
 
@@ -170,10 +177,10 @@ def add_report(parser: argparse.ArgumentParser) -> None:
     add_output(parser, "-o", "--output", metavar="FILE", help="write the report here")
 
 
-def print_head(head: str, *, is_signed: bool) -> None:
+def print_head(change: "Change") -> None:
     """Print the hash of the last entry, if the log is signed: whoever keeps it can prove later that none is missing."""
-    if is_signed:
-        print(f"head of the log: {head}", file=sys.stderr)
+    if change.is_signed:
+        print(f"head of the log: {change.head}", file=sys.stderr)
 
 
 def print_more(count: int) -> None:

@@ -53,10 +53,8 @@ def _found(arguments: argparse.Namespace) -> "Users":
     """The answer of the service or of the database."""
     server = server_of(arguments)
     if server is not None:
-        from sigcat.registry import remote
-
         over = server_catalogue(arguments)
-        return remote.users_of(server, arguments.path, is_complete=arguments.all, catalogue=over)
+        return server.users_of(arguments.path, is_complete=arguments.all, catalogue=over)
     with read_registry(arguments) as connection:
         from sigcat.registry.users import users_in
 

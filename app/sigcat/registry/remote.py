@@ -1,4 +1,4 @@
-"""The registry of a service: the same questions and changes as with a database, over HTTP."""
+"""The registry of a service, over HTTP."""
 
 import json
 import urllib.error
@@ -13,12 +13,13 @@ from urllib.parse import quote, urlencode
 from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding
 from sigcat.limits import REGISTRY_ANSWER_BYTES, REGISTRY_SECONDS
+from sigcat.registry.access import Change, Listed
 from sigcat.registry.approvals import Approval, Decided, Pending
 from sigcat.registry.conflicts import Conflict, Side
 from sigcat.registry.deploying import Answer
 from sigcat.registry.publish import Outcome, Receipt, Status
 from sigcat.registry.published import Published
-from sigcat.registry.reference import Kind, Reference, State
+from sigcat.registry.reference import Kind, Reference, Rule, State
 from sigcat.registry.storing.entry import Action
 from sigcat.registry.use import Use
 from sigcat.registry.users import User, Users
@@ -30,41 +31,17 @@ _ACTIONS: Mapping[Action, str] = {
     "deployment": "record-deployment", "release": "record-release", "support ended": "support-ended",
 }  # fmt: skip
 _JSON = Mapping[str, Any]
-
-
-class Server(NamedTuple):
-    """A service with a registry."""
-
-    address: str
-    """Such as https://signals.example."""
-    token: str = ""
-
-
-class Change(NamedTuple):
-    """The head of the log behind a change."""
-
-    head: str
-    is_signed: bool
-
-
-class Listed(NamedTuple):
-    """A version, and the lines whose vehicles run it."""
-
-    published: Published
-    lines: tuple[str, ...]
-
-
 _Asked = ParamSpec("_Asked")
 _Answer = TypeVar("_Answer")
 
 
 def _understood(
-    ask: Callable[Concatenate[Server, _Asked], _Answer],
-) -> Callable[Concatenate[Server, _Asked], _Answer]:
+    ask: Callable[Concatenate["Server", _Asked], _Answer],
+) -> Callable[Concatenate["Server", _Asked], _Answer]:
     """The function; an answer of another form raises UsageError."""
 
     @wraps(ask)
-    def asking(server: Server, /, *arguments: _Asked.args, **options: _Asked.kwargs) -> _Answer:
+    def asking(server: "Server", /, *arguments: _Asked.args, **options: _Asked.kwargs) -> _Answer:
         try:
             return ask(server, *arguments, **options)
         except (AttributeError, IndexError, KeyError, TypeError):
@@ -73,16 +50,105 @@ def _understood(
     return asking
 
 
-# -- questions ----------------------------------------------------------------------------------------------------
+class Server(NamedTuple):
+    """Access to a registry that a service has."""
 
+    address: str
+    """Such as https://signals.example."""
+    token: str = ""
 
-@_understood
-def all_versions(server: Server, kind: Kind | None = None) -> tuple[Listed, ...]:
-    """Versions by kind, name and precedence."""
-    _refuse_empty(server)
-    groups = tuple(_GROUPS.values()) if kind is None else (_GROUPS[kind],)
-    named = (each for group in groups for each in sorted(_names(server, group), key=lambda each: str(each["name"])))
-    return tuple(_listed(version) for each in named for version in each["versions"])
+    @_understood
+    def all_versions(self, kind: Kind | None = None) -> tuple[Listed, ...]:
+        """Versions by kind, name and precedence."""
+        _refuse_empty(self)
+        groups = tuple(_GROUPS.values()) if kind is None else (_GROUPS[kind],)
+        named = (each for group in groups for each in sorted(_names(self, group), key=lambda each: str(each["name"])))
+        return tuple(_listed(version) for each in named for version in each["versions"])
+
+    @_understood
+    def content(self, kind: Kind, reference: Reference, *, is_resolved: bool) -> bytes:
+        """The published bytes of a version; resolved, its Function JSON or its nodes."""
+        address = f"/{_GROUPS[kind]}/{quote(reference.name, '')}/versions/{quote(reference.version, '')}"
+        if not is_resolved:
+            return _answer(self, "GET", address)
+        digest = _asked(self, "GET", f"{address}$details")["resolved_digest"]
+        return _answer(self, "GET", "/contents", {"digest": digest})
+
+    @_understood
+    def users_of(self, path: str, *, is_complete: bool = False, catalogue: str = "") -> Users:
+        """The users of a path, or of nodes below it."""
+        _refuse_empty(self)
+        query = {"path": path, "all_versions": str(is_complete).lower(), **_over(catalogue)}
+        found = _asked(self, "GET", "/users", query)
+        return Users(tuple(map(_user, found["users"])), found["more"])
+
+    @_understood
+    def can_deploy(self, references: Sequence[Reference], line: str) -> Answer:
+        """Return whether versions, which ship together, fit everything in the vehicles of a line."""
+        first, *others = (f"{each.name}@{each.version}" for each in references)
+        found = _asked(self, "POST", "/can-i-deploy", {"function": first, "line": line, "others": others})
+        finding = _finding(found["finding"]) if found["finding"] else None
+        deployed, checked = (tuple(map(_reference, found[key])) for key in ("deployed", "checked"))
+        conflicts = tuple(map(_conflict, found["conflicts"]))
+        return Answer(found["decision"], found["vehicle_line"], deployed, checked, conflicts, finding)
+
+    @_understood
+    def check(self, files: Sequence[tuple[bytes, str]], catalogue: str = "") -> tuple[Finding, ...]:
+        """Findings about published functions that files break."""
+        found = _asked(self, "POST", "/check", _over(catalogue), _body(files))
+        return tuple(map(_finding, found["findings"]))
+
+    @_understood
+    def publish(
+        self,
+        files: Sequence[tuple[bytes, str]],
+        version: str = "",
+        owner: str = "",
+        *,
+        is_draft: bool = False,
+        catalogue: str = "",
+    ) -> tuple[Receipt, Change]:
+        """Publish files, and return what became of them."""
+        query = {"version": version, "owner": owner, "draft": str(is_draft).lower(), **_over(catalogue)}
+        found = _asked(self, "POST", "/publish", query, _body(files))
+        change = _change(found)
+        return Receipt(tuple(map(_outcome, found["versions_posted"])), change.head), change
+
+    @_understood
+    def record(self, action: Action, line: str, reference: Reference) -> Change:
+        """Record a deployment, a release or the end of support."""
+        query = {"function": _written(reference), "line": line}
+        return _change(_asked(self, "POST", f"/{_ACTIONS[action]}", query))
+
+    @_understood
+    def set_state(self, kind: Kind, reference: Reference, state: State, until: str = "", successor: str = "") -> Change:
+        """Deprecate or retire a version."""
+        query = {"reference": _written(reference), "group": _GROUPS[kind]}
+        if state == "retired":
+            return _change(_asked(self, "POST", "/retire", query))
+        return _change(_asked(self, "POST", "/deprecate", {**query, "removal": until, "alternative": successor}))
+
+    @_understood
+    def set_rule(self, kind: Kind, name: str, rule: Rule) -> Change:
+        """Set the rule of a name."""
+        query = {"published": name, "compatibility_rule": rule, "group": _GROUPS[kind]}
+        return _change(_asked(self, "POST", "/rule", query))
+
+    @_understood
+    def pending(self) -> tuple[Pending, ...]:
+        """Versions that wait for approvals."""
+        _refuse_empty(self)
+        return tuple(map(_pending, _asked(self, "GET", "/pending")["versions_pending"]))
+
+    @_understood
+    def approve(self, kind: Kind, reference: Reference, owner: str, days: int, content: str) -> tuple[Decided, Change]:
+        """Approve the content of a pending version, and return all decisions."""
+        return _decide(self, "/approve", kind, reference, owner, {"content_digest": content, "valid_days": str(days)})
+
+    @_understood
+    def reject(self, kind: Kind, reference: Reference, owner: str, reason: str, content: str) -> tuple[Decided, Change]:
+        """Reject the content of a pending version, and return all decisions."""
+        return _decide(self, "/reject", kind, reference, owner, {"content_digest": content, "reason": reason})
 
 
 def _names(server: Server, group: str) -> Iterator[_JSON]:
@@ -101,118 +167,13 @@ def _refuse_empty(server: Server) -> None:
         raise UsageError(f"nothing is published in the registry of {server.address}: run `sigcat publish`")
 
 
-@_understood
-def content(server: Server, kind: Kind, reference: Reference, *, is_resolved: bool) -> bytes:
-    """The published bytes of a version; resolved, its Function JSON or its nodes."""
-    address = f"/{_GROUPS[kind]}/{quote(reference.name, '')}/versions/{quote(reference.version, '')}"
-    if not is_resolved:
-        return _answer(server, "GET", address)
-    digest = _asked(server, "GET", f"{address}$details")["resolved_digest"]
-    return _answer(server, "GET", "/contents", {"digest": digest})
-
-
-@_understood
-def users_of(server: Server, path: str, *, is_complete: bool = False, catalogue: str = "") -> Users:
-    """The users of a path, or of nodes below it."""
-    _refuse_empty(server)
-    query = {"path": path, "all_versions": str(is_complete).lower(), **_over(catalogue)}
-    found = _asked(server, "GET", "/users", query)
-    return Users(tuple(map(_user, found["users"])), found["more"])
-
-
-@_understood
-def can_deploy(server: Server, references: Sequence[Reference], line: str) -> Answer:
-    """Return whether versions, which ship together, fit everything in the vehicles of a line."""
-    first, *others = (f"{each.name}@{each.version}" for each in references)
-    found = _asked(server, "POST", "/can-i-deploy", {"function": first, "line": line, "others": others})
-    finding = _finding(found["finding"]) if found["finding"] else None
-    deployed, checked = (tuple(map(_reference, found[key])) for key in ("deployed", "checked"))
-    conflicts = tuple(map(_conflict, found["conflicts"]))
-    return Answer(found["decision"], found["vehicle_line"], deployed, checked, conflicts, finding)
-
-
-@_understood
-def check(server: Server, files: Sequence[tuple[bytes, str]], catalogue: str = "") -> tuple[Finding, ...]:
-    """Findings about published functions that files break."""
-    found = _asked(server, "POST", "/check", _over(catalogue), _body(files))
-    return tuple(map(_finding, found["findings"]))
-
-
-# -- changes ------------------------------------------------------------------------------------------------------
-
-
-@_understood
-def publish(
-    server: Server,
-    files: Sequence[tuple[bytes, str]],
-    version: str = "",
-    owner: str = "",
-    *,
-    is_draft: bool = False,
-    catalogue: str = "",
-) -> tuple[Receipt, bool]:
-    """Publish files, and return what became of them, and whether the log is signed."""
-    query = {"version": version, "owner": owner, "draft": str(is_draft).lower(), **_over(catalogue)}
-    found = _asked(server, "POST", "/publish", query, _body(files))
-    change = _change(found)
-    return Receipt(tuple(map(_outcome, found["versions_posted"])), change.head), change.is_signed
-
-
-@_understood
-def record(server: Server, action: Action, line: str, reference: Reference) -> Change:
-    """Record a deployment, a release or the end of support."""
-    query = {"function": _written(reference), "line": line}
-    return _change(_asked(server, "POST", f"/{_ACTIONS[action]}", query))
-
-
-@_understood
-def set_state(
-    server: Server, kind: Kind, reference: Reference, state: State, until: str = "", successor: str = ""
-) -> Change:
-    """Deprecate or retire a version."""
-    query = {"reference": _written(reference), "group": _GROUPS[kind]}
-    if state == "retired":
-        return _change(_asked(server, "POST", "/retire", query))
-    return _change(_asked(server, "POST", "/deprecate", {**query, "removal": until, "alternative": successor}))
-
-
-@_understood
-def set_rule(server: Server, kind: Kind, name: str, rule: str) -> Change:
-    """Set the rule of a name."""
-    query = {"published": name, "compatibility_rule": rule, "group": _GROUPS[kind]}
-    return _change(_asked(server, "POST", "/rule", query))
-
-
-@_understood
-def pending(server: Server) -> tuple[Pending, ...]:
-    """Versions that wait for approvals."""
-    _refuse_empty(server)
-    return tuple(map(_pending, _asked(server, "GET", "/pending")["versions_pending"]))
-
-
-@_understood
-def approve(
-    server: Server, kind: Kind, reference: Reference, owner: str, days: int, content: str
-) -> tuple[Decided, bool]:
-    """Approve the content of a pending version, and return all decisions, and whether the log is signed."""
-    return _decide(server, "/approve", kind, reference, owner, {"content_digest": content, "valid_days": str(days)})
-
-
-@_understood
-def reject(
-    server: Server, kind: Kind, reference: Reference, owner: str, reason: str, content: str
-) -> tuple[Decided, bool]:
-    """Reject the content of a pending version, and return all decisions, and whether the log is signed."""
-    return _decide(server, "/reject", kind, reference, owner, {"content_digest": content, "reason": reason})
-
-
 def _decide(
     server: Server, path: str, kind: Kind, reference: Reference, owner: str, decision: _JSON
-) -> tuple[Decided, bool]:
+) -> tuple[Decided, Change]:
     query = {"reference": _written(reference), "group": _GROUPS[kind], "owner": owner}
     found = _asked(server, "POST", path, {**query, **decision})
     change = _change(found)
-    return Decided(tuple(map(_approval, found["approvals"])), change.head), change.is_signed
+    return Decided(tuple(map(_approval, found["approvals"])), change.head), change
 
 
 # -- requests -----------------------------------------------------------------------------------------------------
