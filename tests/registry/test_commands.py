@@ -1,7 +1,10 @@
 """The commands of the registry, as a team and its pipeline use them."""
 
 import json
+import os
 import re
+import subprocess
+import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
@@ -405,6 +408,40 @@ def test_an_empty_registry_answers_nothing(run: Run, arguments: tuple[str, ...])
         status, text = run(*arguments)
         assert (status, "nothing is published in registry.db" in text) == (2, True)
         assert run("registry", "import", "cut.jsonl")[0] == 1  # it leaves no database
+
+
+def git(*arguments: str) -> "subprocess.CompletedProcess[str]":
+    person = ("-c", "user.name=A", "-c", "user.email=a@example.org")
+    environment = {**os.environ, "GIT_CONFIG_GLOBAL": os.devnull}
+    return subprocess.run(["git", *person, *arguments], env=environment, capture_output=True, text=True, check=False)
+
+
+def test_the_hook_of_the_page_refuses_the_push_of_a_breaking_change(field: Run, tmp_path: Path) -> None:
+    page = (Path(__file__).parents[2] / "docs/how-to/registry.md").read_text(encoding="utf-8")
+    (hook,) = re.findall(r'```text title=".git/hooks/pre-push"\n(.*?)```', page, re.DOTALL)
+    for command in (("init", "-q", "--bare", "remote.git"), ("init", "-q"), ("remote", "add", "origin", "remote.git")):
+        assert git(*command).returncode == 0
+    called = f"{sys.executable} -m sigcat.cli check signals.vspec"
+    file = tmp_path / ".git/hooks/pre-push"
+    file.write_text(hook.replace("sigcat check signals.vspec functions/*.yaml", called), encoding="utf-8")
+    file.chmod(0o755)
+    for unit, is_pushed in (("km/h", True), ("m/s", False)):
+        Path("signals.vspec").write_text(
+            f"Vehicle.Speed: {{type: sensor, datatype: float, unit: {unit}}}\n", encoding="utf-8"
+        )
+        git("add", "signals.vspec")
+        assert git("commit", "-q", "--allow-empty", "-m", unit).returncode == 0
+        pushed = git("push", "-q", "origin", "HEAD:main")
+        assert ((pushed.returncode == 0), ("E006" in pushed.stdout + pushed.stderr)) == (is_pushed, not is_pushed)
+
+
+def test_a_clock_that_jumps_back_leaves_a_log_that_verifies(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert run("publish", CORE)[0] == 0
+    monkeypatch.setattr("sigcat.registry.storing.ledger.now", lambda: "2001-01-01T00:00:00.000+00:00")
+    assert run("publish", WHEELS)[0] == 0
+    status, text = run("registry", "verify")
+    assert (status, "verified: 2 entries" in text) == (0, True)
+    assert run("users", "Vehicle.Speed")[0] == 0
 
 
 def test_a_question_about_two_lines_is_refused(field: Run) -> None:

@@ -180,6 +180,19 @@ def test_an_optional_signal_that_is_removed_breaks_nothing(more: str, rules: lis
         assert [finding.rule for finding in broken_by_catalogue(connection, other, "tree.vspec")] == ["E006"]
 
 
+@pytest.mark.parametrize(
+    ("more", "decision", "severities"), [("", "no", ["error"]), (", optional: true, init: 0", "yes", ["warning"])]
+)
+def test_a_lost_provider_of_an_optional_signal_is_a_warning(more: str, decision: str, severities: list[str]) -> None:
+    user = declaration("Beta", consumed=["S0"]).replace(b"role: consumed", f"role: consumed{more}".encode())
+    with in_memory() as connection:
+        versions = (declaration("Alpha", ["S0"]), declaration("Alpha", ["S1"], version="2.0.0"), user)
+        add(connection, *(candidate(each, catalogue()) for each in versions))
+        deploy(connection, "SUV-2025", [Reference("Alpha", "1.0.0"), Reference("Beta", "1.0.0")])
+        answer = can_deploy(connection, [Reference("Alpha", "2.0.0")], "SUV-2025")
+    assert (answer.decision, [each.severity for each in answer.conflicts]) == (decision, severities)
+
+
 def test_a_signal_that_the_catalogue_lacks_has_its_users() -> None:
     text = declaration("Alpha", consumed=["S0"]).replace(
         b"role: consumed", b"role: consumed, optional: true, datatype: float, init: 0"

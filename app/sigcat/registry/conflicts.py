@@ -155,6 +155,10 @@ def _lost(deployed: Sequence[Member], others: Sequence[Member], replaced: Sequen
             is_new = consumer in deployed and (not now or any(path not in each.needed for each in now))
             if (is_new or before) and not _is_provided(path, consumer, providers):
                 yield _lost_provider(path, consumer, before, deployed)
+        for path in consumer.optional:
+            before = [each for each in replaced if each.provides(path)]
+            if before and not _is_provided(path, consumer, providers):
+                yield _lost_provider(path, consumer, before, deployed)
 
 
 def _providers(members: Iterable[Member]) -> Mapping[str, frozenset[str]]:
@@ -175,10 +179,13 @@ def _is_provided(path: str, consumer: Member, providers: Mapping[str, frozenset[
 
 
 def _lost_provider(path: str, consumer: Member, before: Sequence[Member], deployed: Sequence[Member]) -> Conflict:
-    rule = codes.PROVIDER_LOST
+    is_optional = path in consumer.optional
+    rule = codes.PROVIDER_LOST.graded("warning") if is_optional else codes.PROVIDER_LOST  # it runs with its start value
     message = f"No function provides {path!r} to {consumer.label} in every vehicle."
     if before:
         message = f"Removing {path} breaks {consumer.label}: no other function provides it in every vehicle."
+    if is_optional:
+        message = f"Removing {path} leaves {consumer.label} with the start value: no other function provides it."
     sides = (_side(consumer, path), *(_side(each, path) for each in before))
     named = consumer if consumer in deployed else next(
         (member for member in deployed if member.name in {each.name for each in before}), deployed[0]

@@ -73,6 +73,11 @@ class Member:
         """Identities of signals that another function must provide."""
         return tuple(dict.fromkeys(use.element for use in self.uses if use.is_needed))
 
+    @property
+    def optional(self) -> tuple[str, ...]:
+        """Identities of signals that it consumes if the vehicle has them."""
+        return tuple(dict.fromkeys(use.element for use in self.uses if use.verb == "consumes" and use.is_optional))
+
     @cached_property
     def provided(self) -> frozenset[str]:
         """Identities of everything on which others may rely."""
