@@ -165,6 +165,7 @@ COSTLY: dict[str, list[Costly]] = {
     "GET /problems/{kind}": get("/problems/busy", f"/problems/{'x' * 300}"),
     "GET /propose": get("/propose?catalogue=wide&change=Vehicle", "/propose?catalogue=wide&below=Vehicle", f"/propose?catalogue=wide&change={MISSPELLED}"),
     "GET /registry": get("/registry", "/registry?from=99"),
+    "GET /registry/deliveries": get("/registry/deliveries", "/registry/deliveries?state=failed"),
     "GET /registry/lines": get("/registry/lines", "/registry/lines?from=99"),
     "GET /registry/users": get("/registry/users?path=Vehicle&catalogue=wide", f"/registry/users?path={MISSPELLED}&catalogue=wide"),
     "GET /registry/{group}/{name}": get("/registry/functions/Alpha", f"/registry/functions/{'x' * 300}"),

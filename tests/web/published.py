@@ -6,7 +6,12 @@ from sigcat.project.project import RegistrySettings
 from sigcat.registry.lines import record, set_rule, set_state
 from sigcat.registry.publish import publish
 from sigcat.registry.reference import Reference
+from sigcat.registry.storing.database import writing
+from sigcat.registry.storing.entry import now
 from sigcat.registry.storing.ledger import Registry
+from sigcat.registry.webhooks.addresses import Policy
+from sigcat.registry.webhooks.deliveries import plan
+from sigcat.registry.webhooks.subscriptions import subscribe
 from tests.registry.parts import candidate, catalogue, declaration
 
 
@@ -25,4 +30,9 @@ def published(folder: Path) -> RegistrySettings:
     set_rule(registry, "function", "Beta", "approval")
     publish(registry, [candidate(declaration("Beta", (), ("S0",), version="1.1.0"), over)])
     set_state(registry, "function", Reference("Gamma", "1.0.0"), "deprecated", "2027-01-31")
+    subscribe(registry, "https://hooks.example.org/secret-path?token=1", (), Policy(("hooks.example.org",)))
+    publish(registry, [candidate(declaration("Delta", ("S3",)), over)])
+    with writing(registry.database) as connection:
+        plan(connection, now())
+        connection.exec_driver_sql("UPDATE deliveries SET state = 'failed', attempts = 12, answer = 'answered 503'")
     return RegistrySettings(registry.database)

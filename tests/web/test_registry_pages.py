@@ -17,7 +17,7 @@ from tests.registry.parts import candidate, catalogue, declaration
 from tests.web.published import published
 
 PAGES = (
-    "/registry", "/registry/lines", "/registry/users", "/registry/users?path=Vehicle.S0", "/registry/users?path=Vehicle.Nothing",
+    "/registry", "/registry/deliveries", "/registry/lines", "/registry/users", "/registry/users?path=Vehicle.S0", "/registry/users?path=Vehicle.Nothing",
     "/registry/functions/Alpha", "/registry/functions/Gamma",
 )  # fmt: skip
 
@@ -38,7 +38,7 @@ def text_of(page: str) -> str:
 
 def test_names_have_their_newest_version_owner_and_lines(site):
     page = text_of(site("/registry").text)
-    assert "3 published names, 2 vehicle lines." in page
+    assert "4 published names, 2 vehicle lines." in page
     assert "Alpha function 2.0.0 published Team Alpha 2 SUV-2025, VAN-2026" in page
     assert "Gamma function 1.0.0 deprecated Team Gamma 1" in page
     assert "publish function Alpha 2.0.0" in page
@@ -48,6 +48,13 @@ def test_a_pending_version_has_the_owners_that_must_approve_it(site):
     page = text_of(site("/registry").text)
     assert "Beta 1.1.0 Team Beta" in page
     assert "Team Gamma must approve it: it breaks Gamma 1.0.0" in page
+
+
+def test_deliveries_of_webhooks_have_their_answer_and_no_secret(site):
+    page = site("/registry/deliveries?state=failed").text
+    assert "published Delta@1.0.0 hooks.example.org failed 12 answered 503" in text_of(page)
+    assert "secret-path" not in page
+    assert "token=1" not in page
 
 
 def test_a_cell_says_what_runs_and_why_the_newest_version_may_not_be_deployed(site):
@@ -130,6 +137,7 @@ def test_an_empty_registry_has_empty_pages(tmp_path):
     assert "Nothing is published." in empty("/registry").text
     assert "No vehicle line is recorded." in empty("/registry/lines").text
     assert empty("/registry/users?path=Vehicle.Speed").status_code == 200
+    assert "No deliveries." in empty("/registry/deliveries").text
     assert not (tmp_path / "registry.db").exists()
 
 

@@ -1,6 +1,6 @@
 """The registry in the browser: names, their versions, users of a signal, and what may be deployed where."""
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from fastapi import APIRouter, Query, Request
 from fastapi.responses import Response
@@ -45,6 +45,14 @@ async def show_users(
     return await queue.run(_users, visit_of(request), registry, hosted.catalogue, path)
 
 
+@router.get("/registry/deliveries")
+async def show_deliveries(
+    request: Request, registry: TheRegistry, queue: TheWorkQueue, state: Literal["", "failed"] = ""
+) -> Response:
+    """The newest events that were sent to webhooks, and the answers."""
+    return await queue.run(_deliveries, visit_of(request), registry, state)
+
+
 @router.get("/registry/{group}/{name}")
 async def show_name(
     request: Request,
@@ -86,6 +94,14 @@ def _users(visit: Visit, registry: HostedRegistry, catalogue: Catalogue, path: s
             )
     picture = user_picture(path, found.users) if found else None
     return page_for(visit, "registry_users.html", sought=path, found=found, unknown=None, picture=picture)
+
+
+def _deliveries(visit: Visit, registry: HostedRegistry, state: str) -> Response:
+    from sigcat.web.views.registry_view import deliveries_view
+
+    with registry.reading() as connection:
+        view = deliveries_view(connection, state)
+    return page_for(visit, "registry_deliveries.html", view=view, state=state)
 
 
 def _name(visit: Visit, registry: HostedRegistry, group: str, name: str, old: str, new: str) -> Response:

@@ -5,6 +5,7 @@ Importing this loads SQLAlchemy, which is an extra.
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple, TypeVar
+from urllib.parse import urlsplit
 
 from sigcat.errors import NotFound
 from sigcat.names import nearest
@@ -20,12 +21,15 @@ from sigcat.registry.storing.database import Snapshot
 from sigcat.registry.storing.entry import Entry, now
 from sigcat.registry.storing.ledger import head, log_page
 from sigcat.registry.use import from_json
+from sigcat.registry.webhooks.deliveries import count_deliveries, deliveries
 
 Found = TypeVar("Found")
 ENTRIES = 30
 """Entries of the log on the first page."""
 _NAMES = 120
 """Names on one page."""
+_DELIVERIES = 100
+"""Deliveries on the page."""
 _FUNCTIONS, _LINES = 20, 8
 """Rows and columns of the matrix."""
 GROUPS: Mapping[str, Kind] = {"functions": "function", "overlays": "overlay", "catalogues": "catalogue"}
@@ -61,6 +65,25 @@ class RegistryView(NamedTuple):
     def previous(self) -> int:
         """First name of the page before."""
         return max(self.start - _NAMES, 0)
+
+
+class DeliveryRow(NamedTuple):
+    """An event for a webhook."""
+
+    id: str
+    type: str
+    subject: str
+    host: str
+    state: str
+    attempts: int
+    answer: str
+
+
+class DeliveriesView(NamedTuple):
+    """The newest deliveries, and the number of all."""
+
+    deliveries: tuple[DeliveryRow, ...]
+    total: int
 
 
 class VersionRow(NamedTuple):
@@ -114,6 +137,19 @@ class MatrixView(NamedTuple):
     def previous(self) -> int:
         """First row of the page before."""
         return max(self.start - _FUNCTIONS, 0)
+
+
+def deliveries_view(connection: Snapshot, state: str) -> DeliveriesView:
+    """Return the newest deliveries of webhooks. Of an address only the host is shown: the rest may be a secret."""
+    found = deliveries(connection, state)[::-1][:_DELIVERIES]
+    rows = tuple(
+        DeliveryRow(
+            each.id, each.event["type"].rpartition(".")[2], each.event["subject"], urlsplit(each.url).hostname or "",
+            each.state, each.attempts, each.answer,
+        )
+        for each in found
+    )  # fmt: skip
+    return DeliveriesView(rows, count_deliveries(connection, state))
 
 
 def registry_view(connection: Snapshot, start: int) -> RegistryView:
