@@ -20,6 +20,12 @@ from tests.function.shipped import interfaces
 
 NAME = "Tested"
 
+SANITIZED = (
+    "-std=c11", "-g", "-O1", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off", "-fsanitize=address,undefined",
+    "-fno-sanitize-recover=all",
+)  # fmt: skip
+"""Options of gcc for programs that get hostile input."""
+
 
 class Built(NamedTuple):
     """An FMU, and what its variables are made from."""

@@ -8,21 +8,11 @@ import pytest
 
 from sigcat.cli import main
 from tests.adapter.fmi.bus.made import DBC, HERE, TREE
+from tests.adapter.fmi.fmus import SANITIZED
 from tests.needs import IS_SLOW_RUN, c_compiler
 
 pytest.importorskip("cantools", reason="cantools: pip install 'sigcat[can]'")
 ROUNDS = 100_000 if IS_SLOW_RUN else 5_000
-FLAGS = (
-    "-std=c11",
-    "-g",
-    "-O1",
-    "-Wall",
-    "-Wextra",
-    "-Werror",
-    "-ffp-contract=off",
-    "-fsanitize=address,undefined",
-    "-fno-sanitize-recover=all",
-)
 
 
 @pytest.fixture(scope="module")
@@ -36,7 +26,7 @@ def fuzzed(tmp_path_factory):
     (fmu,) = json.loads((folder / "fmi.json").read_text())["FmuList"]
     sources = folder / fmu["Name"] / "sources"
     files = [*sorted(sources.glob("*.c")), HERE / "mirror.c", HERE / "fuzz.c"]
-    command = ["gcc", *FLAGS, f"-I{sources}", f"-I{HERE}", *map(str, files), "-lm", "-o", str(folder / "fuzz")]
+    command = ["gcc", *SANITIZED, f"-I{sources}", f"-I{HERE}", *map(str, files), "-lm", "-o", str(folder / "fuzz")]
     subprocess.run(command, check=True)
     return folder / "fuzz", fmu["InstantiationToken"], str(len(fmu["VariableList"]))
 

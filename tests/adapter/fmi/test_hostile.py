@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from sigcat.cli import main
+from tests.adapter.fmi.fmus import SANITIZED
 from tests.needs import IS_SLOW_RUN, c_compiler
 
 HERE = Path(__file__).parent
@@ -25,19 +26,16 @@ def fuzzed(request, tmp_path_factory):
     assert main(["generate", "fmi", str(folder / "fmi.json"), "-o", str(folder)]) == 0
     (fmu,) = json.loads((folder / "fmi.json").read_text())["FmuList"]
     sources = folder / fmu["Name"] / "sources"
-    flags = [
-        "-std=c11",
-        "-g",
-        "-O1",
-        "-Wall",
-        "-Wextra",
-        "-Werror",
-        "-ffp-contract=off",
-        "-fsanitize=address,undefined",
-        "-fno-sanitize-recover=all",
-    ]
     files = [*sorted(sources.glob("*.c")), HERE / "averaging/averaging.c", HERE / "fuzz.c"]
-    command = ["gcc", *flags, f"-I{sources}", f"-I{HERE / 'averaging'}", *map(str, files), "-o", str(folder / "fuzz")]
+    command = [
+        "gcc",
+        *SANITIZED,
+        f"-I{sources}",
+        f"-I{HERE / 'averaging'}",
+        *map(str, files),
+        "-o",
+        str(folder / "fuzz"),
+    ]
     subprocess.run(command, check=True)
     return folder / "fuzz", fmu["InstantiationToken"], request.param
 

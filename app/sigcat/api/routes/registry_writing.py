@@ -17,6 +17,7 @@ from sigcat.api.middleware.registry_access import Administrator, Approver, Publi
 from sigcat.api.requests.clients import client_of
 from sigcat.api.requests.dependencies import FileName, NamedCatalogue, PostedText, TheSettings, TheWorkQueue, text_body
 from sigcat.api.requests.hosted_registry import HostedRegistry, TheRegistry
+from sigcat.api.routes.functions import DECLARATION
 from sigcat.api.work.quotas import mark_quota
 from sigcat.api.work.turns import Turns
 from sigcat.catalogue.model.catalogue import Catalogue
@@ -37,18 +38,6 @@ _FILES = (
     "A function or an overlay: the text of its file. Or several, as a JSON object with `files`, a list of objects with "
     "`name` and `text`."
 )
-_EXAMPLE = """\
-function: WheelSpeedCalculation
-version: 1.0.0
-responsible: Chassis
-description: Turns the rotation of the four wheels into their speeds over ground.
-components:
-  - name: WheelSpeedCalculation
-    runnables:
-      - WheelSpeedCalculation_Init
-      - WheelSpeedCalculation_Terminate
-"""
-
 Text = Annotated[str, Query(max_length=NAME_CHARACTERS)]
 FunctionVersion = Annotated[
     str, Query(max_length=NAME_CHARACTERS, description="Published version of a function.", examples=["CoreAcc@1.0.0"])
@@ -76,7 +65,7 @@ _POSTED = problem_documentation(401, 403, 404, 408, 413, 415, 422, 503)
         **_POSTED,
         **problem_documentation(409, 507),
     },
-    openapi_extra=text_body(_FILES, _EXAMPLE),
+    openapi_extra=text_body(_FILES, DECLARATION),
 )
 async def publish_versions(
     request: Request,
@@ -102,7 +91,7 @@ async def publish_versions(
     "/check",
     response_model=schemas.LintReport,
     responses=_POSTED,
-    openapi_extra=text_body(_FILES, _EXAMPLE),
+    openapi_extra=text_body(_FILES, DECLARATION),
     dependencies=[Reader],
 )
 async def check_versions(

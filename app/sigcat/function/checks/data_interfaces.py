@@ -12,7 +12,15 @@ from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
-from sigcat.function.function_json.walk import absent, data, errors, methods, parameters, runnables, safety_reactions
+from sigcat.function.function_json.walk import (
+    data,
+    declared_data,
+    errors,
+    methods,
+    parameters,
+    runnables,
+    safety_reactions,
+)
 from sigcat.limits import QUEUE_LENGTH
 from sigcat.names import IDENTIFIER, did_you_mean
 
@@ -29,7 +37,7 @@ def check_data_interfaces(function: FunctionJson, known_errors: Collection[str])
         yield from _late_value(pointer, item)
         if isinstance(item, DataQueue):
             yield from _queue(pointer, item)
-    for pointer, _, item in (*data(function), *absent(function)):
+    for pointer, _, item in declared_data(function):
         yield from _optional(pointer, item)
     yield from _keys(function)
     yield from _identifiers(function)

@@ -8,7 +8,7 @@ from sigcat.catalogue.model.interfaces import category_of, interface_name
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.extension.defined_nodes import DefinedNode, Definitions
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.walk import absent, data, errors, parameters, runnables, safety_reactions
+from sigcat.function.function_json.walk import declared_data, errors, parameters, runnables, safety_reactions
 
 
 def unused_definitions(definitions: Definitions, used: Iterable[str]) -> Iterator[Problem]:
@@ -36,8 +36,7 @@ def used_by(function: FunctionJson) -> Iterator[str]:
     if function.code is not None:
         yield from (f"{function.info.function_name}_{call}" for call in ("Init", "Terminate"))
     for located in (
-        *data(function),
-        *absent(function),
+        *declared_data(function),
         *parameters(function),
         *errors(function),
         *safety_reactions(function),

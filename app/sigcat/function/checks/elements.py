@@ -14,7 +14,7 @@ from sigcat.function.function_json.data_interfaces import DataQueue, ParameterIn
 from sigcat.function.function_json.datatype import Datatype, innermost
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.primitive_types import c_type, integer_limits
-from sigcat.function.function_json.walk import absent, data, parameters
+from sigcat.function.function_json.walk import declared_data, parameters
 from sigcat.names import did_you_mean
 
 Problems = Iterator[Problem]
@@ -43,7 +43,7 @@ class _Misfit(NamedTuple):
 def check_elements(function: FunctionJson) -> Problems:
     """Every problem of the values of arrays and structs, and of the names of members."""
     types = {datatype.reference: datatype for datatype in function.datatypes}
-    for pointer, _, item in (*data(function), *absent(function), *parameters(function)):
+    for pointer, _, item in (*declared_data(function), *parameters(function)):
         for key in ("InitElements", "DefaultElements"):
             text = getattr(item, "init_elements" if key == "InitElements" else "default_elements", None)
             if text is not None and not _is_text(types.get(item.datatype)):

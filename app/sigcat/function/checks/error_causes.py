@@ -12,7 +12,7 @@ from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.primitive_types import c_type
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
-from sigcat.function.function_json.walk import absent, data, errors, parameters, runnables, safety_reactions
+from sigcat.function.function_json.walk import data, declared_data, errors, parameters, runnables, safety_reactions
 from sigcat.names import did_you_mean
 
 Problems = Iterator[Problem]
@@ -34,7 +34,7 @@ def check_error_causes(function: FunctionJson, known_errors: Collection[str]) ->
 
 def _causes(function: FunctionJson) -> Iterator[tuple[Pointer, str, Subject]]:
     """Errors that are named, each with its pointer and what names it."""
-    for pointer, _, item in (*data(function), *absent(function), *parameters(function)):
+    for pointer, _, item in (*declared_data(function), *parameters(function)):
         for key, attribute in _CAUSES.items():
             if name := getattr(item, attribute, None):
                 yield (*pointer, key), name, Subject("data", item.name)
@@ -85,7 +85,7 @@ def _never_rejected(function: FunctionJson) -> Problems:
 
 def _resets(function: FunctionJson) -> Problems:
     types = {datatype.reference: datatype for datatype in function.datatypes}
-    consumed = {item.name: item for _, _, item in (*data(function), *absent(function)) if item.role == CONSUMER}
+    consumed = {item.name: item for _, _, item in declared_data(function) if item.role == CONSUMER}
     for pointer, _, error in errors(function):
         if error.reset is None or error.reset == RESTART:
             continue

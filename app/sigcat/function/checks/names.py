@@ -11,9 +11,8 @@ from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.variables import CodeVariable, variables
 from sigcat.function.function_json.walk import (
-    absent,
     contracts,
-    data,
+    declared_data,
     errors,
     methods,
     parameters,
@@ -44,7 +43,7 @@ def _names_twice(function: FunctionJson) -> Problems:
     """Names that two interfaces of a call have; one interface that is listed twice is another problem."""
     statuses = _names_of_statuses(function)
     holders: dict[tuple[Pointer, str], tuple[str | None, Pointer]] = {}
-    for pointer, located, item in (*data(function), *absent(function), *parameters(function)):
+    for pointer, located, item in (*declared_data(function), *parameters(function)):
         key = (located.pointer, item.name)
         at = (*pointer, "Name")
         path, first = holders.setdefault(key, (item.vss_path, at))
@@ -71,7 +70,7 @@ _ROLES = {CONSUMER: "consumed", PROVIDER: "provided"}
 def _paths_twice(function: FunctionJson) -> Problems:
     """Interfaces that a call has twice, or that it both reads and writes."""
     roles: dict[tuple[Pointer, str], tuple[str, Pointer]] = {}
-    for pointer, located, item in (*data(function), *absent(function), *parameters(function)):
+    for pointer, located, item in (*declared_data(function), *parameters(function)):
         if not item.vss_path:
             continue
         role = _ROLES.get(getattr(item, "role", ""), "a parameter")
@@ -164,7 +163,7 @@ def _function_name(function: FunctionJson) -> Problems:
 
 
 def _identifiers(function: FunctionJson) -> Problems:
-    for pointer, _, item in (*data(function), *absent(function), *parameters(function), *methods(function)):
+    for pointer, _, item in (*declared_data(function), *parameters(function), *methods(function)):
         if not (item.name.isascii() and item.name.isidentifier()):
             message = f"The name {item.name!r} is not a valid C identifier."
             fix = "Use letters, digits and underscores, and a letter first."

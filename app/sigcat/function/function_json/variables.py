@@ -11,7 +11,7 @@ from sigcat.function.function_json.data_interfaces import DataQueue
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import PROVIDER
-from sigcat.function.function_json.walk import absent, data, errors, methods, parameters, safety_reactions
+from sigcat.function.function_json.walk import declared_data, errors, methods, parameters, safety_reactions
 
 
 class Place(NamedTuple):
@@ -49,7 +49,7 @@ def variables(function: FunctionJson) -> Iterator[CodeVariable]:
 
 
 def _of_data(function: FunctionJson) -> Iterator[CodeVariable]:
-    for pointer, located, item in (*data(function), *absent(function), *parameters(function)):
+    for pointer, located, item in (*declared_data(function), *parameters(function)):
         name = item.vss_path or item.name
         place = Place(located.component.name, located.pointer, Subject("data", name))
         if item.variable:

@@ -68,6 +68,12 @@ def absent(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Signal | 
             yield (*pointer, "AbsentDataQList", index), located, queue
 
 
+def declared_data(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Signal | DataQueue]]:
+    """Every signal and queue that is declared, also those that the vehicle does not have."""
+    yield from data(function)
+    yield from absent(function)
+
+
 def parameters(function: FunctionJson) -> Iterator[tuple[Pointer, Located, ParameterInterface]]:
     """Every parameter."""
     for pointer, located, contract in contracts(function):

@@ -10,7 +10,7 @@ from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
-from sigcat.function.function_json.walk import absent, data, errors, methods, parameters, runnables, safety_reactions
+from sigcat.function.function_json.walk import declared_data, errors, methods, parameters, runnables, safety_reactions
 
 
 class CallRow(NamedTuple):
@@ -86,7 +86,7 @@ def _call(call: Runnable) -> CallRow:
 
 
 def _variables(function: FunctionJson) -> Iterator[VariableRow]:
-    for _, _, item in (*data(function), *absent(function)):
+    for _, _, item in declared_data(function):
         count = item.count_variable if isinstance(item, DataQueue) else None
         yield _row(item.name, item.vss_path, (item.variable, count), _of_data(item))
     for _, _, parameter in parameters(function):
