@@ -158,7 +158,9 @@ Vehicle.S0: {{type: {type}, datatype: float, description: A signal.}}
 """
 
 
-@pytest.mark.parametrize(("provided", "consumed", "rules"), [((), ("S0",), []), (("S0",), (), ["E006"])])
+@pytest.mark.parametrize(
+    ("provided", "consumed", "rules"), [((), ("S0",), []), (("S0",), (), ["E006"]), (("S0",), ("S0",), ["E006"])]
+)
 def test_a_node_that_cannot_be_set_any_more_breaks_who_sets_it(
     provided: tuple[str, ...], consumed: tuple[str, ...], rules: list[str]
 ) -> None:

@@ -101,8 +101,8 @@ def _broken_uses(
     file: str,
 ) -> Iterator[BrokenUse]:
     calls = _calls(uses)
-    strictest = sorted(uses, key=lambda use: not use.is_optional)  # of several uses of a node, the last one counts
-    for path, use in {use.path: use for use in strictest}.items():
+    strictest = sorted(uses, key=lambda use: not use.is_optional)  # of several uses in one role, the last one counts
+    for (path, _), use in {(use.path, use.provides): use for use in strictest}.items():
         for change in _for_role(use, changes.get((path, use.relied), ())):
             side = Side(published.name, published.version, published.owner, calls[path])
             yield BrokenUse(side, _finding(change, side, lines, _place(change, catalogue, file), use.via))
