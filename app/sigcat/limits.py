@@ -199,6 +199,9 @@ REGISTRY_SECONDS = 60
 REGISTRY_REQUEST_SECONDS = 5
 """Seconds for which the service waits until others have written to the registry; then the request is answered with 503."""
 
+SESSION_SECONDS = 8 * 60 * 60
+"""Seconds until a person has to sign in to the pages of the registry again."""
+
 WEBHOOK_SECONDS = 10
 """Seconds for which a webhook waits for an answer."""
 

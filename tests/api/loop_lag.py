@@ -13,7 +13,7 @@ from pathlib import Path
 from time import process_time
 
 import uvicorn
-from sqlalchemy import update
+from sqlalchemy import insert, update
 from starlette.types import Receive, Scope, Send
 
 from sigcat.api.server import prepare, uvicorn_config
@@ -25,6 +25,7 @@ from sigcat.catalogue.hosting.sources import shipped_sources
 from sigcat.catalogue.model.vehicle import Setting, Vehicle
 from sigcat.registry.storing.database import writing
 from sigcat.registry.storing.ledger import Registry
+from sigcat.registry.storing.sessions import SESSIONS
 from sigcat.registry.storing.tokens import TOKENS, create_token
 from sigcat.web.site import create_site
 from tests.api.conftest import SOURCES
@@ -39,12 +40,14 @@ _VEHICLES = tuple(
 
 
 def _registry(folder: Path, settings: Settings) -> Registry:
-    """A registry with a token that is the one of the service."""
+    """A registry with a token that is the one of the service, and a session whose secret is the token."""
     registry = signed_registry(folder)
     (token,) = settings.tokens
     with writing(registry.database) as connection:
         create_token(connection, token.name, ["administer"], "", "")
         connection.execute(update(TOKENS).values(digest=token.digest))
+        SESSIONS.create(connection)
+        connection.execute(insert(SESSIONS).values(digest=token.digest, token=token.digest, ends="9999"))
     return registry
 
 

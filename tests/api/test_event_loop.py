@@ -17,6 +17,7 @@ from sigcat.api.settings import DEFAULT_SETTINGS
 from sigcat.api.tokens import new_token
 from sigcat.catalogue.exporting.exporters import EXPORTERS
 from sigcat.data import EXAMPLES
+from sigcat.digest import digest_of
 from sigcat.limits import SEARCH_WORDS
 from sigcat.platforms.table import PLATFORMS
 from tests.api.loop_lag import ADDRESS
@@ -37,6 +38,9 @@ METADATA = "%7B%22type%22%3A%22static-metadata%22%2C%22parameter%22%3A%22%22%7D"
 MISSPELLED = "Vehicle.Part.Row1.Place1.Spee" + "d" * 400
 FORM = {"Content-Type": "application/x-www-form-urlencoded"}
 MULTIPART = {"Content-Type": "multipart/form-data; boundary=x"}
+COOKIE = {"Cookie": f"sigcat_session={SECRET}"}
+FORM_VALUE = digest_of(f"form {SECRET}".encode())
+"""Those of a session whose secret is the token, as `loop_lag` stores it."""
 YAML, CSV = {"Accept": "application/yaml"}, {"Accept": "text/csv"}
 BODY = DEFAULT_SETTINGS.body_bytes
 FORMS = (
@@ -73,6 +77,22 @@ def get(*addresses: str) -> list[Costly]:
 
 def forms(address: str) -> list[Costly]:
     return [Costly(address, headers, body) for headers, body in FORMS]
+
+
+def signed(address: str, fields: str) -> Costly:
+    """A form of the person who is signed in."""
+    return Costly(address, {**FORM, **COOKIE}, f"form={FORM_VALUE}&{fields}".encode())
+
+
+def posted_file(data: bytes) -> Costly:
+    """A file that this person publishes over the wide tree."""
+    fields = "".join(
+        f'--x\r\nContent-Disposition: form-data; name="{name}"\r\n\r\n{value}\r\n'
+        for name, value in (("form", FORM_VALUE), ("catalogue", "wide"), ("version", "1.0.0"))
+    )
+    file = b'--x\r\nContent-Disposition: form-data; name="file"; filename="a.yaml"\r\n\r\n'
+    body = fields.encode() + file + data[: BODY - 1000] + b"\r\n--x--\r\n"
+    return Costly("/registry/publish", {**MULTIPART, **COOKIE}, body)
 
 
 _DOCUMENT = b"[" * 60 + b"0," * (BODY // 2 - 100)
@@ -167,6 +187,8 @@ COSTLY: dict[str, list[Costly]] = {
     "GET /registry": get("/registry", "/registry?from=99"),
     "GET /registry/deliveries": get("/registry/deliveries", "/registry/deliveries?state=failed"),
     "GET /registry/lines": get("/registry/lines", "/registry/lines?from=99"),
+    "GET /registry/login": get(f"/registry/login?next={'x' * 300}"),
+    "GET /registry/publish": get("/registry/publish"),
     "GET /registry/users": get("/registry/users?path=Vehicle&catalogue=wide", f"/registry/users?path={MISSPELLED}&catalogue=wide"),
     "GET /registry/{group}/{name}": get("/registry/functions/Alpha", f"/registry/functions/{'x' * 300}"),
     "GET /rows/{catalogue}": get("/rows/wide?depth=99", f"/rows/wide?path={MISSPELLED}"),
@@ -211,6 +233,11 @@ COSTLY: dict[str, list[Costly]] = {
     "POST /api/v1/registry/retire": post(f"{REGISTRY}/retire?reference=Alpha@1.0.0", b""),
     "POST /api/v1/registry/rule": post(f"{REGISTRY}/rule?published=Alpha&compatibility_rule=full", b""),
     "POST /propose": forms("/propose"),
+    "POST /registry/decide": [*forms("/registry/decide"), signed("/registry/decide", "reference=Alpha@1.1.0&group=functions&action=approve")],
+    "POST /registry/end": [*forms("/registry/end"), signed("/registry/end", "reference=Alpha@1.0.0&group=functions&action=retire")],
+    "POST /registry/login": [*forms("/registry/login"), Costly("/registry/login", FORM, f"token={SECRET}".encode())],
+    "POST /registry/logout": [*forms("/registry/logout"), signed("/registry/logout", "")],
+    "POST /registry/publish": [*forms("/registry/publish"), *map(posted_file, (FUNCTION, LINES, _DOCUMENT))],
     "POST /try": forms("/try"),
     "POST /wiring": forms("/wiring"),
     **{f"GET /api/v1/catalogues/{{catalogue}}/export/{name}": get(f"{SMALL}/export/{name}") for name in EXPORTERS},

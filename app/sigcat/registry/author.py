@@ -1,6 +1,6 @@
 """Who changes the registry, and what a team may change."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from sigcat import codes
@@ -14,6 +14,11 @@ class Author(NamedTuple):
     """Name in the log; empty without a token."""
     owner: str = ""
     """Team whose functions it may publish and change; empty: all."""
+
+    @property
+    def entry_data(self) -> Mapping[str, str]:
+        """The author as entries of the log name it: the token `by` which a change was made, and its team."""
+        return {key: value for key, value in (("by", self.name), ("team", self.owner)) if value}
 
     def refusals(self, name: str, owners: Iterable[str]) -> Iterator[Finding]:
         """Yield a finding for each other owner of a name."""

@@ -90,6 +90,8 @@ def page_for(visit: Visit, template: str, status: int = 200, **context: Any) -> 
         address=visit.path,
         request_method=visit.method,
         has_registry=visit.has_registry,
+        may_read_catalogues=visit.may_read_catalogues,
+        session=visit.session,
         is_composed_with_errors=_is_composed_with_errors(context["hosted"]),
         **context,
     )

@@ -30,6 +30,8 @@ from sigcat.web.pages import (
     function_pages,
     node_pages,
     proposal_pages,
+    registry_forms,
+    registry_login,
     registry_pages,
     rule_pages,
     set_pages,
@@ -52,6 +54,8 @@ _PAGES = (
     node_pages,
     basket_pages,
     proposal_pages,
+    registry_login,
+    registry_forms,
     registry_pages,
     catalogue_pages,
     rule_pages,
@@ -77,6 +81,7 @@ def create_site(
         node_pages.__name__,
         proposal_pages.__name__,
         registry_pages.__name__,
+        registry_forms.__name__,
         basket_pages.__name__,
         set_pages.__name__,
         try_pages.__name__,
@@ -107,7 +112,7 @@ async def _answer(request: Request, error: Exception) -> Response:
     is_for_programs = path.startswith(("/api/", "/health", "/metrics", "/openapi.json", "/rows/")) or path.endswith(
         ".json"
     )
-    if is_for_programs or (isinstance(error, HTTPException) and error.status_code < 400):
+    if is_for_programs or (isinstance(error, HTTPException) and error.status_code < HTTPStatus.BAD_REQUEST):
         return await answer_problem(request, error)
     problem = problem_from(error)
     if problem.status >= HTTPStatus.INTERNAL_SERVER_ERROR:

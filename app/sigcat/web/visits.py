@@ -1,14 +1,18 @@
 """A request for a page as a value: the page can then be made in another process."""
 
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from fastapi import Request
 
-from sigcat.api.requests.dependencies import library_of
+from sigcat.api.requests.dependencies import library_of, settings_of
 from sigcat.api.requests.query_parameters import refuse_unless_known
+from sigcat.api.tokens import bearer
 from sigcat.catalogue.hosting.library import Library
 from sigcat.web.basket import PICK, Basket, read_basket
+
+if TYPE_CHECKING:
+    from sigcat.registry.storing.sessions import Session
 
 _PART = "part"
 """Parameter that every page takes, besides the basket."""
@@ -29,6 +33,10 @@ class Visit(NamedTuple):
     query: tuple[tuple[str, str], ...]
     has_registry: bool
     """Whether the service hosts a registry."""
+    may_read_catalogues: bool
+    """Whether the page may name the catalogues: pages that need no token, or one of the registry, may not where reading needs one."""
+    session: "Session | None" = None
+    """The person who is signed in, on pages of the registry."""
 
     @property
     def wants_part(self) -> bool:
@@ -57,7 +65,14 @@ def visit_of(request: Request) -> Visit:
         request.path_params,
         tuple(request.query_params.multi_items()),
         request.app.state.registry is not None,
+        _may_read_catalogues(request),
     )
+
+
+def _may_read_catalogues(request: Request) -> bool:
+    settings = settings_of(request)
+    token = bearer(request.headers.get("authorization", ""), settings.tokens)
+    return settings.reading == "open" or (token is not None and "read" in token.scopes)
 
 
 def mounted_below(request: Request) -> str:

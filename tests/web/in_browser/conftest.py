@@ -21,6 +21,8 @@ from pathlib import Path
 from sigcat.catalogue.hosting.library import Library, Source, shipped_sources
 from sigcat.api.server import run
 from sigcat.api.settings import Settings
+from sigcat.registry.storing.database import writing
+from sigcat.registry.storing.tokens import create_token
 from sigcat.web.site import create_site
 from tests.api.conftest import SOURCES
 from tests.web.fleet import FLEET
@@ -30,7 +32,11 @@ rows = Source("rows", "Doors in rows", Path(sys.argv[1]).parent / "rows.vspec")
 lost = Source("lost", "A tree that is not there", Path(sys.argv[1]).parent / "lost.vspec")
 settings = Settings(port=0, log="none")
 library = Library([*SOURCES, big, rows, lost, FLEET, *shipped_sources()])
-run(create_site(library, settings, registry=published(Path(sys.argv[1]).parent)), settings)
+registry = published(Path(sys.argv[1]).parent)
+with writing(registry.database) as connection:
+    secret = create_token(connection, "anna", ["administer"], "", "")
+(Path(sys.argv[1]).parent / "token").write_text(secret)
+run(create_site(library, settings, registry=registry), settings)
 """
 
 
@@ -54,9 +60,15 @@ def big_tree() -> str:
 
 
 @pytest.fixture(scope="session")
-def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+def served_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of the service: `token` there has a token of its registry."""
+    return tmp_path_factory.mktemp("big")
+
+
+@pytest.fixture(scope="session")
+def service(served_folder: Path) -> Iterator[str]:
     """Address of a service that runs in a separate process."""
-    big = tmp_path_factory.mktemp("big") / "big.vspec"
+    big = served_folder / "big.vspec"
     big.write_text(big_tree())
     (big.parent / "rows.vspec").write_text(_ROWS)
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "app")}

@@ -18,7 +18,7 @@ PAGES = (
     "/functions/core_acc?catalogue=interfaces", "/functions/core_acc?view=source&catalogue=interfaces",
     "/functions/wheel_speed_calculation?view=run&catalogue=interfaces",
     "/functions/sets/ecocontrol/compare", "/wiring?catalogue=interfaces", "/changes",
-    "/changes?old=vss&new=interfaces", "/registry", "/registry/lines", "/registry/deliveries", "/registry/users?path=Vehicle.S0", "/registry/functions/Alpha", "/vehicles/fleet", "/tree/fleet~vehicle.truck/Vehicle.Door", "/compare?path=Vehicle.Speed&other=bare", "/history/interfaces/Vehicle.Speed", "/basket/interfaces?pick=Vehicle.Speed,Vehicle.Cabin.Door,Vehicle.Sped", "/try", "/try?kind=function&catalogue=interfaces", "/propose?change=Vehicle.Chassis.Brake.CylP&catalogue=interfaces", "/rules", "/rules/I201",
+    "/changes?old=vss&new=interfaces", "/registry", "/registry/lines", "/registry/deliveries", "/registry/login", "/registry/users?path=Vehicle.S0", "/registry/functions/Alpha", "/vehicles/fleet", "/tree/fleet~vehicle.truck/Vehicle.Door", "/compare?path=Vehicle.Speed&other=bare", "/history/interfaces/Vehicle.Speed", "/basket/interfaces?pick=Vehicle.Speed,Vehicle.Cabin.Door,Vehicle.Sped", "/try", "/try?kind=function&catalogue=interfaces", "/propose?change=Vehicle.Chassis.Brake.CylP&catalogue=interfaces", "/rules", "/rules/I201",
     "/units/interfaces", "/catalogues/interfaces", "/docs", "/docs/api/integration", "/docs/api/schemas", "/problems/busy", "/tree/small/Vehicle.Sped",
 )  # fmt: skip
 """One page of each kind."""

@@ -14,7 +14,7 @@ PAGES = (
     "/functions?catalogue=interfaces", "/functions/core_acc?catalogue=interfaces",
     "/functions/core_acc?view=source&catalogue=interfaces", "/functions/core_acc?view=ros2&catalogue=interfaces",
     "/functions/wheel_speed_calculation?view=run&catalogue=interfaces",
-    "/functions/sets/ecocontrol/compare", "/wiring?catalogue=interfaces", "/changes?old=vss&new=interfaces", "/vehicles/fleet?show=all", "/registry", "/registry/lines", "/registry/deliveries", "/registry/users?path=Vehicle.S0", "/registry/functions/Alpha", "/compare?catalogue=interfaces&path=Vehicle.Chassis&other=vss", "/history/interfaces/Vehicle.Speed", "/basket/interfaces?pick=Vehicle.Speed,Vehicle.Cabin.Door.IsOpen,Vehicle.Chassis.Axle.Row1.Wheel.Left.Tire.Pressure,Vehicle.Sped", "/propose?change=Vehicle.Chassis.Brake.CylP&catalogue=interfaces", "/try?kind=function&catalogue=interfaces",
+    "/functions/sets/ecocontrol/compare", "/wiring?catalogue=interfaces", "/changes?old=vss&new=interfaces", "/vehicles/fleet?show=all", "/registry", "/registry/lines", "/registry/deliveries", "/registry/login", "/registry/users?path=Vehicle.S0", "/registry/functions/Alpha", "/compare?catalogue=interfaces&path=Vehicle.Chassis&other=vss", "/history/interfaces/Vehicle.Speed", "/basket/interfaces?pick=Vehicle.Speed,Vehicle.Cabin.Door.IsOpen,Vehicle.Chassis.Axle.Row1.Wheel.Left.Tire.Pressure,Vehicle.Sped", "/propose?change=Vehicle.Chassis.Brake.CylP&catalogue=interfaces", "/try?kind=function&catalogue=interfaces",
     "/rules", "/rules/I201", "/units/interfaces", "/catalogues/interfaces", "/docs", "/docs/api/exports", "/docs/api/schemas", "/problems/busy", "/tree/small/Vehicle.Sped",
 )  # fmt: skip
 

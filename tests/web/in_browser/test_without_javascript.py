@@ -13,7 +13,7 @@ PAGES = {
     "/search/small?q=sped": "Did you mean", "/functions?catalogue=interfaces": "CoreAcc", "/functions/core_acc?catalogue=interfaces": "Signals out",
     "/functions/core_acc?view=source&catalogue=interfaces": "function: CoreAcc", "/functions/core_acc?view=arxml&catalogue=interfaces": "&lt;AUTOSAR",
     "/functions/core_acc?view=run&catalogue=interfaces": "STANDBY", "/wiring?catalogue=interfaces": "fit together", "/changes?old=vss&new=interfaces": "compatible",
-    "/functions/sets/ecocontrol/compare": "Acceptance criteria", "/try?catalogue=interfaces": "errors", "/compare?path=Vehicle.Speed&other=bare": "differ", "/history/interfaces/Vehicle.Speed": "already", "/vehicles/fleet": "They differ in", "/registry/lines": "may not be deployed", "/basket/interfaces?pick=Vehicle.Cabin.Door.IsOpen": "it is not stored", "/propose?change=Vehicle.Speed&catalogue=interfaces": "No changes yet", "/rules": "Kinds", "/rules/I201": "Wrong", "/units/small": "km/h",
+    "/functions/sets/ecocontrol/compare": "Acceptance criteria", "/try?catalogue=interfaces": "errors", "/compare?path=Vehicle.Speed&other=bare": "differ", "/history/interfaces/Vehicle.Speed": "already", "/vehicles/fleet": "They differ in", "/registry/lines": "may not be deployed", "/registry/login": "signed in for 8 hours", "/basket/interfaces?pick=Vehicle.Cabin.Door.IsOpen": "it is not stored", "/propose?change=Vehicle.Speed&catalogue=interfaces": "No changes yet", "/rules": "Kinds", "/rules/I201": "Wrong", "/units/small": "km/h",
     "/catalogues/small": "Layers", "/docs": "Other answers", "/docs/api/lint": "curl", "/problems/busy": "Retry-After", "/tree/small/Vehicle.Sped": "Did you mean",
 }  # fmt: skip
 

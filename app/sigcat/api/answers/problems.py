@@ -107,7 +107,7 @@ async def answer_problem(request: Request, error: Exception) -> Response:
     What failed inside goes to the log.
     """
     headers = headers_of(error)
-    if isinstance(error, HTTPException) and error.status_code == HTTPStatus.NOT_MODIFIED:
+    if isinstance(error, HTTPException) and error.status_code < HTTPStatus.BAD_REQUEST:
         return Response(status_code=error.status_code, headers=headers)
     problem = problem_from(error)
     address = request.scope.get("root_path", "").rstrip("/") + problem.type

@@ -22,7 +22,7 @@ _BEARER = HTTPBearer(
 )
 
 
-_ALWAYS_OPEN = ("/health/", "/problems/", "/static/", "/api/v1/registry")
+_ALWAYS_OPEN = ("/health/", "/problems/", "/static/", "/api/v1/registry", "/registry")
 _HEALTH = ("/health", "/healthz")
 
 
@@ -49,7 +49,7 @@ class ReadAccess:
 def _is_open(scope: Connection) -> bool:
     """Health, explanations of problems and their style need no token; nor does a browser's question before CORS.
 
-    The registry has tokens of its own, and asks for them itself.
+    The registry has its own tokens: its API and its pages ask for them.
     """
     path: str = scope["path"].removeprefix(scope.get("root_path", ""))
     return path in _HEALTH or path.startswith(_ALWAYS_OPEN) or scope["method"] == "OPTIONS"

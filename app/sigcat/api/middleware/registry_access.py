@@ -58,7 +58,7 @@ def _author(authorization: str, registry: HostedRegistry, scope: "Scope", *, nee
 
     A token is needed once there is one: a revoked one does not open what it closed.
     """
-    from sigcat.registry.author import ANYONE, Author
+    from sigcat.registry.author import ANYONE
     from sigcat.registry.storing.tokens import all_tokens, find_token
 
     kind, _, secret = authorization.partition(" ")
@@ -68,6 +68,13 @@ def _author(authorization: str, registry: HostedRegistry, scope: "Scope", *, nee
             return ANYONE
     if token is None or token.fault:
         raise HTTPException(HTTPStatus.UNAUTHORIZED, _refusal(token, scope), headers=_CHALLENGE)
+    return author_of(token, scope)
+
+
+def author_of(token: "Token", scope: "Scope") -> "Author":
+    """Who writes with a valid token. Raises 403 without the scope."""
+    from sigcat.registry.author import Author
+
     if not token.has(scope):
         raise HTTPException(HTTPStatus.FORBIDDEN, f"The token {token.name!r} must have the scope {scope!r}.")
     return Author(token.name, token.owner)
@@ -84,13 +91,18 @@ def _refusal(token: "Token | None", scope: "Scope") -> str:
 
 def _refuse_other_sites(request: Request, settings: Settings) -> None:
     """Raises 403 for a request that a page of another origin makes, unless `origins` has it."""
-    origin, site = request.headers.get("origin"), request.headers.get("sec-fetch-site", "none")
-    is_own = origin is None or origin.partition("//")[2] == request.state.host
     has_token = "*" in settings.origins and "authorization" in request.headers
-    if (is_own and site in ("none", "same-origin")) or origin in settings.origins or has_token:
+    if is_of_own_site(request) or request.headers.get("origin") in settings.origins or has_token:
         return
     detail = "A page of another site must not change the registry. Add its origin to `origins` of [service] if it may."
     raise HTTPException(HTTPStatus.FORBIDDEN, detail)
+
+
+def is_of_own_site(request: Request) -> bool:
+    """Whether a page of the service makes a request, or a program that is not a browser."""
+    origin, site = request.headers.get("origin"), request.headers.get("sec-fetch-site", "none")
+    is_own = origin is None or origin.partition("//")[2] == request.state.host
+    return is_own and site in ("none", "same-origin")
 
 
 def _is_local(request: Request, settings: Settings) -> bool:

@@ -45,8 +45,7 @@ class Ledger(NamedTuple):
     def append(self, action: Action, data: Mapping[str, Any]) -> None:
         """Write an entry behind the last one, and change the tables."""
         last = head(self.connection)
-        by = {"by": self.author.name} if self.author.name else {}
-        entry = Entry(last.number + 1 if last else 1, now(), action, {**data, **by})
+        entry = Entry(last.number + 1 if last else 1, now(), action, {**data, **self.author.entry_data})
         self._write(linked(entry, last.hash if last else BEGIN))
 
     def _write(self, link: Link) -> None:

@@ -2,7 +2,7 @@
 
 from typing import Annotated, Literal
 
-from fastapi import APIRouter, Query, Request
+from fastapi import APIRouter, Query
 from fastapi.responses import Response
 
 from sigcat.api.requests.dependencies import NamedCatalogue, TheWorkQueue
@@ -11,8 +11,9 @@ from sigcat.catalogue.hosting.variants import expanded_of
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import InputRefused
 from sigcat.limits import NAME_CHARACTERS, PARAMETER_CHARACTERS
+from sigcat.web.registry_visits import RegistryVisit
 from sigcat.web.rendering import page_for
-from sigcat.web.visits import Visit, visit_of
+from sigcat.web.visits import Visit
 
 router = APIRouter()
 VIEWS = "sigcat.web.views.registry_view"
@@ -22,40 +23,40 @@ Version = Annotated[str, Query(max_length=NAME_CHARACTERS)]
 
 
 @router.get("/registry")
-async def show_registry(request: Request, registry: TheRegistry, queue: TheWorkQueue, start: Start = 0) -> Response:
+async def show_registry(visit: RegistryVisit, registry: TheRegistry, queue: TheWorkQueue, start: Start = 0) -> Response:
     """Published names, and the last entries of the log."""
-    return await queue.run(_registry, visit_of(request), registry, start)
+    return await queue.run(_registry, visit, registry, start)
 
 
 @router.get("/registry/lines")
-async def show_lines(request: Request, registry: TheRegistry, queue: TheWorkQueue, start: Start = 0) -> Response:
+async def show_lines(visit: RegistryVisit, registry: TheRegistry, queue: TheWorkQueue, start: Start = 0) -> Response:
     """Functions and vehicle lines: what runs there, and whether the newest version may be deployed."""
-    return await queue.run(_lines, visit_of(request), registry, start)
+    return await queue.run(_lines, visit, registry, start)
 
 
 @router.get("/registry/users")
 async def show_users(
-    request: Request,
+    visit: RegistryVisit,
     registry: TheRegistry,
     queue: TheWorkQueue,
     hosted: NamedCatalogue,
     path: Annotated[str, Query(max_length=PARAMETER_CHARACTERS)] = "",
 ) -> Response:
     """Users of a path, with a picture."""
-    return await queue.run(_users, visit_of(request), registry, hosted.catalogue, path)
+    return await queue.run(_users, visit, registry, hosted.catalogue, path)
 
 
 @router.get("/registry/deliveries")
 async def show_deliveries(
-    request: Request, registry: TheRegistry, queue: TheWorkQueue, state: Literal["", "failed"] = ""
+    visit: RegistryVisit, registry: TheRegistry, queue: TheWorkQueue, state: Literal["", "failed"] = ""
 ) -> Response:
     """The newest events that were sent to webhooks, and the answers."""
-    return await queue.run(_deliveries, visit_of(request), registry, state)
+    return await queue.run(_deliveries, visit, registry, state)
 
 
 @router.get("/registry/{group}/{name}")
 async def show_name(
-    request: Request,
+    visit: RegistryVisit,
     registry: TheRegistry,
     queue: TheWorkQueue,
     group: str,
@@ -64,7 +65,7 @@ async def show_name(
     new: Version = "",
 ) -> Response:
     """The versions of a name, and the changes between two of them."""
-    return await queue.run(_name, visit_of(request), registry, group, name, old, new)
+    return await queue.run(_name, visit, registry, group, name, old, new)
 
 
 def _registry(visit: Visit, registry: HostedRegistry, start: int) -> Response:

@@ -21,6 +21,7 @@ export const withBasket = (address) => {
 
 const show = () => {
   const link = document.querySelector("[data-basket]");
+  if (!link) return; // a page without catalogues
   link.hidden = !paths.length && !link.hasAttribute("aria-current");
   link.querySelector("[data-basket-count]").textContent = paths.length;
   for (const each of document.querySelectorAll("a[data-pick]")) {

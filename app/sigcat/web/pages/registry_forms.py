@@ -1,0 +1,117 @@
+"""Changes of the registry in the browser: publish files, decide about pending versions, end versions."""
+
+from http import HTTPStatus
+from typing import TYPE_CHECKING
+
+from fastapi import APIRouter, Request
+from fastapi.responses import RedirectResponse, Response
+
+from sigcat.api.middleware.registry_access import author_of
+from sigcat.api.requests.dependencies import TheSettings, TheWorkQueue
+from sigcat.api.requests.hosted_registry import TheRegistry
+from sigcat.api.requests.thread_turns import InThread, in_thread
+from sigcat.api.routes.registry_writing import in_turn
+from sigcat.catalogue.hosting.library import Library
+from sigcat.errors import UsageError
+from sigcat.limits import Limits
+from sigcat.names import either
+from sigcat.web.forms import Form, form_catalogue
+from sigcat.web.registry_visits import OwnSite, RegistryVisit, SignedForm, SignedIn, field
+from sigcat.web.rendering import page_for
+
+if TYPE_CHECKING:
+    from sigcat.registry.candidate import Candidate
+    from sigcat.registry.reference import Kind, Reference
+
+router = APIRouter(route_class=InThread)
+
+
+@router.get("/registry/publish")
+def show_publish(visit: RegistryVisit, _: SignedIn) -> Response:
+    """The form for files."""
+    return page_for(visit, "registry_publish.html", outcomes=None)
+
+
+@router.post("/registry/publish", dependencies=[OwnSite])
+async def publish_files(
+    request: Request,
+    registry: TheRegistry,
+    settings: TheSettings,
+    queue: TheWorkQueue,
+    visit: RegistryVisit,
+    session: SignedIn,
+    form: SignedForm,
+) -> Response:
+    """Publish all files of the form, or none, and list what became of them."""
+    from sigcat.registry.publish import publish
+
+    author = author_of(session.token, "publish")
+    owner = field(form, "owner") or author.owner
+    candidates = await queue.run(_candidates, form, visit.library, field(form, "version"), owner, settings.limits)
+    is_draft = bool(form.last("draft"))
+    receipt = await in_turn(request, lambda: publish(registry.written_by(author), candidates, is_draft=is_draft))
+    return await in_thread(request, page_for, visit, "registry_publish.html", outcomes=receipt.outcomes)
+
+
+@router.post("/registry/decide", dependencies=[OwnSite])
+async def decide(
+    request: Request, registry: TheRegistry, visit: RegistryVisit, session: SignedIn, form: SignedForm
+) -> Response:
+    """Approve or reject the content of a pending version."""
+    from sigcat.registry.approvals import approve, reject
+
+    author = author_of(session.token, "approve")
+    kind, reference = _version(form)
+    owner, content = field(form, "owner") or author.owner, field(form, "content")
+    registry_of_author = registry.written_by(author)
+    if _chosen(form, "approve", "reject") == "approve":
+        await in_turn(request, lambda: approve(registry_of_author, kind, reference, owner, content=content))
+    else:
+        reason = form.last("reason")
+        await in_turn(request, lambda: reject(registry_of_author, kind, reference, owner, reason, content))
+    return RedirectResponse(f"{visit.below}/registry#pending", HTTPStatus.SEE_OTHER)
+
+
+@router.post("/registry/end", dependencies=[OwnSite])
+async def end_version(
+    request: Request, registry: TheRegistry, visit: RegistryVisit, session: SignedIn, form: SignedForm
+) -> Response:
+    """Deprecate or retire a version."""
+    from sigcat.registry.lines import set_state
+
+    author = author_of(session.token, "publish")
+    kind, reference = _version(form)
+    written = registry.written_by(author)
+    if _chosen(form, "deprecate", "retire") == "deprecate":
+        until, successor = field(form, "until"), field(form, "successor")
+        await in_turn(request, lambda: set_state(written, kind, reference, "deprecated", until, successor))
+    else:
+        await in_turn(request, lambda: set_state(written, kind, reference, "retired"))
+    return RedirectResponse(f"{visit.below}/registry/{kind}s/{reference.name}", HTTPStatus.SEE_OTHER)
+
+
+def _version(form: Form) -> "tuple[Kind, Reference]":
+    from sigcat.registry.reference import reference_of
+    from sigcat.web.views.registry_view import GROUPS
+
+    kind = GROUPS.get(field(form, "group"))
+    if kind is None:
+        raise UsageError(f"The group must be {either(GROUPS)}, not {field(form, 'group')[:80]!r}.")
+    return kind, reference_of(field(form, "reference"))
+
+
+def _chosen(form: Form, *actions: str) -> str:
+    """The button of a form that was pressed. Raises UsageError."""
+    given = field(form, "action")
+    if given not in actions:
+        raise UsageError(f"The action must be {either(actions)}, not {given[:80]!r}.")
+    return given
+
+
+def _candidates(form: Form, library: Library, version: str, owner: str, limits: Limits) -> "tuple[Candidate, ...]":
+    from sigcat.registry.posted import posted_candidates
+
+    if not form.files:
+        raise UsageError("No file is chosen. Choose a function or an overlay.")
+    files = [(each.data, each.name) for each in form.files]
+    return posted_candidates(files, form_catalogue(form, library).catalogue, version, owner, limits)
