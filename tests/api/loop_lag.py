@@ -47,7 +47,11 @@ def _registry(folder: Path, settings: Settings) -> Registry:
         create_token(connection, token.name, ["administer"], "", "")
         connection.execute(update(TOKENS).values(digest=token.digest))
         SESSIONS.create(connection)
-        connection.execute(insert(SESSIONS).values(digest=token.digest, token=token.digest, ends="9999"))
+        connection.execute(
+            insert(SESSIONS).values(
+                digest=token.digest, token=token.digest, name="", scopes="", owner="", begun="", ends="9999"
+            )
+        )
     return registry
 
 

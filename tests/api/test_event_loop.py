@@ -188,6 +188,8 @@ COSTLY: dict[str, list[Costly]] = {
     "GET /registry/deliveries": get("/registry/deliveries", "/registry/deliveries?state=failed"),
     "GET /registry/lines": get("/registry/lines", "/registry/lines?from=99"),
     "GET /registry/login": get(f"/registry/login?next={'x' * 300}"),
+    "GET /registry/openid": get("/registry/openid"),
+    "GET /registry/openid/return": get("/registry/openid/return?code=x&state=x"),
     "GET /registry/publish": get("/registry/publish"),
     "GET /registry/users": get("/registry/users?path=Vehicle&catalogue=wide", f"/registry/users?path={MISSPELLED}&catalogue=wide"),
     "GET /registry/{group}/{name}": get("/registry/functions/Alpha", f"/registry/functions/{'x' * 300}"),

@@ -4,6 +4,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
+from sigcat.api.groups import Group, group_from_text
 from sigcat.api.tokens import Token, token_from_text
 from sigcat.limits import Limits
 
@@ -19,8 +20,13 @@ def _token(value: Any) -> Any:
     return token_from_text(value) if isinstance(value, str) else value
 
 
+def _group(value: Any) -> Any:
+    return group_from_text(value) if isinstance(value, str) else value
+
+
 Texts = Annotated[tuple[str, ...], BeforeValidator(_listed)]
 Tokens = Annotated[tuple[Annotated[Token, BeforeValidator(_token)], ...], BeforeValidator(_listed)]
+Groups = Annotated[tuple[Annotated[Group, BeforeValidator(_group)], ...], BeforeValidator(_listed)]
 
 
 class Settings(BaseModel):
@@ -58,6 +64,30 @@ class Settings(BaseModel):
     )
     tokens: Tokens = Field(
         default=(), description="Tokens as `NAME:SCOPE+SCOPE:SHA-256`; `sigcat config --new-token` makes one."
+    )
+    openid_issuer: str = Field(
+        default="",
+        description="Issuer of OpenID Connect by which people sign in to the registry, such as `https://login.example.org`; "
+        "needs the extra `registry-openid`.",
+        pattern=r"^(https://[^\s?#]+|http://(localhost|127\.0\.0\.1|\[::1\])(:\d+)?(/[^\s?#]*)?)?$",
+    )
+    openid_client: str = Field(default="", description="Client id of the service there.", max_length=200)
+    openid_secret_file: str = Field(
+        default="", description="File with the secret of this client; without it, the client is a public one."
+    )
+    openid_address: str = Field(
+        default="",
+        description="Address of the service for browsers, such as `https://signals.example.org`; the provider sends people "
+        "back to `/registry/openid/return` there.",
+        pattern=r"^(https?://[^\s?#]+[^\s?#/])?$",
+    )
+    openid_claim: str = Field(
+        default="groups", description="Claim of the ID token with the groups of a person.", min_length=1
+    )
+    openid_groups: Groups = Field(
+        default=(),
+        description="What people of a group may do, as `GROUP:SCOPE+SCOPE:TEAM`, without `:TEAM` for all teams; of a person in "
+        "several, the first counts.",
     )
     connections: int = Field(
         default=1000,

@@ -57,6 +57,7 @@ def serve(arguments: argparse.Namespace) -> int:
     from sigcat.function.hosting import FunctionLibrary
     from sigcat.project.changed_file import ProjectFile
     from sigcat.temporary_files import temporary_folder
+    from sigcat.web.openid import check_openid
     from sigcat.web.site import create_site
 
     with temporary_folder("sigcat-serve-"):
@@ -65,6 +66,7 @@ def serve(arguments: argparse.Namespace) -> int:
     sources = _with_local(hosted_sources(arguments, project), arguments, project)
     library = Library(sources)
     _refuse_without_signals(library, project)
+    check_openid(settings)
     functions = FunctionLibrary(project.functions, has_shipped=project.has_shipped_functions, catalogues=library)
     if was_interrupted():
         raise KeyboardInterrupt
@@ -104,6 +106,7 @@ def application() -> "FastAPI":
     from sigcat.catalogue.hosting.library import Library, Watch
     from sigcat.function.hosting import FunctionLibrary
     from sigcat.project.changed_file import ProjectFile
+    from sigcat.web.openid import check_openid
     from sigcat.web.site import create_site
 
     ignore_hangup()
@@ -114,6 +117,7 @@ def application() -> "FastAPI":
     project, settings = served_project(arguments)
     library = Library(hosted_sources(arguments, project))
     _refuse_without_signals(library, project)
+    check_openid(settings)
     functions = FunctionLibrary(project.functions, has_shipped=project.has_shipped_functions, catalogues=library)
     service = create_site(library, settings, functions, hosted_registry(project))
     prepare(service, settings)

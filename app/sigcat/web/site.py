@@ -29,6 +29,7 @@ from sigcat.web.pages import (
     documentation_pages,
     function_pages,
     node_pages,
+    openid_pages,
     proposal_pages,
     registry_forms,
     registry_login,
@@ -89,6 +90,7 @@ def create_site(
     if registry is not None:
         app.state.modules_of_work.append(registry_pages.VIEWS)
     app.state.rehearsals = partial(_rehearsals, app, library, settings)
+    app.include_router(openid_pages.router, include_in_schema=False)  # a provider may send parameters that it invented
     for module in _PAGES:
         app.include_router(module.router, include_in_schema=False, dependencies=[Depends(refuse_unknown)])
     app.mount("/static", CheckedStaticFiles(directory=_STATIC), name="static")

@@ -14,7 +14,11 @@ from sigcat.registry.storing.tokens import Token, all_tokens
 SESSIONS = Table(
     "sessions", MetaData(),
     Column("digest", String, primary_key=True),
-    Column("token", String, nullable=False),  # digest of the token that began it
+    Column("token", String, nullable=False),  # digest of the token that began it; empty for a person without one
+    Column("name", String, nullable=False),
+    Column("scopes", String, nullable=False),
+    Column("owner", String, nullable=False),
+    Column("begun", String, nullable=False),
     Column("ends", String, nullable=False),
 )  # fmt: skip
 """It does not follow from the log, so it is made when the first session is."""
@@ -29,12 +33,23 @@ class Session(NamedTuple):
 
 
 def begin_session(connection: Connection, token: Token) -> str:
-    """Store a new session of a token, remove those that have ended, and return the secret for the cookie."""
+    """Store a new session, remove those that have ended, and return the secret for the cookie.
+
+    The token has no digest for a person whom a provider of OpenID Connect vouches for.
+    """
     SESSIONS.create(connection, checkfirst=True)
     connection.execute(delete(SESSIONS).where(SESSIONS.c.ends <= now()))
     secret = secrets.token_urlsafe(32)
     ends = time_text(dt.datetime.now(dt.UTC) + dt.timedelta(seconds=SESSION_SECONDS))
-    connection.execute(insert(SESSIONS).values(digest=_digest(secret), token=token.digest, ends=ends))
+    row = {
+        "token": token.digest,
+        "name": token.name,
+        "scopes": token.scopes,
+        "owner": token.owner,
+        "begun": now(),
+        "ends": ends,
+    }
+    connection.execute(insert(SESSIONS).values(digest=_digest(secret), **row))
     return secret
 
 
@@ -42,13 +57,13 @@ def find_session(connection: Connection, secret: str) -> Session | None:
     """The session of a cookie. One of a revoked or expired token is none."""
     if not inspect(connection).has_table(SESSIONS.name):
         return None
-    row = connection.execute(
-        select(SESSIONS.c.token, SESSIONS.c.ends).where(SESSIONS.c.digest == _digest(secret))
-    ).first()
+    row = connection.execute(select(SESSIONS).where(SESSIONS.c.digest == _digest(secret))).first()
     if row is None or row.ends <= now():
         return None
-    token = next((each for each in all_tokens(connection) if each.digest == row.token), None)
-    return Session(token, _digest(f"form {secret}")) if token is not None and not token.fault else None
+    token: Token | None = Token(row.name, "", row.scopes, row.owner, row.begun, "", "")
+    if row.token:
+        token = next((each for each in all_tokens(connection) if each.digest == row.token and not each.fault), None)
+    return Session(token, _digest(f"form {secret}")) if token is not None else None
 
 
 def end_session(connection: Connection, secret: str) -> None:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 from fastapi import APIRouter, Query, Request
 from fastapi.responses import RedirectResponse, Response
 
+from sigcat.api.requests.dependencies import TheSettings
 from sigcat.api.requests.hosted_registry import HostedRegistry, TheRegistry
 from sigcat.api.requests.thread_turns import InThread, in_thread
 from sigcat.api.routes.registry_writing import in_turn
@@ -23,14 +24,17 @@ _UNKNOWN = "The token must be one of this registry. `sigcat registry token list`
 
 @router.get("/registry/login")
 def show_login(
-    request: Request, _: TheRegistry, after: Annotated[str, Query(alias="next", max_length=NAME_CHARACTERS)] = ""
+    request: Request,
+    _: TheRegistry,
+    settings: TheSettings,
+    after: Annotated[str, Query(alias="next", max_length=NAME_CHARACTERS)] = "",
 ) -> Response:
     """The form for a token."""
-    return page(request, "registry_login.html", after=after, refusal="")
+    return page(request, "registry_login.html", after=after, refusal="", has_openid=bool(settings.openid_issuer))
 
 
 @router.post("/registry/login", dependencies=[OwnSite])
-async def log_in(request: Request, registry: TheRegistry, form: OwnForm) -> Response:
+async def log_in(request: Request, registry: TheRegistry, settings: TheSettings, form: OwnForm) -> Response:
     """Begin a session of a token, whose secret is in a cookie that no script reads."""
     token = await in_thread(request, _token, registry, field(form, "token"))
     if token is None or token.fault:
@@ -43,14 +47,22 @@ async def log_in(request: Request, registry: TheRegistry, form: OwnForm) -> Resp
             HTTPStatus.FORBIDDEN,
             after=field(form, "next"),
             refusal=refusal,
+            has_openid=bool(settings.openid_issuer),
         )
-    secret = await in_turn(request, lambda: _begin(registry, token))
-    below = mounted_below(request)
-    answer = RedirectResponse(below + page_after(form), HTTPStatus.SEE_OTHER)
-    is_secure = request.scope["scheme"] == "https"
-    answer.set_cookie(
-        COOKIE, secret, SESSION_SECONDS, path=below or "/", secure=is_secure, httponly=True, samesite="strict"
-    )
+    secret = await begin_in_turn(request, registry, token)
+    answer = RedirectResponse(mounted_below(request) + page_after(form), HTTPStatus.SEE_OTHER)
+    return with_session(request, answer, secret)
+
+
+async def begin_in_turn(request: Request, registry: HostedRegistry, token: "Token") -> str:
+    """Begin a session, and return the secret of its cookie."""
+    return await in_turn(request, lambda: _begin(registry, token))
+
+
+def with_session(request: Request, answer: Response, secret: str) -> Response:
+    """An answer with the cookie of a session."""
+    path, is_secure = mounted_below(request) or "/", request.scope["scheme"] == "https"
+    answer.set_cookie(COOKIE, secret, SESSION_SECONDS, path=path, secure=is_secure, httponly=True, samesite="strict")
     return answer
 
 
