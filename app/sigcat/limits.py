@@ -199,6 +199,12 @@ REGISTRY_SECONDS = 60
 REGISTRY_REQUEST_SECONDS = 5
 """Seconds for which the service waits until others have written to the registry; then the request is answered with 503."""
 
+EVENT_SECONDS = 60
+"""Seconds for which a request may wait for an event of the registry."""
+
+EVENT_WAITS = 200
+"""Requests that wait for events of the registry at once, in one process of the service."""
+
 SESSION_SECONDS = 8 * 60 * 60
 """Seconds until a person has to sign in to the pages of the registry again."""
 

@@ -184,6 +184,26 @@ def test_a_version_is_deprecated_and_retired(person: Person) -> None:
     assert (running.status_code, "E009" in running.text) == (422, True)
 
 
+def failed_delivery(person: Person) -> str:
+    found = re.search(r'name="delivery" value="(msg_[0-9a-f]+)"', person.get("/registry/deliveries?state=failed").text)
+    return found[1] if found else ""
+
+
+def test_a_failed_delivery_is_sent_again(person: Person) -> None:
+    person.sign_in("administer")
+    delivery = failed_delivery(person)
+    assert person.send("/registry/redeliver", delivery=delivery).headers["location"] == "/registry/deliveries"
+    assert failed_delivery(person) == ""
+    unknown = person.send("/registry/redeliver", delivery="msg_0")
+    assert (unknown.status_code, "E005" in unknown.text) == (422, True)
+
+
+def test_who_may_not_administer_sends_no_delivery_again(person: Person) -> None:
+    person.sign_in("publish")
+    assert failed_delivery(person) == ""
+    assert person.send("/registry/redeliver", delivery="msg_0").status_code == 403
+
+
 @pytest.mark.parametrize(
     ("scope", "owner", "address", "fields", "status"),
     [
@@ -208,7 +228,15 @@ def test_what_the_token_or_the_rules_refuse_changes_nothing(person, scope, owner
 
 
 @pytest.mark.parametrize(
-    "address", ["/registry/login", "/registry/logout", "/registry/publish", "/registry/end", "/registry/decide"]
+    "address",
+    [
+        "/registry/login",
+        "/registry/logout",
+        "/registry/publish",
+        "/registry/end",
+        "/registry/decide",
+        "/registry/redeliver",
+    ],
 )
 def test_a_form_of_another_site_is_refused(person: Person, address: str) -> None:
     person.sign_in("administer")

@@ -33,6 +33,7 @@ from sigcat.api.middleware.request_headers import RequestHeaders
 from sigcat.api.middleware.request_log import RequestLog
 from sigcat.api.middleware.request_notes import RequestNotes
 from sigcat.api.openapi_document import openapi_document
+from sigcat.api.requests.event_watch import EventWatch
 from sigcat.api.requests.held_bodies import HeldBodies
 from sigcat.api.requests.hosted_registry import HostedRegistry
 from sigcat.api.requests.query_parameters import refuse_unknown
@@ -47,6 +48,7 @@ from sigcat.api.routes import (
     integration,
     lint,
     registry_approvals,
+    registry_events,
     registry_reading,
     registry_writing,
     reloading,
@@ -63,6 +65,7 @@ from sigcat.api.work.worker import EXPORTS
 from sigcat.catalogue.hosting.library import Library
 from sigcat.data import INTERFACE_RULES
 from sigcat.function.hosting import FunctionLibrary
+from sigcat.limits import EVENT_WAITS
 from sigcat.project.project import RegistrySettings
 
 _DESCRIPTION = """\
@@ -82,7 +85,7 @@ _READABLE = ("ETag", "Link", "RateLimit", "RateLimit-Policy", "Retry-After", "Si
 """Headers that pages of other origins may read."""
 _ROUTERS = (
     catalogues.listing, catalogues.router, changes.router, exports.router, reloading.router, reloading.of_functions, viss.router, rules.router,
-    lint.router, functions.router, registry_writing.router, registry_approvals.router, registry_reading.router, integration.router, health.router, contract.router,
+    lint.router, functions.router, registry_writing.router, registry_approvals.router, registry_events.router, registry_reading.router, integration.router, health.router, contract.router,
 )  # fmt: skip
 
 _MODULES_OF_REGISTRY = (
@@ -149,6 +152,8 @@ def create_app(
     app.state.reading_turns = Turns(settings.long_answers, settings.heavy_waiting, settings.client_share)
     app.state.thread_turns = Turns(THREADS, ceil(settings.connections / settings.client_share), settings.client_share)
     app.state.registry_turns = Turns(1, settings.heavy_waiting, settings.client_share)
+    app.state.event_turns = Turns(EVENT_WAITS, 0, settings.client_share)
+    app.state.event_watch = EventWatch()
     app.state.held_bodies = HeldBodies(settings.bodies_bytes)
     app.state.metrics = Metrics(library, app.state.functions, app.state.work_queue, app.state.export_queue)
     app.state.request_notes = RequestNotes(app.state.metrics)

@@ -13,6 +13,7 @@ from sigcat.names import nearest
 from sigcat.registry.approvals import Approval, Decided, Pending, pending
 from sigcat.registry.conflicts import Conflict
 from sigcat.registry.deploying import can_deploy
+from sigcat.registry.events import event_of, source_of
 from sigcat.registry.publish import Receipt
 from sigcat.registry.published import Published, Running, all_versions, lines_by_version, names_of, running
 from sigcat.registry.reference import DEPLOYABLE, KINDS, Kind, reference_of
@@ -51,6 +52,13 @@ def log_entries(connection: Snapshot, after: int, most: int) -> list[schemas.Log
         )
         for each in log_page(connection, after, most)
     ]
+
+
+def events(connection: Snapshot, after: int, most: int) -> schemas.RegistryEventList:
+    """Events of the entries behind a number."""
+    links, source = log_page(connection, after, most), source_of(connection)
+    found = [schemas.RegistryEvent.model_validate(event_of(each, source)) for each in links]
+    return schemas.RegistryEventList(registry_events=found, epoch=links[-1].number if links else after)
 
 
 def names(

@@ -33,6 +33,9 @@ Lifecycle = TypeAliasType(
         Literal["draft", "pending", "published", "deprecated", "retired"], Field(description="State of a version.")
     ],
 )
+EventValues = TypeAliasType(
+    "EventValues", Annotated[dict[str, Any], Field(description="Values of an entry of the log.")]
+)
 Xid = Annotated[str, Field(description="Address below `/api/v1/registry`.")]
 
 
@@ -60,6 +63,29 @@ class LogPage(Schema):
 
     entries: list[LogEntry]
     next_cursor: Cursor | None = Field(description="Give it as `cursor` to get the next page; null on the last.")
+
+
+class RegistryEvent(Schema):
+    """A change of the registry as an event of CloudEvents 1.0."""
+
+    specversion: str
+    id: str = Field(description="Hash of the entry of the log.")
+    source: str
+    type: str = Field(description="Such as `io.sigcat.registry.published`.")
+    subject: str = Field(description="Name, with its version if the event is about one.")
+    time: str
+    datacontenttype: str
+    sequence: str = Field(description="Number of the entry of the log.")
+    data: EventValues
+
+
+class RegistryEventList(Schema):
+    """Events in the order of the log."""
+
+    registry_events: list[RegistryEvent]
+    epoch: Count = Field(
+        description="Number of the last entry of these events: give it as `after` to get the next ones."
+    )
 
 
 class Registry(Schema):

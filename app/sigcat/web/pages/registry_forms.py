@@ -1,5 +1,6 @@
-"""Changes of the registry in the browser: publish files, decide about pending versions, end versions."""
+"""Changes of the registry in the browser: publish files, decide about pending versions, end versions, send events again."""
 
+import datetime as dt
 from http import HTTPStatus
 from typing import TYPE_CHECKING
 
@@ -8,12 +9,12 @@ from fastapi.responses import RedirectResponse, Response
 
 from sigcat.api.middleware.registry_access import author_of
 from sigcat.api.requests.dependencies import TheSettings, TheWorkQueue
-from sigcat.api.requests.hosted_registry import TheRegistry
+from sigcat.api.requests.hosted_registry import HostedRegistry, TheRegistry
 from sigcat.api.requests.thread_turns import InThread, in_thread
 from sigcat.api.routes.registry_writing import in_turn
 from sigcat.catalogue.hosting.library import Library
 from sigcat.errors import UsageError
-from sigcat.limits import Limits
+from sigcat.limits import REGISTRY_REQUEST_SECONDS, Limits
 from sigcat.names import either
 from sigcat.web.forms import Form, form_catalogue
 from sigcat.web.registry_visits import OwnSite, RegistryVisit, SignedForm, SignedIn, field
@@ -88,6 +89,24 @@ async def end_version(
     else:
         await in_turn(request, lambda: set_state(written, kind, reference, "retired"))
     return RedirectResponse(f"{visit.below}/registry/{kind}s/{reference.name}", HTTPStatus.SEE_OTHER)
+
+
+@router.post("/registry/redeliver", dependencies=[OwnSite])
+async def redeliver_event(
+    request: Request, registry: TheRegistry, visit: RegistryVisit, session: SignedIn, form: SignedForm
+) -> Response:
+    """Let `sigcat registry deliver` send an event to a webhook again."""
+    author_of(session.token, "administer")
+    await in_turn(request, lambda: _redeliver(registry, field(form, "delivery")))
+    return RedirectResponse(f"{visit.below}/registry/deliveries", HTTPStatus.SEE_OTHER)
+
+
+def _redeliver(registry: HostedRegistry, delivery: str) -> None:
+    from sigcat.registry.storing.database import writing
+    from sigcat.registry.webhooks.deliveries import redeliver
+
+    with writing(registry.present(), REGISTRY_REQUEST_SECONDS) as connection:
+        redeliver(connection, delivery, dt.datetime.now(dt.UTC))
 
 
 def _version(form: Form) -> "tuple[Kind, Reference]":
