@@ -130,6 +130,7 @@ COSTLY: dict[str, list[Costly]] = {
     "GET /api/v1/registry": get(REGISTRY),
     "GET /api/v1/registry/capabilities": get(f"{REGISTRY}/capabilities"),
     "GET /api/v1/registry/contents": get(f"{REGISTRY}/contents?digest={'0' * 64}"),
+    "GET /api/v1/registry/deprecations": [*get(f"{REGISTRY}/deprecations"), Costly(f"{REGISTRY}/deprecations", YAML)],
     "GET /api/v1/registry/events": get(f"{REGISTRY}/events?limit=200", f"{REGISTRY}/events?after=2147483647&wait=1"),
     "GET /api/v1/registry/key": get(f"{REGISTRY}/key"),
     "GET /api/v1/registry/lines": [*get(f"{REGISTRY}/lines", f"{REGISTRY}/lines?line={'x' * 300}"), Costly(f"{REGISTRY}/lines", YAML)],
@@ -225,6 +226,7 @@ COSTLY: dict[str, list[Costly]] = {
         f"POST /api/v1/registry/{action}": post(f"{REGISTRY}/{action}?reference=Alpha@1.1.0&owner=Beta{more}", b"")
         for action, more in (("approve", ""), ("reject", "&reason=No."))
     },
+    "POST /api/v1/registry/acknowledge": post(f"{REGISTRY}/acknowledge?reference=Alpha@1.0.0&owner=Beta", b""),
     "POST /api/v1/registry/can-i-deploy": post(f"{REGISTRY}/can-i-deploy?function=CoreAcc@1.0.0&line=SUV-2025", b""),
     "POST /api/v1/registry/check": post(f"{REGISTRY}/check?catalogue=wide", FUNCTION, LINES, _DOCUMENT),
     "POST /api/v1/registry/deprecate": post(f"{REGISTRY}/deprecate?reference=CoreAcc@1.0.0", b""),
@@ -236,6 +238,9 @@ COSTLY: dict[str, list[Costly]] = {
     "POST /api/v1/registry/retire": post(f"{REGISTRY}/retire?reference=Alpha@1.0.0", b""),
     "POST /api/v1/registry/rule": post(f"{REGISTRY}/rule?published=Alpha&compatibility_rule=full", b""),
     "POST /propose": forms("/propose"),
+    "POST /registry/acknowledge": [
+        *forms("/registry/acknowledge"), signed("/registry/acknowledge", "reference=Alpha@1.0.0&group=functions&owner=Beta"),
+    ],
     "POST /registry/decide": [*forms("/registry/decide"), signed("/registry/decide", "reference=Alpha@1.1.0&group=functions&action=approve")],
     "POST /registry/end": [*forms("/registry/end"), signed("/registry/end", "reference=Alpha@1.0.0&group=functions&action=retire")],
     "POST /registry/login": [*forms("/registry/login"), Costly("/registry/login", FORM, f"token={SECRET}".encode())],

@@ -143,6 +143,7 @@ IN_THE_ROUND_TRIP = (
     "record_deployment",
     "record_release",
     "end_support",
+    "acknowledge_deprecation",
     "approve_version",
     "reject_version",
     "deprecate_version",

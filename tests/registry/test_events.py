@@ -13,6 +13,7 @@ from cloudevents.core.bindings.http import HTTPMessage, from_structured
 from cloudevents.core.formats.json import JSONFormat
 from cloudevents.core.v1.event import CloudEvent
 
+from sigcat.registry.acknowledgements import acknowledge
 from sigcat.registry.approvals import approve, reject
 from sigcat.registry.events import TYPES, event_text, events_after
 from sigcat.registry.lines import record, set_rule, set_state
@@ -44,6 +45,7 @@ def registry(tmp_path: Path) -> Registry:
     record(registry, "support ended", "SUV-2025", old)
     record(registry, "support ended", "VAN-2026", old)
     set_state(registry, "function", old, "deprecated")
+    acknowledge(registry, "function", old, "Team Beta")
     set_state(registry, "function", old, "retired")
     return registry
 
@@ -85,7 +87,7 @@ def run(folder: Path, *arguments: str) -> tuple[int, list[str], str]:
 
 def test_the_command_prints_events_after_one(registry: Registry, tmp_path: Path) -> None:
     _, lines, _ = run(tmp_path)
-    assert len(lines) == 13
+    assert len(lines) == 14
     assert run(tmp_path, "--after", json.loads(lines[9])["id"])[1] == lines[10:]
     status, lines, text = run(tmp_path, "--after", "0" * 64)
     assert (status, lines, "error E005" in text) == (1, [], True)

@@ -70,6 +70,11 @@ STEPS = (
     "can-i-deploy CoreAcc@2.0.0 --to SUV-2025 --with Provider@1.0.0",
     "can-i-deploy CoreAcc --to SUV-2025",
     "registry deprecate CoreAcc@1.0.0 --until 2040-12-31 --successor 2.0.0",
+    "registry deprecations",
+    "registry acknowledge CoreAcc@1.0.0 --owner 'Team User'",
+    "registry acknowledge CoreAcc@1.0.0 --owner Nobody",
+    "registry deprecations --owner 'Team User'",
+    "registry deprecations",
     "registry retire CoreAcc@1.0.0",
     "registry support-ended SUV-2025 CoreAcc@1.0.0",
     "registry retire CoreAcc@1.0.0",
@@ -163,7 +168,7 @@ def test_every_step_gives_the_same_with_a_service_and_with_a_database(served: Se
     with reading(served.folder / "registry.db") as connection:
         assert verify(connection, served.folder / "registry.key").findings == ()
         actions = {link.entry.action for link in log_page(connection, 0, 1_000)}
-    assert actions == {"publish", "deployment", "state", "support ended", "rule", "approve", "reject"}
+    assert actions == {"publish", "deployment", "state", "support ended", "rule", "approve", "reject", "acknowledge"}
 
 
 def test_a_token_is_taken_from_the_environment(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -357,3 +357,16 @@ def test_a_database_that_disappears_is_not_replaced_by_an_empty_one(service: Ser
         file.unlink()
     assert rules(service.publish(USER), 503) == ["E011"]
     assert not service.database.exists()
+
+
+def test_an_owner_acknowledges_a_deprecation(service: Service) -> None:
+    service.publish(CONTENT, USER)
+    service.post("deprecate?reference=CoreAcc@1.0.0&removal=2040-12-31")
+    token = service.token("user", "approve", owner="Team User")
+    answer = service.post("acknowledge?reference=CoreAcc@1.0.0", headers=token)
+    assert answer.json()["head"]["epoch"] == 4
+    (found,) = service.ask(f"{API}/deprecations").json()["versions_deprecated"]
+    assert (found["xid"], found["removal"]) == ("/functions/CoreAcc/versions/1.0.0", "2040-12-31")
+    (user,) = found["acknowledgements"]
+    assert (user["owner"], user["using_functions"], bool(user["acknowledged"])) == ("Team User", "User 1.0.0", True)
+    assert rules(service.post("acknowledge?reference=CoreAcc@1.0.0&owner=Other", headers=token), 403) == ["E015"]

@@ -12,7 +12,7 @@ from sigcat.catalogue.hosting.library import Library
 from sigcat.project.project import RegistrySettings
 from sigcat.registry.storing import sessions
 from sigcat.registry.storing.database import reading, writing
-from sigcat.registry.storing.ledger import log_page
+from sigcat.registry.storing.ledger import Ledger, log_page
 from sigcat.registry.storing.tokens import create_token, revoke_token
 from sigcat.web.site import create_site
 from tests.api.conftest import asker
@@ -151,6 +151,27 @@ def test_findings_of_a_file_are_shown_and_nothing_is_published(person: Person) -
     answer = person.post("/registry/publish", data={"form": person.form}, files=files)
     assert (answer.status_code, "Vehicle.S9" in answer.text) == (422, True)
     assert person.ask("/api/v1/registry/functions/Epsilon").status_code == 404
+
+
+def test_an_owner_acknowledges_a_deprecation(person: Person) -> None:
+    person.sign_in("administer", owner="Team Beta")
+    with writing(person.database) as connection:
+        Ledger(connection, None).append(
+            "state",
+            {
+                "kind": "function",
+                "name": "Alpha",
+                "version": "1.0.0",
+                "state": "deprecated",
+                "until": "",
+                "successor": "",
+            },
+        )
+    assert "Team Beta has not acknowledged it: it is used by Beta 1.0.0" in person.get("/registry").text
+    fields = {"group": "functions", "reference": "Alpha@1.0.0", "owner": "Team Beta"}
+    assert person.send("/registry/acknowledge", **fields).headers["location"] == "/registry#deprecated"
+    assert "Team Beta acknowledged it on" in person.get("/registry").text
+    assert person.send("/registry/acknowledge", **{**fields, "owner": "Team Gamma"}).status_code == 403
 
 
 @pytest.mark.parametrize("action", ["approve", "reject"])

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from sigcat.cli.output import make_folder, write_bytes, write_lines, write_text
 from sigcat.cli.output_options import add_output, refuse_overwriting
 from sigcat.cli.registry_approvals import add_approvals
+from sigcat.cli.registry_deprecations import add_deprecations
 from sigcat.cli.registry_events import add_events
 from sigcat.cli.registry_options import (
     KINDS,
@@ -43,6 +44,7 @@ def add_parser(commands: Actions) -> None:
     _add_reading(actions)
     _add_states(actions)
     add_approvals(actions)
+    add_deprecations(actions)
     _add_lines(actions)
     _add_transfer(actions)
     add_tokens(actions)

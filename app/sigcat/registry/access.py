@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import NamedTuple, Protocol
 
+from sigcat.registry.acknowledgements import Deprecation
 from sigcat.registry.approvals import Decided, Pending
 from sigcat.registry.deploying import Answer
 from sigcat.registry.published import Published
@@ -38,6 +39,12 @@ class Access(Protocol):
 
     def pending(self) -> tuple[Pending, ...]:
         """Versions that wait for approvals."""
+
+    def deprecations(self) -> tuple[Deprecation, ...]:
+        """Deprecated versions, and the owners that use them."""
+
+    def acknowledge(self, kind: Kind, reference: Reference, owner: str) -> Change:
+        """Record that an owner knows of a deprecation."""
 
     def record(self, action: Action, line: str, reference: Reference) -> Change:
         """Record a deployment, a release or the end of support."""

@@ -114,7 +114,7 @@ def _decide(
     content: str,
     decision: Mapping[str, str],
 ) -> Decided:
-    _check_author(registry, reference, owner)
+    check_author(registry, reference, owner)
     with ledger_of(registry) as ledger:
         version = version_named(ledger.connection, kind, reference)
         _check_pending(version, content)
@@ -125,7 +125,7 @@ def _decide(
         return Decided(approvals_of(ledger.connection, version), last.hash if last else "")
 
 
-def _check_author(registry: Registry, reference: Reference, owner: str) -> None:
+def check_author(registry: Registry, reference: Reference, owner: str) -> None:
     """A token with an owner decides for this owner alone."""
     own = registry.author.owner
     if own and owner != own:

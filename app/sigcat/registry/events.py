@@ -16,7 +16,7 @@ _PREFIX = "io.sigcat.registry."
 _BY_STATE = {"draft": "drafted", "pending": "pending", "published": "published", "deprecated": "deprecated", "retired": "retired"}  # fmt: skip
 _BY_ACTION = {
     "rule": "rule-set", "deployment": "deployed", "release": "released", "support ended": "support-ended",
-    "approve": "approved", "reject": "rejected",
+    "approve": "approved", "reject": "rejected", "acknowledge": "acknowledged",
 }  # fmt: skip
 TYPES = tuple(f"{_PREFIX}{name}" for name in (*_BY_STATE.values(), *_BY_ACTION.values()))
 """All types of events."""

@@ -5,8 +5,9 @@ from contextlib import contextmanager
 from typing import NamedTuple
 
 from sigcat.errors import UsageError
-from sigcat.registry import approvals, lines
+from sigcat.registry import acknowledgements, approvals, lines
 from sigcat.registry.access import Change, Listed
+from sigcat.registry.acknowledgements import Deprecation
 from sigcat.registry.approvals import Decided, Pending
 from sigcat.registry.deploying import Answer, can_deploy
 from sigcat.registry.published import all_versions, lines_by_version, version_named
@@ -54,6 +55,15 @@ class Local(NamedTuple):
         """Versions that wait for approvals."""
         with reading_published(self.registry) as connection:
             return approvals.pending(connection)
+
+    def deprecations(self) -> tuple[Deprecation, ...]:
+        """Deprecated versions, and the owners that use them."""
+        with reading_published(self.registry) as connection:
+            return acknowledgements.deprecations(connection)
+
+    def acknowledge(self, kind: Kind, reference: Reference, owner: str) -> Change:
+        """Record that an owner knows of a deprecation."""
+        return self._change(acknowledgements.acknowledge(self.registry, kind, reference, owner))
 
     def record(self, action: Action, line: str, reference: Reference) -> Change:
         """Record a deployment, a release or the end of support."""

@@ -14,6 +14,7 @@ from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding
 from sigcat.limits import REGISTRY_ANSWER_BYTES, REGISTRY_SECONDS
 from sigcat.registry.access import Change, Listed
+from sigcat.registry.acknowledgements import Acknowledgement, Deprecation
 from sigcat.registry.approvals import Approval, Decided, Pending
 from sigcat.registry.conflicts import Conflict, Side
 from sigcat.registry.deploying import Answer
@@ -139,6 +140,18 @@ class Server(NamedTuple):
         """Versions that wait for approvals."""
         _refuse_empty(self)
         return tuple(map(_pending, _asked(self, "GET", "/pending")["versions_pending"]))
+
+    @_understood
+    def deprecations(self) -> tuple[Deprecation, ...]:
+        """Deprecated versions, and the owners that use them."""
+        _refuse_empty(self)
+        return tuple(map(_deprecation, _asked(self, "GET", "/deprecations")["versions_deprecated"]))
+
+    @_understood
+    def acknowledge(self, kind: Kind, reference: Reference, owner: str) -> Change:
+        """Record that an owner knows of a deprecation."""
+        query = {"reference": _written(reference), "group": _GROUPS[kind], "owner": owner}
+        return _change(_asked(self, "POST", "/acknowledge", query))
 
     @_understood
     def approve(self, kind: Kind, reference: Reference, owner: str, days: int, content: str) -> tuple[Decided, Change]:
@@ -283,6 +296,19 @@ def _pending(data: _JSON) -> Pending:
         data["content_digest"], "", "", "", "", "",
     )  # fmt: skip
     return Pending(published, tuple(map(_approval, data["approvals"])))
+
+
+def _deprecation(data: _JSON) -> Deprecation:
+    reference = _reference(data)
+    published = Published(
+        0, _KINDS[data["group"]], reference.name, "backward", reference.version, "deprecated", data["owner"] or "",
+        "", "", "", "", data["removal"] or "", data["alternative"] or "",
+    )  # fmt: skip
+    found = (
+        Acknowledgement(each["owner"], each["using_functions"], each["acknowledged"] or "")
+        for each in data["acknowledgements"]
+    )
+    return Deprecation(published, tuple(found))
 
 
 def _approval(data: _JSON) -> Approval:

@@ -64,6 +64,13 @@ def users_of_instances(connection: Connection, path: str, catalogue: Catalogue, 
     return Users(users[:REGISTRY_ROWS], more)
 
 
+def direct_users(connection: Connection, elements: Sequence[str]) -> tuple[Published, ...]:
+    """Current versions of functions that use one of these elements without providing it, in order."""
+    rows = (row for row in _of_elements(connection, elements))
+    versions = {row.version for row in rows if not from_row(row.text, row.relied).provides}
+    return tuple(published_by_id(connection, versions).values())
+
+
 def _is_published(connection: Connection, path: str) -> bool:
     """Whether any version has a path: a function that uses it or a node below, or a catalogue or an overlay with the node."""
     if next(_of_elements(connection, [path]), None) or connection.execute(_BELOW, _range(path)).first():

@@ -10,6 +10,7 @@ from sigcat.errors import NotFound
 from sigcat.findings import shown
 from sigcat.limits import REGISTRY_ROWS
 from sigcat.names import nearest
+from sigcat.registry.acknowledgements import Deprecation, deprecations
 from sigcat.registry.approvals import Approval, Decided, Pending, pending
 from sigcat.registry.conflicts import Conflict
 from sigcat.registry.deploying import can_deploy
@@ -257,6 +258,32 @@ def _pending(found: Pending) -> schemas.RegistryPending:
         owner=published.owner or None,
         content_digest=published.content,
         approvals=[_approval(each) for each in found.approvals],
+    )
+
+
+def deprecated_versions(connection: Snapshot) -> schemas.RegistryDeprecationList:
+    """Deprecated versions, and the owners that use them."""
+    return schemas.RegistryDeprecationList(
+        versions_deprecated=[_deprecation(each) for each in deprecations(connection)]
+    )
+
+
+def _deprecation(found: Deprecation) -> schemas.RegistryDeprecation:
+    published = found.published
+    return schemas.RegistryDeprecation(
+        xid=f"/{_GROUPS[published.kind]}/{published.name}/versions/{published.version}",
+        group=_GROUPS[published.kind],
+        name=published.name,
+        versionid=published.version,
+        owner=published.owner or None,
+        removal=published.until or None,
+        alternative=published.successor or None,
+        acknowledgements=[
+            schemas.RegistryAcknowledgement(
+                owner=each.owner, using_functions=each.functions, acknowledged=each.at or None
+            )
+            for each in found.acknowledgements
+        ],
     )
 
 

@@ -253,6 +253,33 @@ class RegistryPendingList(Schema):
     versions_pending: list[RegistryPending]
 
 
+class RegistryAcknowledgement(Schema):
+    """An owner of functions that use a deprecated version."""
+
+    owner: str
+    using_functions: str = Field(description="Functions of the owner that use it, with their versions.")
+    acknowledged: Moment | None = Field(description="When the owner acknowledged the deprecation; null if it did not.")
+
+
+class RegistryDeprecation(Schema):
+    """A deprecated version, and the owners that use it."""
+
+    xid: Xid
+    group: RegistryGroup
+    name: str
+    versionid: str
+    owner: str | None
+    removal: str | None = Field(description="Day on which its support may end.")
+    alternative: str | None = Field(description="Version that replaces it.")
+    acknowledgements: list[RegistryAcknowledgement]
+
+
+class RegistryDeprecationList(Schema):
+    """Deprecated versions by kind, name and precedence."""
+
+    versions_deprecated: list[RegistryDeprecation]
+
+
 class RegistryDecision(Schema):
     """All decisions about a pending version, and the log that proves the change."""
 

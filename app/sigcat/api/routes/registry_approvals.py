@@ -9,10 +9,10 @@ from fastapi.responses import Response
 from sigcat.api.answers import registry_schemas as schemas
 from sigcat.api.answers.negotiation import JSON, answer, json_bytes, offered
 from sigcat.api.answers.problems import problem_documentation
-from sigcat.api.middleware.registry_access import Approver
+from sigcat.api.middleware.registry_access import Approver, Reader
 from sigcat.api.requests.hosted_registry import HostedRegistry, TheRegistry
 from sigcat.api.requests.thread_turns import InThread
-from sigcat.api.routes.registry_writing import CHANGED, AnyVersion, GroupName, Text, in_turn
+from sigcat.api.routes.registry_writing import CHANGED, AnyVersion, GroupName, Text, changed, in_turn
 from sigcat.limits import PARAMETER_CHARACTERS
 
 if TYPE_CHECKING:
@@ -36,6 +36,39 @@ def list_pending_versions(request: Request, registry: TheRegistry) -> Response:
     with registry.reading() as connection:
         found = registry_answers.pending_versions(connection)
     return answer(request, found)
+
+
+@router.get(
+    "/deprecations",
+    response_model=schemas.RegistryDeprecationList,
+    responses=offered() | problem_documentation(404, 406),
+    dependencies=[Reader],
+)
+def list_deprecations(request: Request, registry: TheRegistry) -> Response:
+    """Deprecated versions, the owners that use them, and which of them acknowledged it."""
+    from sigcat.api.answers import registry_answers
+
+    with registry.reading() as connection:
+        found = registry_answers.deprecated_versions(connection)
+    return answer(request, found)
+
+
+@router.post("/acknowledge", response_model=schemas.RegistryChange, responses=CHANGED)
+async def acknowledge_deprecation(
+    request: Request,
+    author: Approver,
+    registry: TheRegistry,
+    reference: AnyVersion,
+    owner: Annotated[Text, Query(description="Owner of functions that use it; without it, that of the token.")] = "",
+    group: GroupName = "functions",
+) -> Response:
+    """Record that an owner of functions knows of the deprecation of a version that they use."""
+    from sigcat.api.answers.registry_answers import kind_of
+    from sigcat.registry.acknowledgements import acknowledge
+    from sigcat.registry.reference import reference_of
+
+    named, kind, team = reference_of(reference), kind_of(group), owner or author.owner
+    return await changed(request, registry, lambda: acknowledge(registry.written_by(author), kind, named, team))
 
 
 @router.post("/approve", response_model=schemas.RegistryDecision, responses=CHANGED)

@@ -170,7 +170,7 @@ async def deprecate_version(
     from sigcat.registry.reference import reference_of
 
     named, kind = reference_of(reference), kind_of(group)
-    return await _changed(
+    return await changed(
         request,
         registry,
         lambda: set_state(registry.written_by(author), kind, named, "deprecated", removal, alternative),
@@ -191,7 +191,7 @@ async def retire_version(
     from sigcat.registry.reference import reference_of
 
     named, kind = reference_of(reference), kind_of(group)
-    return await _changed(request, registry, lambda: set_state(registry.written_by(author), kind, named, "retired"))
+    return await changed(request, registry, lambda: set_state(registry.written_by(author), kind, named, "retired"))
 
 
 @router.post("/rule", response_model=registry_schemas.RegistryChange, responses=CHANGED)
@@ -210,7 +210,7 @@ async def set_compatibility_rule(
     from sigcat.registry.lines import set_rule
 
     kind = kind_of(group)
-    return await _changed(
+    return await changed(
         request, registry, lambda: set_rule(registry.written_by(author), kind, published, compatibility_rule)
     )
 
@@ -233,10 +233,10 @@ async def _recorded(
     from sigcat.registry.reference import reference_of
 
     named = reference_of(function)
-    return await _changed(request, registry, lambda: record(registry.written_by(author), action, line, named))
+    return await changed(request, registry, lambda: record(registry.written_by(author), action, line, named))
 
 
-async def _changed(request: Request, registry: HostedRegistry, change: Callable[[], str]) -> Response:
+async def changed(request: Request, registry: HostedRegistry, change: Callable[[], str]) -> Response:
     """Make a change, and answer with the signed head of the log that it returns."""
     return Response(json_bytes(await in_turn(request, lambda: _with_head(registry, change()))), media_type=JSON)
 

@@ -7,7 +7,9 @@ from typing import Any, Literal, NamedTuple
 
 from sigcat.digest import digest_of
 
-Action = Literal["publish", "rule", "state", "deployment", "release", "support ended", "approve", "reject"]
+Action = Literal[
+    "publish", "rule", "state", "deployment", "release", "support ended", "approve", "reject", "acknowledge"
+]
 BEGIN = "0" * 64
 """The hash before the first entry."""
 

@@ -8,12 +8,12 @@ from sqlalchemy import Column, Connection, Table, and_, bindparam, delete, func,
 from sigcat.registry.reference import DEPLOYABLE
 from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.entry import Action, Entry
-from sigcat.registry.storing.tables import APPROVALS, DEPLOYMENTS, NAMES, RELIANCES, USES, VERSIONS
+from sigcat.registry.storing.tables import ACKNOWLEDGEMENTS, APPROVALS, DEPLOYMENTS, NAMES, RELIANCES, USES, VERSIONS
 from sigcat.registry.use import Use, from_json, row_text
 from sigcat.registry.version import version_of
 
 _Data = Mapping[str, Any]
-DERIVED: Sequence[Table] = (NAMES, VERSIONS, RELIANCES, USES, DEPLOYMENTS, APPROVALS)
+DERIVED: Sequence[Table] = (NAMES, VERSIONS, RELIANCES, USES, DEPLOYMENTS, APPROVALS, ACKNOWLEDGEMENTS)
 """Tables that follow from the log, each after those to which it refers."""
 PORTION = 500
 """Values of one statement: databases limit them."""
@@ -123,10 +123,17 @@ def _rule(connection: Connection, data: _Data, _at: str) -> None:
 
 
 def _state(connection: Connection, data: _Data, _at: str) -> None:
+    """Set the state. Another deprecation, such as one with an earlier date, has to be acknowledged again."""
     version_id = _version_id(connection, data["kind"], data["name"], data["version"])
     values = {"state": data["state"], "until": data["until"], "successor": data["successor"]}
     connection.execute(update(VERSIONS).where(VERSIONS.c.id == version_id).values(**values))
+    connection.execute(delete(ACKNOWLEDGEMENTS).where(ACKNOWLEDGEMENTS.c.version_id == version_id))
     connection.execute(_SET_NEWEST, {"of": _name_id(connection, data["kind"], data["name"])})
+
+
+def _acknowledge(connection: Connection, data: _Data, at: str) -> None:
+    version_id = _version_id(connection, data["kind"], data["name"], data["version"])
+    connection.execute(insert(ACKNOWLEDGEMENTS), {"version_id": version_id, "owner": data["owner"], "at": at})
 
 
 def _approve(connection: Connection, data: _Data, at: str) -> None:
@@ -200,5 +207,5 @@ def _version_id(connection: Connection, kind: str, name: str, version: str) -> i
 
 _ACTIONS: Mapping[Action, Callable[[Connection, _Data, str], None]] = {
     "publish": _publish, "rule": _rule, "state": _state, "deployment": _deployment, "release": _release,
-    "support ended": _support_ended, "approve": _approve, "reject": _reject,
+    "support ended": _support_ended, "approve": _approve, "reject": _reject, "acknowledge": _acknowledge,
 }  # fmt: skip

@@ -7,7 +7,7 @@ same rows again.
 
 from sqlalchemy import Column, ForeignKey, Index, Integer, LargeBinary, MetaData, String, Table, UniqueConstraint
 
-SCHEMA = 2
+SCHEMA = 3
 """Number of the schema: a program refuses a database with a higher one."""
 APPLICATION = 0x51676361
 """Number by which SQLite's header names the program: a database of another one is refused."""
@@ -88,6 +88,12 @@ APPROVALS = Table(
     Column("at", _TEXT, nullable=False),
     Column("until", _TEXT, nullable=False),
     Column("reason", _TEXT, nullable=False),
+)  # fmt: skip
+ACKNOWLEDGEMENTS = Table(  # of deprecations
+    "acknowledgements", METADATA,
+    Column("version_id", ForeignKey("versions.id"), primary_key=True),
+    Column("owner", _TEXT, primary_key=True),
+    Column("at", _TEXT, nullable=False),
 )  # fmt: skip
 SUBSCRIPTIONS = Table(
     "subscriptions", METADATA,

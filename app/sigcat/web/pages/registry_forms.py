@@ -73,6 +73,20 @@ async def decide(
     return RedirectResponse(f"{visit.below}/registry#pending", HTTPStatus.SEE_OTHER)
 
 
+@router.post("/registry/acknowledge", dependencies=[OwnSite])
+async def acknowledge_deprecation(
+    request: Request, registry: TheRegistry, visit: RegistryVisit, session: SignedIn, form: SignedForm
+) -> Response:
+    """Record that an owner knows of a deprecation."""
+    from sigcat.registry.acknowledgements import acknowledge
+
+    author = author_of(session.token, "approve")
+    kind, reference = _version(form)
+    owner = field(form, "owner") or author.owner
+    await in_turn(request, lambda: acknowledge(registry.written_by(author), kind, reference, owner))
+    return RedirectResponse(f"{visit.below}/registry#deprecated", HTTPStatus.SEE_OTHER)
+
+
 @router.post("/registry/end", dependencies=[OwnSite])
 async def end_version(
     request: Request, registry: TheRegistry, visit: RegistryVisit, session: SignedIn, form: SignedForm

@@ -9,6 +9,7 @@ from urllib.parse import urlsplit
 
 from sigcat.errors import NotFound
 from sigcat.names import nearest
+from sigcat.registry.acknowledgements import Deprecation, deprecations
 from sigcat.registry.approvals import Pending, pending
 from sigcat.registry.changes import UseChange, function_changes
 from sigcat.registry.conflicts import Conflict
@@ -59,6 +60,8 @@ class RegistryView(NamedTuple):
     lines: tuple[str, ...]
     pending: tuple[Pending, ...]
     """Versions that wait for approvals, the newest first."""
+    deprecations: tuple[Deprecation, ...]
+    """Deprecated versions that other owners use, the newest first."""
     now: str
 
     @property
@@ -164,7 +167,10 @@ def registry_view(connection: Snapshot, start: int) -> RegistryView:
     shown = rows[start : start + _NAMES]
     lines_of_vehicles = names_of(connection, "line")
     waiting = pending(connection)[::-1]
-    return RegistryView(shown, start, following, len(rows), entries[::-1], number, lines_of_vehicles, waiting, now())
+    ending = tuple(each for each in deprecations(connection) if each.acknowledgements)[::-1]
+    return RegistryView(
+        shown, start, following, len(rows), entries[::-1], number, lines_of_vehicles, waiting, ending, now()
+    )
 
 
 def _name_rows(versions: Iterable[Published], lines: Mapping[int, tuple[str, ...]]) -> Iterator[NameRow]:
