@@ -6,6 +6,7 @@ import sqlite3
 import threading
 from collections.abc import Mapping
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import httpx
@@ -18,6 +19,7 @@ from sigcat.catalogue.hosting.library import Library
 from sigcat.project.project import RegistrySettings
 from sigcat.registry.storing.database import reading, writing
 from sigcat.registry.storing.signing import is_signed, new_key, public_key
+from sigcat.registry.storing.sqlite import close_all
 from sigcat.registry.storing.tokens import all_tokens, create_token, revoke_token
 from sigcat.registry.storing.verify import verify
 from tests.api.conftest import Ask, asker
@@ -346,6 +348,23 @@ def test_a_full_disk_is_told_from_other_faults(service: Service, monkeypatch: py
 
     monkeypatch.setattr("sigcat.registry.publish._publish", full)
     assert rules(service.publish(USER), 507) == ["E011"]
+    assert service.ask(f"{API}/functions/CoreAcc").content == CONTENT
+    monkeypatch.undo()
+    assert service.publish(USER).status_code == 201
+
+
+def test_a_service_that_starts_on_a_full_disk_reads_and_does_not_write(
+    service: Service, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    service.publish(CONTENT)
+    close_all()  # the last connection writes the log into the file
+    assert not list(tmp_path.glob("registry.db-*"))
+    monkeypatch.setattr("sigcat.registry.storing.sqlite.disk_usage", lambda _: SimpleNamespace(free=4096))
+    assert service.ask(f"{API}/functions/CoreAcc").content == CONTENT
+    answer = service.publish(USER)
+    assert rules(answer, 507) == ["E011"]
+    assert "Free space" in answer.json()["findings"][0]["fix"]
+    assert not list(tmp_path.glob("registry.db-*"))
     monkeypatch.undo()
     assert service.publish(USER).status_code == 201
 

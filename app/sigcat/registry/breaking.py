@@ -13,6 +13,7 @@ from sigcat.catalogue.comparing.compatibility import ROWS, Vocabularies
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.findings import Finding
 from sigcat.registry.changes import UseChange, relied_changes
+from sigcat.registry.concerned import concerned
 from sigcat.registry.conflicts import Conflict, Side, conflicts
 from sigcat.registry.member import Member, published_member
 from sigcat.registry.published import Published, current, lines_by_version, published_by_id, running
@@ -164,10 +165,15 @@ def _place(change: UseChange, catalogue: Catalogue, file: str) -> tuple[str, int
 def broken_by_functions(connection: Connection, deployed: Sequence[Member]) -> tuple[Conflict, ...]:
     """Conflicts that functions bring to the vehicle lines in which they run, and to the newest published functions."""
     names = {each.name for each in deployed}
-    known = {each.id: published_member(connection, each) for each in current(connection)}
+    fields = _fields(connection, names)
+    own = {each.id: each for versions in fields.values() for each in versions if each.name in names}
+    known = {number: published_member(connection, each) for number, each in own.items()}
+    rest = {each.id: each for versions in fields.values() for each in versions if each.name not in names}
+    for each in concerned(connection, deployed, list(known.values()), list(rest.values())):
+        known[each.id] = published_member(connection, each)
     found: dict[Conflict, list[str]] = {}
-    for line, versions in _fields(connection, names).items():
-        members = [known[each.id] for each in versions]
+    for line, versions in fields.items():
+        members = [known[each.id] for each in versions if each.id in known]
         others = [each for each in members if each.name not in names]
         replaced = [each for each in members if each.name in names]
         for conflict in conflicts(deployed, others, replaced):

@@ -9,6 +9,7 @@ from sqlalchemy import Connection
 from sigcat import codes
 from sigcat.findings import Finding
 from sigcat.names import did_you_mean
+from sigcat.registry.concerned import concerned
 from sigcat.registry.conflicts import Conflict, conflicts
 from sigcat.registry.member import Member, published_member
 from sigcat.registry.published import Published, names_of, running, version_named
@@ -46,11 +47,12 @@ def can_deploy(
     if not field:
         return Answer("unknown", line, asked, (), (), _unknown_line(connection, line))
     members = [member(each) for each in deployed]
-    others = [member(each) for each in field if each.name not in names]
     replaced = [member(each) for each in field if each.name in names]
+    rest = [each for each in field if each.name not in names]
+    others = [member(each) for each in concerned(connection, members, replaced, rest)]
     found = tuple(each._replace(lines=(line,)) for each in conflicts(members, others, replaced))
     decision: Decision = "no" if any(each.severity == "error" for each in found) else "yes"
-    return Answer(decision, line, asked, tuple(each.reference for each in field if each.name not in names), found)
+    return Answer(decision, line, asked, tuple(each.reference for each in rest), found)
 
 
 def _member(connection: Connection, known: dict[int, Member], published: Published) -> Member:

@@ -64,6 +64,14 @@ def users_of_instances(connection: Connection, path: str, catalogue: Catalogue, 
     return Users(users[:REGISTRY_ROWS], more)
 
 
+def versions_with(connection: Connection, elements: Sequence[str]) -> frozenset[int]:
+    """Versions that use any of these elements."""
+    parts = portions(elements)
+    return frozenset(
+        version for part in parts for version in connection.execute(_WITH_ELEMENTS, {"names": part}).scalars()
+    )
+
+
 def direct_users(connection: Connection, elements: Sequence[str]) -> tuple[Published, ...]:
     """Current versions of functions that use one of these elements without providing it, in order."""
     rows = (row for row in _of_elements(connection, elements))
@@ -110,6 +118,7 @@ _BELOW = _ROWS.where(USES.c.path > bindparam("first"), USES.c.path < bindparam("
 """Nodes below a branch: their paths are from `Branch.` on, before `Branch/`."""
 _NAMED: BindParameter[str] = bindparam("names", expanding=True)
 _OF_ELEMENTS = _ROWS.where(USES.c.path.in_(_NAMED) | USES.c.element.in_(_NAMED))
+_WITH_ELEMENTS = select(USES.c.version_id).distinct().where(USES.c.element.in_(_NAMED))
 
 
 def _reached(

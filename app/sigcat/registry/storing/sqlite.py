@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from functools import lru_cache
 from pathlib import Path
+from shutil import disk_usage
 from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple
 
@@ -27,6 +28,8 @@ _ADVICE: Mapping[int, str] = {
     sqlite3.SQLITE_NOTADB: "Name a file of sigcat, or a new one, as `database` in [registry].",
     sqlite3.SQLITE_CORRUPT: "Restore the file from a backup or an export.",
 }
+_INDEX_BYTES = 32 * 1024
+"""Bytes of the smallest index of a log (`-shm`)."""
 _PRIMARY = 0xFF
 """The bits of an extended error code that say what it is about."""
 
@@ -48,7 +51,7 @@ class SqliteStore(NamedTuple):
     @contextmanager
     def connected(self) -> Iterator[Connection]:
         """A connection, which the process keeps: the last one of a file that is closed writes its log into the file."""
-        if self._is_at_rest:
+        if self._is_at_rest or self._has_no_room:
             with self._unchanged(), _read_only_engine(self.file).connect() as connection:
                 yield connection
         else:
@@ -62,6 +65,16 @@ class SqliteStore(NamedTuple):
         return self.exists() and not is_writable and not self._log.exists()
 
     @property
+    def _has_no_room(self) -> bool:
+        """Whether the disk has no room for the index of the log, which processes share, and the log is empty.
+
+        Reading goes on all the same. An index that is there needs no more room.
+        """
+        if not self.exists() or _size(self._log) or _size(self.file.with_name(f"{self.file.name}-shm")) >= _INDEX_BYTES:
+            return False
+        return disk_usage(self.file.parent).free < 2 * _INDEX_BYTES
+
+    @property
     def _log(self) -> Path:
         return self.file.with_name(f"{self.file.name}-wal")
 
@@ -71,7 +84,7 @@ class SqliteStore(NamedTuple):
         before = self.file.stat()
         yield
         after = self.file.stat()
-        if self._log.exists() or (before.st_ino, before.st_mtime_ns) != (after.st_ino, after.st_mtime_ns):
+        if _size(self._log) or (before.st_ino, before.st_mtime_ns) != (after.st_ino, after.st_mtime_ns):
             message = "Others wrote to the database while it was read, and it is read-only here."
             fix = _ADVICE[sqlite3.SQLITE_BUSY]
             raise unusable(codes.REGISTRY_UNUSABLE.finding(message, self.name, fix=fix))
@@ -112,11 +125,13 @@ class SqliteStore(NamedTuple):
 
     def advice(self, error: DBAPIError) -> str:
         """Advice by the error code."""
+        if self.is_full(error):
+            return _ADVICE[sqlite3.SQLITE_FULL]
         return _ADVICE.get(_code(error), "Check the disk and the folder of the file.")
 
     def is_full(self, error: DBAPIError) -> bool:
         """Whether the disk of the file is full."""
-        return _code(error) == sqlite3.SQLITE_FULL
+        return _code(error) == sqlite3.SQLITE_FULL or (_code(error) == sqlite3.SQLITE_READONLY and self._has_no_room)
 
 
 @lru_cache(maxsize=1)
@@ -186,6 +201,11 @@ def new_file(file: Path) -> Iterator[Path]:
         except FileExistsError:
             message = "The registry must be empty to import another one."
             raise unusable(codes.REGISTRY_UNUSABLE.finding(message, str(file), fix="Name a new `database`.")) from None
+
+
+def _size(file: Path) -> int:
+    """Bytes of a file; 0 if it does not exist."""
+    return file.stat().st_size if file.exists() else 0
 
 
 def _identity(file: str) -> tuple[int, int] | None:
