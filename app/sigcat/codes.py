@@ -167,6 +167,7 @@ NOTHING_MAPPED = RuleCode("B006", "error")
 FUNCTIONS_UNREACHED = RuleCode("B007", "error")
 BUS_UNREACHED = RuleCode("B008", "error")
 DEFAULTS_INVALID = RuleCode("B009", "error")
+CAN_SIGNALS_OVERLAP = RuleCode("B010", "warning")
 
 # integration
 DATE_MISSING = RuleCode("A001", "info")
