@@ -167,6 +167,7 @@ NOTHING_MAPPED = RuleCode("B006", "error")
 FUNCTIONS_UNREACHED = RuleCode("B007", "error")
 BUS_UNREACHED = RuleCode("B008", "error")
 DEFAULTS_INVALID = RuleCode("B009", "error")
+CAN_SIGNALS_OVERLAP = RuleCode("B010", "warning")
 
 # integration
 DATE_MISSING = RuleCode("A001", "info")
@@ -375,4 +376,5 @@ VALUE_MISSPELLED = RuleCode("V027", "warning")
 PATTERN_INVALID = RuleCode("V028", "warning")
 RANGE_WITH_SPACE = RuleCode("V029", "error")
 NUMBER_NOT_FINITE = RuleCode("V030", "error")
+STRUCT_CONTAINS_ITSELF = RuleCode("V031", "error")
 ARRAY_SIZE_NOT_POSITIVE = RuleCode("V126", "warning")

@@ -194,7 +194,7 @@ def test_a_misspelled_include_is_told(line):
         ("datatype: string, allowed: [2020-01-01]", "`allowed` must be a list of values, not [2020-01-01].", "Quote it: YAML reads it as a date."),
         ("datatype: string, comment: 2020-01-01", "`comment` must be text, not 2020-01-01.", "Quote it: YAML reads it as a date."),
         ("2020-01-01: 5", "The name of an attribute must be text, not 2020-01-01.", ""),
-        ("datatype: float, default: 1e3", "Default '1e3' does not fit float (numbers).", "Write 1000.0, without quotes."),
+        ("datatype: float, default: 1e3", "Default '1e3' does not fit float (numbers up to ±3.4028235e+38).", "Write 1000.0, without quotes."),
         ("datatype: uint16, min: 1e3", "`min` must be a number, not the text '1e3'.", "Write `min: 1000`, without quotes."),
         ("datatype: uint16, min: 1.0", "`min` must be a whole number, not 1.0.", "Write 1: vss-tools refuses fractions."),
     ],

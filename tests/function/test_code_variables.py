@@ -94,3 +94,73 @@ def project(folder, header):
     (folder / "code" / "Demo.h").write_text(header)
     (folder / "code" / "types.h").write_text("#include <stdint.h>\ntypedef unsigned char boolean_T;\n")
     return folder / "function.yaml"
+
+
+SHAPES = """\
+#pragma once
+#include "types.h"
+typedef struct { float x; float y[2]; } point_T;
+typedef struct { point_T Start; point_T Ends[3]; unsigned kind : 3; } track_T;
+extern float list[5];
+extern float grid[2][5];
+extern point_T point;
+extern track_T track;
+extern track_T tracks[4];
+extern float *pointed;
+"""
+FLOATS = "'float[]', arraysize: "
+SHAPED = {
+    "as many elements": (FLOATS + "5", "list", "", ""),
+    "fewer elements": (FLOATS + "4", "list", "", "'list' must have 4 elements; the header has 5."),
+    "one value": (FLOATS + "4", "point.x", "", "'point.x' must be an array of 4; the header has float."),
+    "an array for one value": ("float", "list", "", "'list' must be one value; the header has an array of 5."),
+    "a struct for one value": ("float", "point", "", "'point' must be one value; the header has the struct point_T."),
+    "a row": (FLOATS + "5", "grid[1]", "", ""),
+    "an array that a pointer has": (FLOATS + "5", "pointed", "", ""),
+    "members of other names": ("Types.Point", "point", "", "'point' must have the member 'X'; the struct of the header has x, y."),
+    "members": ("Types.Point", "point", ", members: {X: x, Y: y}", ""),
+    "a member that is not there": ("Types.Point", "point", ", members: {X: x, Y: z}", "'point' must have the member 'z'"),
+    "an array as a struct": ("Types.Point", "list", "", "'list' must be a struct; the header has an array of 5."),
+    "members within members": ("Types.Track", "track", ", members: {Start.X: x, Start.Y: y, Ends.X: x, Ends.Y: y, Kind: kind}", ""),
+    "members of elements": ("Types.Track", "track", ", members: {Start.X: x, Start.Y: y, Ends.X: x}", "'track.Ends[0]' must have the member 'Y'"),
+    "elements of a member": (
+        "Types.Longer", "track", ", members: {Ends.X: x, Ends.Y: y}", "'track.Ends' must have 4 elements; the header has 3."
+    ),
+    "a narrower member": ("Types.Wide", "point", ", members: {X: x}", "'point.x' must be double; the header has float."),
+}  # fmt: skip
+TYPES = """\
+  types:
+    Types.Point: {description: A point., fields: {X: {datatype: float, description: X.}, Y: {datatype: 'float[]', arraysize: 2, description: Y.}}}
+    Types.Wide: {description: A wide point., fields: {X: {datatype: double, description: X.}}}
+    Types.Longer: {description: A long track., fields: {Ends: {datatype: 'Types.Point[]', arraysize: 4, description: Ends.}}}
+    Types.Track:
+      description: A track.
+      fields:
+        Start: {datatype: Types.Point, description: Its start.}
+        Ends: {datatype: 'Types.Point[]', arraysize: 3, description: Its ends.}
+        Kind: {datatype: uint8, description: Its kind.}
+"""
+
+
+@pytest.mark.parametrize(("datatype", "variable", "more", "expected"), SHAPED.values(), ids=SHAPED)
+def test_an_array_or_struct_that_is_not_that_of_the_header_is_found(
+    datatype, variable, more, expected, tmp_path, capsys
+):
+    file = project(tmp_path, SHAPES)
+    text = FUNCTION.format(datatype=datatype, role="consumed", variable=variable, more=more)
+    file.write_text(text + TYPES)
+    main(["lint", str(file)])
+    out = capsys.readouterr().out
+    assert "F003" not in out
+    assert ("F211" in out) is (expected != ""), out
+    assert expected in out
+    if expected:
+        assert "function.yaml:10:" in out
+
+
+def test_a_queue_has_room_for_the_values_of_a_call(tmp_path, capsys):
+    more = ", access: Buffered, queueLength: 8, valuesPerStep: 6, countVariable: number"
+    file = project(tmp_path, f"{SHAPES}extern unsigned number;\n")
+    file.write_text(FUNCTION.format(datatype="float", role="consumed", variable="list", more=more))
+    main(["lint", str(file)])
+    assert "'list' must have at least 6 elements; the header has 5." in capsys.readouterr().out

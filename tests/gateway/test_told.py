@@ -216,7 +216,7 @@ def test_a_mapping_under_both_of_its_names_is_an_error(run):
 def test_signals_that_share_bits_are_told(run):
     overlapping = DBC.replace("Mass : 16|16", "Mass : 8|16")
     told = run("(1.0) can0 100#64000000\n", mappings=ONE, dbc=overlapping)[1]
-    assert "bus.dbc: warning B001 The signals Mass and Speed are overlapping in message Motion. Correct" in told
+    assert "bus.dbc: warning B010 The signals Mass and Speed are overlapping in message Motion. Correct" in told
 
 
 def test_a_form_without_a_report_is_a_mistake(run):

@@ -453,3 +453,36 @@ def test_a_question_about_two_lines_is_refused(field: Run) -> None:
 def test_a_token_of_an_empty_owner_is_refused(field: Run, owner: str) -> None:
     status, text = field("registry", "token", "create", "ci", "--scope", "publish", "--owner", owner)
     assert (status, "--owner must be the name of a team" in text, "sigcat_" in text) == (2, True, False)
+
+
+def test_a_record_warns_of_a_new_line_and_of_a_version_that_does_not_fit(field: Run) -> None:
+    assert run_warnings(field("registry", "record-deployment", "SUV-2026", "CoreAcc@1.0.0")) == (
+        0, ["warning: line SUV-2026 is new. Did you mean 'SUV-2025'?"]
+    )  # fmt: skip
+    field("registry", "rule", "EcoControlMpc", "none")
+    assert field("publish", without_proposal("2.0.0"))[0] == 0
+    assert field("can-i-deploy", "EcoControlMpc@2.0.0", "--to", "SUV-2025")[0] == 1
+    advice = "see `sigcat can-i-deploy EcoControlMpc@2.0.0 --to SUV-2025`"
+    assert run_warnings(field("registry", "record-deployment", "SUV-2025", "EcoControlMpc@2.0.0")) == (
+        0, [f"warning: EcoControlMpc 2.0.0 does not fit what line SUV-2025 runs: {advice}"]
+    )  # fmt: skip
+    assert run_warnings(field("registry", "record-release", "SUV-2025", "CoreAcc@1.0.0"))[0] == 0
+
+
+def run_warnings(outcome: tuple[int, str]) -> tuple[int, list[str]]:
+    return outcome[0], [line for line in outcome[1].splitlines() if line.startswith("warning: ")]
+
+
+def test_a_question_that_is_refused_does_not_say_that_nothing_was_changed(field: Run) -> None:
+    for arguments in (("can-i-deploy", "CoreAcc@9.0.0", "--to", "SUV-2025"), ("registry", "show", "CoreAcc@9.0.0")):
+        status, text = field(*arguments)
+        assert (status, "nothing was changed" in text, "the registry has no answer" in text) == (1, False, True)
+    status, text = field("registry", "record-deployment", "SUV-2025", "CoreAcc@9.0.0")
+    assert (status, "nothing was changed" in text) == (1, True)
+
+
+def test_a_day_that_does_not_exist_is_reported_as_such(field: Run) -> None:
+    status, text = field("registry", "deprecate", "CoreAcc@1.0.0", "--until", "2026-02-30")
+    assert (status, "The date must be a day that exists, not 2026-02-30." in text) == (1, True)
+    status, text = field("registry", "deprecate", "CoreAcc@1.0.0", "--until", "30.2.2026")
+    assert (status, "The date must be written as 2027-01-31" in text) == (1, True)

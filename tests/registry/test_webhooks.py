@@ -377,7 +377,7 @@ def test_the_commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: p
     publish(Registry(Path("registry.db")), [plain_candidate("o", "1.0.0")])
     with receiving() as receiver:
         status, _, text = run("subscribe", receiver.url)
-        assert (status, "error E016" in text, "webhook-hosts" in text) == (1, True, True)
+        assert (status, "error E016" in text, "webhook-networks = [" in text) == (1, True, True)
         allowed = 'webhook-hosts = ["127.0.0.1"]\nwebhook-networks = ["127.0.0.0/8"]\n'
         Path("sigcat.toml").write_text(project + allowed, encoding="utf-8")
         status, text, _ = run("subscribe", receiver.url, "--types", "published,pending")

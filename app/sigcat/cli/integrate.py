@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from sigcat.cli.function_options import add_functions, deployment_of, functions_of
 from sigcat.cli.output import print_findings, write_bytes
 from sigcat.cli.output_options import add_output
+from sigcat.cli.project_options import project_of
 from sigcat.cli.tree_options import add_tree_options, read_tree
 from sigcat.errors import existing_file
 from sigcat.platforms.table import PLATFORMS
@@ -93,7 +94,9 @@ def _deployment(arguments: argparse.Namespace, catalogue: "Catalogue") -> "Deplo
     files = [(existing_file(each).read_bytes(), str(each)) for each in getattr(arguments, "identifiers", ())]
     if files and platform.with_identifiers is not None:
         deployment = platform.with_identifiers(deployment, files, DEFAULT_LIMITS)
-    return deployment if platform.with_catalogue is None else platform.with_catalogue(deployment, catalogue)
+    if platform.with_catalogue is None:
+        return deployment
+    return platform.with_catalogue(deployment, catalogue, project_of(arguments).dbc)
 
 
 def _previous(arguments: argparse.Namespace) -> tuple[bytes, str] | None:

@@ -27,12 +27,13 @@ from sigcat.cli.registry_options import (
 )
 from sigcat.cli.registry_tokens import add_tokens
 from sigcat.cli.registry_webhooks import add_webhooks
-from sigcat.errors import UsageError, existing_file
+from sigcat.errors import InputRefused, UsageError, existing_file
 from sigcat.limits import REGISTRY_ROWS
 from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
-    from sigcat.registry.reference import State
+    from sigcat.registry.access import Access
+    from sigcat.registry.reference import Reference, State
 
 _RULES = ("backward", "full", "approval", "none")
 
@@ -181,8 +182,30 @@ def record(arguments: argparse.Namespace) -> int:
     from sigcat.registry.reference import reference_of
 
     reference = reference_of(arguments.version)
+    doubts = () if arguments.action == "support ended" else _doubts(access, arguments.line, reference)
     change = access.record(arguments.action, arguments.line, reference)
+    for doubt in doubts:
+        print(printable(f"warning: {doubt}"), file=sys.stderr)
     return done(f"line {arguments.line}: {arguments.action} of {reference}", change)
+
+
+def _doubts(access: "Access", line: str, reference: "Reference") -> tuple[str, ...]:
+    """Return why a record may be a mistake: the line is new, or the version does not fit it. A record says what is so."""
+    from sigcat.registry.reference import name_problem
+
+    if name_problem(line, "line") is not None:
+        return ()  # it is refused
+    try:
+        answer = access.can_deploy([reference], line)
+    except (InputRefused, UsageError):
+        return ()  # the record is refused too, or the token is for changes only
+    if answer.decision == "unknown":
+        near = answer.finding.fix if answer.finding and answer.finding.fix.startswith("Did you mean") else ""
+        return (f"line {line} is new. {near}".rstrip(),)
+    if answer.decision == "no":
+        advice = f"see `sigcat can-i-deploy {reference.name}@{reference.version} --to {line}`"
+        return (f"{reference} does not fit what line {line} runs: {advice}",)
+    return ()
 
 
 def export(arguments: argparse.Namespace) -> int:

@@ -10,7 +10,7 @@ from sigcat import codes
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from sigcat.function.c_project.c_types import vss_datatype
-from sigcat.function.c_project.declarations import CType, Declarations
+from sigcat.function.c_project.declarations import CType, Declarations, Record
 from sigcat.function.c_project.files import CodeFiles, headers_of
 from sigcat.function.c_project.parsing import lacks_system_header, parse_unit
 from sigcat.function.document.document import Pointer
@@ -20,6 +20,7 @@ from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.variables import CodeVariable, variables
 from sigcat.function.function_json.walk import data
+from sigcat.names import did_you_mean
 
 _ADAPTER = "Adapter"
 _UNIT = "sigcat-variables"
@@ -152,7 +153,9 @@ def _compared(
                 yield _not_declared(function, question, question.variable, wrong[line])
         elif question.variable and line in types:
             is_read = question.pointer[:-1] in provided
-            yield from _unfit(function, question.variable, types[line], datatypes, is_read=is_read)
+            compared = _Types(datatypes, answers.records, dict(question.variable.members), is_read)
+            for message, fix in _misfits(question.variable, types[line], compared):
+                yield function.finding(codes.VARIABLE_TYPE_UNFIT, question.pointer, message, fix)
 
 
 def _not_declared(function: ResolvedFunction, question: _Question, variable: CodeVariable, said: str) -> Finding:
@@ -166,33 +169,112 @@ def _not_definable(function: ResolvedFunction, question: _Question, said: str) -
     return function.finding(codes.VARIABLE_TYPE_UNFIT, question.pointer, message, fix)
 
 
-def _unfit(
-    function: ResolvedFunction,
-    variable: CodeVariable,
-    found: CType,
-    datatypes: Mapping[str, Datatype],
-    *,
-    is_read: bool,
-) -> Iterator[Finding]:
-    kind = found.target
-    while kind.kind == "array" and kind.of:
+class _Types(NamedTuple):
+    """Types that both sides refer to, and how values of a variable are compared."""
+
+    datatypes: Mapping[str, Datatype]
+    records: Mapping[str, Record]
+    members: Mapping[str, str]
+    """Names of members in the code, by their names in the catalogue."""
+    is_read: bool
+    """Whether the adapter reads the variable: it may then be narrower than declared."""
+
+
+class _Misfit(NamedTuple):
+    """A difference between a variable and its declaration, and its fix."""
+
+    message: str
+    fix: str = "Correct the code, or the datatype."
+
+
+def _misfits(variable: CodeVariable, found: CType, types: _Types) -> Iterator[_Misfit]:
+    """Yield the differences of a variable. A queue needs an array with room for its values."""
+    kind, count = found.target, variable.elements
+    if count and kind.kind == "array" and kind.of:
+        if kind.length and kind.length < count:
+            yield _Misfit(f"{variable.expression!r} must have at least {count} elements; the header has {kind.length}.")
         kind = kind.of
-    datatype = innermost(variable.datatype or "", datatypes)
-    if kind.kind != "number" or datatype is None or "char" in kind.names[-1:]:
+    datatype = types.datatypes.get(variable.datatype or "")
+    if found.kind == "pointer" and datatype is not None and datatype.kind == "array":
+        datatype = types.datatypes.get(datatype.element or "")  # a pointer does not say how many elements there are
+    yield from _differences(variable.expression, (), kind, datatype, types)
+
+
+def _differences(
+    expression: str, path: tuple[str, ...], kind: CType, datatype: Datatype | None, types: _Types
+) -> Iterator[_Misfit]:
+    if datatype is None or len(path) > _DEEPEST:
         return
+    if datatype.kind == "array":
+        yield from _of_array(expression, path, kind, datatype, types)
+    elif datatype.kind == "struct":
+        if kind.kind in ("number", "array"):
+            yield _Misfit(f"{expression!r} must be a struct; the header has {_shown(kind)}.")
+        elif kind.key in types.records and types.records[kind.key].is_complete:
+            yield from _of_members(expression, path, types.records[kind.key], datatype, types)
+    elif kind.kind in ("array", "record") and datatype.vss_datatype != "string":
+        yield _Misfit(f"{expression!r} must be one value; the header has {_shown(kind)}.")
+    elif kind.kind == "number" and "char" not in kind.names[-1:]:
+        yield from _of_number(expression, kind, datatype, is_read=types.is_read)
+
+
+_DEEPEST = 16
+
+
+def _of_array(
+    expression: str, path: tuple[str, ...], kind: CType, datatype: Datatype, types: _Types
+) -> Iterator[_Misfit]:
+    if kind.kind in ("number", "record"):
+        yield _Misfit(f"{expression!r} must be an array{_of_length(datatype)}; the header has {_shown(kind)}.")
+    elif kind.kind == "array" and kind.of:
+        if datatype.length and kind.length and datatype.length != kind.length:
+            yield _Misfit(f"{expression!r} must have {datatype.length} elements; the header has {kind.length}.")
+        element = types.datatypes.get(datatype.element or "")
+        if element is not None and element.kind != "array":
+            yield from _differences(f"{expression}[0]", path, kind.of, element, types)
+
+
+def _of_length(datatype: Datatype) -> str:
+    return f" of {datatype.length}" if datatype.length else ""
+
+
+def _shown(kind: CType) -> str:
+    if kind.kind == "array":
+        return f"an array of {kind.length}"
+    return f"the struct {kind.name}".rstrip() if kind.kind == "record" else kind.name
+
+
+def _of_members(
+    expression: str, path: tuple[str, ...], record: Record, datatype: Datatype, types: _Types
+) -> Iterator[_Misfit]:
+    known = {member.name: member for member in record.members}
+    for field in datatype.fields or ():
+        name = types.members.get(".".join((*path, field.name)), field.name)
+        member = known.get(name)
+        if member is None:
+            fix = did_you_mean(name, known)
+            fix = f"{fix} " if fix else ""
+            yield _Misfit(
+                f"{expression!r} must have the member {name!r}; the struct of the header has {', '.join(known) or 'none'}.",
+                f"{fix}Name the member of the code with `members`, or correct the code.",
+            )
+        elif member.width is None:  # a bit field has the size of its bits
+            inner = types.datatypes.get(field.datatype)
+            yield from _differences(f"{expression}.{name}", (*path, field.name), member.type, inner, types)
+
+
+def _of_number(expression: str, kind: CType, datatype: Datatype, *, is_read: bool) -> Iterator[_Misfit]:
     has, declared = _Number(kind.sort, kind.bits), _number(datatype)
     if declared is None:
-        if has.sort == "floating" and datatype.kind != "struct" and datatype.vss_datatype != "string":
-            message = f"{variable.expression!r} must be an integer; the header has {kind.name}."
-            yield function.finding(codes.VARIABLE_TYPE_UNFIT, variable.pointer, message, "Correct the code.")
+        if has.sort == "floating" and datatype.vss_datatype != "string":
+            yield _Misfit(f"{expression!r} must be an integer; the header has {kind.name}.", "Correct the code.")
         elif unheld := [each for each in datatype.symbols or () if not has.holds(each.value)]:
-            message = f"{variable.expression!r} must hold {unheld[0].value}, the number of {unheld[0].symbol}; the header has {kind.name}."
-            fix = "Correct the number, or the code."
-            yield function.finding(codes.VARIABLE_TYPE_UNFIT, variable.pointer, message, fix)
+            number = f"{unheld[0].value}, the number of {unheld[0].symbol}"
+            message = f"{expression!r} must hold {number}; the header has {kind.name}."
+            yield _Misfit(message, "Correct the number, or the code.")
     elif not (has.fits(declared) if is_read else declared.fits(has)):
-        message = f"{variable.expression!r} must be {datatype.c_definition}; the header has {kind.name}."
-        fix = f"Give `datatype: {vss_datatype(kind)}`, or correct the code."
-        yield function.finding(codes.VARIABLE_TYPE_UNFIT, variable.pointer, message, fix)
+        message = f"{expression!r} must be {datatype.c_definition}; the header has {kind.name}."
+        yield _Misfit(message, f"Give `datatype: {vss_datatype(kind)}`, or correct the code.")
 
 
 def _number(datatype: Datatype) -> _Number | None:

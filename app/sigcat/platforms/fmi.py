@@ -36,13 +36,13 @@ def _with_files(deployment: "Deployment", folder: "Path", environment: "Mapping[
     return deployment.model_copy(update={"fmi": settings.in_folder(folder)})
 
 
-def _with_catalogue(deployment: "Deployment", catalogue: "Catalogue") -> "Deployment":
+def _with_catalogue(deployment: "Deployment", catalogue: "Catalogue", dbc: "Sequence[Path]") -> "Deployment":
     from sigcat.integration.fmi.network import read_network
 
     settings: FmiSettings = deployment.fmi  # type: ignore[attr-defined]
     if settings.bus is None:
         return deployment
-    network = read_network(settings.bus.dbc, catalogue, deployment)
+    network = read_network(settings.bus.dbc or tuple(map(str, dbc)), catalogue, deployment)
     return deployment.model_copy(update={"fmi": settings.model_copy().with_network(network)})
 
 

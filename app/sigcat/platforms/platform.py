@@ -87,7 +87,7 @@ class Platform(NamedTuple):
     """A deployment with the files of this machine that it names, relative to the folder of its file, given an
     environment; None if the platform names none."""
 
-    with_catalogue: "Callable[[Deployment, Catalogue], Deployment] | None" = None
+    with_catalogue: "Callable[[Deployment, Catalogue, Sequence[Path]], Deployment] | None" = None
     """A deployment with what it needs of a catalogue of this machine; None if the platform needs nothing. Raises InputRefused."""
 
     @property

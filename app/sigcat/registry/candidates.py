@@ -46,7 +46,7 @@ def read_functions(
     members, over = read_set(files, catalogue, limits)
     findings = tuple(finding for member in members for finding in member.findings)
     if has_errors(findings):
-        raise InputRefused("the functions have errors; nothing was changed in the registry", findings)
+        raise InputRefused("the functions have errors", findings)
     return tuple(
         ReadFunction(file, data, member, uses_of(member.function, catalogue, over))
         for (data, file), member in zip(files, members, strict=True)
@@ -89,7 +89,7 @@ def overlay_trial(layer: Layer, base: Catalogue, limits: Limits = DEFAULT_LIMITS
     """Apply an overlay to the catalogue without it. Raises InputRefused if it brings errors."""
     trial = try_layer(base, layer, limits)
     if has_errors(trial.findings):
-        raise InputRefused("the overlay has errors; nothing was changed in the registry", trial.findings)
+        raise InputRefused("the overlay has errors", trial.findings)
     return trial
 
 

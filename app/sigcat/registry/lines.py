@@ -1,18 +1,23 @@
 """Record what vehicle lines run, and the states of versions."""
 
-import datetime as dt
-import re
-
 from sqlalchemy import Connection
 
 from sigcat import codes
 from sigcat.registry.deploying import deployable
 from sigcat.registry.published import all_versions, names_of, running, version_named
-from sigcat.registry.reference import CHANGEABLE, Kind, Reference, Rule, State, name_problem, refused, unknown
+from sigcat.registry.reference import (
+    CHANGEABLE,
+    Kind,
+    Reference,
+    Rule,
+    State,
+    date_fault,
+    name_problem,
+    refused,
+    unknown,
+)
 from sigcat.registry.storing.entry import Action
 from sigcat.registry.storing.ledger import Ledger, Registry, head, ledger_of
-
-_DATE = re.compile(r"[0-9]{4}-[0-9]{2}-[0-9]{2}", re.ASCII)
 
 
 def record(registry: Registry, action: Action, line: str, reference: Reference) -> str:
@@ -104,13 +109,8 @@ def _check_retired(connection: Connection, reference: Reference, state: State) -
 
 
 def _check_date(text: str) -> None:
-    try:
-        is_date = not text or (_DATE.fullmatch(text) is not None and bool(dt.date.fromisoformat(text)))
-    except ValueError:
-        is_date = False
-    if not is_date:
-        message = f"The date must be written as 2027-01-31, not {text[:40]!r}."
-        raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message))
+    if text and (fault := date_fault(text)):
+        raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(f"The date {fault}."))
 
 
 def _head(connection: Connection) -> str:

@@ -1,5 +1,6 @@
 """Published names, and references such as `CoreAcc@1.2.0`."""
 
+import datetime as dt
 import re
 from collections.abc import Iterable, Mapping
 from typing import Literal, NamedTuple, get_args
@@ -19,6 +20,9 @@ DEPLOYABLE: frozenset[State] = frozenset(("published", "deprecated"))
 CHANGEABLE: frozenset[State] = frozenset(("draft", "pending"))
 """States in which a version may get other content."""
 
+UNCHANGED = "nothing was changed in the registry"
+NO_ANSWER = "the registry has no answer"
+_DATE = re.compile(r"\d{4}-\d{2}-\d{2}", re.ASCII)
 _LONGEST = 100
 """Characters of a name."""
 _NAME = re.compile(rf"[A-Za-z0-9][A-Za-z0-9._-]{{0,{_LONGEST - 1}}}", re.ASCII)
@@ -74,9 +78,20 @@ def unknown(kind: str, name: str, known: Iterable[str]) -> InputRefused:
 
 def unusable(finding: Finding, *, is_full: bool = False) -> RegistryUnusable:
     """The failure of a database, which changed nothing."""
-    return RegistryUnusable("nothing was changed in the registry", (finding,), is_full=is_full)
+    return RegistryUnusable(UNCHANGED, (finding,), is_full=is_full)
 
 
 def refused(*findings: Finding) -> InputRefused:
     """The refusal of a command for these findings; nothing was changed."""
-    return InputRefused("nothing was changed in the registry", findings)
+    return InputRefused(UNCHANGED, findings)
+
+
+def date_fault(text: str) -> str:
+    """Return what is wrong with a date, such as 2027-01-31; empty if nothing is."""
+    if not _DATE.fullmatch(text):
+        return f"must be written as 2027-01-31, not {text[:40]!r}"
+    try:
+        dt.date.fromisoformat(text)
+    except ValueError:
+        return f"must be a day that exists, not {text}"
+    return ""

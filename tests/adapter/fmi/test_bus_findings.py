@@ -82,3 +82,35 @@ def test_a_number_that_a_double_does_not_hold_is_refused(tmp_path, capsys, line,
     status, err = tried(tmp_path, capsys, SPEED, BUS, dbc)
     assert status == 1
     assert told in err
+
+
+BOTH = "network_serialization: {signal: Speed, message: Wheel}"
+
+
+def test_a_signal_that_is_received_and_sent_is_refused(tmp_path, capsys):
+    answer = ANSWER.replace("type: sensor", "type: actuator") + f"  {BOTH}\n"
+    (tmp_path / "tree.vspec").write_text(f"{NODE}\nVehicle.Speed:\n{SIGNAL}  {BOTH}\n{answer}")
+    status, err = integrated(tmp_path, capsys)
+    assert status == 1
+    assert (
+        "J003 Wheel.Speed must be an input or an output of the FMU, not both: Vehicle.Answer and Vehicle.Speed." in err
+    )
+
+
+def integrated(folder, capsys, bus="{name: Can, dbc: [bus.dbc]}", *options):
+    (folder / "bus.dbc").write_text((PAIR / "pair.dbc").read_text())
+    (folder / "deployment.yaml").write_text(f"fmi: {{bus: {bus}}}\n")
+    tree = ["-s", str(folder / "tree.vspec"), "--deployment", str(folder / "deployment.yaml")]
+    status = main(["integrate", "fmi", str(PAIR / "display.yaml"), *tree, "-o", str(folder / "fmi.json"), *options])
+    (folder / "tree.vspec").unlink()
+    return status, capsys.readouterr().err
+
+
+@pytest.mark.parametrize("is_in_project", [True, False])
+def test_the_can_database_of_the_project_is_the_default(is_in_project, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "tree.vspec").write_text(f"{NODE}\nVehicle.Speed:\n{SIGNAL}  {SPEED}\n{ANSWER}")
+    (tmp_path / "sigcat.toml").write_text("dbc = ['bus.dbc']\n" if is_in_project else "")
+    status, err = integrated(tmp_path, capsys, "{name: Can}")
+    assert status == (not is_in_project), err
+    assert ("J003 The bus must have a CAN database." in err) is not is_in_project

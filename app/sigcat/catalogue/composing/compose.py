@@ -13,6 +13,8 @@ from sigcat.catalogue.composing.expand_instances import TooManyNodes, expand_ins
 from sigcat.catalogue.composing.merge_layers import merge_layers
 from sigcat.catalogue.composing.older_releases import read_units, tolerant, with_present_spellings
 from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.model.circles import circles
+from sigcat.catalogue.model.datatypes import element_of, is_array
 from sigcat.catalogue.model.definition import STRUCT, Definition, Scope
 from sigcat.catalogue.model.vocabulary import EMPTY, Vocabulary
 from sigcat.catalogue.reading.layers import Layer, read_layer
@@ -185,4 +187,29 @@ def _type_tree(
         if parent_path(path) in structs:
             structs[parent_path(path)][last_name(path)] = definition
     findings.extend(merged.findings)
+    findings.extend(_structs_in_themselves(structs))
     return draft_tree(merged.definitions, limits, findings), scope
+
+
+def _structs_in_themselves(structs: Mapping[str, Mapping[str, Definition]]) -> Iterator[Finding]:
+    """Report each circle of structs at its first property. A struct may have a list of itself: that can end."""
+    members = [each for properties in structs.values() for each in properties.values() if not _is_open_list(each)]
+    links: dict[str, list[str]] = {path: [] for path in structs}
+    for each in members:
+        links[parent_path(each.path)].append(_struct(each))
+    for circle in circles(links):
+        first = next(each for each in members if parent_path(each.path) in circle and _struct(each) in circle)
+        struct = parent_path(first.path)
+        through = "" if len(circle) == 1 else f", through {' and '.join(sorted({*circle} - {struct}))}"
+        message = f"A struct must not contain itself; {struct!r} does{through}."
+        fix = "Give the property another datatype, such as the number of an entry."
+        yield codes.STRUCT_CONTAINS_ITSELF.finding(message, *first.origin("datatype").position, first.path, fix=fix)
+
+
+def _struct(definition: Definition) -> str:
+    return element_of(str(definition.values.get("datatype", "")))
+
+
+def _is_open_list(definition: Definition) -> bool:
+    is_list = is_array(str(definition.values.get("datatype", "")))
+    return is_list and definition.values.get("arraysize") is None

@@ -38,7 +38,7 @@ DECISIONS: Mapping[str, Decision] = {
         codes.DEFAULT_OF_WRONG_DATATYPE, codes.DEFAULT_OUTSIDE_RANGE, codes.DEFAULT_NOT_ALLOWED,
         codes.ALLOWED_OF_WRONG_DATATYPE, codes.RESTRICTIONS_EXCLUDE_EACH_OTHER, codes.ENUM_INVALID,
         codes.ARRAYSIZE_WITHOUT_ARRAY, codes.PATTERN_NOT_MET, codes.IDENTIFIER_MALFORMED, codes.INSTANCES_RUN_BACKWARDS,
-        codes.NODE_BELOW_SIGNAL, codes.SECOND_ROOT, codes.OUTSIDE_ROOT,
+        codes.NODE_BELOW_SIGNAL, codes.SECOND_ROOT, codes.OUTSIDE_ROOT, codes.STRUCT_CONTAINS_ITSELF,
     ),
 }  # fmt: skip
 """By the rule that is broken; an error of any other rule stops the export."""

@@ -4,6 +4,7 @@ Source: VSS documentation, «Data Types»; meaning as in vss-tools 6.1.
 """
 
 from collections.abc import Mapping
+from math import inf
 from typing import Any
 
 INTEGER_RANGES: Mapping[str, tuple[int, int]] = {
@@ -17,6 +18,8 @@ INTEGER_RANGES: Mapping[str, tuple[int, int]] = {
     "int64": (-(2**63), 2**63 - 1),
 }
 FLOATING = ("float", "double")
+LARGEST_ROUNDED_TO_FLOAT = 3.4028235677973362e38
+"""Largest double whose nearest number of binary32 is finite: 3.4028235e+38, the usual spelling of its largest one, is smaller."""
 PRIMITIVES = frozenset((*INTEGER_RANGES, *FLOATING, "boolean", "string", "numeric"))
 DATATYPES = PRIMITIVES | {f"{name}[]" for name in PRIMITIVES} | {"int"}
 """Every predefined datatype. `int` and `numeric` are families: VSS uses them for the datatypes of units."""
@@ -65,7 +68,11 @@ def holds(datatype: str, value: Any) -> bool:
         return all(isinstance(item, bool) for item in values)
     if name == "string":
         return all(isinstance(item, str) for item in values)
-    return all(isinstance(item, float) for item in values) or all(isinstance(item, int) for item in values)
+    is_alike = all(isinstance(item, float) for item in values) or all(isinstance(item, int) for item in values)
+    return is_alike and (name != "float" or not any(LARGEST_ROUNDED_TO_FLOAT < abs(item) < inf for item in values))
+
+
+_WORDS = {"boolean": "true or false", "string": "text", "int": "whole numbers", "float": "numbers up to ±3.4028235e+38"}
 
 
 def values_in_words(datatype: str) -> str:
@@ -74,4 +81,4 @@ def values_in_words(datatype: str) -> str:
     if name in INTEGER_RANGES:
         low, high = INTEGER_RANGES[name]
         return f"{low} to {high}"
-    return {"boolean": "true or false", "string": "text", "int": "whole numbers"}.get(name, "numbers")
+    return _WORDS.get(name, "numbers")

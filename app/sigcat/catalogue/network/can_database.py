@@ -174,10 +174,8 @@ def _doubts(message: Any, path: Path) -> Iterator[Finding]:
         message.refresh(strict=True)
     except Exception as error:  # noqa: BLE001 — of cantools, with the names of both
         message.refresh(strict=False)
-        rule = codes.CAN_DATABASE_UNREADABLE.graded("warning")  # other messages are right
-        yield rule.finding(
-            str(error)[:200], str(path), fix="Correct where they start: at least one of them has wrong values."
-        )
+        fix = "Correct where they start: at least one of them has wrong values."
+        yield codes.CAN_SIGNALS_OVERLAP.finding(str(error)[:200], str(path), fix=fix)
 
 
 class _Unreadable(Exception):

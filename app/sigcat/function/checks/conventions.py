@@ -10,6 +10,7 @@ from fractions import Fraction
 from sigcat import codes
 from sigcat.asil import LEVELS, level_of
 from sigcat.catalogue.model.catalogue import Catalogue, Node
+from sigcat.catalogue.model.datatypes import LARGEST_ROUNDED_TO_FLOAT
 from sigcat.findings import RuleCode
 from sigcat.function.checks.against_catalogue import check_against
 from sigcat.function.document.document import Pointer
@@ -19,6 +20,7 @@ from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.primitive_types import (
     BY_REFERENCE,
+    CType,
     agree,
     c_type,
     proposed_reference,
@@ -281,7 +283,7 @@ def _alike(name: str, by_ending: dict[str, Node]) -> Node | None:
 
 def _lost_ranges(function: FunctionJson) -> Problems:
     """Ranges that the datatype and the scale of an item cannot hold."""
-    held = {t.reference: _integers(t) for t in function.datatypes if t.kind is None}
+    held = {t.reference: _numbers(t) for t in function.datatypes if t.kind is None}
     for pointer, _, item in (*data(function), *parameters(function)):
         limits = held.get(item.datatype)
         scale = _scale(item.factor, item.offset)
@@ -300,9 +302,11 @@ def _lost_ranges(function: FunctionJson) -> Problems:
             )
 
 
-def _integers(datatype: Datatype) -> tuple[int, int] | None:
-    """Smallest and largest number of an integer of C; None for everything else."""
+def _numbers(datatype: Datatype) -> tuple[float, float] | None:
+    """Smallest and largest number of a float or an integer of C; None for everything else."""
     meant = c_type(datatype.c_definition)
+    if meant == CType("floating", 32):
+        return -LARGEST_ROUNDED_TO_FLOAT, LARGEST_ROUNDED_TO_FLOAT
     if meant is None or not meant.bits or meant.kind not in ("signed", "unsigned"):
         return None
     half = 1 << (meant.bits - 1)

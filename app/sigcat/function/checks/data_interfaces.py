@@ -126,8 +126,8 @@ def _optional(pointer: Pointer, item: Signal | DataQueue) -> Problems:
         message = f"{item.name!r} must have a start value: it is 0 in a vehicle without the signal."
         yield Problem(codes.OPTIONAL_WITHOUT_START_VALUE, pointer, message, "Give `init`.", subject)
     if item.absent_error and not (item.is_optional and is_consumed):
-        message = f"{item.name!r} must be optional and consumed to have `absentError`."
-        fix = "Give `optional: true`, or remove the error."
+        message = f"`absentError` needs a consumed signal with `optional: true`; {item.name!r} is {'not optional' if is_consumed else 'provided'}."
+        fix = "Add `optional: true`, or remove `absentError`." if is_consumed else "Remove `absentError`."
         yield Problem(codes.ABSENT_ERROR_WITHOUT_OPTIONAL, (*pointer, "AbsentError"), message, fix, subject)
 
 

@@ -5,6 +5,7 @@ from itertools import islice
 from typing import Any, NamedTuple
 
 from sigcat import codes
+from sigcat.catalogue.model.datatypes import holds, values_in_words
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.expression import is_identifier
 from sigcat.function.document.problem import Problem, Subject
@@ -13,7 +14,7 @@ from sigcat.function.document.yaml_words import in_yaml
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.datatype import Datatype, innermost
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.primitive_types import c_type, integer_limits
+from sigcat.function.function_json.primitive_types import LARGEST_FLOAT, CType, c_type, integer_limits
 from sigcat.function.function_json.walk import declared_data, parameters
 from sigcat.names import did_you_mean
 
@@ -21,6 +22,7 @@ Problems = Iterator[Problem]
 Item = Signal | DataQueue | ParameterInterface
 Types = Mapping[str, Datatype]
 
+_FLOAT = CType("floating", 32)
 _MOST = 5
 """Elements of one value that are reported."""
 
@@ -78,13 +80,16 @@ def _single(item: Item, pointer: Pointer, types: Types) -> Problems:
     datatype = types.get(item.datatype)
     limits = _limits(item)
     integers = _integers(datatype, limits) if datatype is not None and not datatype.symbols else None
-    if integers is None or item.init_elements is not None:
+    is_float = datatype is not None and not limits.is_scaled and c_type(datatype.c_definition) == _FLOAT
+    if item.init_elements is not None or not (integers or is_float):
         return
+    wanted = (
+        f"a whole number from {integers[0]} to {integers[1]}" if integers else f"one of the {values_in_words('float')}"
+    )
     for key, what, value in (("InitValue", "init", item.init_value), ("Default", "default", item.default)):
-        if value is not None and _is_number(value, None, limits) and not _is_number(value, integers, limits):
-            message = (
-                f"`{what}` of {item.name!r} must be a whole number from {integers[0]} to {integers[1]}, not {value:g}."
-            )
+        is_held = _is_number(value, integers, limits) and (not is_float or holds("float", value))
+        if value is not None and _is_number(value, None, limits) and not is_held:
+            message = f"`{what}` of {item.name!r} must be {wanted}, not {value:g}."
             subject = Subject("data", item.vss_path or item.name, () if what == "init" else ("default",))
             cause = subject if what == "default" else None
             yield Problem(codes.START_VALUE_OUT_OF_RANGE, (*pointer, key), message, subject=subject, cause=cause)
@@ -157,7 +162,8 @@ def _is_held(value: Any, datatype: Datatype, limits: _Limits) -> bool:
         return not isinstance(value, bool) and value in [each.value for each in datatype.symbols]
     if meant.kind == "boolean":
         return isinstance(value, bool) or (isinstance(value, int) and value in (0, 1))
-    return _is_number(value, _integers(datatype, limits), limits)
+    is_float = meant == _FLOAT and not limits.is_scaled
+    return _is_number(value, _integers(datatype, limits), limits) and (not is_float or holds("float", value))
 
 
 def _is_number(value: Any, integers: tuple[int, int] | None, limits: _Limits) -> bool:
@@ -180,7 +186,9 @@ def _wanted(datatype: Datatype, limits: _Limits) -> str:
     if meant is not None and meant.kind in ("boolean", "text"):
         return "true or false" if meant.kind == "boolean" else "a text"
     integers = _integers(datatype, limits)
-    ends = [own if own is not None else full for own, full in zip(limits[:2], integers or (None, None), strict=True)]
+    is_float = meant == _FLOAT and not limits.is_scaled
+    full = integers or ((-LARGEST_FLOAT, LARGEST_FLOAT) if is_float and limits[:2] == (None, None) else (None, None))
+    ends = [own if own is not None else end for own, end in zip(limits[:2], full, strict=True)]
     low, high = ("" if end is None else f" {word} {end:.12g}" for word, end in zip(("from", "to"), ends, strict=True))
     return f"{'a whole number' if integers else 'a number'}{low}{high}"
 

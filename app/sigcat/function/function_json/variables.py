@@ -38,6 +38,8 @@ class CodeVariable(NamedTuple):
     """Type in C, as declared or as agreed on."""
     elements: int | None = None
     """Values of the datatype that it holds; None if it holds one."""
+    members: tuple[tuple[str, str], ...] = ()
+    """Members of a struct, as the catalogue and the code name them."""
 
 
 def variables(function: FunctionJson) -> Iterator[CodeVariable]:
@@ -55,7 +57,8 @@ def _of_data(function: FunctionJson) -> Iterator[CodeVariable]:
         if item.variable:
             at = (*pointer, "Variable")
             c_type, count = item.c_type, _count(item)
-            yield CodeVariable(at, item.variable, place, name, item.datatype, item.defined_by, c_type, count)
+            members = tuple((each.name, each.member) for each in item.members or ())
+            yield CodeVariable(at, item.variable, place, name, item.datatype, item.defined_by, c_type, count, members)
         if isinstance(item, DataQueue) and item.count_variable:
             at = (*pointer, "CountVariable")
             yield CodeVariable(at, item.count_variable, place, f"{name} count", None, item.defined_by, "uint32_t")

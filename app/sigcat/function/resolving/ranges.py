@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from sigcat import codes
-from sigcat.catalogue.model.datatypes import INTEGER_RANGES, element_of, is_numeric
+from sigcat.catalogue.model.datatypes import INTEGER_RANGES, LARGEST_ROUNDED_TO_FLOAT, element_of, is_numeric
 from sigcat.function.declaration.declaration import DataItem
 from sigcat.function.document.problem import Problem
 from sigcat.function.function_json.conversion import Linear
@@ -77,6 +77,7 @@ def _lost(code: CodeValue, low: Fraction | None, high: Fraction | None) -> Itera
     """A datatype or a scale that cannot hold what the catalogue promises, or promises less than it gives."""
     own, stored = element_of(code.own_datatype), element_of(code.datatype)
     if _is_wide(stored, own):
+        yield from _beyond_float(code, low, high)
         return
     held, catalogue = _converted(_full(stored), code.scale), _converted(_full(own), code.to_code)
     if held is None or catalogue is None:
@@ -92,6 +93,28 @@ def _lost(code: CodeValue, low: Fraction | None, high: Fraction | None) -> Itera
     if own in ("float", "double") and stored in INTEGER_RANGES and not is_scaled and not is_provided:
         message = f"The catalogue has {own}; held as {stored} without a factor, fractions are lost."
         yield code.problem(codes.FRACTIONS_LOST, (*code.at, "datatype"), message, "Give a `factor`, such as 0.01.")
+
+
+def _beyond_float(code: CodeValue, low: Fraction | None, high: Fraction | None) -> Iterator[Problem]:
+    """Yield a problem for a limit that a float on either side cannot hold. A limit of the catalogue is checked there."""
+    in_code = _converted(_FLOAT, code.scale) if element_of(code.datatype) == "float" else None
+    in_catalogue = _converted(_FLOAT, code.to_code) if element_of(code.own_datatype) == "float" else None
+    for key, end in (("max", high), ("min", low)):
+        is_own = getattr(code.item, key) is None
+        if end is None or (is_own and _is_beyond(end, in_catalogue)):
+            continue
+        if _is_beyond(end, in_code) or _is_beyond(end, in_catalogue):
+            message = f"`{key}` {shown(end)} does not fit float, whose largest number is 3.4028235e+38."
+            fix = "Choose a larger datatype or another scale, or narrow the range with `min` and `max`."
+            at = code.first_written(key, "datatype", "factor", "unit")
+            yield code.problem(codes.CONVERSION_LOSES_RANGE, at, message, fix)
+
+
+def _is_beyond(end: Fraction, limits: Range | None) -> bool:
+    return limits is not None and not limits[0] <= end <= limits[1]
+
+
+_FLOAT = (Fraction(-LARGEST_ROUNDED_TO_FLOAT), Fraction(LARGEST_ROUNDED_TO_FLOAT))
 
 
 def _overflow(code: CodeValue, needed: Range, limits: Range, holder: str) -> Problem:

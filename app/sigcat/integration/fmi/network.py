@@ -26,6 +26,10 @@ class Network(NamedTuple):
 
 def read_network(paths: tuple[str, ...], catalogue: Catalogue, deployment: Deployment) -> Network:
     """The network of a bus. Raises InputRefused if a database or a mapping cannot be used."""
+    if not paths:
+        fix = "Give `dbc` here, or in the project file."
+        finding = deployment.finding(codes.BUS_UNFIT, ("fmi", "bus"), "The bus must have a CAN database.", fix, "")
+        raise InputRefused("The bus has no CAN database.", (finding,))
     missing = tuple(
         deployment.finding(
             codes.BUS_UNFIT,

@@ -20,8 +20,11 @@ class BusSettings(DeclarationModel):
     """Settings for the CAN bus of the FMUs."""
 
     name: CIdentifier = Field(description="Name of the bus, as Powertrain.")
-    dbc: tuple[Text, ...] = Field(
-        description="CAN databases, relative to the deployment file.", min_length=1, strict=False
+    dbc: tuple[Text, ...] | None = Field(
+        None,
+        description="CAN databases, relative to the deployment file; those of `dbc` in sigcat.toml if absent.",
+        min_length=1,
+        strict=False,
     )
     signals: Literal["beside", "replaced"] = Field(
         "beside",
@@ -62,7 +65,7 @@ class FmiSettings(DeclarationModel):
 
     def in_folder(self, folder: Path) -> Self:
         """The same, with paths of files that begin at a folder."""
-        if self.bus is None:
+        if self.bus is None or self.bus.dbc is None:
             return self
         dbc = tuple(str(folder / each) for each in self.bus.dbc)
         return self.model_copy(update={"bus": self.bus.model_copy(update={"dbc": dbc})})

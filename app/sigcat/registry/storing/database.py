@@ -12,9 +12,10 @@ from sqlalchemy import Connection
 from sqlalchemy.exc import DBAPIError
 
 from sigcat import codes
+from sigcat.errors import InputRefused, RegistryUnusable
 from sigcat.limits import REGISTRY_SECONDS
 from sigcat.project.project import ServerUrl
-from sigcat.registry.reference import unusable
+from sigcat.registry.reference import NO_ANSWER, UNCHANGED, unusable
 from sigcat.registry.storing.sqlite import SqliteStore, in_memory_engine
 from sigcat.registry.storing.store import Store
 from sigcat.registry.storing.tables import METADATA, REVISION, SCHEMA
@@ -36,7 +37,23 @@ def writing(place: Place, seconds: float = REGISTRY_SECONDS) -> Iterator[Connect
 
 @contextmanager
 def reading(place: Place) -> Iterator[Connection]:
-    """A transaction that sees one state. A missing database is empty, and is not created."""
+    """A transaction that sees one state. A missing database is empty, and is not created.
+
+    Refusals do not say that nothing was changed: reading changes nothing.
+    """
+    try:
+        with _snapshot(place) as connection:
+            yield connection
+    except RegistryUnusable as error:
+        raise RegistryUnusable(NO_ANSWER, error.findings, is_full=error.is_full) from None
+    except InputRefused as error:
+        if str(error) != UNCHANGED:
+            raise
+        raise InputRefused(NO_ANSWER, error.findings) from None
+
+
+@contextmanager
+def _snapshot(place: Place) -> Iterator[Connection]:
     store = _store(place)
     with _reported(store):
         if not store.exists():

@@ -14,6 +14,7 @@ from sqlalchemy import Column, Connection, MetaData, String, Table, insert, insp
 from sigcat.digest import digest_of
 from sigcat.errors import UsageError
 from sigcat.names import did_you_mean, either
+from sigcat.registry.reference import date_fault
 
 Scope = Literal["read", "publish", "approve", "administer"]
 SCOPES: tuple[Scope, ...] = get_args(Scope)
@@ -80,12 +81,8 @@ def _check(name: str, scopes: Collection[str], expires: str) -> None:
         raise UsageError(f"{message}, not {name[:80]!r}")
     if unknown := set(scopes) - set(SCOPES):
         raise UsageError(f"a scope must be {either(SCOPES)}, not {min(unknown)[:80]!r}")
-    try:
-        is_date = not expires or dt.date.fromisoformat(expires).isoformat() == expires
-    except ValueError:
-        is_date = False
-    if not is_date:
-        raise UsageError(f"the date must be written as 2027-01-31, not {expires[:40]!r}")
+    if expires and (fault := date_fault(expires)):
+        raise UsageError(f"the date {fault}")
 
 
 def revoke_token(connection: Connection, name: str) -> None:

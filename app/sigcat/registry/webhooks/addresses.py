@@ -22,7 +22,11 @@ class Policy(NamedTuple):
 
 
 class Forbidden(Exception):
-    """An address to which nothing may be sent, and why."""
+    """An address to which nothing may be sent, why, and what allows it."""
+
+    def __init__(self, message: str, fix: str = "Write an address such as https://hooks.example.org/sigcat.") -> None:
+        super().__init__(message)
+        self.fix = fix
 
 
 def checked_url(url: str, policy: Policy) -> SplitResult:
@@ -37,11 +41,13 @@ def checked_url(url: str, policy: Policy) -> SplitResult:
     if parts.scheme not in ("https", "http") or not parts.hostname or port == 0:
         raise Forbidden("it must begin with https:// and have a host")
     if parts.scheme == "http" and not policy.networks:
-        raise Forbidden("http:// is for hosts in `webhook-networks` only")
+        fix = 'Write https://, or allow the network of the host, such as `webhook-networks = ["10.20.0.0/16"]`.'
+        raise Forbidden("http:// is for hosts in `webhook-networks` only", fix)
     if parts.username is not None or parts.password is not None or parts.fragment:
         raise Forbidden("it must have no user, no password and no fragment")
     if parts.hostname not in {host.lower() for host in policy.hosts}:
-        raise Forbidden(f"its host {parts.hostname} is not in `webhook-hosts` of [registry]")
+        fix = f'Allow the host in sigcat.toml: `webhook-hosts = ["{parts.hostname}"]`.'
+        raise Forbidden(f"its host {parts.hostname} is not in `webhook-hosts` of [registry]", fix)
     return parts
 
 

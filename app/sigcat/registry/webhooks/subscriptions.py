@@ -41,8 +41,7 @@ def subscribe(registry: Registry, url: str, types: Sequence[str], policy: Policy
         checked_url(url, policy)
     except Forbidden as error:
         message = f"Webhooks cannot be sent to {shown(url)}: {error}."
-        fix = 'Write an address such as https://hooks.example.org/sigcat, and allow its host: `webhook-hosts = ["hooks.example.org"]`.'
-        raise refused(codes.WEBHOOK_UNFIT.finding(message, fix=fix)) from None
+        raise refused(codes.WEBHOOK_UNFIT.finding(message, fix=error.fix)) from None
     chosen = tuple(dict.fromkeys(map(_type_of, types)))
     with writing(registry.database) as connection:
         last = head(connection)

@@ -124,6 +124,7 @@ CHECKS: Mapping[str, Check] = {
     "can-message": NodeCheck(network.unambiguous, {}, (), f"={network.ANY_MAPPING}"),
     "can-names": NodeCheck(network.names_in_database, {}, (), f"={network.ANY_MAPPING}"),
     "can-no-value": NodeCheck(network.no_value_handled, {}, (), f"={network.ANY_MAPPING}"),
+    "can-unit": NodeCheck(network.unit_converted, {}, (), f"={network.ANY_MAPPING}"),
     "can-range": NodeCheck(network.range_fits, {}, (), f"={network.ANY_MAPPING}"),
     "reserved-word": NodeCheck(portable.reserved_word, {**_PORTABLE, "words": NAMES}, ("words", "target")),
     "converted-name": NodeCheck(portable.converted_name, {**_PORTABLE, "pattern": TEXT}, ("pattern", "target")),

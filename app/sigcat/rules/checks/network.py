@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES, PRIMITIVES, is_array
 from sigcat.catalogue.model.definition import Definition
+from sigcat.catalogue.model.near_units import near_unit
+from sigcat.catalogue.model.vocabulary import Unit, Vocabulary
 from sigcat.catalogue.network.mapping import (
     ATTRIBUTES,
     KUKSA_TARGET,
@@ -231,6 +233,27 @@ def no_value_handled(_rule: Rule, tree: Tree) -> NodeTest:
                         yield Problem(definition, message, each.attribute, fix, within=("signal",))
 
     return test
+
+
+def unit_converted(_rule: Rule, tree: Tree) -> NodeTest:
+    """Require a transform where the unit of the CAN database is known, and not that of the signal."""
+
+    def test(definition: Definition) -> Iterator[Problem]:
+        unit = _unit(definition.values.get("unit"), tree.vocabulary)
+        for each in _mappings(definition) if unit is not None else ():
+            units = {_unit(signal.unit, tree.vocabulary) for signal in _in_database(each, tree)}
+            if each.formula is None and not each.choices and units.isdisjoint((unit, None)) and units:
+                said = listed(sorted(other.key for other in units if other is not None))
+                assert unit is not None
+                message = f"{each.signal} is in {said} in the CAN database, and the signal in {unit.key}."
+                yield Problem(definition, message, each.attribute, "Convert it with `transform`.", within=("signal",))
+
+    return test
+
+
+def _unit(text: Any, vocabulary: Vocabulary) -> Unit | None:
+    """The unit of a text, if the catalogue knows it."""
+    return (vocabulary.unit(text) or near_unit(text, vocabulary)) if isinstance(text, str) and text else None
 
 
 def range_fits(_rule: Rule, tree: Tree) -> NodeTest:

@@ -122,6 +122,9 @@ def _problems(message: Any, by_signal: Mapping[str, Sequence[_End]]) -> Iterator
         ):
             text = f"{name} must be a whole number of at most {MOST_BITS} bits, or a real number of 32 or 64 bits, within its message."
             yield _finding(text, own[0].path if own else path, "Map the path to another signal.")
+        if len({each.is_sent for each in own}) > 1:
+            text = f"{name} must be an input or an output of the FMU, not both: {' and '.join(sorted({each.path for each in own}))}."
+            yield _finding(text, own[0].path, "Map one of them to another signal.")
         for each in own:
             formula = each.mapping.formula
             if formula is not None and in_c(formula.text) is None:
