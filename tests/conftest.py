@@ -2,6 +2,7 @@
 
 import os
 import signal
+import sys
 import tempfile
 from collections import Counter
 from dataclasses import replace
@@ -44,6 +45,9 @@ def pytest_configure(config: pytest.Config) -> None:
             del os.environ[name]
     os.environ["SIGCAT_DATA"] = _DATA.name
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # hundreds of processes would compile everything again
+    sys.dont_write_bytecode = (
+        False  # and each worker would rewrite the assertions of every test, and parse the shipped tree
+    )
     properties.load_profile()
 
 
