@@ -309,7 +309,9 @@ KINDS = (
         (
             "tests/cli/test_pre_commit.py",
             "tests/documentation/test_commands.py",
+            "tests/test_generated.py::test_it_is_up_to_date[drives]",
             "tests/test_generated.py::test_it_is_up_to_date[examples]",
+            "tests/test_generated.py::test_it_is_up_to_date[runs]",
             "tests/test_generated.py::test_it_is_up_to_date[shown_outputs]",
             "tests/test_installed.py",
             "tests/documentation/test_pipelines.py",
