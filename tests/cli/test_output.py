@@ -154,7 +154,15 @@ def test_a_file_that_does_not_fit_in_place_keeps_its_content(closed_folder):
     assert Path("result").read_bytes() == b"old " * 250
 
 
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP, signal.SIGINT])
+@pytest.fixture(params=[signal.SIGTERM, signal.SIGHUP, signal.SIGINT])
+def number(request):
+    """A signal that is not ignored, as that of a terminal that closes is under `nohup`."""
+    usual = signal.default_int_handler if request.param == signal.SIGINT else signal.SIG_DFL
+    before = signal.signal(request.param, usual)
+    yield request.param
+    signal.signal(request.param, before)
+
+
 def test_a_signal_while_writing_leaves_the_old_file_and_nothing_beside_it(folder, number):
     def lines():
         yield "new\n"
