@@ -41,8 +41,6 @@ def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line("markers", "property: a property test; `make fuzz` searches with these")
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as a shell has it for what it starts in the background
         signal.signal(signal.SIGINT, signal.default_int_handler)
-    if signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:  # as nohup has it
-        signal.signal(signal.SIGHUP, signal.SIG_DFL)
     os.environ["VSS_RELEASES"] = str(OFFICIAL)
     for name in list(os.environ):
         if name.startswith("SIGCAT_") and name not in OF_THE_RUN:
