@@ -57,7 +57,7 @@ def _measured(bench: Bench, *, with_conversions: bool) -> tuple[float, float]:
     _write(folder, with_conversions=with_conversions)
     subprocess.run(_generate(folder), check=True, capture_output=True)
     program = folder / "program"
-    sources = [folder / "core/Many_adapter.c", folder / "code.c", folder / "driver.c"]
+    sources = [folder / "core/Many_adapter.c", folder / "core/sigcat_core.c", folder / "code.c", folder / "driver.c"]
     flags = ("-std=c99", "-O2", "-D_POSIX_C_SOURCE=199309L", *EXACT, f"-I{folder}", f"-I{folder / 'core'}")
     subprocess.run([*compiler, *flags, *map(str, sources), "-o", str(program)], check=True, capture_output=True)
 

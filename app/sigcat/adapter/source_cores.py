@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.core.cores import plans
-from sigcat.adapter.core.generate import core_files
+from sigcat.adapter.core.generate import all_files
 from sigcat.adapter.core.plan import CorePlan
 from sigcat.adapter.files import GeneratedFile
 from sigcat.findings import Finding, RuleCode
@@ -39,8 +39,8 @@ def source_cores(functions: Sequence[ResolvedFunction]) -> SourceCores:
 
 
 def files_of(cores: SourceCores) -> tuple[GeneratedFile, ...]:
-    """Header and source of each core."""
-    return tuple(file for each in cores.values() for file in core_files(each.plan).files)
+    """Header and source of each core, and files that all cores share."""
+    return all_files(each.plan for each in cores.values())
 
 
 def wrong_holders(

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 _FILTERS = (
     "comment", "block_comment", "comment_rows", "ros_comment_rows", "ros_string", "ros_number", "c_string", "c_strings", "c_header", "c_format",
     "cmake_argument", "cmake_word", "python_string", "python_strings", "docstring_text", "xml_text", "markdown", "markdown_code",
-    "mermaid_text",
+    "mermaid_text", "milliseconds",
 )  # fmt: skip
 
 

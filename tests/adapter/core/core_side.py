@@ -1,10 +1,10 @@
 """A script, done by a generated core: compiled with a driver, run, and what it printed."""
 
 import subprocess
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
-from sigcat.adapter.core.generate import core_files
+from sigcat.adapter.core.generate import RUNTIME_SOURCE, core_files, runtime_files
 from sigcat.adapter.core.plan import CLASS
 from sigcat.adapter.toolchain import EXACT, toolchain
 from tests.adapter.core.driver import HELPERS, header, program
@@ -13,6 +13,12 @@ from tests.adapter.core.subject import Subject
 
 _LONGEST = 60
 """Seconds that a run may take."""
+
+
+def texts(subject: Subject) -> dict[str, str]:
+    """Texts that decide what a core does, by the names of their files."""
+    files = (core_files(subject.plan).source, *runtime_files())
+    return {file.name: file.data.decode() for file in files if file.name != "sigcat_core_checks.h"}
 
 
 def write(subject: Subject, folder: Path) -> Path:
@@ -24,7 +30,7 @@ def write(subject: Subject, folder: Path) -> Path:
     write_headers(subject, folder)
     (folder / HELPERS.name).write_text(HELPERS.read_text())
     source = folder / ("program.cpp" if subject.signature == CLASS else "program.c")
-    source.write_text(program(subject, [files.source.name]))
+    source.write_text(program(subject, [RUNTIME_SOURCE, files.source.name]))
     return source
 
 
@@ -40,13 +46,13 @@ def compiled(
     folder: Path,
     flags: Sequence[str] = ("-O0",),
     exact: Sequence[str] = EXACT,
-    change: Callable[[str], str] | None = None,
+    change: Callable[[Mapping[str, str]], Mapping[str, str]] | None = None,
 ) -> Path:
     """Write a program and compile it; `change` may break the core before."""
     source, result = write(subject, folder), folder / "program"
     if change is not None:
-        core = next(folder.glob("*_adapter.c*"))
-        core.write_text(change(core.read_text()))
+        for name, text in change(texts(subject)).items():
+            (folder / name).write_text(text)
     is_class = subject.signature == CLASS
     command = toolchain().cpp if is_class else toolchain().c
     standard = "-std=c++17" if is_class else "-std=c99"

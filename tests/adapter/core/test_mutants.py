@@ -5,11 +5,11 @@ A usual run tries some of them, `make slow` all.
 
 import re
 import subprocess
+from collections.abc import Mapping
 from functools import cache
 
 import pytest
 
-from sigcat.adapter.core.generate import core_files
 from tests.adapter.core import core_side
 from tests.adapter.core.compared import difference
 from tests.adapter.core.fixed import FIXED
@@ -29,11 +29,9 @@ def made(function: str) -> Subject:
 
 
 @cache
-def text_of(function: str) -> str:
-    """The generated core, before anything is broken in it."""
-    files = core_files(made(function).plan)
-    (core,) = (file for file in files.files if file.name.startswith("F_adapter.c"))
-    return core.data.decode()
+def texts(function: str) -> Mapping[str, str]:
+    """The generated core and its runtime, before anything is broken in them."""
+    return core_side.texts(made(function))
 
 
 @cache
@@ -47,23 +45,24 @@ def test_there_are_many_and_each_has_a_name_of_its_own():
 
 @pytest.mark.parametrize("mutant", MUTANTS, ids=lambda mutant: mutant.name)
 def test_a_mutant_changes_the_text(mutant: Mutant):
-    assert broken(mutant, text_of(mutant.function))
+    assert broken(mutant, texts(mutant.function))
 
 
 @pytest.mark.parametrize("mutant", TRIED, ids=lambda mutant: mutant.name)
 def test_a_mutant_is_found(mutant: Mutant, tmp_path):
-    def change(text: str) -> str:
-        return broken(mutant, text)
+    def change(given: Mapping[str, str]) -> Mapping[str, str]:
+        return broken(mutant, given)
 
     program = core_side.compiled(made(mutant.function), tmp_path, ("-O0", "-w"), change=change)
     assert any(is_found(mutant.function, seed, program) for seed in SEEDS)
 
 
-def broken(mutant: Mutant, text: str) -> str:
-    """The text with its fault."""
-    changed, count = re.subn(mutant.pattern, mutant.replacement, text, count=mutant.most)
-    assert count > 0, "nothing to replace"
-    assert changed != text
+def broken(mutant: Mutant, given: Mapping[str, str]) -> Mapping[str, str]:
+    """The texts with the fault."""
+    changed = {
+        name: re.sub(mutant.pattern, mutant.replacement, text, count=mutant.most) for name, text in given.items()
+    }
+    assert changed != given, "nothing to replace"
     return changed
 
 

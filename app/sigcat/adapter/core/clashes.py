@@ -53,7 +53,8 @@ def _certain_clashes(function: ResolvedFunction) -> Iterator[Finding]:
         plan = derive(function).plan
     except InputRefused:  # which a finding of lint explains, or the command that generates
         return
-    text = "\n".join(file.data.decode() for file in core_files(plan).files)
+    made = core_files(plan)
+    text = f"{made.header.data.decode()}\n{made.source.data.decode()}"
     folder = Path(function.document.name).parent
     yield from (each.finding for each in _clashes(function, plan, folder, text) if each.is_certain)
 

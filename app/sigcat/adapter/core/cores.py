@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.core.derive import Planned, derive
-from sigcat.adapter.core.generate import core_files
+from sigcat.adapter.core.generate import all_files
 from sigcat.adapter.files import GeneratedFile
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, in_order
@@ -22,8 +22,9 @@ class Cores(NamedTuple):
 def cores(functions: Sequence[ResolvedFunction]) -> Cores:
     """Header and source of each function. Raises InputRefused with all obstacles."""
     planned = plans(functions)
-    files = tuple(file for each in planned for file in core_files(each.plan).files)
-    return Cores(files, tuple(finding for each in planned for finding in each.findings))
+    return Cores(
+        all_files(each.plan for each in planned), tuple(finding for each in planned for finding in each.findings)
+    )
 
 
 def plans(functions: Sequence[ResolvedFunction]) -> tuple[Planned, ...]:

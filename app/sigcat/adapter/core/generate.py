@@ -1,5 +1,8 @@
 """The core of a function as files: a header and a source."""
 
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
 from typing import NamedTuple
 
 from sigcat.adapter.core.c.header import header
@@ -11,9 +14,19 @@ from sigcat.adapter.core.plan import CorePlan
 from sigcat.adapter.files import GeneratedFile
 from sigcat.function.document.document import Pointer
 
+_RUNTIME = Path(__file__).with_name("runtime")
+RUNTIME_SOURCE = "sigcat_core.c"
+"""File that is compiled once for all cores of a program."""
+
+
+@cache
+def runtime_files() -> tuple[GeneratedFile, ...]:
+    """Return files of C that all cores share, as they are in the package."""
+    return tuple(GeneratedFile(path.name, path.read_bytes()) for path in sorted(_RUNTIME.iterdir()))
+
 
 class CoreFiles(NamedTuple):
-    """Header and source, and what each line of the source was made from."""
+    """Header and source, and the origin of each line of the source."""
 
     header: GeneratedFile
     source: GeneratedFile
@@ -22,8 +35,13 @@ class CoreFiles(NamedTuple):
 
     @property
     def files(self) -> tuple[GeneratedFile, ...]:
-        """Both of them."""
-        return self.header, self.source
+        """All that a program needs: both of them, and the files that all cores share."""
+        return self.header, self.source, *runtime_files()
+
+
+def all_files(plans: Iterable[CorePlan]) -> tuple[GeneratedFile, ...]:
+    """Return the files of several cores; those that all cores share are there once."""
+    return tuple(dict.fromkeys(file for plan in plans for file in core_files(plan).files))
 
 
 def core_files(plan: CorePlan) -> CoreFiles:

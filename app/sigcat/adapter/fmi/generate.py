@@ -11,7 +11,7 @@ from typing import NamedTuple
 from pydantic import BaseModel
 
 from sigcat import __version__, codes
-from sigcat.adapter.core.generate import core_files
+from sigcat.adapter.core.generate import RUNTIME_SOURCE, all_files
 from sigcat.adapter.core.plan import CorePlan
 from sigcat.adapter.files import GeneratedFile, shipped, within
 from sigcat.adapter.fmi.bus.formula import OPERATIONS, in_c
@@ -250,7 +250,7 @@ def _languages(
 ) -> Iterator[tuple[str, tuple[str, ...]]]:
     of_version = ("sigcat_fmi2.c",) if model.version else ()
     of_bus = ("sigcat_bus.c", "sigcat_bus_model.c") if has_bus else ()
-    of_fmi = ("sigcat_fmu.c", *of_version, *of_bus, "sigcat_model.c")
+    of_fmi = ("sigcat_fmu.c", *of_version, *of_bus, "sigcat_model.c", RUNTIME_SOURCE)
     own = [name for each in sources for name in (*each.generated, *(inside for _, inside, _ in each.code))]
     cpp = tuple(each for each in own if Path(each).suffix in _CPP)
     yield "C99", (*of_fmi, *(each for each in own if each not in cpp))
@@ -291,7 +291,7 @@ def _files(plan: _FmuPlan, unit: Unit) -> Iterator[GeneratedFile]:
     sources: list[GeneratedFile] = [
         *(() if plan.model.version else (_file("buildDescription.xml", plan),)),
         _file("sigcat_model.c", plan),
-        *(file for member in unit.connections.members for file in core_files(member.plan).files),
+        *all_files(member.plan for member in unit.connections.members),
         *(glue_file(unit.connections, numbers, index) for index in range(len(unit.connections.members))),
         *shipped(_C),
         *(shipped(_C2) if plan.model.version else ()),

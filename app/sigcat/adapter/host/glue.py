@@ -109,7 +109,7 @@ def glue_file(connections: Connections, numbers: Numbers, index: int) -> Generat
         is_global=is_global,
         is_cpp=plan.code.is_cpp,
         is_copied=not is_global and not plan.code.is_cpp,
-        ok=scope.constant("OK"),
+        ok="SIGCAT_OK",
         largest=bytes_of_largest(connections, numbers),
         structs=list(_structs(plan)),
         entries=entries,

@@ -186,3 +186,8 @@ def _visible(value: AnyText, kept: str = "") -> str:
 
 def _number(found: re.Match[str]) -> str:
     return f"[U+{ord(found[0]):04X}]"
+
+
+def milliseconds(nanoseconds: int) -> str:
+    """A time for people: `50 ms`."""
+    return f"{nanoseconds / 10**6:.15g} ms"

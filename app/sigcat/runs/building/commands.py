@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from sigcat.adapter.core.generate import RUNTIME_SOURCE
 from sigcat.adapter.host.connections import Member
 from sigcat.adapter.toolchain import EXACT, Toolchain
 from sigcat.function.function_json.code import CodeInterface
@@ -39,7 +40,7 @@ def compilations(
 
     `own` are further flags for the code of functions.
     """
-    for name in ("sigcat_driver.c", "sigcat_tables.c"):
+    for name in ("sigcat_driver.c", "sigcat_tables.c", RUNTIME_SOURCE):
         yield _compilation(None, folder / name, folder / f"{name}.o", (), tools)
     for index, member in enumerate(members):
         yield from _of_member(index, member, folder, tools, own)

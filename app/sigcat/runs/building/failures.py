@@ -45,7 +45,7 @@ def refused(failed: Sequence[Said], members: Sequence[Member], cores: Sequence[C
     """Return the error to raise: a finding for each error, or the compiler's output if it has none of the usual form."""
     generated = {
         file.name: _Generated(member, file, core.origins)
-        for member, core in zip(members, cores, strict=True) for file in core.files
+        for member, core in zip(members, cores, strict=True) for file in (core.header, core.source)
     }  # fmt: skip
     told = [tuple(_causes(said, members)) or tuple(_findings(said, members, generated)) for said in failed]
     findings = in_order(tuple(dict.fromkeys(finding for each in told for finding in each)))

@@ -5,14 +5,16 @@
  * Compile it with -ffp-contract=off. All times are in nanoseconds.
  */
 
+#include "sigcat_core_functions.h"
+#include "sigcat_core_checks.h"
+
 #include "CoreAcc_adapter.h"
 
-#include <float.h>
-#include <math.h>
-#include <stddef.h>
-#include <string.h>
+#if SIGCAT_CORE_VERSION != 1
+#error "sigcat_core.h is of another version of sigcat"
+#endif
 
-/* Points of measurement: 0 SetInput begins, 1 the call begins, 2 it has ended, 3 GetOutput ends, 4 Supervise. */
+/* Points of measurement are those of sigcat_core_functions.h. */
 #ifndef CORE_ACC_ADAPTER_MARK
 #define CORE_ACC_ADAPTER_MARK(self, point, call) ((void)0)
 #endif
@@ -26,191 +28,49 @@
 
 CoreAcc_Adapter CoreAcc_Adapter_Instance;
 
-/*
- * The comma makes a value of a bit field, which has a size. Before C11, an array of -1 elements is the error, and
- * its name the message: some libraries have their own assertion there, without a message.
- */
-#if defined(__cplusplus)
-#define CORE_ACC_ADAPTER_CHECK(holds, name, message) static_assert(holds, message)
-#define CORE_ACC_ADAPTER_SIZE_OF(variable) sizeof(decltype(variable))
-#else
-#if defined(__GNUC__) && !defined(__STRICT_ANSI__)
-#define CORE_ACC_ADAPTER_CHECK(holds, name, message) __extension__ _Static_assert(holds, message)
-#elif defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 201112L)
-#define CORE_ACC_ADAPTER_CHECK(holds, name, message) _Static_assert(holds, message)
-#else
-#define CORE_ACC_ADAPTER_NAMED(name, line) CoreAcc_Adapter_##name##_in_line_##line
-#define CORE_ACC_ADAPTER_IN_LINE(name, line) CORE_ACC_ADAPTER_NAMED(name, line)
-#define CORE_ACC_ADAPTER_CHECK(holds, name, message) typedef char CORE_ACC_ADAPTER_IN_LINE(name, __LINE__)[(holds) ? 1 : -1]
-#endif
-#define CORE_ACC_ADAPTER_SIZE_OF(variable) sizeof(((void)0, variable))
-#endif
-
-/* Kinds of numbers: 1 unsigned, 2 signed, 3 floating, 4 boolean; 0 is any other type, or a language before C11. */
-#if !defined(__cplusplus) && defined(__GNUC__) && !defined(__STRICT_ANSI__)
-#define CORE_ACC_ADAPTER_GENERIC __extension__ _Generic
-#elif !defined(__cplusplus) && defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 201112L)
-#define CORE_ACC_ADAPTER_GENERIC _Generic
-#endif
-#if defined(CORE_ACC_ADAPTER_GENERIC)
-#define CORE_ACC_ADAPTER_KIND(value) CORE_ACC_ADAPTER_GENERIC((value), \
-    _Bool: 4, float: 3, double: 3, long double: 3, \
-    signed char: 2, short: 2, int: 2, long: 2, long long: 2, \
-    unsigned char: 1, unsigned short: 1, unsigned int: 1, unsigned long: 1, unsigned long long: 1, default: 0)
-#else
-#define CORE_ACC_ADAPTER_KIND(value) 0
-#endif
-/* A number keeps its value in a type of its kind, and an unsigned one in a signed type that is wider. */
-#define CORE_ACC_ADAPTER_AGREES(from, to, is_wider) \
-    ((CORE_ACC_ADAPTER_KIND(from) == 0) || (CORE_ACC_ADAPTER_KIND(to) == 0) || \
-     (CORE_ACC_ADAPTER_KIND(from) == CORE_ACC_ADAPTER_KIND(to)) || \
-     ((CORE_ACC_ADAPTER_KIND(from) == 1) && (CORE_ACC_ADAPTER_KIND(to) == 2) && (is_wider)))
-
-#define CORE_ACC_ADAPTER_WHOLE(variable) \
-    CORE_ACC_ADAPTER_CHECK(CORE_ACC_ADAPTER_KIND(variable) != 3, \
-        variable_must_be_an_integer, #variable " must be an integer, not a floating-point number")
-/* Numbers that an integer of this kind and size holds. A type of unknown kind is only asked for its size. */
-#define CORE_ACC_ADAPTER_ALL(variable) \
-    ((CORE_ACC_ADAPTER_SIZE_OF(variable) > 2U) ? INT64_C(0xFFFFFFFF) : (CORE_ACC_ADAPTER_SIZE_OF(variable) > 1U) ? INT64_C(0xFFFF) : INT64_C(0xFF))
-#define CORE_ACC_ADAPTER_LEAST(variable) \
-    (((CORE_ACC_ADAPTER_KIND(variable) == 1) || (CORE_ACC_ADAPTER_KIND(variable) == 4)) ? INT64_C(0) : (-(CORE_ACC_ADAPTER_ALL(variable) / 2) - 1))
-#define CORE_ACC_ADAPTER_GREATEST(variable) \
-    ((CORE_ACC_ADAPTER_KIND(variable) == 4) ? INT64_C(1) : (CORE_ACC_ADAPTER_KIND(variable) == 2) ? (CORE_ACC_ADAPTER_ALL(variable) / 2) : CORE_ACC_ADAPTER_ALL(variable))
-#define CORE_ACC_ADAPTER_NUMBERS(variable, least, greatest) \
-    CORE_ACC_ADAPTER_CHECK((CORE_ACC_ADAPTER_KIND(variable) != 3) && \
-        (((least) >= CORE_ACC_ADAPTER_LEAST(variable)) || ((CORE_ACC_ADAPTER_SIZE_OF(variable) > 4U) && (CORE_ACC_ADAPTER_KIND(variable) != 1))) && \
-        (((greatest) <= CORE_ACC_ADAPTER_GREATEST(variable)) || (CORE_ACC_ADAPTER_SIZE_OF(variable) > 4U)), \
-        variable_must_be_an_integer_that_holds_its_numbers, \
-        #variable " must be an integer that holds " #least " to " #greatest)
-#define CORE_ACC_ADAPTER_HOLDS(variable, type) \
-    CORE_ACC_ADAPTER_CHECK((CORE_ACC_ADAPTER_SIZE_OF(variable) >= sizeof(type)) && \
-        CORE_ACC_ADAPTER_AGREES((type)0, variable, CORE_ACC_ADAPTER_SIZE_OF(variable) > sizeof(type)), \
-        variable_must_not_be_narrower_than_declared, #variable " must be " #type)
-#define CORE_ACC_ADAPTER_FITS(variable, type) \
-    CORE_ACC_ADAPTER_CHECK((CORE_ACC_ADAPTER_SIZE_OF(variable) <= sizeof(type)) && \
-        CORE_ACC_ADAPTER_AGREES(variable, (type)0, CORE_ACC_ADAPTER_SIZE_OF(variable) < sizeof(type)), \
-        variable_must_not_be_wider_than_declared, #variable " must be " #type)
-
 /* Variables of CoreAcc have the declared kind, sign and size, or the build fails. */
-CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Veh.BrkCylP, double);
-CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Veh.SteerWhlAg, double);
-CORE_ACC_ADAPTER_WHOLE(core_inputs.bus_ACCIn.Bus_Cust.EnaGACC);
-CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Cust.EgoVehMass, double);
-CORE_ACC_ADAPTER_NUMBERS(core_inputs.bus_ACCIn.Bus_Cust.EgoVehDshbSpdUnit, 0, 3);
-CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Veh.EgoVehALgt, double);
-CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Veh.EgoVehSpd, double);
-CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Cust.SetSpd, float);
-CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_ACCIn.Bus_Obj.ObjDst, float);
-CORE_ACC_ADAPTER_HOLDS(core_inputs.bus_MPCOut.EcoAccProp, float);
-CORE_ACC_ADAPTER_FITS(AsmAcc_AccIntSts, uint8_t);
-CORE_ACC_ADAPTER_FITS(core_outputs.bus_ACCOut.AccReq, float);
-CORE_ACC_ADAPTER_HOLDS(core_params.ALatMax, float);
-CORE_ACC_ADAPTER_NUMBERS(core_inputs.bus_ACCIn.Bus_Sts.ModeReq, 0, 2);
-CORE_ACC_ADAPTER_NUMBERS(core_outputs.bus_ACCOut.ModeSts, 0, 3);
-
-/* The time: one before the last one counts as the last one. */
-static inline uint64_t CoreAcc_Adapter_Now(CoreAcc_Adapter *self, uint64_t t)
-{
-    if (t > self->now) {
-        self->now = t;
-    }
-    return self->now;
-}
-
-static uint64_t CoreAcc_Adapter_Earlier(uint64_t a, uint64_t b)
-{
-    return (a < b) ? a : b;
-}
-
-/* A sum that stays at the largest number. */
-static uint32_t CoreAcc_Adapter_Added(uint32_t sum, uint64_t more)
-{
-    return (more > ((uint64_t)UINT32_MAX - sum)) ? UINT32_MAX : (sum + (uint32_t)more);
-}
-
-/* The worse of two verdicts: present, absent, not checked. */
-static CoreAcc_Adapter_Verdict CoreAcc_Adapter_Worse(CoreAcc_Adapter_Verdict a, CoreAcc_Adapter_Verdict b)
-{
-    return (a > b) ? a : b;
-}
-
-/* Whether an error is reported as failed. */
-static bool CoreAcc_Adapter_HasFailed(const CoreAcc_Adapter_Error *error)
-{
-    return (error->state == CORE_ACC_ADAPTER_FAILED) || (error->state == CORE_ACC_ADAPTER_HEALING);
-}
-
-/* What was under way ends. */
-static void CoreAcc_Adapter_Suspend(CoreAcc_Adapter_Error *error)
-{
-    if (error->state == CORE_ACC_ADAPTER_PREFAILED) {
-        error->state = error->before;
-    } else if (error->state == CORE_ACC_ADAPTER_HEALING) {
-        error->state = CORE_ACC_ADAPTER_FAILED;
-    } else {
-        /* as it is */
-    }
-}
-
-/* Whether a value is late, checked in each snapshot. It stays late until enough new values have been received. */
-static void CoreAcc_Adapter_Judge(CoreAcc_Adapter_Clock *own_clock, const CoreAcc_Adapter_Reception *reception,
-    uint64_t entered,
-    uint64_t time_out, uint32_t recovery, bool starts_with_first, uint64_t t)
-{
-    const bool is_there = reception->is_there;
-    const uint64_t last = (is_there && (reception->time > entered)) ? reception->time : entered;
-
-    if ((is_there || !starts_with_first) && ((t - last) > time_out)) {
-        own_clock->is_late = true;
-        own_clock->count = reception->count;
-    } else if (own_clock->is_late && ((reception->count - own_clock->count) >= recovery)) {
-        own_clock->is_late = false;
-    } else {
-        /* as before */
-    }
-    if (own_clock->is_late) {
-        own_clock->verdict = CORE_ACC_ADAPTER_PRESENT;
-    } else {
-        own_clock->verdict = is_there ? CORE_ACC_ADAPTER_ABSENT : CORE_ACC_ADAPTER_NOT_JUDGED;
-    }
-}
-
-/* The number; of a NaN the one with the usual bits. */
-static inline float CoreAcc_Adapter_QuietFloat(float value)
-{
-    return (value == value) ? value : NAN;
-}
+SIGCAT_HOLDS(core_inputs.bus_ACCIn.Bus_Veh.BrkCylP, double);
+SIGCAT_HOLDS(core_inputs.bus_ACCIn.Bus_Veh.SteerWhlAg, double);
+SIGCAT_WHOLE(core_inputs.bus_ACCIn.Bus_Cust.EnaGACC);
+SIGCAT_HOLDS(core_inputs.bus_ACCIn.Bus_Cust.EgoVehMass, double);
+SIGCAT_NUMBERS(core_inputs.bus_ACCIn.Bus_Cust.EgoVehDshbSpdUnit, 0, 3);
+SIGCAT_HOLDS(core_inputs.bus_ACCIn.Bus_Veh.EgoVehALgt, double);
+SIGCAT_HOLDS(core_inputs.bus_ACCIn.Bus_Veh.EgoVehSpd, double);
+SIGCAT_HOLDS(core_inputs.bus_ACCIn.Bus_Cust.SetSpd, float);
+SIGCAT_HOLDS(core_inputs.bus_ACCIn.Bus_Obj.ObjDst, float);
+SIGCAT_HOLDS(core_inputs.bus_MPCOut.EcoAccProp, float);
+SIGCAT_FITS(AsmAcc_AccIntSts, uint8_t);
+SIGCAT_FITS(core_outputs.bus_ACCOut.AccReq, float);
+SIGCAT_HOLDS(core_params.ALatMax, float);
+SIGCAT_NUMBERS(core_inputs.bus_ACCIn.Bus_Sts.ModeReq, 0, 2);
+SIGCAT_NUMBERS(core_outputs.bus_ACCOut.ModeSts, 0, 3);
 
 /* Vehicle.Chassis.Brake.CylP [bar] */
 void CoreAcc_Adapter_Receive_BrkCylP(CoreAcc_Adapter *self, double value, uint64_t t)
 {
     self->received.BrkCylP.value = value;
-    self->received.BrkCylP.reception.time = CoreAcc_Adapter_Now(self, t);
-    self->received.BrkCylP.reception.count++;
-    self->received.BrkCylP.reception.is_there = true;
+    Sigcat_Receive(&self->received.BrkCylP.reception, Sigcat_Now(&self->now, t));
 }
 
 /* Vehicle.Chassis.Steering.WhlAg [radians] */
 void CoreAcc_Adapter_Receive_SteerWhlAg(CoreAcc_Adapter *self, double value, uint64_t t)
 {
     self->received.SteerWhlAg.value = value;
-    self->received.SteerWhlAg.reception.time = CoreAcc_Adapter_Now(self, t);
-    self->received.SteerWhlAg.reception.count++;
-    self->received.SteerWhlAg.reception.is_there = true;
+    Sigcat_Receive(&self->received.SteerWhlAg.reception, Sigcat_Now(&self->now, t));
 }
 
 /* Vehicle.ADAS.EcoControl.IsEnabled */
 void CoreAcc_Adapter_Receive_EnaGACC(CoreAcc_Adapter *self, bool value, uint64_t t)
 {
     self->received.EnaGACC.value = value;
-    (void)CoreAcc_Adapter_Now(self, t);
+    (void)Sigcat_Now(&self->now, t);
 }
 
 /* Vehicle.Mass [kg] */
 void CoreAcc_Adapter_Receive_VehM(CoreAcc_Adapter *self, float value, uint64_t t)
 {
     self->received.VehM.value = value;
-    (void)CoreAcc_Adapter_Now(self, t);
+    (void)Sigcat_Now(&self->now, t);
     self->received.VehM.reception.is_there = true;
 }
 
@@ -218,7 +78,7 @@ void CoreAcc_Adapter_Receive_VehM(CoreAcc_Adapter *self, float value, uint64_t t
 void CoreAcc_Adapter_Receive_SpdLimUnit(CoreAcc_Adapter *self, uint8_t value, uint64_t t)
 {
     self->received.SpdLimUnit.value = value;
-    (void)CoreAcc_Adapter_Now(self, t);
+    (void)Sigcat_Now(&self->now, t);
     self->received.SpdLimUnit.reception.is_there = true;
 }
 
@@ -226,7 +86,7 @@ void CoreAcc_Adapter_Receive_SpdLimUnit(CoreAcc_Adapter *self, uint8_t value, ui
 void CoreAcc_Adapter_Receive_HstVehALgtFild(CoreAcc_Adapter *self, float value, uint64_t t)
 {
     self->received.HstVehALgtFild.value = value;
-    (void)CoreAcc_Adapter_Now(self, t);
+    (void)Sigcat_Now(&self->now, t);
     self->received.HstVehALgtFild.reception.is_there = true;
 }
 
@@ -234,66 +94,58 @@ void CoreAcc_Adapter_Receive_HstVehALgtFild(CoreAcc_Adapter *self, float value, 
 void CoreAcc_Adapter_Receive_EgoVehSpd(CoreAcc_Adapter *self, float value, uint64_t t)
 {
     self->received.EgoVehSpd.value = value;
-    (void)CoreAcc_Adapter_Now(self, t);
+    (void)Sigcat_Now(&self->now, t);
 }
 
 /* Vehicle.ADAS.CruiseControl.SpeedSet [km/h] */
 void CoreAcc_Adapter_Receive_SetSpd(CoreAcc_Adapter *self, float value, uint64_t t)
 {
     self->received.SetSpd.value = value;
-    (void)CoreAcc_Adapter_Now(self, t);
+    (void)Sigcat_Now(&self->now, t);
 }
 
 /* Vehicle.ADAS.ObstacleDetection.Front.Center.Distance [m] */
 void CoreAcc_Adapter_Receive_ObjDst(CoreAcc_Adapter *self, float value, uint64_t t)
 {
     self->received.ObjDst.value = value;
-    (void)CoreAcc_Adapter_Now(self, t);
+    (void)Sigcat_Now(&self->now, t);
 }
 
 /* Vehicle.ADAS.EcoControl.AccelerationProposal [m/s^2] */
 void CoreAcc_Adapter_Receive_EcoAccProp(CoreAcc_Adapter *self, float value, uint64_t t)
 {
     self->received.EcoAccProp.value = value;
-    self->received.EcoAccProp.reception.time = CoreAcc_Adapter_Now(self, t);
-    self->received.EcoAccProp.reception.count++;
-    self->received.EcoAccProp.reception.is_there = true;
+    Sigcat_Receive(&self->received.EcoAccProp.reception, Sigcat_Now(&self->now, t));
 }
 
 void CoreAcc_Adapter_Receive_EcoControlMpc_NoSolutionError_ErrorSts(CoreAcc_Adapter *self, uint8_t value, uint64_t t)
 {
     self->received.EcoControlMpc_NoSolutionError_ErrorSts.value = value;
-    self->received.EcoControlMpc_NoSolutionError_ErrorSts.reception.time = CoreAcc_Adapter_Now(self, t);
-    self->received.EcoControlMpc_NoSolutionError_ErrorSts.reception.count++;
-    self->received.EcoControlMpc_NoSolutionError_ErrorSts.reception.is_there = true;
+    Sigcat_Receive(&self->received.EcoControlMpc_NoSolutionError_ErrorSts.reception, Sigcat_Now(&self->now, t));
 }
 
 void CoreAcc_Adapter_Receive_EcoControlMpc_DeadlineError_ErrorSts(CoreAcc_Adapter *self, uint8_t value, uint64_t t)
 {
     self->received.EcoControlMpc_DeadlineError_ErrorSts.value = value;
-    self->received.EcoControlMpc_DeadlineError_ErrorSts.reception.time = CoreAcc_Adapter_Now(self, t);
-    self->received.EcoControlMpc_DeadlineError_ErrorSts.reception.count++;
-    self->received.EcoControlMpc_DeadlineError_ErrorSts.reception.is_there = true;
+    Sigcat_Receive(&self->received.EcoControlMpc_DeadlineError_ErrorSts.reception, Sigcat_Now(&self->now, t));
 }
 
 void CoreAcc_Adapter_Receive_Mode_In(CoreAcc_Adapter *self, uint8_t value, uint64_t t)
 {
     self->received.Mode_In.value = value;
-    self->received.Mode_In.reception.time = CoreAcc_Adapter_Now(self, t);
-    self->received.Mode_In.reception.count++;
-    self->received.Mode_In.reception.is_there = true;
+    Sigcat_Receive(&self->received.Mode_In.reception, Sigcat_Now(&self->now, t));
 }
 
 /* Vehicle.Chassis.Brake.CylP [bar] */
 static void CoreAcc_Adapter_Take_Step_BrkCylP(CoreAcc_Adapter *self)
 {
-    CoreAcc_Adapter_Origin origin = CORE_ACC_ADAPTER_INIT;
+    Sigcat_Origin origin = SIGCAT_INIT;
 
     if (self->received.BrkCylP.reception.is_there) {
         const bool is_within = (self->received.BrkCylP.value >= -30.0) && (self->received.BrkCylP.value <= 276.9);
-        origin = is_within ? CORE_ACC_ADAPTER_RECEIVED : CORE_ACC_ADAPTER_REPLACEMENT;
+        origin = is_within ? SIGCAT_RECEIVED : SIGCAT_REPLACEMENT;
     }
-    if (origin == CORE_ACC_ADAPTER_RECEIVED) {
+    if (origin == SIGCAT_RECEIVED) {
         core_inputs.bus_ACCIn.Bus_Veh.BrkCylP = self->received.BrkCylP.value;
     } else {
         core_inputs.bus_ACCIn.Bus_Veh.BrkCylP = 0.0;
@@ -303,14 +155,14 @@ static void CoreAcc_Adapter_Take_Step_BrkCylP(CoreAcc_Adapter *self)
 /* Vehicle.Chassis.Steering.WhlAg [radians] */
 static void CoreAcc_Adapter_Take_Step_SteerWhlAg(CoreAcc_Adapter *self)
 {
-    CoreAcc_Adapter_Origin origin = CORE_ACC_ADAPTER_INIT;
+    Sigcat_Origin origin = SIGCAT_INIT;
 
     if (self->received.SteerWhlAg.reception.is_there) {
         const bool is_within = (self->received.SteerWhlAg.value >= -16.0)
             && (self->received.SteerWhlAg.value <= 16.766);
-        origin = is_within ? CORE_ACC_ADAPTER_RECEIVED : CORE_ACC_ADAPTER_REPLACEMENT;
+        origin = is_within ? SIGCAT_RECEIVED : SIGCAT_REPLACEMENT;
     }
-    if (origin == CORE_ACC_ADAPTER_RECEIVED) {
+    if (origin == SIGCAT_RECEIVED) {
         core_inputs.bus_ACCIn.Bus_Veh.SteerWhlAg = self->received.SteerWhlAg.value;
     } else {
         core_inputs.bus_ACCIn.Bus_Veh.SteerWhlAg = -16.0;
@@ -341,18 +193,18 @@ static bool CoreAcc_Adapter_Step_SpdLimUnit_Named(int64_t source, uint8_t *targe
 /* Vehicle.ADAS.Map.DFS.MapDataSpdUnitTyp */
 static void CoreAcc_Adapter_Take_Step_SpdLimUnit(CoreAcc_Adapter *self)
 {
-    CoreAcc_Adapter_Origin origin;
+    Sigcat_Origin origin;
     uint8_t known_0 = 0U;
 
     if (self->received.SpdLimUnit.reception.is_there) {
         const bool is_within = CoreAcc_Adapter_Step_SpdLimUnit_Named(self->received.SpdLimUnit.value, &known_0);
         if (is_within) {
             self->Step.in.SpdLimUnit.kept[0] = self->received.SpdLimUnit.value;
-            self->Step.in.SpdLimUnit.origin[0] = CORE_ACC_ADAPTER_RECEIVED;
+            self->Step.in.SpdLimUnit.origin[0] = SIGCAT_RECEIVED;
         }
     }
     origin = self->Step.in.SpdLimUnit.origin[0];
-    if (origin == CORE_ACC_ADAPTER_RECEIVED) {
+    if (origin == SIGCAT_RECEIVED) {
         (void)CoreAcc_Adapter_Step_SpdLimUnit_Named(self->Step.in.SpdLimUnit.kept[0], &known_0);
         core_inputs.bus_ACCIn.Bus_Cust.EgoVehDshbSpdUnit = known_0;
     } else {
@@ -363,14 +215,14 @@ static void CoreAcc_Adapter_Take_Step_SpdLimUnit(CoreAcc_Adapter *self)
 /* Vehicle.Acceleration.Longitudinal [m/s^2] */
 static void CoreAcc_Adapter_Take_Step_HstVehALgtFild(CoreAcc_Adapter *self)
 {
-    CoreAcc_Adapter_Origin origin = CORE_ACC_ADAPTER_INIT;
+    Sigcat_Origin origin = SIGCAT_INIT;
 
     if (self->received.HstVehALgtFild.reception.is_there) {
         const bool is_within = (self->received.HstVehALgtFild.value >= -20.0F)
             && (self->received.HstVehALgtFild.value <= 20.94F);
-        origin = is_within ? CORE_ACC_ADAPTER_RECEIVED : CORE_ACC_ADAPTER_REPLACEMENT;
+        origin = is_within ? SIGCAT_RECEIVED : SIGCAT_REPLACEMENT;
     }
-    if (origin == CORE_ACC_ADAPTER_RECEIVED) {
+    if (origin == SIGCAT_RECEIVED) {
         core_inputs.bus_ACCIn.Bus_Veh.EgoVehALgt = (double)self->received.HstVehALgtFild.value;
     } else {
         core_inputs.bus_ACCIn.Bus_Veh.EgoVehALgt = -20.0;
@@ -380,15 +232,15 @@ static void CoreAcc_Adapter_Take_Step_HstVehALgtFild(CoreAcc_Adapter *self)
 /* Vehicle.ADAS.EcoControl.AccelerationProposal [m/s^2] */
 static void CoreAcc_Adapter_Take_Step_EcoAccProp(CoreAcc_Adapter *self)
 {
-    CoreAcc_Adapter_Origin origin = CORE_ACC_ADAPTER_INIT;
+    Sigcat_Origin origin = SIGCAT_INIT;
 
     if (self->received.EcoAccProp.reception.is_there) {
-        origin = CORE_ACC_ADAPTER_RECEIVED;
+        origin = SIGCAT_RECEIVED;
     }
     if (self->Step.in.EcoAccProp.clock.is_late) {
-        origin = CORE_ACC_ADAPTER_INIT;
+        origin = SIGCAT_INIT;
     }
-    if (origin == CORE_ACC_ADAPTER_RECEIVED) {
+    if (origin == SIGCAT_RECEIVED) {
         core_inputs.bus_MPCOut.EcoAccProp = self->received.EcoAccProp.value;
     } else {
         core_inputs.bus_MPCOut.EcoAccProp = -20.0F;
@@ -406,13 +258,13 @@ static bool CoreAcc_Adapter_IsWithin_ALatMax(float value)
 /* Vehicle.Function.CoreAcc.Parameter.LargestLateralAcceleration [m/s^2] */
 static void CoreAcc_Adapter_Load_ALatMax(CoreAcc_Adapter *self)
 {
-    self->parameter.ALatMax.origin = CORE_ACC_ADAPTER_INIT;
+    self->parameter.ALatMax.origin = SIGCAT_INIT;
     if (self->stored.ALatMax.is_there) {
         if (CoreAcc_Adapter_IsWithin_ALatMax(self->stored.ALatMax.value)) {
             self->parameter.ALatMax.value = self->stored.ALatMax.value;
-            self->parameter.ALatMax.origin = CORE_ACC_ADAPTER_RECEIVED;
+            self->parameter.ALatMax.origin = SIGCAT_RECEIVED;
         } else {
-            self->parameter.ALatMax.origin = CORE_ACC_ADAPTER_REPLACEMENT;
+            self->parameter.ALatMax.origin = SIGCAT_REPLACEMENT;
         }
     }
 }
@@ -420,7 +272,7 @@ static void CoreAcc_Adapter_Load_ALatMax(CoreAcc_Adapter *self)
 /* Vehicle.Function.CoreAcc.Parameter.LargestLateralAcceleration [m/s^2] */
 static void CoreAcc_Adapter_Write_ALatMax(const CoreAcc_Adapter *self)
 {
-    if (self->parameter.ALatMax.origin == CORE_ACC_ADAPTER_RECEIVED) {
+    if (self->parameter.ALatMax.origin == SIGCAT_RECEIVED) {
         core_params.ALatMax = self->parameter.ALatMax.value;
     } else {
         core_params.ALatMax = 3.0F;
@@ -433,7 +285,7 @@ bool CoreAcc_Adapter_SetParameters(CoreAcc_Adapter *self, const CoreAcc_Adapter_
 
     if (are_within) {
         self->parameter.ALatMax.value = parameters->ALatMax;
-        self->parameter.ALatMax.origin = CORE_ACC_ADAPTER_RECEIVED;
+        self->parameter.ALatMax.origin = SIGCAT_RECEIVED;
     }
     return are_within;
 }
@@ -444,94 +296,56 @@ static bool CoreAcc_Adapter_Runs_Step(uint8_t mode)
     return (mode != 0U /* OFF */);
 }
 
-/* CoreAcc_Step ends 8 to 12 times in each 500 ms. */
-static void CoreAcc_Adapter_CloseWindows_Step(CoreAcc_Adapter *self, uint64_t t)
-{
-    if (t >= (self->Step.alive.window + UINT64_C(500000000))) {
-        const uint64_t windows = (t - self->Step.alive.window) / UINT64_C(500000000);
-
-        self->Step.alive.is_bad = self->Step.alive.is_bad || (self->Step.alive.ends > 12U)
-            || (self->Step.alive.ends < 8U) || (windows > 1U);
-        self->Step.alive.has_closed = true;
-        self->Step.alive.window += windows * UINT64_C(500000000);
-        self->Step.alive.ends = 0U;
-    }
-}
-
-/* Windows that have closed since this was asked last. */
-static void CoreAcc_Adapter_JudgeWindows_Step(CoreAcc_Adapter *self)
-{
-    if (self->Step.alive.has_closed) {
-        self->Step.alive.verdict = self->Step.alive.is_bad ? CORE_ACC_ADAPTER_PRESENT : CORE_ACC_ADAPTER_ABSENT;
-        self->Step.alive.has_closed = false;
-        self->Step.alive.is_bad = false;
-    }
-}
-
 /* Windows that are over, of calls that the mode does not exclude. */
 static void CoreAcc_Adapter_CloseWindows(CoreAcc_Adapter *self, uint64_t t)
 {
+    /* CoreAcc_Step ends 8 to 12 times in each 500 ms. */
     if (CoreAcc_Adapter_Runs_Step(self->mode.now)) {
-        CoreAcc_Adapter_CloseWindows_Step(self, t);
+        Sigcat_CloseWindow(&self->Step.alive, UINT64_C(500000000), 8U, 12U, t);
     }
 }
 
-/* The table of states. may_heal: the reset condition holds. */
-static CoreAcc_Adapter_ErrorState CoreAcc_Adapter_Next(const CoreAcc_Adapter_Error *error,
-    CoreAcc_Adapter_Verdict verdict, bool may_heal)
-{
-    const bool has_failed = CoreAcc_Adapter_HasFailed(error);
-    CoreAcc_Adapter_ErrorState next = error->state;
+/* Vehicle.Function.CoreAcc.Error.BrakePressureTimeout */
+static const Sigcat_ErrorSettings CoreAcc_Adapter_Settings_BrakePressureTimeout = {
+    UINT64_C(200000000), /* maturation: 200 ms */
+    UINT64_C(500000000), /* reset: 500 ms */
+    1U, /* occurrences */
+    0U /* ignition cycles */
+};
 
-    if (verdict == CORE_ACC_ADAPTER_PRESENT) {
-        next = has_failed ? CORE_ACC_ADAPTER_FAILED : CORE_ACC_ADAPTER_PREFAILED;
-    } else if ((verdict == CORE_ACC_ADAPTER_ABSENT) && !has_failed) {
-        next = CORE_ACC_ADAPTER_PASSED;
-    } else if (verdict == CORE_ACC_ADAPTER_ABSENT) {
-        next = may_heal ? CORE_ACC_ADAPTER_HEALING : CORE_ACC_ADAPTER_FAILED;
-    } else {
-        /* not evaluated */
-    }
-    return next;
-}
+/* Vehicle.Function.CoreAcc.Error.SteeringAngleTimeout */
+static const Sigcat_ErrorSettings CoreAcc_Adapter_Settings_SteeringAngleTimeout = {
+    UINT64_C(200000000), /* maturation: 200 ms */
+    UINT64_C(500000000), /* reset: 500 ms */
+    1U, /* occurrences */
+    0U /* ignition cycles */
+};
 
-/* The next state; PREFAILED and HEALING end when their time has passed. */
-static void CoreAcc_Adapter_Update(CoreAcc_Adapter_Error *error, CoreAcc_Adapter_Counts *counts,
-    CoreAcc_Adapter_ErrorState next, uint64_t maturation,
-    uint64_t reset, uint64_t t)
-{
-    const bool had_failed = CoreAcc_Adapter_HasFailed(error);
+/* Vehicle.Function.CoreAcc.Error.ProposalTimeout */
+static const Sigcat_ErrorSettings CoreAcc_Adapter_Settings_ProposalTimeout = {
+    UINT64_C(1500000000), /* maturation: 1500 ms */
+    UINT64_C(500000000), /* reset: 500 ms */
+    1U, /* occurrences */
+    0U /* ignition cycles */
+};
 
-    if (next != error->state) {
-        error->before = error->state;
-        error->state = next;
-        error->since = t;
-    }
-    if ((error->state == CORE_ACC_ADAPTER_PREFAILED) && ((t - error->since) >= maturation)) {
-        error->state = CORE_ACC_ADAPTER_FAILED;
-    }
-    if ((error->state == CORE_ACC_ADAPTER_HEALING) && ((t - error->since) >= reset)) {
-        error->state = CORE_ACC_ADAPTER_PASSED;
-    }
-    if (CoreAcc_Adapter_HasFailed(error) && !had_failed && (counts->occurrences < UINT16_MAX)) {
-        counts->occurrences++;
-    }
-    counts->is_tested = counts->is_tested || (error->state != CORE_ACC_ADAPTER_NOT_TESTED);
-    counts->has_failed = counts->has_failed || CoreAcc_Adapter_HasFailed(error);
-}
+/* Vehicle.Function.CoreAcc.Error.AliveError */
+static const Sigcat_ErrorSettings CoreAcc_Adapter_Settings_AliveError = {
+    UINT64_C(0), /* maturation: 0 ms */
+    UINT64_C(0), /* reset: 0 ms */
+    1U, /* occurrences */
+    0U /* ignition cycles */
+};
 
 /* Vehicle.Function.CoreAcc.Error.BrakePressureTimeout */
 static void CoreAcc_Adapter_Evaluate_BrakePressureTimeout(CoreAcc_Adapter *self, uint64_t t)
 {
-    const CoreAcc_Adapter_Verdict verdict = self->Step.in.BrkCylP.clock.verdict;
-    const CoreAcc_Adapter_ErrorState next = CoreAcc_Adapter_Next(&self->error.BrakePressureTimeout, verdict, true);
+    const Sigcat_Verdict verdict = self->Step.in.BrkCylP.clock.verdict;
 
-    CoreAcc_Adapter_Update(&self->error.BrakePressureTimeout, &self->stored.BrakePressureTimeout, next,
-        UINT64_C(200000000), UINT64_C(500000000), t);
-    self->error.BrakePressureTimeout.is_confirmed = (self->stored.BrakePressureTimeout.occurrences > 0U);
-    if ((self->error.BrakePressureTimeout.state != CORE_ACC_ADAPTER_NOT_TESTED)
-        && (self->error.BrakePressureTimeout.state != CORE_ACC_ADAPTER_PREFAILED)) {
-        const uint8_t status = CoreAcc_Adapter_HasFailed(&self->error.BrakePressureTimeout) ? 1U : 0U;
+    Sigcat_Evaluate(&self->error.BrakePressureTimeout, &self->stored.BrakePressureTimeout,
+        &CoreAcc_Adapter_Settings_BrakePressureTimeout, verdict, false, true, t);
+    if (Sigcat_IsDecided(&self->error.BrakePressureTimeout)) {
+        const uint8_t status = Sigcat_HasFailed(&self->error.BrakePressureTimeout) ? 1U : 0U;
         if (!self->error.BrakePressureTimeout.is_sent || (self->out.BrakePressureTimeout != status)) {
             self->out.BrakePressureTimeout = status;
             self->error.BrakePressureTimeout.is_sent = true;
@@ -543,15 +357,12 @@ static void CoreAcc_Adapter_Evaluate_BrakePressureTimeout(CoreAcc_Adapter *self,
 /* Vehicle.Function.CoreAcc.Error.SteeringAngleTimeout */
 static void CoreAcc_Adapter_Evaluate_SteeringAngleTimeout(CoreAcc_Adapter *self, uint64_t t)
 {
-    const CoreAcc_Adapter_Verdict verdict = self->Step.in.SteerWhlAg.clock.verdict;
-    const CoreAcc_Adapter_ErrorState next = CoreAcc_Adapter_Next(&self->error.SteeringAngleTimeout, verdict, true);
+    const Sigcat_Verdict verdict = self->Step.in.SteerWhlAg.clock.verdict;
 
-    CoreAcc_Adapter_Update(&self->error.SteeringAngleTimeout, &self->stored.SteeringAngleTimeout, next,
-        UINT64_C(200000000), UINT64_C(500000000), t);
-    self->error.SteeringAngleTimeout.is_confirmed = (self->stored.SteeringAngleTimeout.occurrences > 0U);
-    if ((self->error.SteeringAngleTimeout.state != CORE_ACC_ADAPTER_NOT_TESTED)
-        && (self->error.SteeringAngleTimeout.state != CORE_ACC_ADAPTER_PREFAILED)) {
-        const uint8_t status = CoreAcc_Adapter_HasFailed(&self->error.SteeringAngleTimeout) ? 1U : 0U;
+    Sigcat_Evaluate(&self->error.SteeringAngleTimeout, &self->stored.SteeringAngleTimeout,
+        &CoreAcc_Adapter_Settings_SteeringAngleTimeout, verdict, false, true, t);
+    if (Sigcat_IsDecided(&self->error.SteeringAngleTimeout)) {
+        const uint8_t status = Sigcat_HasFailed(&self->error.SteeringAngleTimeout) ? 1U : 0U;
         if (!self->error.SteeringAngleTimeout.is_sent || (self->out.SteeringAngleTimeout != status)) {
             self->out.SteeringAngleTimeout = status;
             self->error.SteeringAngleTimeout.is_sent = true;
@@ -563,24 +374,19 @@ static void CoreAcc_Adapter_Evaluate_SteeringAngleTimeout(CoreAcc_Adapter *self,
 /* Vehicle.Function.CoreAcc.Error.ProposalTimeout */
 static void CoreAcc_Adapter_Evaluate_ProposalTimeout(CoreAcc_Adapter *self, uint64_t t)
 {
-    CoreAcc_Adapter_Verdict verdict = self->Step.in.EcoAccProp.clock.verdict;
+    Sigcat_Verdict verdict = self->Step.in.EcoAccProp.clock.verdict;
 
-    verdict = CoreAcc_Adapter_Worse(verdict,
-        (self->received.EcoControlMpc_NoSolutionError_ErrorSts.reception.is_there)
-        ? CORE_ACC_ADAPTER_ABSENT : CORE_ACC_ADAPTER_NOT_JUDGED);
-    verdict = CoreAcc_Adapter_Worse(verdict,
-        (self->received.EcoControlMpc_DeadlineError_ErrorSts.reception.is_there)
-        ? CORE_ACC_ADAPTER_ABSENT : CORE_ACC_ADAPTER_NOT_JUDGED);
-    const CoreAcc_Adapter_ErrorState next = ((self->received.EcoControlMpc_NoSolutionError_ErrorSts.value != 0U)
-        || (self->received.EcoControlMpc_DeadlineError_ErrorSts.value != 0U))
-        ? CORE_ACC_ADAPTER_FAILED : CoreAcc_Adapter_Next(&self->error.ProposalTimeout, verdict, true);
+    verdict = Sigcat_Worse(verdict, (self->received.EcoControlMpc_NoSolutionError_ErrorSts.reception.is_there)
+        ? SIGCAT_ABSENT : SIGCAT_NOT_JUDGED);
+    verdict = Sigcat_Worse(verdict, (self->received.EcoControlMpc_DeadlineError_ErrorSts.reception.is_there)
+        ? SIGCAT_ABSENT : SIGCAT_NOT_JUDGED);
+    const bool has_cause = (self->received.EcoControlMpc_NoSolutionError_ErrorSts.value != 0U)
+        || (self->received.EcoControlMpc_DeadlineError_ErrorSts.value != 0U);
 
-    CoreAcc_Adapter_Update(&self->error.ProposalTimeout, &self->stored.ProposalTimeout, next, UINT64_C(1500000000),
-        UINT64_C(500000000), t);
-    self->error.ProposalTimeout.is_confirmed = (self->stored.ProposalTimeout.occurrences > 0U);
-    if ((self->error.ProposalTimeout.state != CORE_ACC_ADAPTER_NOT_TESTED)
-        && (self->error.ProposalTimeout.state != CORE_ACC_ADAPTER_PREFAILED)) {
-        const uint8_t status = CoreAcc_Adapter_HasFailed(&self->error.ProposalTimeout) ? 1U : 0U;
+    Sigcat_Evaluate(&self->error.ProposalTimeout, &self->stored.ProposalTimeout,
+        &CoreAcc_Adapter_Settings_ProposalTimeout, verdict, has_cause, true, t);
+    if (Sigcat_IsDecided(&self->error.ProposalTimeout)) {
+        const uint8_t status = Sigcat_HasFailed(&self->error.ProposalTimeout) ? 1U : 0U;
         if (!self->error.ProposalTimeout.is_sent || (self->out.ProposalTimeout != status)) {
             self->out.ProposalTimeout = status;
             self->error.ProposalTimeout.is_sent = true;
@@ -592,15 +398,13 @@ static void CoreAcc_Adapter_Evaluate_ProposalTimeout(CoreAcc_Adapter *self, uint
 /* Vehicle.Function.CoreAcc.Error.AliveError */
 static void CoreAcc_Adapter_Evaluate_AliveError(CoreAcc_Adapter *self, uint64_t t)
 {
-    CoreAcc_Adapter_JudgeWindows_Step(self);
-    const CoreAcc_Adapter_Verdict verdict = self->Step.alive.verdict;
-    const CoreAcc_Adapter_ErrorState next = CoreAcc_Adapter_Next(&self->error.AliveError, verdict, false);
+    Sigcat_CheckWindows(&self->Step.alive);
+    const Sigcat_Verdict verdict = self->Step.alive.verdict;
 
-    CoreAcc_Adapter_Update(&self->error.AliveError, &self->stored.AliveError, next, UINT64_C(0), UINT64_C(0), t);
-    self->error.AliveError.is_confirmed = (self->stored.AliveError.occurrences > 0U);
-    if ((self->error.AliveError.state != CORE_ACC_ADAPTER_NOT_TESTED)
-        && (self->error.AliveError.state != CORE_ACC_ADAPTER_PREFAILED)) {
-        const uint8_t status = CoreAcc_Adapter_HasFailed(&self->error.AliveError) ? 1U : 0U;
+    Sigcat_Evaluate(&self->error.AliveError, &self->stored.AliveError, &CoreAcc_Adapter_Settings_AliveError, verdict,
+        false, false, t);
+    if (Sigcat_IsDecided(&self->error.AliveError)) {
+        const uint8_t status = Sigcat_HasFailed(&self->error.AliveError) ? 1U : 0U;
         if (!self->error.AliveError.is_sent || (self->out.AliveError != status)) {
             self->out.AliveError = status;
             self->error.AliveError.is_sent = true;
@@ -613,13 +417,13 @@ static void CoreAcc_Adapter_Evaluate_AliveError(CoreAcc_Adapter *self, uint64_t 
 void CoreAcc_Adapter_Receive_AccReqInvalid(CoreAcc_Adapter *self, uint8_t value, uint64_t t)
 {
     if (value == 1U) {
-        self->reaction.AccReqInvalid.outside = CORE_ACC_ADAPTER_PRESENT;
+        self->reaction.AccReqInvalid.outside = SIGCAT_PRESENT;
     } else if (value == 0U) {
-        self->reaction.AccReqInvalid.outside = CORE_ACC_ADAPTER_ABSENT;
+        self->reaction.AccReqInvalid.outside = SIGCAT_ABSENT;
     } else {
         /* a number without a name says nothing */
     }
-    (void)CoreAcc_Adapter_Now(self, t);
+    (void)Sigcat_Now(&self->now, t);
 }
 
 /* Vehicle.Function.CoreAcc.SafetyReaction.AccReqInvalid */
@@ -627,9 +431,8 @@ static void CoreAcc_Adapter_React_AccReqInvalid(CoreAcc_Adapter *self)
 {
     uint8_t status;
 
-    status = (CoreAcc_Adapter_HasFailed(&self->error.BrakePressureTimeout)
-        || CoreAcc_Adapter_HasFailed(&self->error.AliveError)
-        || (self->reaction.AccReqInvalid.outside == CORE_ACC_ADAPTER_PRESENT)) ? 1U : 0U;
+    status = (Sigcat_HasFailed(&self->error.BrakePressureTimeout) || Sigcat_HasFailed(&self->error.AliveError)
+        || (self->reaction.AccReqInvalid.outside == SIGCAT_PRESENT)) ? 1U : 0U;
     if (self->out.AccReqInvalid != status) {
         self->out.AccReqInvalid = status;
         self->publish.AccReqInvalid = true;
@@ -670,29 +473,18 @@ static void CoreAcc_Adapter_GiveMode(CoreAcc_Adapter *self)
 static void CoreAcc_Adapter_Enter_Step(CoreAcc_Adapter *self, uint64_t t)
 {
     self->Step.entered = t;
-    self->Step.alive.verdict = CORE_ACC_ADAPTER_NOT_JUDGED;
-    self->Step.alive.has_closed = false;
-    self->Step.alive.is_bad = false;
-    self->Step.alive.window = t;
-    self->Step.alive.ends = 0U;
+    Sigcat_EnterAlive(&self->Step.alive, t);
 }
 
 /* The mode excludes CoreAcc_Step: what is due is dropped, what was under way ends. */
 static void CoreAcc_Adapter_Exclude_Step(CoreAcc_Adapter *self, uint64_t t)
 {
-    if (t >= self->Step.release) {
-        const uint64_t releases = ((t - self->Step.release) / UINT64_C(50000000)) + 1U;
-
-        self->Step.release += releases * UINT64_C(50000000);
-        self->Step.dropped = CoreAcc_Adapter_Added(self->Step.dropped, releases);
-    }
-    self->Step.alive.verdict = CORE_ACC_ADAPTER_NOT_JUDGED;
-    self->Step.alive.has_closed = false;
-    self->Step.alive.is_bad = false;
-    CoreAcc_Adapter_Suspend(&self->error.BrakePressureTimeout);
-    CoreAcc_Adapter_Suspend(&self->error.SteeringAngleTimeout);
-    CoreAcc_Adapter_Suspend(&self->error.ProposalTimeout);
-    CoreAcc_Adapter_Suspend(&self->error.AliveError);
+    Sigcat_DropUpTo(&self->Step.release, &self->Step.dropped, UINT64_C(50000000), t);
+    Sigcat_ResetAlive(&self->Step.alive);
+    Sigcat_Suspend(&self->error.BrakePressureTimeout);
+    Sigcat_Suspend(&self->error.SteeringAngleTimeout);
+    Sigcat_Suspend(&self->error.ProposalTimeout);
+    Sigcat_Suspend(&self->error.AliveError);
 }
 
 /* Vehicle.Function.CoreAcc.Mode.In */
@@ -706,10 +498,10 @@ static void CoreAcc_Adapter_TakeMode(CoreAcc_Adapter *self, uint64_t t)
             case 1U: /* STANDBY */
             case 2U: /* ACTIVE */
                 self->mode.now = self->received.Mode_In.value;
-                self->mode.unknown = CORE_ACC_ADAPTER_ABSENT;
+                self->mode.unknown = SIGCAT_ABSENT;
                 break;
             default:
-                self->mode.unknown = CORE_ACC_ADAPTER_PRESENT;
+                self->mode.unknown = SIGCAT_PRESENT;
                 break;
         }
     }
@@ -728,10 +520,9 @@ static bool CoreAcc_Adapter_IsDue_Step(CoreAcc_Adapter *self, uint64_t t)
     const bool is_due = CoreAcc_Adapter_Runs_Step(self->mode.now) && (t >= self->Step.release) && !self->Step.is_active;
 
     if (is_due) {
-        const uint64_t releases = ((t - self->Step.release) / UINT64_C(50000000)) + 1U;
+        const uint64_t releases = Sigcat_Release(&self->Step.release, UINT64_C(50000000), t);
 
-        self->Step.release += releases * UINT64_C(50000000);
-        self->Step.missed = CoreAcc_Adapter_Added(self->Step.missed, releases - 1U);
+        self->Step.missed = Sigcat_Added(self->Step.missed, releases - 1U);
         self->Step.is_active = true;
     }
     return is_due;
@@ -742,7 +533,7 @@ CoreAcc_Adapter_Call CoreAcc_Adapter_NextCall(CoreAcc_Adapter *self, uint64_t t)
     CoreAcc_Adapter_Call due = CORE_ACC_ADAPTER_NO_CALL;
 
     if (self->is_started) {
-        const uint64_t now = CoreAcc_Adapter_Now(self, t);
+        const uint64_t now = Sigcat_Now(&self->now, t);
         CoreAcc_Adapter_CloseWindows(self, now);
         CoreAcc_Adapter_TakeMode(self, now);
         if (CoreAcc_Adapter_IsDue_Step(self, now)) {
@@ -760,10 +551,10 @@ uint64_t CoreAcc_Adapter_NextTime(const CoreAcc_Adapter *self)
 
     if (self->is_started) {
         if (!self->Step.is_active) {
-            next = CoreAcc_Adapter_Earlier(next, self->Step.release);
+            next = Sigcat_Earlier(next, self->Step.release);
         }
         if (CoreAcc_Adapter_Runs_Step(self->mode.now)) {
-            next = CoreAcc_Adapter_Earlier(next, self->Step.alive.window + UINT64_C(500000000));
+            next = Sigcat_Earlier(next, self->Step.alive.window + UINT64_C(500000000));
         }
     }
     return next;
@@ -771,16 +562,16 @@ uint64_t CoreAcc_Adapter_NextTime(const CoreAcc_Adapter *self)
 
 void CoreAcc_Adapter_SetInput_Step(CoreAcc_Adapter *self, uint64_t t)
 {
-    const uint64_t now = CoreAcc_Adapter_Now(self, t);
+    const uint64_t now = Sigcat_Now(&self->now, t);
 
-    CORE_ACC_ADAPTER_MARK(self, 0, CORE_ACC_ADAPTER_CALL_STEP);
+    CORE_ACC_ADAPTER_MARK(self, SIGCAT_SET_INPUT_BEGINS, CORE_ACC_ADAPTER_CALL_STEP);
     CoreAcc_Adapter_CloseWindows(self, now);
     core_inputs.bus_ACCIn.Bus_Sts.ModeReq = self->mode.now; /* Vehicle.Function.CoreAcc.Mode.In */
-    CoreAcc_Adapter_Judge(&self->Step.in.BrkCylP.clock, &self->received.BrkCylP.reception, self->Step.entered,
+    Sigcat_CheckClock(&self->Step.in.BrkCylP.clock, &self->received.BrkCylP.reception, self->Step.entered,
         UINT64_C(200000000), 1U, false, now);
-    CoreAcc_Adapter_Judge(&self->Step.in.SteerWhlAg.clock, &self->received.SteerWhlAg.reception, self->Step.entered,
+    Sigcat_CheckClock(&self->Step.in.SteerWhlAg.clock, &self->received.SteerWhlAg.reception, self->Step.entered,
         UINT64_C(200000000), 1U, false, now);
-    CoreAcc_Adapter_Judge(&self->Step.in.EcoAccProp.clock, &self->received.EcoAccProp.reception, self->Step.entered,
+    Sigcat_CheckClock(&self->Step.in.EcoAccProp.clock, &self->received.EcoAccProp.reception, self->Step.entered,
         UINT64_C(1500000000), 1U, false, now);
     CoreAcc_Adapter_Take_Step_BrkCylP(self);
     CoreAcc_Adapter_Take_Step_SteerWhlAg(self);
@@ -811,7 +602,7 @@ void CoreAcc_Adapter_SetInput_Step(CoreAcc_Adapter *self, uint64_t t)
 
 void CoreAcc_Adapter_Begin_Step(CoreAcc_Adapter *self, uint64_t t)
 {
-    self->Step.begun = CoreAcc_Adapter_Now(self, t);
+    self->Step.begun = Sigcat_Now(&self->now, t);
 }
 
 /* Determines the acceleration request from the set speed, the distance to the vehicle ahead, the steering wheel angle
@@ -819,14 +610,14 @@ void CoreAcc_Adapter_Begin_Step(CoreAcc_Adapter *self, uint64_t t)
 void CoreAcc_Adapter_Run_Step(CoreAcc_Adapter *self)
 {
     (void)self;
-    CORE_ACC_ADAPTER_MARK(self, 1, CORE_ACC_ADAPTER_CALL_STEP);
+    CORE_ACC_ADAPTER_MARK(self, SIGCAT_CALL_BEGINS, CORE_ACC_ADAPTER_CALL_STEP);
     CoreAcc_step();
-    CORE_ACC_ADAPTER_MARK(self, 2, CORE_ACC_ADAPTER_CALL_STEP);
+    CORE_ACC_ADAPTER_MARK(self, SIGCAT_CALL_ENDS, CORE_ACC_ADAPTER_CALL_STEP);
 }
 
 void CoreAcc_Adapter_GetOutput_Step(CoreAcc_Adapter *self, uint64_t t)
 {
-    const uint64_t now = CoreAcc_Adapter_Now(self, t);
+    const uint64_t now = Sigcat_Now(&self->now, t);
 
     CoreAcc_Adapter_CloseWindows(self, now);
     if (CoreAcc_Adapter_Runs_Step(self->mode.now) && (now >= self->Step.alive.window)) {
@@ -834,41 +625,25 @@ void CoreAcc_Adapter_GetOutput_Step(CoreAcc_Adapter *self, uint64_t t)
     }
     self->out.AsmAcc_AccIntSts = AsmAcc_AccIntSts; /* Vehicle.ADAS.EcoControl.Status */
     /* Vehicle.ADAS.EcoControl.AccelerationRequest [m/s^2] */
-    self->out.AccReq = CoreAcc_Adapter_QuietFloat(core_outputs.bus_ACCOut.AccReq);
+    self->out.AccReq = Sigcat_QuietFloat(core_outputs.bus_ACCOut.AccReq);
     self->publish.AsmAcc_AccIntSts = true;
     self->publish.AccReq = true;
     CoreAcc_Adapter_Evaluate_AliveError(self, now);
     CoreAcc_Adapter_GiveMode(self);
     self->Step.is_active = false;
-    CORE_ACC_ADAPTER_MARK(self, 3, CORE_ACC_ADAPTER_CALL_STEP);
+    CORE_ACC_ADAPTER_MARK(self, SIGCAT_GET_OUTPUT_ENDS, CORE_ACC_ADAPTER_CALL_STEP);
 }
 
 void CoreAcc_Adapter_Supervise(CoreAcc_Adapter *self, uint64_t t)
 {
     if (self->is_started) {
-        const uint64_t now = CoreAcc_Adapter_Now(self, t);
-        CORE_ACC_ADAPTER_MARK(self, 4, CORE_ACC_ADAPTER_NO_CALL);
+        const uint64_t now = Sigcat_Now(&self->now, t);
+        CORE_ACC_ADAPTER_MARK(self, SIGCAT_SUPERVISES, CORE_ACC_ADAPTER_NO_CALL);
         CoreAcc_Adapter_CloseWindows(self, now);
         if (CoreAcc_Adapter_Runs_Step(self->mode.now)) {
             CoreAcc_Adapter_Evaluate_AliveError(self, now);
         }
     }
-}
-
-/* A new ignition cycle: errors that failed in the last one count; those that were tested and passed start again. */
-static void CoreAcc_Adapter_BeginCycle(CoreAcc_Adapter_Counts *counts)
-{
-    if (counts->has_failed) {
-        if (counts->ignition_cycles < UINT16_MAX) {
-            counts->ignition_cycles++;
-        }
-    } else if (counts->is_tested) {
-        counts->ignition_cycles = 0U;
-    } else {
-        /* nothing is known of it */
-    }
-    counts->has_failed = false;
-    counts->is_tested = false;
 }
 
 /* Everything but what is stored. */
@@ -920,10 +695,14 @@ static void CoreAcc_Adapter_SetInitialValues(CoreAcc_Adapter *self)
     self->out.ProposalTimeout = 0U;
     self->out.AliveError = 0U;
     self->out.AccReqInvalid = 0U;
-    self->error.BrakePressureTimeout.is_confirmed = (self->stored.BrakePressureTimeout.occurrences > 0U);
-    self->error.SteeringAngleTimeout.is_confirmed = (self->stored.SteeringAngleTimeout.occurrences > 0U);
-    self->error.ProposalTimeout.is_confirmed = (self->stored.ProposalTimeout.occurrences > 0U);
-    self->error.AliveError.is_confirmed = (self->stored.AliveError.occurrences > 0U);
+    self->error.BrakePressureTimeout.is_confirmed = Sigcat_IsConfirmed(&self->stored.BrakePressureTimeout,
+        &CoreAcc_Adapter_Settings_BrakePressureTimeout);
+    self->error.SteeringAngleTimeout.is_confirmed = Sigcat_IsConfirmed(&self->stored.SteeringAngleTimeout,
+        &CoreAcc_Adapter_Settings_SteeringAngleTimeout);
+    self->error.ProposalTimeout.is_confirmed = Sigcat_IsConfirmed(&self->stored.ProposalTimeout,
+        &CoreAcc_Adapter_Settings_ProposalTimeout);
+    self->error.AliveError.is_confirmed = Sigcat_IsConfirmed(&self->stored.AliveError,
+        &CoreAcc_Adapter_Settings_AliveError);
     self->received.EnaGACC.value = false;
     self->received.EgoVehSpd.value = 0.0F;
     self->received.SetSpd.value = 0.0F;
@@ -940,10 +719,10 @@ bool CoreAcc_Adapter_Init(CoreAcc_Adapter *self, const CoreAcc_Adapter_Stored *s
         (void)memset(&self->stored, 0, sizeof(self->stored));
     }
     if (!self->stored.has_cycle || (self->stored.ignition_cycle != ignition_cycle)) {
-        CoreAcc_Adapter_BeginCycle(&self->stored.BrakePressureTimeout);
-        CoreAcc_Adapter_BeginCycle(&self->stored.SteeringAngleTimeout);
-        CoreAcc_Adapter_BeginCycle(&self->stored.ProposalTimeout);
-        CoreAcc_Adapter_BeginCycle(&self->stored.AliveError);
+        Sigcat_BeginCycle(&self->stored.BrakePressureTimeout);
+        Sigcat_BeginCycle(&self->stored.SteeringAngleTimeout);
+        Sigcat_BeginCycle(&self->stored.ProposalTimeout);
+        Sigcat_BeginCycle(&self->stored.AliveError);
         self->stored.ignition_cycle = ignition_cycle;
         self->stored.has_cycle = true;
     }
@@ -961,7 +740,7 @@ bool CoreAcc_Adapter_Init(CoreAcc_Adapter *self, const CoreAcc_Adapter_Stored *s
 void CoreAcc_Adapter_Start(CoreAcc_Adapter *self, uint64_t t)
 {
     if (self->is_ready && !self->is_terminated) {
-        const uint64_t now = CoreAcc_Adapter_Now(self, t);
+        const uint64_t now = Sigcat_Now(&self->now, t);
         CoreAcc_Adapter_CloseWindows(self, now);
         if (!self->is_started) {
             CoreAcc_Adapter_Enter_Step(self, now);
@@ -970,12 +749,7 @@ void CoreAcc_Adapter_Start(CoreAcc_Adapter *self, uint64_t t)
             self->Step.release = now + UINT64_C(0);
             self->Step.alive.window = self->Step.release;
         } else {
-            if (now > self->Step.release) {
-                const uint64_t releases = ((now - UINT64_C(1) - self->Step.release) / UINT64_C(50000000)) + 1U;
-
-                self->Step.release += releases * UINT64_C(50000000);
-                self->Step.dropped = CoreAcc_Adapter_Added(self->Step.dropped, releases);
-            }
+            Sigcat_DropBefore(&self->Step.release, &self->Step.dropped, UINT64_C(50000000), now);
             CoreAcc_Adapter_Enter_Step(self, now);
         }
         self->is_started = true;
@@ -989,7 +763,7 @@ void CoreAcc_Adapter_Published(CoreAcc_Adapter *self)
 
 void CoreAcc_Adapter_Terminate(CoreAcc_Adapter *self, uint64_t t)
 {
-    (void)CoreAcc_Adapter_Now(self, t);
+    (void)Sigcat_Now(&self->now, t);
     if (self->is_ready && !self->is_terminated) {
         CoreAcc_terminate();
         self->is_terminated = true;

@@ -11,6 +11,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "sigcat_core.h"
+
 #include "CoreAcc.h"
 
 /* CoreAcc keeps its data in global variables: a process has one of it. */
@@ -30,59 +32,6 @@ typedef enum {
     CORE_ACC_ADAPTER_CALL_STEP /* CoreAcc_Step */
 } CoreAcc_Adapter_Call;
 
-typedef enum {
-    CORE_ACC_ADAPTER_NOT_JUDGED = 0,
-    CORE_ACC_ADAPTER_ABSENT,
-    CORE_ACC_ADAPTER_PRESENT
-} CoreAcc_Adapter_Verdict;
-
-typedef enum {
-    CORE_ACC_ADAPTER_INIT,
-    CORE_ACC_ADAPTER_RECEIVED,
-    CORE_ACC_ADAPTER_DEFAULT,
-    CORE_ACC_ADAPTER_REPLACEMENT
-} CoreAcc_Adapter_Origin;
-
-typedef enum {
-    CORE_ACC_ADAPTER_NOT_TESTED = 0,
-    CORE_ACC_ADAPTER_PASSED,
-    CORE_ACC_ADAPTER_PREFAILED,
-    CORE_ACC_ADAPTER_FAILED,
-    CORE_ACC_ADAPTER_HEALING
-} CoreAcc_Adapter_ErrorState;
-
-/* An error. */
-typedef struct {
-    CoreAcc_Adapter_ErrorState state;
-    CoreAcc_Adapter_ErrorState before; /* the last one */
-    uint64_t since; /* when it began */
-    CoreAcc_Adapter_Verdict variable; /* what the function says */
-    bool is_confirmed; /* for the fault memory */
-    bool is_sent;
-} CoreAcc_Adapter_Error;
-
-/* Counts of an error, over ignition cycles; the flags are of this one. */
-typedef struct {
-    uint16_t occurrences;
-    uint16_t ignition_cycles;
-    bool has_failed;
-    bool is_tested;
-} CoreAcc_Adapter_Counts;
-
-/* When a value was received last, and how many there were. */
-typedef struct {
-    uint64_t time;
-    uint32_t count;
-    bool is_there;
-} CoreAcc_Adapter_Reception;
-
-/* Whether a value is late. */
-typedef struct {
-    CoreAcc_Adapter_Verdict verdict;
-    uint32_t count;
-    bool is_late;
-} CoreAcc_Adapter_Clock;
-
 /* Parameters, in the catalogue's units. */
 typedef struct {
     float ALatMax; /* Vehicle.Function.CoreAcc.Parameter.LargestLateralAcceleration [m/s^2] */
@@ -92,10 +41,10 @@ typedef struct {
 typedef struct {
     uint32_t ignition_cycle;
     bool has_cycle;
-    CoreAcc_Adapter_Counts BrakePressureTimeout;
-    CoreAcc_Adapter_Counts SteeringAngleTimeout;
-    CoreAcc_Adapter_Counts ProposalTimeout;
-    CoreAcc_Adapter_Counts AliveError;
+    Sigcat_Counts BrakePressureTimeout;
+    Sigcat_Counts SteeringAngleTimeout;
+    Sigcat_Counts ProposalTimeout;
+    Sigcat_Counts AliveError;
     struct {
         float value;
         bool is_there;
@@ -106,27 +55,24 @@ typedef struct {
 typedef struct CoreAcc_Adapter {
     /* What has been received, in the catalogue's units. */
     struct {
-        struct { double value; CoreAcc_Adapter_Reception reception; } BrkCylP; /* Vehicle.Chassis.Brake.CylP [bar] */
-        /* Vehicle.Chassis.Steering.WhlAg [radians] */
-        struct { double value; CoreAcc_Adapter_Reception reception; } SteerWhlAg;
-        struct { bool value; CoreAcc_Adapter_Reception reception; } EnaGACC; /* Vehicle.ADAS.EcoControl.IsEnabled */
-        struct { float value; CoreAcc_Adapter_Reception reception; } VehM; /* Vehicle.Mass [kg] */
-        /* Vehicle.ADAS.Map.DFS.MapDataSpdUnitTyp */
-        struct { uint8_t value; CoreAcc_Adapter_Reception reception; } SpdLimUnit;
+        struct { double value; Sigcat_Reception reception; } BrkCylP; /* Vehicle.Chassis.Brake.CylP [bar] */
+        struct { double value; Sigcat_Reception reception; } SteerWhlAg; /* Vehicle.Chassis.Steering.WhlAg [radians] */
+        struct { bool value; Sigcat_Reception reception; } EnaGACC; /* Vehicle.ADAS.EcoControl.IsEnabled */
+        struct { float value; Sigcat_Reception reception; } VehM; /* Vehicle.Mass [kg] */
+        struct { uint8_t value; Sigcat_Reception reception; } SpdLimUnit; /* Vehicle.ADAS.Map.DFS.MapDataSpdUnitTyp */
         /* Vehicle.Acceleration.Longitudinal [m/s^2] */
-        struct { float value; CoreAcc_Adapter_Reception reception; } HstVehALgtFild;
-        struct { float value; CoreAcc_Adapter_Reception reception; } EgoVehSpd; /* Vehicle.Speed [km/h] */
-        /* Vehicle.ADAS.CruiseControl.SpeedSet [km/h] */
-        struct { float value; CoreAcc_Adapter_Reception reception; } SetSpd;
+        struct { float value; Sigcat_Reception reception; } HstVehALgtFild;
+        struct { float value; Sigcat_Reception reception; } EgoVehSpd; /* Vehicle.Speed [km/h] */
+        struct { float value; Sigcat_Reception reception; } SetSpd; /* Vehicle.ADAS.CruiseControl.SpeedSet [km/h] */
         /* Vehicle.ADAS.ObstacleDetection.Front.Center.Distance [m] */
-        struct { float value; CoreAcc_Adapter_Reception reception; } ObjDst;
+        struct { float value; Sigcat_Reception reception; } ObjDst;
         /* Vehicle.ADAS.EcoControl.AccelerationProposal [m/s^2] */
-        struct { float value; CoreAcc_Adapter_Reception reception; } EcoAccProp;
+        struct { float value; Sigcat_Reception reception; } EcoAccProp;
         /* EcoControlMpc_NoSolutionError_ErrorSts */
-        struct { uint8_t value; CoreAcc_Adapter_Reception reception; } EcoControlMpc_NoSolutionError_ErrorSts;
+        struct { uint8_t value; Sigcat_Reception reception; } EcoControlMpc_NoSolutionError_ErrorSts;
         /* EcoControlMpc_DeadlineError_ErrorSts */
-        struct { uint8_t value; CoreAcc_Adapter_Reception reception; } EcoControlMpc_DeadlineError_ErrorSts;
-        struct { uint8_t value; CoreAcc_Adapter_Reception reception; } Mode_In; /* Vehicle.Function.CoreAcc.Mode.In */
+        struct { uint8_t value; Sigcat_Reception reception; } EcoControlMpc_DeadlineError_ErrorSts;
+        struct { uint8_t value; Sigcat_Reception reception; } Mode_In; /* Vehicle.Function.CoreAcc.Mode.In */
     } received;
 
     /* CoreAcc_Step */
@@ -137,27 +83,21 @@ typedef struct CoreAcc_Adapter {
         uint32_t missed;
         uint32_t dropped; /* activations that the mode excluded */
         bool is_active; /* from the answer of NextCall to the end of GetOutput */
+        Sigcat_Alive alive;
         struct {
-            CoreAcc_Adapter_Verdict verdict;
-            uint64_t window; /* its beginning */
-            uint32_t ends; /* in this window */
-            bool has_closed; /* whether one has since it was checked */
-            bool is_bad; /* whether one of those was */
-        } alive;
-        struct {
-            struct { CoreAcc_Adapter_Clock clock; } BrkCylP;
-            struct { CoreAcc_Adapter_Clock clock; } SteerWhlAg;
+            struct { Sigcat_Clock clock; } BrkCylP;
+            struct { Sigcat_Clock clock; } SteerWhlAg;
             struct {
                 uint8_t kept[1];
-                CoreAcc_Adapter_Origin origin[1];
+                Sigcat_Origin origin[1];
             } SpdLimUnit;
-            struct { CoreAcc_Adapter_Clock clock; } EcoAccProp;
+            struct { Sigcat_Clock clock; } EcoAccProp;
         } in;
     } Step;
 
     struct {
         uint8_t now;
-        CoreAcc_Adapter_Verdict unknown;
+        Sigcat_Verdict unknown;
     } mode;
 
     struct {
@@ -165,20 +105,20 @@ typedef struct CoreAcc_Adapter {
     } mode_out;
 
     struct {
-        CoreAcc_Adapter_Error BrakePressureTimeout; /* Vehicle.Function.CoreAcc.Error.BrakePressureTimeout */
-        CoreAcc_Adapter_Error SteeringAngleTimeout; /* Vehicle.Function.CoreAcc.Error.SteeringAngleTimeout */
-        CoreAcc_Adapter_Error ProposalTimeout; /* Vehicle.Function.CoreAcc.Error.ProposalTimeout */
-        CoreAcc_Adapter_Error AliveError; /* Vehicle.Function.CoreAcc.Error.AliveError */
+        Sigcat_Error BrakePressureTimeout; /* Vehicle.Function.CoreAcc.Error.BrakePressureTimeout */
+        Sigcat_Error SteeringAngleTimeout; /* Vehicle.Function.CoreAcc.Error.SteeringAngleTimeout */
+        Sigcat_Error ProposalTimeout; /* Vehicle.Function.CoreAcc.Error.ProposalTimeout */
+        Sigcat_Error AliveError; /* Vehicle.Function.CoreAcc.Error.AliveError */
     } error;
 
     struct {
-        struct { CoreAcc_Adapter_Verdict outside; } AccReqInvalid;
+        struct { Sigcat_Verdict outside; } AccReqInvalid;
     } reaction;
 
     struct {
         struct {
             float value; /* Vehicle.Function.CoreAcc.Parameter.LargestLateralAcceleration [m/s^2] */
-            CoreAcc_Adapter_Origin origin;
+            Sigcat_Origin origin;
         } ALatMax;
     } parameter;
 

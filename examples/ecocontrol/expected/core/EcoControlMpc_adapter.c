@@ -5,14 +5,16 @@
  * Compile it with -ffp-contract=off. All times are in nanoseconds.
  */
 
+#include "sigcat_core_functions.h"
+#include "sigcat_core_checks.h"
+
 #include "EcoControlMpc_adapter.h"
 
-#include <float.h>
-#include <math.h>
-#include <stddef.h>
-#include <string.h>
+#if SIGCAT_CORE_VERSION != 1
+#error "sigcat_core.h is of another version of sigcat"
+#endif
 
-/* Points of measurement: 0 SetInput begins, 1 the call begins, 2 it has ended, 3 GetOutput ends, 4 Supervise. */
+/* Points of measurement are those of sigcat_core_functions.h. */
 #ifndef ECO_CONTROL_MPC_ADAPTER_MARK
 #define ECO_CONTROL_MPC_ADAPTER_MARK(self, point, call) ((void)0)
 #endif
@@ -24,204 +26,59 @@
 #error "EcoControlMpc: -ffast-math changes results"
 #endif
 
-/*
- * The comma makes a value of a bit field, which has a size. Before C11, an array of -1 elements is the error, and
- * its name the message: some libraries have their own assertion there, without a message.
- */
-#if defined(__cplusplus)
-#define ECO_CONTROL_MPC_ADAPTER_CHECK(holds, name, message) static_assert(holds, message)
-#define ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) sizeof(decltype(variable))
-#else
-#if defined(__GNUC__) && !defined(__STRICT_ANSI__)
-#define ECO_CONTROL_MPC_ADAPTER_CHECK(holds, name, message) __extension__ _Static_assert(holds, message)
-#elif defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 201112L)
-#define ECO_CONTROL_MPC_ADAPTER_CHECK(holds, name, message) _Static_assert(holds, message)
-#else
-#define ECO_CONTROL_MPC_ADAPTER_NAMED(name, line) EcoControlMpc_Adapter_##name##_in_line_##line
-#define ECO_CONTROL_MPC_ADAPTER_IN_LINE(name, line) ECO_CONTROL_MPC_ADAPTER_NAMED(name, line)
-#define ECO_CONTROL_MPC_ADAPTER_CHECK(holds, name, message) typedef char ECO_CONTROL_MPC_ADAPTER_IN_LINE(name, __LINE__)[(holds) ? 1 : -1]
-#endif
-#define ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) sizeof(((void)0, variable))
-#endif
-
-/* Kinds of numbers: 1 unsigned, 2 signed, 3 floating, 4 boolean; 0 is any other type, or a language before C11. */
-#if !defined(__cplusplus) && defined(__GNUC__) && !defined(__STRICT_ANSI__)
-#define ECO_CONTROL_MPC_ADAPTER_GENERIC __extension__ _Generic
-#elif !defined(__cplusplus) && defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 201112L)
-#define ECO_CONTROL_MPC_ADAPTER_GENERIC _Generic
-#endif
-#if defined(ECO_CONTROL_MPC_ADAPTER_GENERIC)
-#define ECO_CONTROL_MPC_ADAPTER_KIND(value) ECO_CONTROL_MPC_ADAPTER_GENERIC((value), \
-    _Bool: 4, float: 3, double: 3, long double: 3, \
-    signed char: 2, short: 2, int: 2, long: 2, long long: 2, \
-    unsigned char: 1, unsigned short: 1, unsigned int: 1, unsigned long: 1, unsigned long long: 1, default: 0)
-#else
-#define ECO_CONTROL_MPC_ADAPTER_KIND(value) 0
-#endif
-/* A number keeps its value in a type of its kind, and an unsigned one in a signed type that is wider. */
-#define ECO_CONTROL_MPC_ADAPTER_AGREES(from, to, is_wider) \
-    ((ECO_CONTROL_MPC_ADAPTER_KIND(from) == 0) || (ECO_CONTROL_MPC_ADAPTER_KIND(to) == 0) || \
-     (ECO_CONTROL_MPC_ADAPTER_KIND(from) == ECO_CONTROL_MPC_ADAPTER_KIND(to)) || \
-     ((ECO_CONTROL_MPC_ADAPTER_KIND(from) == 1) && (ECO_CONTROL_MPC_ADAPTER_KIND(to) == 2) && (is_wider)))
-
 #define ECO_CONTROL_MPC_ADAPTER_SELF ((EcoControlMpc_Adapter *)0)
-#define ECO_CONTROL_MPC_ADAPTER_WHOLE(variable) \
-    ECO_CONTROL_MPC_ADAPTER_CHECK(ECO_CONTROL_MPC_ADAPTER_KIND(variable) != 3, \
-        variable_must_be_an_integer, #variable " must be an integer, not a floating-point number")
-/* Numbers that an integer of this kind and size holds. A type of unknown kind is only asked for its size. */
-#define ECO_CONTROL_MPC_ADAPTER_ALL(variable) \
-    ((ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) > 2U) ? INT64_C(0xFFFFFFFF) : (ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) > 1U) ? INT64_C(0xFFFF) : INT64_C(0xFF))
-#define ECO_CONTROL_MPC_ADAPTER_LEAST(variable) \
-    (((ECO_CONTROL_MPC_ADAPTER_KIND(variable) == 1) || (ECO_CONTROL_MPC_ADAPTER_KIND(variable) == 4)) ? INT64_C(0) : (-(ECO_CONTROL_MPC_ADAPTER_ALL(variable) / 2) - 1))
-#define ECO_CONTROL_MPC_ADAPTER_GREATEST(variable) \
-    ((ECO_CONTROL_MPC_ADAPTER_KIND(variable) == 4) ? INT64_C(1) : (ECO_CONTROL_MPC_ADAPTER_KIND(variable) == 2) ? (ECO_CONTROL_MPC_ADAPTER_ALL(variable) / 2) : ECO_CONTROL_MPC_ADAPTER_ALL(variable))
-#define ECO_CONTROL_MPC_ADAPTER_NUMBERS(variable, least, greatest) \
-    ECO_CONTROL_MPC_ADAPTER_CHECK((ECO_CONTROL_MPC_ADAPTER_KIND(variable) != 3) && \
-        (((least) >= ECO_CONTROL_MPC_ADAPTER_LEAST(variable)) || ((ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) > 4U) && (ECO_CONTROL_MPC_ADAPTER_KIND(variable) != 1))) && \
-        (((greatest) <= ECO_CONTROL_MPC_ADAPTER_GREATEST(variable)) || (ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) > 4U)), \
-        variable_must_be_an_integer_that_holds_its_numbers, \
-        #variable " must be an integer that holds " #least " to " #greatest)
-#define ECO_CONTROL_MPC_ADAPTER_HOLDS(variable, type) \
-    ECO_CONTROL_MPC_ADAPTER_CHECK((ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) >= sizeof(type)) && \
-        ECO_CONTROL_MPC_ADAPTER_AGREES((type)0, variable, ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) > sizeof(type)), \
-        variable_must_not_be_narrower_than_declared, #variable " must be " #type)
-#define ECO_CONTROL_MPC_ADAPTER_FITS(variable, type) \
-    ECO_CONTROL_MPC_ADAPTER_CHECK((ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) <= sizeof(type)) && \
-        ECO_CONTROL_MPC_ADAPTER_AGREES(variable, (type)0, ECO_CONTROL_MPC_ADAPTER_SIZE_OF(variable) < sizeof(type)), \
-        variable_must_not_be_wider_than_declared, #variable " must be " #type)
-#define ECO_CONTROL_MPC_ADAPTER_HAS(variable, count) \
-    ECO_CONTROL_MPC_ADAPTER_CHECK(sizeof(variable) == ((size_t)(count) * sizeof((variable)[0])), \
-        variable_must_have_as_many_elements_as_declared, #variable " must have " #count " elements")
 
 /* Variables of EcoControlMpc have the declared kind, sign and size, or the build fails. */
-ECO_CONTROL_MPC_ADAPTER_WHOLE(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.EnaMpc);
-ECO_CONTROL_MPC_ADAPTER_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.EgoSpd, float);
-ECO_CONTROL_MPC_ADAPTER_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.SetSpd, float);
-ECO_CONTROL_MPC_ADAPTER_HAS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.HorizonAlt, 50);
-ECO_CONTROL_MPC_ADAPTER_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.HorizonAlt[0], float);
-ECO_CONTROL_MPC_ADAPTER_FITS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_outputs.EcoAccProp, float);
-ECO_CONTROL_MPC_ADAPTER_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_params.VehM, float);
-ECO_CONTROL_MPC_ADAPTER_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_params.HorizonStep, float);
-ECO_CONTROL_MPC_ADAPTER_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_params.EnergyWeight, float);
-ECO_CONTROL_MPC_ADAPTER_NUMBERS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.ModeReq, 0, 2);
-ECO_CONTROL_MPC_ADAPTER_NUMBERS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_outputs.ModeSts, 0, 3);
-
-/* The time: one before the last one counts as the last one. */
-static inline uint64_t EcoControlMpc_Adapter_Now(EcoControlMpc_Adapter *self, uint64_t t)
-{
-    if (t > self->now) {
-        self->now = t;
-    }
-    return self->now;
-}
-
-static uint64_t EcoControlMpc_Adapter_Earlier(uint64_t a, uint64_t b)
-{
-    return (a < b) ? a : b;
-}
-
-/* A sum that stays at the largest number. */
-static uint32_t EcoControlMpc_Adapter_Added(uint32_t sum, uint64_t more)
-{
-    return (more > ((uint64_t)UINT32_MAX - sum)) ? UINT32_MAX : (sum + (uint32_t)more);
-}
-
-/* The worse of two verdicts: present, absent, not checked. */
-static EcoControlMpc_Adapter_Verdict EcoControlMpc_Adapter_Worse(EcoControlMpc_Adapter_Verdict a,
-    EcoControlMpc_Adapter_Verdict b)
-{
-    return (a > b) ? a : b;
-}
-
-/* Whether an error is reported as failed. */
-static bool EcoControlMpc_Adapter_HasFailed(const EcoControlMpc_Adapter_Error *error)
-{
-    return (error->state == ECO_CONTROL_MPC_ADAPTER_FAILED) || (error->state == ECO_CONTROL_MPC_ADAPTER_HEALING);
-}
-
-/* What was under way ends. */
-static void EcoControlMpc_Adapter_Suspend(EcoControlMpc_Adapter_Error *error)
-{
-    if (error->state == ECO_CONTROL_MPC_ADAPTER_PREFAILED) {
-        error->state = error->before;
-    } else if (error->state == ECO_CONTROL_MPC_ADAPTER_HEALING) {
-        error->state = ECO_CONTROL_MPC_ADAPTER_FAILED;
-    } else {
-        /* as it is */
-    }
-}
-
-/* Whether a value is late, checked in each snapshot. It stays late until enough new values have been received. */
-static void EcoControlMpc_Adapter_Judge(EcoControlMpc_Adapter_Clock *own_clock,
-    const EcoControlMpc_Adapter_Reception *reception, uint64_t entered,
-    uint64_t time_out, uint32_t recovery, bool starts_with_first, uint64_t t)
-{
-    const bool is_there = reception->is_there;
-    const uint64_t last = (is_there && (reception->time > entered)) ? reception->time : entered;
-
-    if ((is_there || !starts_with_first) && ((t - last) > time_out)) {
-        own_clock->is_late = true;
-        own_clock->count = reception->count;
-    } else if (own_clock->is_late && ((reception->count - own_clock->count) >= recovery)) {
-        own_clock->is_late = false;
-    } else {
-        /* as before */
-    }
-    if (own_clock->is_late) {
-        own_clock->verdict = ECO_CONTROL_MPC_ADAPTER_PRESENT;
-    } else {
-        own_clock->verdict = is_there ? ECO_CONTROL_MPC_ADAPTER_ABSENT : ECO_CONTROL_MPC_ADAPTER_NOT_JUDGED;
-    }
-}
-
-/* The number; of a NaN the one with the usual bits. */
-static inline float EcoControlMpc_Adapter_QuietFloat(float value)
-{
-    return (value == value) ? value : NAN;
-}
+SIGCAT_WHOLE(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.EnaMpc);
+SIGCAT_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.EgoSpd, float);
+SIGCAT_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.SetSpd, float);
+SIGCAT_HAS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.HorizonAlt, 50);
+SIGCAT_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.HorizonAlt[0], float);
+SIGCAT_FITS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_outputs.EcoAccProp, float);
+SIGCAT_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_params.VehM, float);
+SIGCAT_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_params.HorizonStep, float);
+SIGCAT_HOLDS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_params.EnergyWeight, float);
+SIGCAT_NUMBERS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_inputs.ModeReq, 0, 2);
+SIGCAT_NUMBERS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_outputs.ModeSts, 0, 3);
 
 /* Vehicle.ADAS.EcoControl.IsEnabled */
 void EcoControlMpc_Adapter_Receive_EnaMpc(EcoControlMpc_Adapter *self, bool value, uint64_t t)
 {
     self->received.EnaMpc.value = value;
-    (void)EcoControlMpc_Adapter_Now(self, t);
+    (void)Sigcat_Now(&self->now, t);
 }
 
 /* Vehicle.Speed [km/h] */
 void EcoControlMpc_Adapter_Receive_EgoSpd(EcoControlMpc_Adapter *self, float value, uint64_t t)
 {
     self->received.EgoSpd.value = value;
-    (void)EcoControlMpc_Adapter_Now(self, t);
+    (void)Sigcat_Now(&self->now, t);
 }
 
 /* Vehicle.ADAS.CruiseControl.SpeedSet [km/h] */
 void EcoControlMpc_Adapter_Receive_SetSpd(EcoControlMpc_Adapter *self, float value, uint64_t t)
 {
     self->received.SetSpd.value = value;
-    (void)EcoControlMpc_Adapter_Now(self, t);
+    (void)Sigcat_Now(&self->now, t);
 }
 
 /* Vehicle.ADAS.Map.Horizon.Altitude [m] */
 void EcoControlMpc_Adapter_Receive_HorizonAlt(EcoControlMpc_Adapter *self, const float *value, uint64_t t)
 {
     (void)memcpy(self->received.HorizonAlt.value, value, sizeof(self->received.HorizonAlt.value));
-    self->received.HorizonAlt.reception.time = EcoControlMpc_Adapter_Now(self, t);
-    self->received.HorizonAlt.reception.count++;
-    self->received.HorizonAlt.reception.is_there = true;
+    Sigcat_Receive(&self->received.HorizonAlt.reception, Sigcat_Now(&self->now, t));
 }
 
 void EcoControlMpc_Adapter_Receive_Mode_In(EcoControlMpc_Adapter *self, uint8_t value, uint64_t t)
 {
     self->received.Mode_In.value = value;
-    self->received.Mode_In.reception.time = EcoControlMpc_Adapter_Now(self, t);
-    self->received.Mode_In.reception.count++;
-    self->received.Mode_In.reception.is_there = true;
+    Sigcat_Receive(&self->received.Mode_In.reception, Sigcat_Now(&self->now, t));
 }
 
 /* Vehicle.ADAS.Map.Horizon.Altitude [m] */
 static void EcoControlMpc_Adapter_Take_Step_HorizonAlt(EcoControlMpc_Adapter *self)
 {
-    EcoControlMpc_Adapter_Origin origin = ECO_CONTROL_MPC_ADAPTER_INIT;
+    Sigcat_Origin origin = SIGCAT_INIT;
     uint32_t i;
     bool is_within = true;
 
@@ -230,12 +87,12 @@ static void EcoControlMpc_Adapter_Take_Step_HorizonAlt(EcoControlMpc_Adapter *se
             is_within = is_within && ((self->received.HorizonAlt.value[i] >= -500.0F)
                 && (self->received.HorizonAlt.value[i] <= 9000.0F));
         }
-        origin = is_within ? ECO_CONTROL_MPC_ADAPTER_RECEIVED : ECO_CONTROL_MPC_ADAPTER_REPLACEMENT;
+        origin = is_within ? SIGCAT_RECEIVED : SIGCAT_REPLACEMENT;
     }
     if (self->Step.in.HorizonAlt.clock.is_late) {
-        origin = ECO_CONTROL_MPC_ADAPTER_INIT;
+        origin = SIGCAT_INIT;
     }
-    if (origin == ECO_CONTROL_MPC_ADAPTER_RECEIVED) {
+    if (origin == SIGCAT_RECEIVED) {
         for (i = 0U; i < 50U; i++) {
             self->code.mpc_inputs.HorizonAlt[i] = self->received.HorizonAlt.value[i];
         }
@@ -257,13 +114,13 @@ static bool EcoControlMpc_Adapter_IsWithin_VehM(float value)
 /* Vehicle.Mass [kg] */
 static void EcoControlMpc_Adapter_Load_VehM(EcoControlMpc_Adapter *self)
 {
-    self->parameter.VehM.origin = ECO_CONTROL_MPC_ADAPTER_INIT;
+    self->parameter.VehM.origin = SIGCAT_INIT;
     if (self->stored.VehM.is_there) {
         if (EcoControlMpc_Adapter_IsWithin_VehM(self->stored.VehM.value)) {
             self->parameter.VehM.value = self->stored.VehM.value;
-            self->parameter.VehM.origin = ECO_CONTROL_MPC_ADAPTER_RECEIVED;
+            self->parameter.VehM.origin = SIGCAT_RECEIVED;
         } else {
-            self->parameter.VehM.origin = ECO_CONTROL_MPC_ADAPTER_REPLACEMENT;
+            self->parameter.VehM.origin = SIGCAT_REPLACEMENT;
         }
     }
 }
@@ -271,7 +128,7 @@ static void EcoControlMpc_Adapter_Load_VehM(EcoControlMpc_Adapter *self)
 /* Vehicle.Mass [kg] */
 static void EcoControlMpc_Adapter_Write_VehM(EcoControlMpc_Adapter *self)
 {
-    if (self->parameter.VehM.origin == ECO_CONTROL_MPC_ADAPTER_RECEIVED) {
+    if (self->parameter.VehM.origin == SIGCAT_RECEIVED) {
         self->code.mpc_params.VehM = self->parameter.VehM.value;
     } else {
         self->code.mpc_params.VehM = 2495.0F;
@@ -289,13 +146,13 @@ static bool EcoControlMpc_Adapter_IsWithin_HorizonStep(float value)
 /* Vehicle.ADAS.Map.Horizon.Spacing [m] */
 static void EcoControlMpc_Adapter_Load_HorizonStep(EcoControlMpc_Adapter *self)
 {
-    self->parameter.HorizonStep.origin = ECO_CONTROL_MPC_ADAPTER_INIT;
+    self->parameter.HorizonStep.origin = SIGCAT_INIT;
     if (self->stored.HorizonStep.is_there) {
         if (EcoControlMpc_Adapter_IsWithin_HorizonStep(self->stored.HorizonStep.value)) {
             self->parameter.HorizonStep.value = self->stored.HorizonStep.value;
-            self->parameter.HorizonStep.origin = ECO_CONTROL_MPC_ADAPTER_RECEIVED;
+            self->parameter.HorizonStep.origin = SIGCAT_RECEIVED;
         } else {
-            self->parameter.HorizonStep.origin = ECO_CONTROL_MPC_ADAPTER_REPLACEMENT;
+            self->parameter.HorizonStep.origin = SIGCAT_REPLACEMENT;
         }
     }
 }
@@ -303,7 +160,7 @@ static void EcoControlMpc_Adapter_Load_HorizonStep(EcoControlMpc_Adapter *self)
 /* Vehicle.ADAS.Map.Horizon.Spacing [m] */
 static void EcoControlMpc_Adapter_Write_HorizonStep(EcoControlMpc_Adapter *self)
 {
-    if (self->parameter.HorizonStep.origin == ECO_CONTROL_MPC_ADAPTER_RECEIVED) {
+    if (self->parameter.HorizonStep.origin == SIGCAT_RECEIVED) {
         self->code.mpc_params.HorizonStep = self->parameter.HorizonStep.value;
     } else {
         self->code.mpc_params.HorizonStep = 20.0F;
@@ -321,13 +178,13 @@ static bool EcoControlMpc_Adapter_IsWithin_EnergyWeight(float value)
 /* Vehicle.Function.EcoControlMpc.Parameter.EnergyWeight */
 static void EcoControlMpc_Adapter_Load_EnergyWeight(EcoControlMpc_Adapter *self)
 {
-    self->parameter.EnergyWeight.origin = ECO_CONTROL_MPC_ADAPTER_INIT;
+    self->parameter.EnergyWeight.origin = SIGCAT_INIT;
     if (self->stored.EnergyWeight.is_there) {
         if (EcoControlMpc_Adapter_IsWithin_EnergyWeight(self->stored.EnergyWeight.value)) {
             self->parameter.EnergyWeight.value = self->stored.EnergyWeight.value;
-            self->parameter.EnergyWeight.origin = ECO_CONTROL_MPC_ADAPTER_RECEIVED;
+            self->parameter.EnergyWeight.origin = SIGCAT_RECEIVED;
         } else {
-            self->parameter.EnergyWeight.origin = ECO_CONTROL_MPC_ADAPTER_REPLACEMENT;
+            self->parameter.EnergyWeight.origin = SIGCAT_REPLACEMENT;
         }
     }
 }
@@ -335,7 +192,7 @@ static void EcoControlMpc_Adapter_Load_EnergyWeight(EcoControlMpc_Adapter *self)
 /* Vehicle.Function.EcoControlMpc.Parameter.EnergyWeight */
 static void EcoControlMpc_Adapter_Write_EnergyWeight(EcoControlMpc_Adapter *self)
 {
-    if (self->parameter.EnergyWeight.origin == ECO_CONTROL_MPC_ADAPTER_RECEIVED) {
+    if (self->parameter.EnergyWeight.origin == SIGCAT_RECEIVED) {
         self->code.mpc_params.EnergyWeight = self->parameter.EnergyWeight.value;
     } else {
         self->code.mpc_params.EnergyWeight = 0.6F;
@@ -351,11 +208,11 @@ bool EcoControlMpc_Adapter_SetParameters(EcoControlMpc_Adapter *self,
 
     if (are_within) {
         self->parameter.VehM.value = parameters->VehM;
-        self->parameter.VehM.origin = ECO_CONTROL_MPC_ADAPTER_RECEIVED;
+        self->parameter.VehM.origin = SIGCAT_RECEIVED;
         self->parameter.HorizonStep.value = parameters->HorizonStep;
-        self->parameter.HorizonStep.origin = ECO_CONTROL_MPC_ADAPTER_RECEIVED;
+        self->parameter.HorizonStep.origin = SIGCAT_RECEIVED;
         self->parameter.EnergyWeight.value = parameters->EnergyWeight;
-        self->parameter.EnergyWeight.origin = ECO_CONTROL_MPC_ADAPTER_RECEIVED;
+        self->parameter.EnergyWeight.origin = SIGCAT_RECEIVED;
     }
     return are_within;
 }
@@ -366,63 +223,39 @@ static bool EcoControlMpc_Adapter_Runs_Step(uint8_t mode)
     return (mode != 0U /* OFF */);
 }
 
-/* The table of states. may_heal: the reset condition holds. */
-static EcoControlMpc_Adapter_ErrorState EcoControlMpc_Adapter_Next(const EcoControlMpc_Adapter_Error *error,
-    EcoControlMpc_Adapter_Verdict verdict, bool may_heal)
-{
-    const bool has_failed = EcoControlMpc_Adapter_HasFailed(error);
-    EcoControlMpc_Adapter_ErrorState next = error->state;
+/* Vehicle.Function.EcoControlMpc.Error.HorizonTimeout */
+static const Sigcat_ErrorSettings EcoControlMpc_Adapter_Settings_HorizonTimeout = {
+    UINT64_C(2000000000), /* maturation: 2000 ms */
+    UINT64_C(1000000000), /* reset: 1000 ms */
+    1U, /* occurrences */
+    0U /* ignition cycles */
+};
 
-    if (verdict == ECO_CONTROL_MPC_ADAPTER_PRESENT) {
-        next = has_failed ? ECO_CONTROL_MPC_ADAPTER_FAILED : ECO_CONTROL_MPC_ADAPTER_PREFAILED;
-    } else if ((verdict == ECO_CONTROL_MPC_ADAPTER_ABSENT) && !has_failed) {
-        next = ECO_CONTROL_MPC_ADAPTER_PASSED;
-    } else if (verdict == ECO_CONTROL_MPC_ADAPTER_ABSENT) {
-        next = may_heal ? ECO_CONTROL_MPC_ADAPTER_HEALING : ECO_CONTROL_MPC_ADAPTER_FAILED;
-    } else {
-        /* not evaluated */
-    }
-    return next;
-}
+/* Vehicle.Function.EcoControlMpc.Error.DeadlineError */
+static const Sigcat_ErrorSettings EcoControlMpc_Adapter_Settings_DeadlineError = {
+    UINT64_C(1000000000), /* maturation: 1000 ms */
+    UINT64_C(0), /* reset: 0 ms */
+    1U, /* occurrences */
+    0U /* ignition cycles */
+};
 
-/* The next state; PREFAILED and HEALING end when their time has passed. */
-static void EcoControlMpc_Adapter_Update(EcoControlMpc_Adapter_Error *error, EcoControlMpc_Adapter_Counts *counts,
-    EcoControlMpc_Adapter_ErrorState next, uint64_t maturation,
-    uint64_t reset, uint64_t t)
-{
-    const bool had_failed = EcoControlMpc_Adapter_HasFailed(error);
-
-    if (next != error->state) {
-        error->before = error->state;
-        error->state = next;
-        error->since = t;
-    }
-    if ((error->state == ECO_CONTROL_MPC_ADAPTER_PREFAILED) && ((t - error->since) >= maturation)) {
-        error->state = ECO_CONTROL_MPC_ADAPTER_FAILED;
-    }
-    if ((error->state == ECO_CONTROL_MPC_ADAPTER_HEALING) && ((t - error->since) >= reset)) {
-        error->state = ECO_CONTROL_MPC_ADAPTER_PASSED;
-    }
-    if (EcoControlMpc_Adapter_HasFailed(error) && !had_failed && (counts->occurrences < UINT16_MAX)) {
-        counts->occurrences++;
-    }
-    counts->is_tested = counts->is_tested || (error->state != ECO_CONTROL_MPC_ADAPTER_NOT_TESTED);
-    counts->has_failed = counts->has_failed || EcoControlMpc_Adapter_HasFailed(error);
-}
+/* Vehicle.Function.EcoControlMpc.Error.NoSolutionError */
+static const Sigcat_ErrorSettings EcoControlMpc_Adapter_Settings_NoSolutionError = {
+    UINT64_C(1000000000), /* maturation: 1000 ms */
+    UINT64_C(0), /* reset: 0 ms */
+    1U, /* occurrences */
+    0U /* ignition cycles */
+};
 
 /* Vehicle.Function.EcoControlMpc.Error.HorizonTimeout */
 static void EcoControlMpc_Adapter_Evaluate_HorizonTimeout(EcoControlMpc_Adapter *self, uint64_t t)
 {
-    const EcoControlMpc_Adapter_Verdict verdict = self->Step.in.HorizonAlt.clock.verdict;
-    const EcoControlMpc_Adapter_ErrorState next = EcoControlMpc_Adapter_Next(&self->error.HorizonTimeout, verdict,
-        true);
+    const Sigcat_Verdict verdict = self->Step.in.HorizonAlt.clock.verdict;
 
-    EcoControlMpc_Adapter_Update(&self->error.HorizonTimeout, &self->stored.HorizonTimeout, next,
-        UINT64_C(2000000000), UINT64_C(1000000000), t);
-    self->error.HorizonTimeout.is_confirmed = (self->stored.HorizonTimeout.occurrences > 0U);
-    if ((self->error.HorizonTimeout.state != ECO_CONTROL_MPC_ADAPTER_NOT_TESTED)
-        && (self->error.HorizonTimeout.state != ECO_CONTROL_MPC_ADAPTER_PREFAILED)) {
-        const uint8_t status = EcoControlMpc_Adapter_HasFailed(&self->error.HorizonTimeout) ? 1U : 0U;
+    Sigcat_Evaluate(&self->error.HorizonTimeout, &self->stored.HorizonTimeout,
+        &EcoControlMpc_Adapter_Settings_HorizonTimeout, verdict, false, true, t);
+    if (Sigcat_IsDecided(&self->error.HorizonTimeout)) {
+        const uint8_t status = Sigcat_HasFailed(&self->error.HorizonTimeout) ? 1U : 0U;
         if (!self->error.HorizonTimeout.is_sent || (self->out.HorizonTimeout != status)) {
             self->out.HorizonTimeout = status;
             self->error.HorizonTimeout.is_sent = true;
@@ -434,15 +267,12 @@ static void EcoControlMpc_Adapter_Evaluate_HorizonTimeout(EcoControlMpc_Adapter 
 /* Vehicle.Function.EcoControlMpc.Error.DeadlineError */
 static void EcoControlMpc_Adapter_Evaluate_DeadlineError(EcoControlMpc_Adapter *self, uint64_t t)
 {
-    const EcoControlMpc_Adapter_Verdict verdict = self->Step.deadline;
-    const EcoControlMpc_Adapter_ErrorState next = EcoControlMpc_Adapter_Next(&self->error.DeadlineError, verdict, true);
+    const Sigcat_Verdict verdict = self->Step.deadline;
 
-    EcoControlMpc_Adapter_Update(&self->error.DeadlineError, &self->stored.DeadlineError, next, UINT64_C(1000000000),
-        UINT64_C(0), t);
-    self->error.DeadlineError.is_confirmed = (self->stored.DeadlineError.occurrences > 0U);
-    if ((self->error.DeadlineError.state != ECO_CONTROL_MPC_ADAPTER_NOT_TESTED)
-        && (self->error.DeadlineError.state != ECO_CONTROL_MPC_ADAPTER_PREFAILED)) {
-        const uint8_t status = EcoControlMpc_Adapter_HasFailed(&self->error.DeadlineError) ? 1U : 0U;
+    Sigcat_Evaluate(&self->error.DeadlineError, &self->stored.DeadlineError,
+        &EcoControlMpc_Adapter_Settings_DeadlineError, verdict, false, true, t);
+    if (Sigcat_IsDecided(&self->error.DeadlineError)) {
+        const uint8_t status = Sigcat_HasFailed(&self->error.DeadlineError) ? 1U : 0U;
         if (!self->error.DeadlineError.is_sent || (self->out.DeadlineError != status)) {
             self->out.DeadlineError = status;
             self->error.DeadlineError.is_sent = true;
@@ -454,20 +284,16 @@ static void EcoControlMpc_Adapter_Evaluate_DeadlineError(EcoControlMpc_Adapter *
 /* Vehicle.Function.EcoControlMpc.Error.NoSolutionError */
 static void EcoControlMpc_Adapter_Evaluate_NoSolutionError(EcoControlMpc_Adapter *self, uint64_t t)
 {
-    EcoControlMpc_Adapter_Verdict verdict = self->error.NoSolutionError.variable;
+    Sigcat_Verdict verdict = self->error.NoSolutionError.variable;
 
-    verdict = EcoControlMpc_Adapter_Worse(verdict,
-        (self->error.HorizonTimeout.state != ECO_CONTROL_MPC_ADAPTER_NOT_TESTED)
-        ? ECO_CONTROL_MPC_ADAPTER_ABSENT : ECO_CONTROL_MPC_ADAPTER_NOT_JUDGED);
-    const EcoControlMpc_Adapter_ErrorState next = (EcoControlMpc_Adapter_HasFailed(&self->error.HorizonTimeout))
-        ? ECO_CONTROL_MPC_ADAPTER_FAILED : EcoControlMpc_Adapter_Next(&self->error.NoSolutionError, verdict, true);
+    verdict = Sigcat_Worse(verdict, (self->error.HorizonTimeout.state != SIGCAT_NOT_TESTED)
+        ? SIGCAT_ABSENT : SIGCAT_NOT_JUDGED);
+    const bool has_cause = Sigcat_HasFailed(&self->error.HorizonTimeout);
 
-    EcoControlMpc_Adapter_Update(&self->error.NoSolutionError, &self->stored.NoSolutionError, next,
-        UINT64_C(1000000000), UINT64_C(0), t);
-    self->error.NoSolutionError.is_confirmed = (self->stored.NoSolutionError.occurrences > 0U);
-    if ((self->error.NoSolutionError.state != ECO_CONTROL_MPC_ADAPTER_NOT_TESTED)
-        && (self->error.NoSolutionError.state != ECO_CONTROL_MPC_ADAPTER_PREFAILED)) {
-        const uint8_t status = EcoControlMpc_Adapter_HasFailed(&self->error.NoSolutionError) ? 1U : 0U;
+    Sigcat_Evaluate(&self->error.NoSolutionError, &self->stored.NoSolutionError,
+        &EcoControlMpc_Adapter_Settings_NoSolutionError, verdict, has_cause, true, t);
+    if (Sigcat_IsDecided(&self->error.NoSolutionError)) {
+        const uint8_t status = Sigcat_HasFailed(&self->error.NoSolutionError) ? 1U : 0U;
         if (!self->error.NoSolutionError.is_sent || (self->out.NoSolutionError != status)) {
             self->out.NoSolutionError = status;
             self->error.NoSolutionError.is_sent = true;
@@ -480,13 +306,13 @@ static void EcoControlMpc_Adapter_Evaluate_NoSolutionError(EcoControlMpc_Adapter
 void EcoControlMpc_Adapter_Receive_AccPropInvalid(EcoControlMpc_Adapter *self, uint8_t value, uint64_t t)
 {
     if (value == 1U) {
-        self->reaction.AccPropInvalid.outside = ECO_CONTROL_MPC_ADAPTER_PRESENT;
+        self->reaction.AccPropInvalid.outside = SIGCAT_PRESENT;
     } else if (value == 0U) {
-        self->reaction.AccPropInvalid.outside = ECO_CONTROL_MPC_ADAPTER_ABSENT;
+        self->reaction.AccPropInvalid.outside = SIGCAT_ABSENT;
     } else {
         /* a number without a name says nothing */
     }
-    (void)EcoControlMpc_Adapter_Now(self, t);
+    (void)Sigcat_Now(&self->now, t);
 }
 
 /* Vehicle.Function.EcoControlMpc.SafetyReaction.AccPropInvalid */
@@ -494,9 +320,8 @@ static void EcoControlMpc_Adapter_React_AccPropInvalid(EcoControlMpc_Adapter *se
 {
     uint8_t status;
 
-    status = (EcoControlMpc_Adapter_HasFailed(&self->error.NoSolutionError)
-        || EcoControlMpc_Adapter_HasFailed(&self->error.DeadlineError)
-        || (self->reaction.AccPropInvalid.outside == ECO_CONTROL_MPC_ADAPTER_PRESENT)) ? 1U : 0U;
+    status = (Sigcat_HasFailed(&self->error.NoSolutionError) || Sigcat_HasFailed(&self->error.DeadlineError)
+        || (self->reaction.AccPropInvalid.outside == SIGCAT_PRESENT)) ? 1U : 0U;
     if (self->out.AccPropInvalid != status) {
         self->out.AccPropInvalid = status;
         self->publish.AccPropInvalid = true;
@@ -542,15 +367,10 @@ static void EcoControlMpc_Adapter_Enter_Step(EcoControlMpc_Adapter *self, uint64
 /* The mode excludes EcoControlMpc_Step: what is due is dropped, what was under way ends. */
 static void EcoControlMpc_Adapter_Exclude_Step(EcoControlMpc_Adapter *self, uint64_t t)
 {
-    if (t >= self->Step.release) {
-        const uint64_t releases = ((t - self->Step.release) / UINT64_C(500000000)) + 1U;
-
-        self->Step.release += releases * UINT64_C(500000000);
-        self->Step.dropped = EcoControlMpc_Adapter_Added(self->Step.dropped, releases);
-    }
-    EcoControlMpc_Adapter_Suspend(&self->error.HorizonTimeout);
-    EcoControlMpc_Adapter_Suspend(&self->error.DeadlineError);
-    EcoControlMpc_Adapter_Suspend(&self->error.NoSolutionError);
+    Sigcat_DropUpTo(&self->Step.release, &self->Step.dropped, UINT64_C(500000000), t);
+    Sigcat_Suspend(&self->error.HorizonTimeout);
+    Sigcat_Suspend(&self->error.DeadlineError);
+    Sigcat_Suspend(&self->error.NoSolutionError);
 }
 
 /* Vehicle.Function.EcoControlMpc.Mode.In */
@@ -564,10 +384,10 @@ static void EcoControlMpc_Adapter_TakeMode(EcoControlMpc_Adapter *self, uint64_t
             case 1U: /* STANDBY */
             case 2U: /* ACTIVE */
                 self->mode.now = self->received.Mode_In.value;
-                self->mode.unknown = ECO_CONTROL_MPC_ADAPTER_ABSENT;
+                self->mode.unknown = SIGCAT_ABSENT;
                 break;
             default:
-                self->mode.unknown = ECO_CONTROL_MPC_ADAPTER_PRESENT;
+                self->mode.unknown = SIGCAT_PRESENT;
                 break;
         }
     }
@@ -587,10 +407,9 @@ static bool EcoControlMpc_Adapter_IsDue_Step(EcoControlMpc_Adapter *self, uint64
         && !self->Step.is_active;
 
     if (is_due) {
-        const uint64_t releases = ((t - self->Step.release) / UINT64_C(500000000)) + 1U;
+        const uint64_t releases = Sigcat_Release(&self->Step.release, UINT64_C(500000000), t);
 
-        self->Step.release += releases * UINT64_C(500000000);
-        self->Step.missed = EcoControlMpc_Adapter_Added(self->Step.missed, releases - 1U);
+        self->Step.missed = Sigcat_Added(self->Step.missed, releases - 1U);
         self->Step.is_active = true;
     }
     return is_due;
@@ -601,7 +420,7 @@ EcoControlMpc_Adapter_Call EcoControlMpc_Adapter_NextCall(EcoControlMpc_Adapter 
     EcoControlMpc_Adapter_Call due = ECO_CONTROL_MPC_ADAPTER_NO_CALL;
 
     if (self->is_started) {
-        const uint64_t now = EcoControlMpc_Adapter_Now(self, t);
+        const uint64_t now = Sigcat_Now(&self->now, t);
         EcoControlMpc_Adapter_TakeMode(self, now);
         if (EcoControlMpc_Adapter_IsDue_Step(self, now)) {
             due = ECO_CONTROL_MPC_ADAPTER_CALL_STEP;
@@ -618,7 +437,7 @@ uint64_t EcoControlMpc_Adapter_NextTime(const EcoControlMpc_Adapter *self)
 
     if (self->is_started) {
         if (!self->Step.is_active) {
-            next = EcoControlMpc_Adapter_Earlier(next, self->Step.release);
+            next = Sigcat_Earlier(next, self->Step.release);
         }
     }
     return next;
@@ -626,12 +445,12 @@ uint64_t EcoControlMpc_Adapter_NextTime(const EcoControlMpc_Adapter *self)
 
 void EcoControlMpc_Adapter_SetInput_Step(EcoControlMpc_Adapter *self, uint64_t t)
 {
-    const uint64_t now = EcoControlMpc_Adapter_Now(self, t);
+    const uint64_t now = Sigcat_Now(&self->now, t);
 
-    ECO_CONTROL_MPC_ADAPTER_MARK(self, 0, ECO_CONTROL_MPC_ADAPTER_CALL_STEP);
+    ECO_CONTROL_MPC_ADAPTER_MARK(self, SIGCAT_SET_INPUT_BEGINS, ECO_CONTROL_MPC_ADAPTER_CALL_STEP);
     self->code.mpc_inputs.ModeReq = self->mode.now; /* Vehicle.Function.EcoControlMpc.Mode.In */
-    EcoControlMpc_Adapter_Judge(&self->Step.in.HorizonAlt.clock, &self->received.HorizonAlt.reception,
-        self->Step.entered, UINT64_C(2000000000), 1U, false, now);
+    Sigcat_CheckClock(&self->Step.in.HorizonAlt.clock, &self->received.HorizonAlt.reception, self->Step.entered,
+        UINT64_C(2000000000), 1U, false, now);
     self->code.mpc_inputs.EnaMpc = self->received.EnaMpc.value; /* Vehicle.ADAS.EcoControl.IsEnabled */
     /* Vehicle.Speed [km/h] */
     self->code.mpc_inputs.EgoSpd = (float)((double)self->received.EgoSpd.value * 0.2777777777777778);
@@ -651,67 +470,49 @@ void EcoControlMpc_Adapter_SetInput_Step(EcoControlMpc_Adapter *self, uint64_t t
 
 void EcoControlMpc_Adapter_Begin_Step(EcoControlMpc_Adapter *self, uint64_t t)
 {
-    self->Step.begun = EcoControlMpc_Adapter_Now(self, t);
+    self->Step.begun = Sigcat_Now(&self->now, t);
     self->Step.is_running = true;
 }
 
 /* Finds the acceleration that uses the least energy over the altitude profile of the road ahead. */
 void EcoControlMpc_Adapter_Run_Step(EcoControlMpc_Adapter *self)
 {
-    ECO_CONTROL_MPC_ADAPTER_MARK(self, 1, ECO_CONTROL_MPC_ADAPTER_CALL_STEP);
+    ECO_CONTROL_MPC_ADAPTER_MARK(self, SIGCAT_CALL_BEGINS, ECO_CONTROL_MPC_ADAPTER_CALL_STEP);
     EcoControlMpc_step(&self->code.EcoControlMpc_M);
-    ECO_CONTROL_MPC_ADAPTER_MARK(self, 2, ECO_CONTROL_MPC_ADAPTER_CALL_STEP);
+    ECO_CONTROL_MPC_ADAPTER_MARK(self, SIGCAT_CALL_ENDS, ECO_CONTROL_MPC_ADAPTER_CALL_STEP);
 }
 
 void EcoControlMpc_Adapter_GetOutput_Step(EcoControlMpc_Adapter *self, uint64_t t)
 {
-    const uint64_t now = EcoControlMpc_Adapter_Now(self, t);
+    const uint64_t now = Sigcat_Now(&self->now, t);
 
     if (self->Step.is_running) {
-        self->Step.deadline = ((now - self->Step.begun) > UINT64_C(400000000))
-            ? ECO_CONTROL_MPC_ADAPTER_PRESENT : ECO_CONTROL_MPC_ADAPTER_ABSENT;
+        self->Step.deadline = ((now - self->Step.begun) > UINT64_C(400000000)) ? SIGCAT_PRESENT : SIGCAT_ABSENT;
     }
     /* Vehicle.ADAS.EcoControl.AccelerationProposal [m/s^2] */
-    self->out.EcoAccProp = EcoControlMpc_Adapter_QuietFloat(self->code.mpc_outputs.EcoAccProp);
+    self->out.EcoAccProp = Sigcat_QuietFloat(self->code.mpc_outputs.EcoAccProp);
     self->publish.EcoAccProp = true;
-    self->error.NoSolutionError.variable = (self->code.mpc_outputs.NoSolution != 0)
-        ? ECO_CONTROL_MPC_ADAPTER_PRESENT : ECO_CONTROL_MPC_ADAPTER_ABSENT;
+    self->error.NoSolutionError.variable = (self->code.mpc_outputs.NoSolution != 0) ? SIGCAT_PRESENT : SIGCAT_ABSENT;
     EcoControlMpc_Adapter_Evaluate_DeadlineError(self, now);
     EcoControlMpc_Adapter_Evaluate_NoSolutionError(self, now);
     EcoControlMpc_Adapter_GiveMode(self);
     self->Step.is_active = false;
     self->Step.is_running = false;
-    ECO_CONTROL_MPC_ADAPTER_MARK(self, 3, ECO_CONTROL_MPC_ADAPTER_CALL_STEP);
+    ECO_CONTROL_MPC_ADAPTER_MARK(self, SIGCAT_GET_OUTPUT_ENDS, ECO_CONTROL_MPC_ADAPTER_CALL_STEP);
 }
 
 void EcoControlMpc_Adapter_Supervise(EcoControlMpc_Adapter *self, uint64_t t)
 {
     if (self->is_started) {
-        const uint64_t now = EcoControlMpc_Adapter_Now(self, t);
-        ECO_CONTROL_MPC_ADAPTER_MARK(self, 4, ECO_CONTROL_MPC_ADAPTER_NO_CALL);
+        const uint64_t now = Sigcat_Now(&self->now, t);
+        ECO_CONTROL_MPC_ADAPTER_MARK(self, SIGCAT_SUPERVISES, ECO_CONTROL_MPC_ADAPTER_NO_CALL);
         if (self->Step.is_running && ((now - self->Step.begun) > UINT64_C(400000000))) {
-            self->Step.deadline = ECO_CONTROL_MPC_ADAPTER_PRESENT;
+            self->Step.deadline = SIGCAT_PRESENT;
         }
         if (EcoControlMpc_Adapter_Runs_Step(self->mode.now)) {
             EcoControlMpc_Adapter_Evaluate_DeadlineError(self, now);
         }
     }
-}
-
-/* A new ignition cycle: errors that failed in the last one count; those that were tested and passed start again. */
-static void EcoControlMpc_Adapter_BeginCycle(EcoControlMpc_Adapter_Counts *counts)
-{
-    if (counts->has_failed) {
-        if (counts->ignition_cycles < UINT16_MAX) {
-            counts->ignition_cycles++;
-        }
-    } else if (counts->is_tested) {
-        counts->ignition_cycles = 0U;
-    } else {
-        /* nothing is known of it */
-    }
-    counts->has_failed = false;
-    counts->is_tested = false;
 }
 
 /* Everything but what is stored. */
@@ -763,9 +564,12 @@ static void EcoControlMpc_Adapter_SetInitialValues(EcoControlMpc_Adapter *self)
     self->out.DeadlineError = 0U;
     self->out.NoSolutionError = 0U;
     self->out.AccPropInvalid = 0U;
-    self->error.HorizonTimeout.is_confirmed = (self->stored.HorizonTimeout.occurrences > 0U);
-    self->error.DeadlineError.is_confirmed = (self->stored.DeadlineError.occurrences > 0U);
-    self->error.NoSolutionError.is_confirmed = (self->stored.NoSolutionError.occurrences > 0U);
+    self->error.HorizonTimeout.is_confirmed = Sigcat_IsConfirmed(&self->stored.HorizonTimeout,
+        &EcoControlMpc_Adapter_Settings_HorizonTimeout);
+    self->error.DeadlineError.is_confirmed = Sigcat_IsConfirmed(&self->stored.DeadlineError,
+        &EcoControlMpc_Adapter_Settings_DeadlineError);
+    self->error.NoSolutionError.is_confirmed = Sigcat_IsConfirmed(&self->stored.NoSolutionError,
+        &EcoControlMpc_Adapter_Settings_NoSolutionError);
     self->received.EnaMpc.value = false;
     self->received.EgoSpd.value = 0.0F;
     self->received.SetSpd.value = 0.0F;
@@ -784,9 +588,9 @@ bool EcoControlMpc_Adapter_Init(EcoControlMpc_Adapter *self, const EcoControlMpc
         (void)memset(&self->stored, 0, sizeof(self->stored));
     }
     if (!self->stored.has_cycle || (self->stored.ignition_cycle != ignition_cycle)) {
-        EcoControlMpc_Adapter_BeginCycle(&self->stored.HorizonTimeout);
-        EcoControlMpc_Adapter_BeginCycle(&self->stored.DeadlineError);
-        EcoControlMpc_Adapter_BeginCycle(&self->stored.NoSolutionError);
+        Sigcat_BeginCycle(&self->stored.HorizonTimeout);
+        Sigcat_BeginCycle(&self->stored.DeadlineError);
+        Sigcat_BeginCycle(&self->stored.NoSolutionError);
         self->stored.ignition_cycle = ignition_cycle;
         self->stored.has_cycle = true;
     }
@@ -808,19 +612,14 @@ bool EcoControlMpc_Adapter_Init(EcoControlMpc_Adapter *self, const EcoControlMpc
 void EcoControlMpc_Adapter_Start(EcoControlMpc_Adapter *self, uint64_t t)
 {
     if (self->is_ready && !self->is_terminated) {
-        const uint64_t now = EcoControlMpc_Adapter_Now(self, t);
+        const uint64_t now = Sigcat_Now(&self->now, t);
         if (!self->is_started) {
             EcoControlMpc_Adapter_Enter_Step(self, now);
             self->publish.AccPropInvalid = true;
             self->publish.Mode_Out = self->mode_out.is_known;
             self->Step.release = now + UINT64_C(10000000);
         } else {
-            if (now > self->Step.release) {
-                const uint64_t releases = ((now - UINT64_C(1) - self->Step.release) / UINT64_C(500000000)) + 1U;
-
-                self->Step.release += releases * UINT64_C(500000000);
-                self->Step.dropped = EcoControlMpc_Adapter_Added(self->Step.dropped, releases);
-            }
+            Sigcat_DropBefore(&self->Step.release, &self->Step.dropped, UINT64_C(500000000), now);
             EcoControlMpc_Adapter_Enter_Step(self, now);
         }
         self->is_started = true;
@@ -834,7 +633,7 @@ void EcoControlMpc_Adapter_Published(EcoControlMpc_Adapter *self)
 
 void EcoControlMpc_Adapter_Terminate(EcoControlMpc_Adapter *self, uint64_t t)
 {
-    (void)EcoControlMpc_Adapter_Now(self, t);
+    (void)Sigcat_Now(&self->now, t);
     if (self->is_ready && !self->is_terminated) {
         EcoControlMpc_terminate(&self->code.EcoControlMpc_M);
         self->is_terminated = true;

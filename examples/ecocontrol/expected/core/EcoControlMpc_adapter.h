@@ -11,6 +11,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "sigcat_core.h"
+
 #include "EcoControlMpc.h"
 
 #ifdef __cplusplus
@@ -21,59 +23,6 @@ typedef enum {
     ECO_CONTROL_MPC_ADAPTER_NO_CALL = 0, /* none is due */
     ECO_CONTROL_MPC_ADAPTER_CALL_STEP /* EcoControlMpc_Step */
 } EcoControlMpc_Adapter_Call;
-
-typedef enum {
-    ECO_CONTROL_MPC_ADAPTER_NOT_JUDGED = 0,
-    ECO_CONTROL_MPC_ADAPTER_ABSENT,
-    ECO_CONTROL_MPC_ADAPTER_PRESENT
-} EcoControlMpc_Adapter_Verdict;
-
-typedef enum {
-    ECO_CONTROL_MPC_ADAPTER_INIT,
-    ECO_CONTROL_MPC_ADAPTER_RECEIVED,
-    ECO_CONTROL_MPC_ADAPTER_DEFAULT,
-    ECO_CONTROL_MPC_ADAPTER_REPLACEMENT
-} EcoControlMpc_Adapter_Origin;
-
-typedef enum {
-    ECO_CONTROL_MPC_ADAPTER_NOT_TESTED = 0,
-    ECO_CONTROL_MPC_ADAPTER_PASSED,
-    ECO_CONTROL_MPC_ADAPTER_PREFAILED,
-    ECO_CONTROL_MPC_ADAPTER_FAILED,
-    ECO_CONTROL_MPC_ADAPTER_HEALING
-} EcoControlMpc_Adapter_ErrorState;
-
-/* An error. */
-typedef struct {
-    EcoControlMpc_Adapter_ErrorState state;
-    EcoControlMpc_Adapter_ErrorState before; /* the last one */
-    uint64_t since; /* when it began */
-    EcoControlMpc_Adapter_Verdict variable; /* what the function says */
-    bool is_confirmed; /* for the fault memory */
-    bool is_sent;
-} EcoControlMpc_Adapter_Error;
-
-/* Counts of an error, over ignition cycles; the flags are of this one. */
-typedef struct {
-    uint16_t occurrences;
-    uint16_t ignition_cycles;
-    bool has_failed;
-    bool is_tested;
-} EcoControlMpc_Adapter_Counts;
-
-/* When a value was received last, and how many there were. */
-typedef struct {
-    uint64_t time;
-    uint32_t count;
-    bool is_there;
-} EcoControlMpc_Adapter_Reception;
-
-/* Whether a value is late. */
-typedef struct {
-    EcoControlMpc_Adapter_Verdict verdict;
-    uint32_t count;
-    bool is_late;
-} EcoControlMpc_Adapter_Clock;
 
 /* Parameters, in the catalogue's units. */
 typedef struct {
@@ -86,9 +35,9 @@ typedef struct {
 typedef struct {
     uint32_t ignition_cycle;
     bool has_cycle;
-    EcoControlMpc_Adapter_Counts HorizonTimeout;
-    EcoControlMpc_Adapter_Counts DeadlineError;
-    EcoControlMpc_Adapter_Counts NoSolutionError;
+    Sigcat_Counts HorizonTimeout;
+    Sigcat_Counts DeadlineError;
+    Sigcat_Counts NoSolutionError;
     struct {
         float value;
         bool is_there;
@@ -107,15 +56,11 @@ typedef struct {
 typedef struct EcoControlMpc_Adapter {
     /* What has been received, in the catalogue's units. */
     struct {
-        /* Vehicle.ADAS.EcoControl.IsEnabled */
-        struct { bool value; EcoControlMpc_Adapter_Reception reception; } EnaMpc;
-        struct { float value; EcoControlMpc_Adapter_Reception reception; } EgoSpd; /* Vehicle.Speed [km/h] */
-        /* Vehicle.ADAS.CruiseControl.SpeedSet [km/h] */
-        struct { float value; EcoControlMpc_Adapter_Reception reception; } SetSpd;
-        /* Vehicle.ADAS.Map.Horizon.Altitude [m] */
-        struct { float value[50]; EcoControlMpc_Adapter_Reception reception; } HorizonAlt;
-        /* Vehicle.Function.EcoControlMpc.Mode.In */
-        struct { uint8_t value; EcoControlMpc_Adapter_Reception reception; } Mode_In;
+        struct { bool value; Sigcat_Reception reception; } EnaMpc; /* Vehicle.ADAS.EcoControl.IsEnabled */
+        struct { float value; Sigcat_Reception reception; } EgoSpd; /* Vehicle.Speed [km/h] */
+        struct { float value; Sigcat_Reception reception; } SetSpd; /* Vehicle.ADAS.CruiseControl.SpeedSet [km/h] */
+        struct { float value[50]; Sigcat_Reception reception; } HorizonAlt; /* Vehicle.ADAS.Map.Horizon.Altitude [m] */
+        struct { uint8_t value; Sigcat_Reception reception; } Mode_In; /* Vehicle.Function.EcoControlMpc.Mode.In */
     } received;
 
     /* EcoControlMpc_Step */
@@ -127,15 +72,15 @@ typedef struct EcoControlMpc_Adapter {
         uint32_t dropped; /* activations that the mode excluded */
         bool is_active; /* from the answer of NextCall to the end of GetOutput */
         bool is_running; /* from Begin to GetOutput */
-        EcoControlMpc_Adapter_Verdict deadline;
+        Sigcat_Verdict deadline;
         struct {
-            struct { EcoControlMpc_Adapter_Clock clock; } HorizonAlt;
+            struct { Sigcat_Clock clock; } HorizonAlt;
         } in;
     } Step;
 
     struct {
         uint8_t now;
-        EcoControlMpc_Adapter_Verdict unknown;
+        Sigcat_Verdict unknown;
     } mode;
 
     struct {
@@ -143,27 +88,27 @@ typedef struct EcoControlMpc_Adapter {
     } mode_out;
 
     struct {
-        EcoControlMpc_Adapter_Error HorizonTimeout; /* Vehicle.Function.EcoControlMpc.Error.HorizonTimeout */
-        EcoControlMpc_Adapter_Error DeadlineError; /* Vehicle.Function.EcoControlMpc.Error.DeadlineError */
-        EcoControlMpc_Adapter_Error NoSolutionError; /* Vehicle.Function.EcoControlMpc.Error.NoSolutionError */
+        Sigcat_Error HorizonTimeout; /* Vehicle.Function.EcoControlMpc.Error.HorizonTimeout */
+        Sigcat_Error DeadlineError; /* Vehicle.Function.EcoControlMpc.Error.DeadlineError */
+        Sigcat_Error NoSolutionError; /* Vehicle.Function.EcoControlMpc.Error.NoSolutionError */
     } error;
 
     struct {
-        struct { EcoControlMpc_Adapter_Verdict outside; } AccPropInvalid;
+        struct { Sigcat_Verdict outside; } AccPropInvalid;
     } reaction;
 
     struct {
         struct {
             float value; /* Vehicle.Mass [kg] */
-            EcoControlMpc_Adapter_Origin origin;
+            Sigcat_Origin origin;
         } VehM;
         struct {
             float value; /* Vehicle.ADAS.Map.Horizon.Spacing [m] */
-            EcoControlMpc_Adapter_Origin origin;
+            Sigcat_Origin origin;
         } HorizonStep;
         struct {
             float value; /* Vehicle.Function.EcoControlMpc.Parameter.EnergyWeight */
-            EcoControlMpc_Adapter_Origin origin;
+            Sigcat_Origin origin;
         } EnergyWeight;
     } parameter;
 

@@ -5,14 +5,16 @@
  * Compile it with -ffp-contract=off. All times are in nanoseconds.
  */
 
+#include "sigcat_core_functions.h"
+#include "sigcat_core_checks.h"
+
 #include "WheelSpeedCalculation_adapter.h"
 
-#include <float.h>
-#include <math.h>
-#include <stddef.h>
-#include <string.h>
+#if SIGCAT_CORE_VERSION != 1
+#error "sigcat_core.h is of another version of sigcat"
+#endif
 
-/* Points of measurement: 0 SetInput begins, 1 the call begins, 2 it has ended, 3 GetOutput ends, 4 Supervise. */
+/* Points of measurement are those of sigcat_core_functions.h. */
 #ifndef WHEEL_SPEED_CALCULATION_ADAPTER_MARK
 #define WHEEL_SPEED_CALCULATION_ADAPTER_MARK(self, point, call) ((void)0)
 #endif
@@ -26,204 +28,55 @@
 
 WheelSpeedCalculation_Adapter WheelSpeedCalculation_Adapter_Instance;
 
-/*
- * The comma makes a value of a bit field, which has a size. Before C11, an array of -1 elements is the error, and
- * its name the message: some libraries have their own assertion there, without a message.
- */
-#if defined(__cplusplus)
-#define WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(holds, name, message) static_assert(holds, message)
-#define WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) sizeof(decltype(variable))
-#else
-#if defined(__GNUC__) && !defined(__STRICT_ANSI__)
-#define WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(holds, name, message) __extension__ _Static_assert(holds, message)
-#elif defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 201112L)
-#define WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(holds, name, message) _Static_assert(holds, message)
-#else
-#define WHEEL_SPEED_CALCULATION_ADAPTER_NAMED(name, line) WheelSpeedCalculation_Adapter_##name##_in_line_##line
-#define WHEEL_SPEED_CALCULATION_ADAPTER_IN_LINE(name, line) WHEEL_SPEED_CALCULATION_ADAPTER_NAMED(name, line)
-#define WHEEL_SPEED_CALCULATION_ADAPTER_CHECK(holds, name, message) typedef char WHEEL_SPEED_CALCULATION_ADAPTER_IN_LINE(name, __LINE__)[(holds) ? 1 : -1]
-#endif
-#define WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) sizeof(((void)0, variable))
-#endif
-
-/* Kinds of numbers: 1 unsigned, 2 signed, 3 floating, 4 boolean; 0 is any other type, or a language before C11. */
-#if !defined(__cplusplus) && defined(__GNUC__) && !defined(__STRICT_ANSI__)
-#define WHEEL_SPEED_CALCULATION_ADAPTER_GENERIC __extension__ _Generic
-#elif !defined(__cplusplus) && defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 201112L)
-#define WHEEL_SPEED_CALCULATION_ADAPTER_GENERIC _Generic
-#endif
-#if defined(WHEEL_SPEED_CALCULATION_ADAPTER_GENERIC)
-#define WHEEL_SPEED_CALCULATION_ADAPTER_KIND(value) WHEEL_SPEED_CALCULATION_ADAPTER_GENERIC((value), \
-    _Bool: 4, float: 3, double: 3, long double: 3, \
-    signed char: 2, short: 2, int: 2, long: 2, long long: 2, \
-    unsigned char: 1, unsigned short: 1, unsigned int: 1, unsigned long: 1, unsigned long long: 1, default: 0)
-#else
-#define WHEEL_SPEED_CALCULATION_ADAPTER_KIND(value) 0
-#endif
-/* A number keeps its value in a type of its kind, and an unsigned one in a signed type that is wider. */
-#define WHEEL_SPEED_CALCULATION_ADAPTER_AGREES(from, to, is_wider) \
-    ((WHEEL_SPEED_CALCULATION_ADAPTER_KIND(from) == 0) || (WHEEL_SPEED_CALCULATION_ADAPTER_KIND(to) == 0) || \
-     (WHEEL_SPEED_CALCULATION_ADAPTER_KIND(from) == WHEEL_SPEED_CALCULATION_ADAPTER_KIND(to)) || \
-     ((WHEEL_SPEED_CALCULATION_ADAPTER_KIND(from) == 1) && (WHEEL_SPEED_CALCULATION_ADAPTER_KIND(to) == 2) && (is_wider)))
-
-/* Numbers that an integer of this kind and size holds. A type of unknown kind is only asked for its size. */
-#define WHEEL_SPEED_CALCULATION_ADAPTER_ALL(variable) \
-    ((WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) > 2U) ? INT64_C(0xFFFFFFFF) : (WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) > 1U) ? INT64_C(0xFFFF) : INT64_C(0xFF))
-#define WHEEL_SPEED_CALCULATION_ADAPTER_LEAST(variable) \
-    (((WHEEL_SPEED_CALCULATION_ADAPTER_KIND(variable) == 1) || (WHEEL_SPEED_CALCULATION_ADAPTER_KIND(variable) == 4)) ? INT64_C(0) : (-(WHEEL_SPEED_CALCULATION_ADAPTER_ALL(variable) / 2) - 1))
-#define WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST(variable) \
-    ((WHEEL_SPEED_CALCULATION_ADAPTER_KIND(variable) == 4) ? INT64_C(1) : (WHEEL_SPEED_CALCULATION_ADAPTER_KIND(variable) == 2) ? (WHEEL_SPEED_CALCULATION_ADAPTER_ALL(variable) / 2) : WHEEL_SPEED_CALCULATION_ADAPTER_ALL(variable))
-#define WHEEL_SPEED_CALCULATION_ADAPTER_NUMBERS(variable, least, greatest) \
-    WHEEL_SPEED_CALCULATION_ADAPTER_CHECK((WHEEL_SPEED_CALCULATION_ADAPTER_KIND(variable) != 3) && \
-        (((least) >= WHEEL_SPEED_CALCULATION_ADAPTER_LEAST(variable)) || ((WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) > 4U) && (WHEEL_SPEED_CALCULATION_ADAPTER_KIND(variable) != 1))) && \
-        (((greatest) <= WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST(variable)) || (WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) > 4U)), \
-        variable_must_be_an_integer_that_holds_its_numbers, \
-        #variable " must be an integer that holds " #least " to " #greatest)
-#define WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(variable, type) \
-    WHEEL_SPEED_CALCULATION_ADAPTER_CHECK((WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) >= sizeof(type)) && \
-        WHEEL_SPEED_CALCULATION_ADAPTER_AGREES((type)0, variable, WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) > sizeof(type)), \
-        variable_must_not_be_narrower_than_declared, #variable " must be " #type)
-#define WHEEL_SPEED_CALCULATION_ADAPTER_FITS(variable, type) \
-    WHEEL_SPEED_CALCULATION_ADAPTER_CHECK((WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) <= sizeof(type)) && \
-        WHEEL_SPEED_CALCULATION_ADAPTER_AGREES(variable, (type)0, WHEEL_SPEED_CALCULATION_ADAPTER_SIZE_OF(variable) < sizeof(type)), \
-        variable_must_not_be_wider_than_declared, #variable " must be " #type)
-
 /* Variables of WheelSpeedCalculation have the declared kind, sign and size, or the build fails. */
-WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_in.WhlRotFL, float);
-WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_in.WhlRotFR, float);
-WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_in.WhlRotRL, float);
-WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_in.WhlRotRR, float);
-WHEEL_SPEED_CALCULATION_ADAPTER_FITS(whl_out.WhlSpdFL, uint16_t);
-WHEEL_SPEED_CALCULATION_ADAPTER_FITS(whl_out.WhlSpdFR, uint16_t);
-WHEEL_SPEED_CALCULATION_ADAPTER_FITS(whl_out.WhlSpdRL, uint16_t);
-WHEEL_SPEED_CALCULATION_ADAPTER_FITS(whl_out.WhlSpdRR, uint16_t);
-WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_par.TireDiaFrnt, float);
-WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_par.TireDiaRear, float);
-WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_par.SpdMax, float);
-WHEEL_SPEED_CALCULATION_ADAPTER_HOLDS(whl_par.RangeErrCnt, uint32_t);
-WHEEL_SPEED_CALCULATION_ADAPTER_FITS(whl_par.RangeErrCnt, uint32_t);
-WHEEL_SPEED_CALCULATION_ADAPTER_NUMBERS(whl_in.ModeReq, 0, 2);
-WHEEL_SPEED_CALCULATION_ADAPTER_NUMBERS(whl_out.ModeSts, 0, 2);
-
-/* The time: one before the last one counts as the last one. */
-static inline uint64_t WheelSpeedCalculation_Adapter_Now(WheelSpeedCalculation_Adapter *self, uint64_t t)
-{
-    if (t > self->now) {
-        self->now = t;
-    }
-    return self->now;
-}
-
-static uint64_t WheelSpeedCalculation_Adapter_Earlier(uint64_t a, uint64_t b)
-{
-    return (a < b) ? a : b;
-}
-
-/* A sum that stays at the largest number. */
-static uint32_t WheelSpeedCalculation_Adapter_Added(uint32_t sum, uint64_t more)
-{
-    return (more > ((uint64_t)UINT32_MAX - sum)) ? UINT32_MAX : (sum + (uint32_t)more);
-}
-
-/* The worse of two verdicts: present, absent, not checked. */
-static WheelSpeedCalculation_Adapter_Verdict WheelSpeedCalculation_Adapter_Worse(
-    WheelSpeedCalculation_Adapter_Verdict a, WheelSpeedCalculation_Adapter_Verdict b)
-{
-    return (a > b) ? a : b;
-}
-
-/* Whether an error is reported as failed. */
-static bool WheelSpeedCalculation_Adapter_HasFailed(const WheelSpeedCalculation_Adapter_Error *error)
-{
-    return (error->state == WHEEL_SPEED_CALCULATION_ADAPTER_FAILED)
-        || (error->state == WHEEL_SPEED_CALCULATION_ADAPTER_HEALING);
-}
-
-/* What was under way ends. */
-static void WheelSpeedCalculation_Adapter_Suspend(WheelSpeedCalculation_Adapter_Error *error)
-{
-    if (error->state == WHEEL_SPEED_CALCULATION_ADAPTER_PREFAILED) {
-        error->state = error->before;
-    } else if (error->state == WHEEL_SPEED_CALCULATION_ADAPTER_HEALING) {
-        error->state = WHEEL_SPEED_CALCULATION_ADAPTER_FAILED;
-    } else {
-        /* as it is */
-    }
-}
-
-static uint64_t WheelSpeedCalculation_Adapter_Later(uint64_t a, uint64_t b)
-{
-    return (a > b) ? a : b;
-}
-
-/* Two roundings, never one: the sum is a separate statement. */
-static inline double WheelSpeedCalculation_Adapter_Scaled(double value, double factor, double offset)
-{
-    const double product = value * factor;
-    return product + offset;
-}
-
-/* What no float holds: too large, infinite, or no number. */
-static float WheelSpeedCalculation_Adapter_BeyondFloat(double value)
-{
-    float found;
-
-    if (value > DBL_MAX) {
-        found = INFINITY;
-    } else if (value < -DBL_MAX) {
-        found = -INFINITY;
-    } else if (value > 0.0) {
-        found = FLT_MAX;
-    } else if (value < 0.0) {
-        found = -FLT_MAX;
-    } else {
-        found = NAN;
-    }
-    return found;
-}
-
-/* Rounded once; what is finite stays finite. */
-static inline float WheelSpeedCalculation_Adapter_ToFloat(double value)
-{
-    const bool is_usual = (value >= -(double)FLT_MAX) && (value <= (double)FLT_MAX);
-
-    return is_usual ? (float)value : WheelSpeedCalculation_Adapter_BeyondFloat(value);
-}
+SIGCAT_HOLDS(whl_in.WhlRotFL, float);
+SIGCAT_HOLDS(whl_in.WhlRotFR, float);
+SIGCAT_HOLDS(whl_in.WhlRotRL, float);
+SIGCAT_HOLDS(whl_in.WhlRotRR, float);
+SIGCAT_FITS(whl_out.WhlSpdFL, uint16_t);
+SIGCAT_FITS(whl_out.WhlSpdFR, uint16_t);
+SIGCAT_FITS(whl_out.WhlSpdRL, uint16_t);
+SIGCAT_FITS(whl_out.WhlSpdRR, uint16_t);
+SIGCAT_HOLDS(whl_par.TireDiaFrnt, float);
+SIGCAT_HOLDS(whl_par.TireDiaRear, float);
+SIGCAT_HOLDS(whl_par.SpdMax, float);
+SIGCAT_HOLDS(whl_par.RangeErrCnt, uint32_t);
+SIGCAT_FITS(whl_par.RangeErrCnt, uint32_t);
+SIGCAT_NUMBERS(whl_in.ModeReq, 0, 2);
+SIGCAT_NUMBERS(whl_out.ModeSts, 0, 2);
 
 /* Vehicle.Chassis.Axle.Row1.Wheel.Left.AngularSpeed [degrees/s] */
 void WheelSpeedCalculation_Adapter_Receive_WhlRotFL(WheelSpeedCalculation_Adapter *self, float value, uint64_t t)
 {
     self->received.WhlRotFL.value = value;
-    (void)WheelSpeedCalculation_Adapter_Now(self, t);
+    (void)Sigcat_Now(&self->now, t);
 }
 
 /* Vehicle.Chassis.Axle.Row1.Wheel.Right.AngularSpeed [degrees/s] */
 void WheelSpeedCalculation_Adapter_Receive_WhlRotFR(WheelSpeedCalculation_Adapter *self, float value, uint64_t t)
 {
     self->received.WhlRotFR.value = value;
-    (void)WheelSpeedCalculation_Adapter_Now(self, t);
+    (void)Sigcat_Now(&self->now, t);
 }
 
 /* Vehicle.Chassis.Axle.Row2.Wheel.Left.AngularSpeed [degrees/s] */
 void WheelSpeedCalculation_Adapter_Receive_WhlRotRL(WheelSpeedCalculation_Adapter *self, float value, uint64_t t)
 {
     self->received.WhlRotRL.value = value;
-    (void)WheelSpeedCalculation_Adapter_Now(self, t);
+    (void)Sigcat_Now(&self->now, t);
 }
 
 /* Vehicle.Chassis.Axle.Row2.Wheel.Right.AngularSpeed [degrees/s] */
 void WheelSpeedCalculation_Adapter_Receive_WhlRotRR(WheelSpeedCalculation_Adapter *self, float value, uint64_t t)
 {
     self->received.WhlRotRR.value = value;
-    (void)WheelSpeedCalculation_Adapter_Now(self, t);
+    (void)Sigcat_Now(&self->now, t);
 }
 
 void WheelSpeedCalculation_Adapter_Receive_Mode_In(WheelSpeedCalculation_Adapter *self, uint8_t value, uint64_t t)
 {
     self->received.Mode_In.value = value;
-    self->received.Mode_In.reception.time = WheelSpeedCalculation_Adapter_Now(self, t);
-    self->received.Mode_In.reception.count++;
-    self->received.Mode_In.reception.is_there = true;
+    Sigcat_Receive(&self->received.Mode_In.reception, Sigcat_Now(&self->now, t));
 }
 
 /* Vehicle.Chassis.Axle.Row1.Wheel.Left.Speed [km/h] */
@@ -231,9 +84,8 @@ static void WheelSpeedCalculation_Adapter_Give_Step_WhlSpdFL(WheelSpeedCalculati
 {
     const bool is_within = (whl_out.WhlSpdFL <= 60000U);
 
-    self->out.WhlSpdFL = (float)WheelSpeedCalculation_Adapter_Scaled((double)whl_out.WhlSpdFL, 0.01, -100.0);
-    self->Step.out.WhlSpdFL.range = is_within
-        ? WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT : WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT;
+    self->out.WhlSpdFL = (float)Sigcat_Scaled((double)whl_out.WhlSpdFL, 0.01, -100.0);
+    self->Step.out.WhlSpdFL.range = is_within ? SIGCAT_ABSENT : SIGCAT_PRESENT;
 }
 
 /* Vehicle.Chassis.Axle.Row1.Wheel.Right.Speed [km/h] */
@@ -241,9 +93,8 @@ static void WheelSpeedCalculation_Adapter_Give_Step_WhlSpdFR(WheelSpeedCalculati
 {
     const bool is_within = (whl_out.WhlSpdFR <= 60000U);
 
-    self->out.WhlSpdFR = (float)WheelSpeedCalculation_Adapter_Scaled((double)whl_out.WhlSpdFR, 0.01, -100.0);
-    self->Step.out.WhlSpdFR.range = is_within
-        ? WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT : WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT;
+    self->out.WhlSpdFR = (float)Sigcat_Scaled((double)whl_out.WhlSpdFR, 0.01, -100.0);
+    self->Step.out.WhlSpdFR.range = is_within ? SIGCAT_ABSENT : SIGCAT_PRESENT;
 }
 
 /* Vehicle.Chassis.Axle.Row2.Wheel.Left.Speed [km/h] */
@@ -251,9 +102,8 @@ static void WheelSpeedCalculation_Adapter_Give_Step_WhlSpdRL(WheelSpeedCalculati
 {
     const bool is_within = (whl_out.WhlSpdRL <= 60000U);
 
-    self->out.WhlSpdRL = (float)WheelSpeedCalculation_Adapter_Scaled((double)whl_out.WhlSpdRL, 0.01, -100.0);
-    self->Step.out.WhlSpdRL.range = is_within
-        ? WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT : WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT;
+    self->out.WhlSpdRL = (float)Sigcat_Scaled((double)whl_out.WhlSpdRL, 0.01, -100.0);
+    self->Step.out.WhlSpdRL.range = is_within ? SIGCAT_ABSENT : SIGCAT_PRESENT;
 }
 
 /* Vehicle.Chassis.Axle.Row2.Wheel.Right.Speed [km/h] */
@@ -261,9 +111,8 @@ static void WheelSpeedCalculation_Adapter_Give_Step_WhlSpdRR(WheelSpeedCalculati
 {
     const bool is_within = (whl_out.WhlSpdRR <= 60000U);
 
-    self->out.WhlSpdRR = (float)WheelSpeedCalculation_Adapter_Scaled((double)whl_out.WhlSpdRR, 0.01, -100.0);
-    self->Step.out.WhlSpdRR.range = is_within
-        ? WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT : WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT;
+    self->out.WhlSpdRR = (float)Sigcat_Scaled((double)whl_out.WhlSpdRR, 0.01, -100.0);
+    self->Step.out.WhlSpdRR.range = is_within ? SIGCAT_ABSENT : SIGCAT_PRESENT;
 }
 
 /* Vehicle.Chassis.Axle.Row1.TireDiameter [inch] */
@@ -277,13 +126,13 @@ static bool WheelSpeedCalculation_Adapter_IsWithin_TireDiaFrnt(float value)
 /* Vehicle.Chassis.Axle.Row1.TireDiameter [inch] */
 static void WheelSpeedCalculation_Adapter_Load_TireDiaFrnt(WheelSpeedCalculation_Adapter *self)
 {
-    self->parameter.TireDiaFrnt.origin = WHEEL_SPEED_CALCULATION_ADAPTER_INIT;
+    self->parameter.TireDiaFrnt.origin = SIGCAT_INIT;
     if (self->stored.TireDiaFrnt.is_there) {
         if (WheelSpeedCalculation_Adapter_IsWithin_TireDiaFrnt(self->stored.TireDiaFrnt.value)) {
             self->parameter.TireDiaFrnt.value = self->stored.TireDiaFrnt.value;
-            self->parameter.TireDiaFrnt.origin = WHEEL_SPEED_CALCULATION_ADAPTER_RECEIVED;
+            self->parameter.TireDiaFrnt.origin = SIGCAT_RECEIVED;
         } else {
-            self->parameter.TireDiaFrnt.origin = WHEEL_SPEED_CALCULATION_ADAPTER_REPLACEMENT;
+            self->parameter.TireDiaFrnt.origin = SIGCAT_REPLACEMENT;
         }
     }
 }
@@ -291,8 +140,8 @@ static void WheelSpeedCalculation_Adapter_Load_TireDiaFrnt(WheelSpeedCalculation
 /* Vehicle.Chassis.Axle.Row1.TireDiameter [inch] */
 static void WheelSpeedCalculation_Adapter_Write_TireDiaFrnt(const WheelSpeedCalculation_Adapter *self)
 {
-    if (self->parameter.TireDiaFrnt.origin == WHEEL_SPEED_CALCULATION_ADAPTER_RECEIVED) {
-        whl_par.TireDiaFrnt = WheelSpeedCalculation_Adapter_ToFloat(((double)self->parameter.TireDiaFrnt.value * 25.4));
+    if (self->parameter.TireDiaFrnt.origin == SIGCAT_RECEIVED) {
+        whl_par.TireDiaFrnt = Sigcat_ToFloat(((double)self->parameter.TireDiaFrnt.value * 25.4));
     } else {
         whl_par.TireDiaFrnt = 650.0F;
     }
@@ -309,13 +158,13 @@ static bool WheelSpeedCalculation_Adapter_IsWithin_TireDiaRear(float value)
 /* Vehicle.Chassis.Axle.Row2.TireDiameter [inch] */
 static void WheelSpeedCalculation_Adapter_Load_TireDiaRear(WheelSpeedCalculation_Adapter *self)
 {
-    self->parameter.TireDiaRear.origin = WHEEL_SPEED_CALCULATION_ADAPTER_INIT;
+    self->parameter.TireDiaRear.origin = SIGCAT_INIT;
     if (self->stored.TireDiaRear.is_there) {
         if (WheelSpeedCalculation_Adapter_IsWithin_TireDiaRear(self->stored.TireDiaRear.value)) {
             self->parameter.TireDiaRear.value = self->stored.TireDiaRear.value;
-            self->parameter.TireDiaRear.origin = WHEEL_SPEED_CALCULATION_ADAPTER_RECEIVED;
+            self->parameter.TireDiaRear.origin = SIGCAT_RECEIVED;
         } else {
-            self->parameter.TireDiaRear.origin = WHEEL_SPEED_CALCULATION_ADAPTER_REPLACEMENT;
+            self->parameter.TireDiaRear.origin = SIGCAT_REPLACEMENT;
         }
     }
 }
@@ -323,8 +172,8 @@ static void WheelSpeedCalculation_Adapter_Load_TireDiaRear(WheelSpeedCalculation
 /* Vehicle.Chassis.Axle.Row2.TireDiameter [inch] */
 static void WheelSpeedCalculation_Adapter_Write_TireDiaRear(const WheelSpeedCalculation_Adapter *self)
 {
-    if (self->parameter.TireDiaRear.origin == WHEEL_SPEED_CALCULATION_ADAPTER_RECEIVED) {
-        whl_par.TireDiaRear = WheelSpeedCalculation_Adapter_ToFloat(((double)self->parameter.TireDiaRear.value * 25.4));
+    if (self->parameter.TireDiaRear.origin == SIGCAT_RECEIVED) {
+        whl_par.TireDiaRear = Sigcat_ToFloat(((double)self->parameter.TireDiaRear.value * 25.4));
     } else {
         whl_par.TireDiaRear = 650.0F;
     }
@@ -341,13 +190,13 @@ static bool WheelSpeedCalculation_Adapter_IsWithin_SpdMax(float value)
 /* Vehicle.Function.WheelSpeedCalculation.Parameter.LargestSpeed [km/h] */
 static void WheelSpeedCalculation_Adapter_Load_SpdMax(WheelSpeedCalculation_Adapter *self)
 {
-    self->parameter.SpdMax.origin = WHEEL_SPEED_CALCULATION_ADAPTER_INIT;
+    self->parameter.SpdMax.origin = SIGCAT_INIT;
     if (self->stored.SpdMax.is_there) {
         if (WheelSpeedCalculation_Adapter_IsWithin_SpdMax(self->stored.SpdMax.value)) {
             self->parameter.SpdMax.value = self->stored.SpdMax.value;
-            self->parameter.SpdMax.origin = WHEEL_SPEED_CALCULATION_ADAPTER_RECEIVED;
+            self->parameter.SpdMax.origin = SIGCAT_RECEIVED;
         } else {
-            self->parameter.SpdMax.origin = WHEEL_SPEED_CALCULATION_ADAPTER_REPLACEMENT;
+            self->parameter.SpdMax.origin = SIGCAT_REPLACEMENT;
         }
     }
 }
@@ -355,7 +204,7 @@ static void WheelSpeedCalculation_Adapter_Load_SpdMax(WheelSpeedCalculation_Adap
 /* Vehicle.Function.WheelSpeedCalculation.Parameter.LargestSpeed [km/h] */
 static void WheelSpeedCalculation_Adapter_Write_SpdMax(const WheelSpeedCalculation_Adapter *self)
 {
-    if (self->parameter.SpdMax.origin == WHEEL_SPEED_CALCULATION_ADAPTER_RECEIVED) {
+    if (self->parameter.SpdMax.origin == SIGCAT_RECEIVED) {
         whl_par.SpdMax = self->parameter.SpdMax.value;
     } else {
         whl_par.SpdMax = 360.0F;
@@ -365,17 +214,17 @@ static void WheelSpeedCalculation_Adapter_Write_SpdMax(const WheelSpeedCalculati
 /* Vehicle.Function.WheelSpeedCalculation.Parameter.RangeErrorCount */
 static void WheelSpeedCalculation_Adapter_Load_RangeErrCnt(WheelSpeedCalculation_Adapter *self)
 {
-    self->parameter.RangeErrCnt.origin = WHEEL_SPEED_CALCULATION_ADAPTER_INIT;
+    self->parameter.RangeErrCnt.origin = SIGCAT_INIT;
     if (self->stored.RangeErrCnt.is_there) {
         self->parameter.RangeErrCnt.value = self->stored.RangeErrCnt.value;
-        self->parameter.RangeErrCnt.origin = WHEEL_SPEED_CALCULATION_ADAPTER_RECEIVED;
+        self->parameter.RangeErrCnt.origin = SIGCAT_RECEIVED;
     }
 }
 
 /* Vehicle.Function.WheelSpeedCalculation.Parameter.RangeErrorCount */
 static void WheelSpeedCalculation_Adapter_Write_RangeErrCnt(const WheelSpeedCalculation_Adapter *self)
 {
-    if (self->parameter.RangeErrCnt.origin == WHEEL_SPEED_CALCULATION_ADAPTER_RECEIVED) {
+    if (self->parameter.RangeErrCnt.origin == SIGCAT_RECEIVED) {
         whl_par.RangeErrCnt = self->parameter.RangeErrCnt.value;
     } else {
         whl_par.RangeErrCnt = 0U;
@@ -398,11 +247,11 @@ bool WheelSpeedCalculation_Adapter_SetParameters(WheelSpeedCalculation_Adapter *
 
     if (are_within) {
         self->parameter.TireDiaFrnt.value = parameters->TireDiaFrnt;
-        self->parameter.TireDiaFrnt.origin = WHEEL_SPEED_CALCULATION_ADAPTER_RECEIVED;
+        self->parameter.TireDiaFrnt.origin = SIGCAT_RECEIVED;
         self->parameter.TireDiaRear.value = parameters->TireDiaRear;
-        self->parameter.TireDiaRear.origin = WHEEL_SPEED_CALCULATION_ADAPTER_RECEIVED;
+        self->parameter.TireDiaRear.origin = SIGCAT_RECEIVED;
         self->parameter.SpdMax.value = parameters->SpdMax;
-        self->parameter.SpdMax.origin = WHEEL_SPEED_CALCULATION_ADAPTER_RECEIVED;
+        self->parameter.SpdMax.origin = SIGCAT_RECEIVED;
     }
     return are_within;
 }
@@ -413,36 +262,12 @@ static bool WheelSpeedCalculation_Adapter_Runs_Step(uint8_t mode)
     return (mode != 0U /* OFF */);
 }
 
-/* WheelSpeedCalculation_Step ends 9 to 11 times in each 100 ms. */
-static void WheelSpeedCalculation_Adapter_CloseWindows_Step(WheelSpeedCalculation_Adapter *self, uint64_t t)
-{
-    if (t >= (self->Step.alive.window + UINT64_C(100000000))) {
-        const uint64_t windows = (t - self->Step.alive.window) / UINT64_C(100000000);
-
-        self->Step.alive.is_bad = self->Step.alive.is_bad || (self->Step.alive.ends > 11U)
-            || (self->Step.alive.ends < 9U) || (windows > 1U);
-        self->Step.alive.has_closed = true;
-        self->Step.alive.window += windows * UINT64_C(100000000);
-        self->Step.alive.ends = 0U;
-    }
-}
-
-/* Windows that have closed since this was asked last. */
-static void WheelSpeedCalculation_Adapter_JudgeWindows_Step(WheelSpeedCalculation_Adapter *self)
-{
-    if (self->Step.alive.has_closed) {
-        self->Step.alive.verdict = self->Step.alive.is_bad
-            ? WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT : WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT;
-        self->Step.alive.has_closed = false;
-        self->Step.alive.is_bad = false;
-    }
-}
-
 /* Windows that are over, of calls that the mode does not exclude. */
 static void WheelSpeedCalculation_Adapter_CloseWindows(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
+    /* WheelSpeedCalculation_Step ends 9 to 11 times in each 100 ms. */
     if (WheelSpeedCalculation_Adapter_Runs_Step(self->mode.now)) {
-        WheelSpeedCalculation_Adapter_CloseWindows_Step(self, t);
+        Sigcat_CloseWindow(&self->Step.alive, UINT64_C(100000000), 9U, 11U, t);
     }
 }
 
@@ -451,7 +276,7 @@ static void WheelSpeedCalculation_Adapter_Report_Init(WheelSpeedCalculation_Adap
 {
     if (self->checkpoint.active == 0U) {
         self->checkpoint.active = 1U;
-        self->checkpoint.Step = WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT;
+        self->checkpoint.Step = SIGCAT_ABSENT;
     } else {
         /* no error is reported */
     }
@@ -462,9 +287,9 @@ static void WheelSpeedCalculation_Adapter_Report_Step(WheelSpeedCalculation_Adap
 {
     if ((self->checkpoint.active == 1U) || (self->checkpoint.active == 2U)) {
         self->checkpoint.active = 2U;
-        self->checkpoint.Step = WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT;
+        self->checkpoint.Step = SIGCAT_ABSENT;
     } else {
-        self->checkpoint.Step = WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT;
+        self->checkpoint.Step = SIGCAT_PRESENT;
     }
 }
 
@@ -473,74 +298,57 @@ static void WheelSpeedCalculation_Adapter_Report_Terminate(WheelSpeedCalculation
 {
     if ((self->checkpoint.active == 1U) || (self->checkpoint.active == 2U)) {
         self->checkpoint.active = 0U;
-        self->checkpoint.Step = WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT;
+        self->checkpoint.Step = SIGCAT_ABSENT;
     } else {
         /* no error is reported */
     }
 }
 
-/* The table of states. may_heal: the reset condition holds. */
-static WheelSpeedCalculation_Adapter_ErrorState WheelSpeedCalculation_Adapter_Next(
-    const WheelSpeedCalculation_Adapter_Error *error, WheelSpeedCalculation_Adapter_Verdict verdict, bool may_heal)
-{
-    const bool has_failed = WheelSpeedCalculation_Adapter_HasFailed(error);
-    WheelSpeedCalculation_Adapter_ErrorState next = error->state;
+/* Vehicle.Function.WheelSpeedCalculation.Error.RangeError */
+static const Sigcat_ErrorSettings WheelSpeedCalculation_Adapter_Settings_RangeError = {
+    UINT64_C(50000000), /* maturation: 50 ms */
+    UINT64_C(1000000000), /* reset: 1000 ms */
+    3U, /* occurrences */
+    0U /* ignition cycles */
+};
 
-    if (verdict == WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT) {
-        next = has_failed ? WHEEL_SPEED_CALCULATION_ADAPTER_FAILED : WHEEL_SPEED_CALCULATION_ADAPTER_PREFAILED;
-    } else if ((verdict == WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT) && !has_failed) {
-        next = WHEEL_SPEED_CALCULATION_ADAPTER_PASSED;
-    } else if (verdict == WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT) {
-        next = may_heal ? WHEEL_SPEED_CALCULATION_ADAPTER_HEALING : WHEEL_SPEED_CALCULATION_ADAPTER_FAILED;
-    } else {
-        /* not evaluated */
-    }
-    return next;
-}
+/* Vehicle.Function.WheelSpeedCalculation.Error.AliveError */
+static const Sigcat_ErrorSettings WheelSpeedCalculation_Adapter_Settings_AliveError = {
+    UINT64_C(0), /* maturation: 0 ms */
+    UINT64_C(0), /* reset: 0 ms */
+    1U, /* occurrences */
+    0U /* ignition cycles */
+};
 
-/* The next state; PREFAILED and HEALING end when their time has passed. */
-static void WheelSpeedCalculation_Adapter_Update(WheelSpeedCalculation_Adapter_Error *error,
-    WheelSpeedCalculation_Adapter_Counts *counts, WheelSpeedCalculation_Adapter_ErrorState next, uint64_t maturation,
-    uint64_t reset, uint64_t t)
-{
-    const bool had_failed = WheelSpeedCalculation_Adapter_HasFailed(error);
+/* Vehicle.Function.WheelSpeedCalculation.Error.DeadlineError */
+static const Sigcat_ErrorSettings WheelSpeedCalculation_Adapter_Settings_DeadlineError = {
+    UINT64_C(20000000), /* maturation: 20 ms */
+    UINT64_C(0), /* reset: 0 ms */
+    1U, /* occurrences */
+    0U /* ignition cycles */
+};
 
-    if (next != error->state) {
-        error->before = error->state;
-        error->state = next;
-        error->since = t;
-    }
-    if ((error->state == WHEEL_SPEED_CALCULATION_ADAPTER_PREFAILED) && ((t - error->since) >= maturation)) {
-        error->state = WHEEL_SPEED_CALCULATION_ADAPTER_FAILED;
-    }
-    if ((error->state == WHEEL_SPEED_CALCULATION_ADAPTER_HEALING) && ((t - error->since) >= reset)) {
-        error->state = WHEEL_SPEED_CALCULATION_ADAPTER_PASSED;
-    }
-    if (WheelSpeedCalculation_Adapter_HasFailed(error) && !had_failed && (counts->occurrences < UINT16_MAX)) {
-        counts->occurrences++;
-    }
-    counts->is_tested = counts->is_tested || (error->state != WHEEL_SPEED_CALCULATION_ADAPTER_NOT_TESTED);
-    counts->has_failed = counts->has_failed || WheelSpeedCalculation_Adapter_HasFailed(error);
-}
+/* Vehicle.Function.WheelSpeedCalculation.Error.SequenceError */
+static const Sigcat_ErrorSettings WheelSpeedCalculation_Adapter_Settings_SequenceError = {
+    UINT64_C(0), /* maturation: 0 ms */
+    UINT64_C(0), /* reset: 0 ms */
+    1U, /* occurrences */
+    0U /* ignition cycles */
+};
 
 /* Vehicle.Function.WheelSpeedCalculation.Error.RangeError */
 static void WheelSpeedCalculation_Adapter_Evaluate_RangeError(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
-    WheelSpeedCalculation_Adapter_Verdict verdict = self->Step.out.WhlSpdFL.range;
+    Sigcat_Verdict verdict = self->Step.out.WhlSpdFL.range;
 
-    verdict = WheelSpeedCalculation_Adapter_Worse(verdict, self->Step.out.WhlSpdFR.range);
-    verdict = WheelSpeedCalculation_Adapter_Worse(verdict, self->Step.out.WhlSpdRL.range);
-    verdict = WheelSpeedCalculation_Adapter_Worse(verdict, self->Step.out.WhlSpdRR.range);
-    verdict = WheelSpeedCalculation_Adapter_Worse(verdict, self->error.RangeError.variable);
-    const WheelSpeedCalculation_Adapter_ErrorState next = WheelSpeedCalculation_Adapter_Next(&self->error.RangeError,
-        verdict, true);
-
-    WheelSpeedCalculation_Adapter_Update(&self->error.RangeError, &self->stored.RangeError, next, UINT64_C(50000000),
-        UINT64_C(1000000000), t);
-    self->error.RangeError.is_confirmed = (self->stored.RangeError.occurrences >= 3U);
-    if ((self->error.RangeError.state != WHEEL_SPEED_CALCULATION_ADAPTER_NOT_TESTED)
-        && (self->error.RangeError.state != WHEEL_SPEED_CALCULATION_ADAPTER_PREFAILED)) {
-        const uint8_t status = WheelSpeedCalculation_Adapter_HasFailed(&self->error.RangeError) ? 1U : 0U;
+    verdict = Sigcat_Worse(verdict, self->Step.out.WhlSpdFR.range);
+    verdict = Sigcat_Worse(verdict, self->Step.out.WhlSpdRL.range);
+    verdict = Sigcat_Worse(verdict, self->Step.out.WhlSpdRR.range);
+    verdict = Sigcat_Worse(verdict, self->error.RangeError.variable);
+    Sigcat_Evaluate(&self->error.RangeError, &self->stored.RangeError,
+        &WheelSpeedCalculation_Adapter_Settings_RangeError, verdict, false, true, t);
+    if (Sigcat_IsDecided(&self->error.RangeError)) {
+        const uint8_t status = Sigcat_HasFailed(&self->error.RangeError) ? 1U : 0U;
         if (!self->error.RangeError.is_sent || (self->out.RangeError != status)) {
             self->out.RangeError = status;
             self->error.RangeError.is_sent = true;
@@ -552,17 +360,13 @@ static void WheelSpeedCalculation_Adapter_Evaluate_RangeError(WheelSpeedCalculat
 /* Vehicle.Function.WheelSpeedCalculation.Error.AliveError */
 static void WheelSpeedCalculation_Adapter_Evaluate_AliveError(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
-    WheelSpeedCalculation_Adapter_JudgeWindows_Step(self);
-    const WheelSpeedCalculation_Adapter_Verdict verdict = self->Step.alive.verdict;
-    const WheelSpeedCalculation_Adapter_ErrorState next = WheelSpeedCalculation_Adapter_Next(&self->error.AliveError,
-        verdict, false);
+    Sigcat_CheckWindows(&self->Step.alive);
+    const Sigcat_Verdict verdict = self->Step.alive.verdict;
 
-    WheelSpeedCalculation_Adapter_Update(&self->error.AliveError, &self->stored.AliveError, next, UINT64_C(0),
-        UINT64_C(0), t);
-    self->error.AliveError.is_confirmed = (self->stored.AliveError.occurrences > 0U);
-    if ((self->error.AliveError.state != WHEEL_SPEED_CALCULATION_ADAPTER_NOT_TESTED)
-        && (self->error.AliveError.state != WHEEL_SPEED_CALCULATION_ADAPTER_PREFAILED)) {
-        const uint8_t status = WheelSpeedCalculation_Adapter_HasFailed(&self->error.AliveError) ? 1U : 0U;
+    Sigcat_Evaluate(&self->error.AliveError, &self->stored.AliveError,
+        &WheelSpeedCalculation_Adapter_Settings_AliveError, verdict, false, false, t);
+    if (Sigcat_IsDecided(&self->error.AliveError)) {
+        const uint8_t status = Sigcat_HasFailed(&self->error.AliveError) ? 1U : 0U;
         if (!self->error.AliveError.is_sent || (self->out.AliveError != status)) {
             self->out.AliveError = status;
             self->error.AliveError.is_sent = true;
@@ -574,16 +378,12 @@ static void WheelSpeedCalculation_Adapter_Evaluate_AliveError(WheelSpeedCalculat
 /* Vehicle.Function.WheelSpeedCalculation.Error.DeadlineError */
 static void WheelSpeedCalculation_Adapter_Evaluate_DeadlineError(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
-    const WheelSpeedCalculation_Adapter_Verdict verdict = self->Step.deadline;
-    const WheelSpeedCalculation_Adapter_ErrorState next =
-        WheelSpeedCalculation_Adapter_Next(&self->error.DeadlineError, verdict, false);
+    const Sigcat_Verdict verdict = self->Step.deadline;
 
-    WheelSpeedCalculation_Adapter_Update(&self->error.DeadlineError, &self->stored.DeadlineError, next,
-        UINT64_C(20000000), UINT64_C(0), t);
-    self->error.DeadlineError.is_confirmed = (self->stored.DeadlineError.occurrences > 0U);
-    if ((self->error.DeadlineError.state != WHEEL_SPEED_CALCULATION_ADAPTER_NOT_TESTED)
-        && (self->error.DeadlineError.state != WHEEL_SPEED_CALCULATION_ADAPTER_PREFAILED)) {
-        const uint8_t status = WheelSpeedCalculation_Adapter_HasFailed(&self->error.DeadlineError) ? 1U : 0U;
+    Sigcat_Evaluate(&self->error.DeadlineError, &self->stored.DeadlineError,
+        &WheelSpeedCalculation_Adapter_Settings_DeadlineError, verdict, false, false, t);
+    if (Sigcat_IsDecided(&self->error.DeadlineError)) {
+        const uint8_t status = Sigcat_HasFailed(&self->error.DeadlineError) ? 1U : 0U;
         if (!self->error.DeadlineError.is_sent || (self->out.DeadlineError != status)) {
             self->out.DeadlineError = status;
             self->error.DeadlineError.is_sent = true;
@@ -595,16 +395,12 @@ static void WheelSpeedCalculation_Adapter_Evaluate_DeadlineError(WheelSpeedCalcu
 /* Vehicle.Function.WheelSpeedCalculation.Error.SequenceError */
 static void WheelSpeedCalculation_Adapter_Evaluate_SequenceError(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
-    const WheelSpeedCalculation_Adapter_Verdict verdict = self->checkpoint.Step;
-    const WheelSpeedCalculation_Adapter_ErrorState next =
-        WheelSpeedCalculation_Adapter_Next(&self->error.SequenceError, verdict, false);
+    const Sigcat_Verdict verdict = self->checkpoint.Step;
 
-    WheelSpeedCalculation_Adapter_Update(&self->error.SequenceError, &self->stored.SequenceError, next, UINT64_C(0),
-        UINT64_C(0), t);
-    self->error.SequenceError.is_confirmed = (self->stored.SequenceError.occurrences > 0U);
-    if ((self->error.SequenceError.state != WHEEL_SPEED_CALCULATION_ADAPTER_NOT_TESTED)
-        && (self->error.SequenceError.state != WHEEL_SPEED_CALCULATION_ADAPTER_PREFAILED)) {
-        const uint8_t status = WheelSpeedCalculation_Adapter_HasFailed(&self->error.SequenceError) ? 1U : 0U;
+    Sigcat_Evaluate(&self->error.SequenceError, &self->stored.SequenceError,
+        &WheelSpeedCalculation_Adapter_Settings_SequenceError, verdict, false, false, t);
+    if (Sigcat_IsDecided(&self->error.SequenceError)) {
+        const uint8_t status = Sigcat_HasFailed(&self->error.SequenceError) ? 1U : 0U;
         if (!self->error.SequenceError.is_sent || (self->out.SequenceError != status)) {
             self->out.SequenceError = status;
             self->error.SequenceError.is_sent = true;
@@ -618,13 +414,13 @@ void WheelSpeedCalculation_Adapter_Receive_WhlSpdRLInvalid(WheelSpeedCalculation
     uint64_t t)
 {
     if (value == 1U) {
-        self->reaction.WhlSpdRLInvalid.outside = WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT;
+        self->reaction.WhlSpdRLInvalid.outside = SIGCAT_PRESENT;
     } else if (value == 0U) {
-        self->reaction.WhlSpdRLInvalid.outside = WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT;
+        self->reaction.WhlSpdRLInvalid.outside = SIGCAT_ABSENT;
     } else {
         /* a number without a name says nothing */
     }
-    (void)WheelSpeedCalculation_Adapter_Now(self, t);
+    (void)Sigcat_Now(&self->now, t);
 }
 
 /* Vehicle.Function.WheelSpeedCalculation.SafetyReaction.WhlSpdRLInvalid */
@@ -632,11 +428,9 @@ static void WheelSpeedCalculation_Adapter_React_WhlSpdRLInvalid(WheelSpeedCalcul
 {
     uint8_t status;
 
-    status = (WheelSpeedCalculation_Adapter_HasFailed(&self->error.RangeError)
-        || WheelSpeedCalculation_Adapter_HasFailed(&self->error.AliveError)
-        || WheelSpeedCalculation_Adapter_HasFailed(&self->error.DeadlineError)
-        || WheelSpeedCalculation_Adapter_HasFailed(&self->error.SequenceError)
-        || (self->reaction.WhlSpdRLInvalid.outside == WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT)) ? 1U : 0U;
+    status = (Sigcat_HasFailed(&self->error.RangeError) || Sigcat_HasFailed(&self->error.AliveError)
+        || Sigcat_HasFailed(&self->error.DeadlineError) || Sigcat_HasFailed(&self->error.SequenceError)
+        || (self->reaction.WhlSpdRLInvalid.outside == SIGCAT_PRESENT)) ? 1U : 0U;
     if (self->out.WhlSpdRLInvalid != status) {
         self->out.WhlSpdRLInvalid = status;
         self->publish.WhlSpdRLInvalid = true;
@@ -674,29 +468,18 @@ static void WheelSpeedCalculation_Adapter_GiveMode(WheelSpeedCalculation_Adapter
 static void WheelSpeedCalculation_Adapter_Enter_Step(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
     self->Step.entered = t;
-    self->Step.alive.verdict = WHEEL_SPEED_CALCULATION_ADAPTER_NOT_JUDGED;
-    self->Step.alive.has_closed = false;
-    self->Step.alive.is_bad = false;
-    self->Step.alive.window = t;
-    self->Step.alive.ends = 0U;
+    Sigcat_EnterAlive(&self->Step.alive, t);
 }
 
 /* The mode excludes WheelSpeedCalculation_Step: what is due is dropped, what was under way ends. */
 static void WheelSpeedCalculation_Adapter_Exclude_Step(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
-    if (t >= self->Step.release) {
-        const uint64_t releases = ((t - self->Step.release) / UINT64_C(10000000)) + 1U;
-
-        self->Step.release += releases * UINT64_C(10000000);
-        self->Step.dropped = WheelSpeedCalculation_Adapter_Added(self->Step.dropped, releases);
-    }
-    self->Step.alive.verdict = WHEEL_SPEED_CALCULATION_ADAPTER_NOT_JUDGED;
-    self->Step.alive.has_closed = false;
-    self->Step.alive.is_bad = false;
-    WheelSpeedCalculation_Adapter_Suspend(&self->error.RangeError);
-    WheelSpeedCalculation_Adapter_Suspend(&self->error.AliveError);
-    WheelSpeedCalculation_Adapter_Suspend(&self->error.DeadlineError);
-    WheelSpeedCalculation_Adapter_Suspend(&self->error.SequenceError);
+    Sigcat_DropUpTo(&self->Step.release, &self->Step.dropped, UINT64_C(10000000), t);
+    Sigcat_ResetAlive(&self->Step.alive);
+    Sigcat_Suspend(&self->error.RangeError);
+    Sigcat_Suspend(&self->error.AliveError);
+    Sigcat_Suspend(&self->error.DeadlineError);
+    Sigcat_Suspend(&self->error.SequenceError);
 }
 
 /* Vehicle.Function.WheelSpeedCalculation.Mode.In */
@@ -710,11 +493,11 @@ static void WheelSpeedCalculation_Adapter_TakeMode(WheelSpeedCalculation_Adapter
             case 1U: /* NORMAL */
             case 2U: /* SERVICE */
                 self->mode.now = self->received.Mode_In.value;
-                self->mode.unknown = WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT;
+                self->mode.unknown = SIGCAT_ABSENT;
                 break;
             default:
                 self->mode.now = 1U /* NORMAL */;
-                self->mode.unknown = WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT;
+                self->mode.unknown = SIGCAT_PRESENT;
                 break;
         }
     }
@@ -734,10 +517,9 @@ static bool WheelSpeedCalculation_Adapter_IsDue_Step(WheelSpeedCalculation_Adapt
         && !self->Step.is_active && (!self->Step.has_begun || ((t - self->Step.begun) >= UINT64_C(5000000)));
 
     if (is_due) {
-        const uint64_t releases = ((t - self->Step.release) / UINT64_C(10000000)) + 1U;
+        const uint64_t releases = Sigcat_Release(&self->Step.release, UINT64_C(10000000), t);
 
-        self->Step.release += releases * UINT64_C(10000000);
-        self->Step.missed = WheelSpeedCalculation_Adapter_Added(self->Step.missed, releases - 1U);
+        self->Step.missed = Sigcat_Added(self->Step.missed, releases - 1U);
         self->Step.is_active = true;
     }
     return is_due;
@@ -749,7 +531,7 @@ WheelSpeedCalculation_Adapter_Call WheelSpeedCalculation_Adapter_NextCall(WheelS
     WheelSpeedCalculation_Adapter_Call due = WHEEL_SPEED_CALCULATION_ADAPTER_NO_CALL;
 
     if (self->is_started) {
-        const uint64_t now = WheelSpeedCalculation_Adapter_Now(self, t);
+        const uint64_t now = Sigcat_Now(&self->now, t);
         WheelSpeedCalculation_Adapter_CloseWindows(self, now);
         WheelSpeedCalculation_Adapter_TakeMode(self, now);
         if (WheelSpeedCalculation_Adapter_IsDue_Step(self, now)) {
@@ -768,14 +550,13 @@ uint64_t WheelSpeedCalculation_Adapter_NextTime(const WheelSpeedCalculation_Adap
     if (self->is_started) {
         if (WheelSpeedCalculation_Adapter_Runs_Step(self->mode.now)) {
             if (!self->Step.is_active) {
-                next = WheelSpeedCalculation_Adapter_Earlier(next,
-                    WheelSpeedCalculation_Adapter_Later(self->Step.release, self->Step.has_begun
+                next = Sigcat_Earlier(next, Sigcat_Later(self->Step.release, self->Step.has_begun
                     ? (self->Step.begun + UINT64_C(5000000)) : 0U));
             }
-            next = WheelSpeedCalculation_Adapter_Earlier(next, self->Step.alive.window + UINT64_C(100000000));
+            next = Sigcat_Earlier(next, self->Step.alive.window + UINT64_C(100000000));
         } else {
             if (!self->Step.is_active) {
-                next = WheelSpeedCalculation_Adapter_Earlier(next, self->Step.release);
+                next = Sigcat_Earlier(next, self->Step.release);
             }
         }
     }
@@ -784,9 +565,9 @@ uint64_t WheelSpeedCalculation_Adapter_NextTime(const WheelSpeedCalculation_Adap
 
 void WheelSpeedCalculation_Adapter_SetInput_Step(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
-    const uint64_t now = WheelSpeedCalculation_Adapter_Now(self, t);
+    const uint64_t now = Sigcat_Now(&self->now, t);
 
-    WHEEL_SPEED_CALCULATION_ADAPTER_MARK(self, 0, WHEEL_SPEED_CALCULATION_ADAPTER_CALL_STEP);
+    WHEEL_SPEED_CALCULATION_ADAPTER_MARK(self, SIGCAT_SET_INPUT_BEGINS, WHEEL_SPEED_CALCULATION_ADAPTER_CALL_STEP);
     WheelSpeedCalculation_Adapter_CloseWindows(self, now);
     WheelSpeedCalculation_Adapter_Report_Step(self);
     whl_in.ModeReq = self->mode.now; /* Vehicle.Function.WheelSpeedCalculation.Mode.In */
@@ -812,7 +593,7 @@ void WheelSpeedCalculation_Adapter_SetInput_Step(WheelSpeedCalculation_Adapter *
 
 void WheelSpeedCalculation_Adapter_Begin_Step(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
-    self->Step.begun = WheelSpeedCalculation_Adapter_Now(self, t);
+    self->Step.begun = Sigcat_Now(&self->now, t);
     self->Step.has_begun = true;
     self->Step.is_running = true;
 }
@@ -821,22 +602,21 @@ void WheelSpeedCalculation_Adapter_Begin_Step(WheelSpeedCalculation_Adapter *sel
 void WheelSpeedCalculation_Adapter_Run_Step(WheelSpeedCalculation_Adapter *self)
 {
     (void)self;
-    WHEEL_SPEED_CALCULATION_ADAPTER_MARK(self, 1, WHEEL_SPEED_CALCULATION_ADAPTER_CALL_STEP);
+    WHEEL_SPEED_CALCULATION_ADAPTER_MARK(self, SIGCAT_CALL_BEGINS, WHEEL_SPEED_CALCULATION_ADAPTER_CALL_STEP);
     WheelSpeedCalculation_step();
-    WHEEL_SPEED_CALCULATION_ADAPTER_MARK(self, 2, WHEEL_SPEED_CALCULATION_ADAPTER_CALL_STEP);
+    WHEEL_SPEED_CALCULATION_ADAPTER_MARK(self, SIGCAT_CALL_ENDS, WHEEL_SPEED_CALCULATION_ADAPTER_CALL_STEP);
 }
 
 void WheelSpeedCalculation_Adapter_GetOutput_Step(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
-    const uint64_t now = WheelSpeedCalculation_Adapter_Now(self, t);
+    const uint64_t now = Sigcat_Now(&self->now, t);
 
     WheelSpeedCalculation_Adapter_CloseWindows(self, now);
     if (WheelSpeedCalculation_Adapter_Runs_Step(self->mode.now) && (now >= self->Step.alive.window)) {
         self->Step.alive.ends++;
     }
     if (self->Step.is_running) {
-        self->Step.deadline = ((now - self->Step.begun) > UINT64_C(5000000))
-            ? WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT : WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT;
+        self->Step.deadline = ((now - self->Step.begun) > UINT64_C(5000000)) ? SIGCAT_PRESENT : SIGCAT_ABSENT;
     }
     WheelSpeedCalculation_Adapter_Give_Step_WhlSpdFL(self);
     WheelSpeedCalculation_Adapter_Give_Step_WhlSpdFR(self);
@@ -846,25 +626,24 @@ void WheelSpeedCalculation_Adapter_GetOutput_Step(WheelSpeedCalculation_Adapter 
     self->publish.WhlSpdFR = true;
     self->publish.WhlSpdRL = true;
     self->publish.WhlSpdRR = true;
-    self->error.RangeError.variable = (whl_out.RangeErr != 0)
-        ? WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT : WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT;
+    self->error.RangeError.variable = (whl_out.RangeErr != 0) ? SIGCAT_PRESENT : SIGCAT_ABSENT;
     WheelSpeedCalculation_Adapter_Evaluate_RangeError(self, now);
     WheelSpeedCalculation_Adapter_Evaluate_AliveError(self, now);
     WheelSpeedCalculation_Adapter_Evaluate_DeadlineError(self, now);
     WheelSpeedCalculation_Adapter_GiveMode(self);
     self->Step.is_active = false;
     self->Step.is_running = false;
-    WHEEL_SPEED_CALCULATION_ADAPTER_MARK(self, 3, WHEEL_SPEED_CALCULATION_ADAPTER_CALL_STEP);
+    WHEEL_SPEED_CALCULATION_ADAPTER_MARK(self, SIGCAT_GET_OUTPUT_ENDS, WHEEL_SPEED_CALCULATION_ADAPTER_CALL_STEP);
 }
 
 void WheelSpeedCalculation_Adapter_Supervise(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
     if (self->is_started) {
-        const uint64_t now = WheelSpeedCalculation_Adapter_Now(self, t);
-        WHEEL_SPEED_CALCULATION_ADAPTER_MARK(self, 4, WHEEL_SPEED_CALCULATION_ADAPTER_NO_CALL);
+        const uint64_t now = Sigcat_Now(&self->now, t);
+        WHEEL_SPEED_CALCULATION_ADAPTER_MARK(self, SIGCAT_SUPERVISES, WHEEL_SPEED_CALCULATION_ADAPTER_NO_CALL);
         WheelSpeedCalculation_Adapter_CloseWindows(self, now);
         if (self->Step.is_running && ((now - self->Step.begun) > UINT64_C(5000000))) {
-            self->Step.deadline = WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT;
+            self->Step.deadline = SIGCAT_PRESENT;
         }
         if (WheelSpeedCalculation_Adapter_Runs_Step(self->mode.now)) {
             WheelSpeedCalculation_Adapter_Evaluate_AliveError(self, now);
@@ -873,22 +652,6 @@ void WheelSpeedCalculation_Adapter_Supervise(WheelSpeedCalculation_Adapter *self
             WheelSpeedCalculation_Adapter_Evaluate_DeadlineError(self, now);
         }
     }
-}
-
-/* A new ignition cycle: errors that failed in the last one count; those that were tested and passed start again. */
-static void WheelSpeedCalculation_Adapter_BeginCycle(WheelSpeedCalculation_Adapter_Counts *counts)
-{
-    if (counts->has_failed) {
-        if (counts->ignition_cycles < UINT16_MAX) {
-            counts->ignition_cycles++;
-        }
-    } else if (counts->is_tested) {
-        counts->ignition_cycles = 0U;
-    } else {
-        /* nothing is known of it */
-    }
-    counts->has_failed = false;
-    counts->is_tested = false;
 }
 
 /* Everything but what is stored. */
@@ -937,10 +700,14 @@ static void WheelSpeedCalculation_Adapter_SetInitialValues(WheelSpeedCalculation
     self->out.DeadlineError = 0U;
     self->out.SequenceError = 0U;
     self->out.WhlSpdRLInvalid = 0U;
-    self->error.RangeError.is_confirmed = (self->stored.RangeError.occurrences >= 3U);
-    self->error.AliveError.is_confirmed = (self->stored.AliveError.occurrences > 0U);
-    self->error.DeadlineError.is_confirmed = (self->stored.DeadlineError.occurrences > 0U);
-    self->error.SequenceError.is_confirmed = (self->stored.SequenceError.occurrences > 0U);
+    self->error.RangeError.is_confirmed = Sigcat_IsConfirmed(&self->stored.RangeError,
+        &WheelSpeedCalculation_Adapter_Settings_RangeError);
+    self->error.AliveError.is_confirmed = Sigcat_IsConfirmed(&self->stored.AliveError,
+        &WheelSpeedCalculation_Adapter_Settings_AliveError);
+    self->error.DeadlineError.is_confirmed = Sigcat_IsConfirmed(&self->stored.DeadlineError,
+        &WheelSpeedCalculation_Adapter_Settings_DeadlineError);
+    self->error.SequenceError.is_confirmed = Sigcat_IsConfirmed(&self->stored.SequenceError,
+        &WheelSpeedCalculation_Adapter_Settings_SequenceError);
     self->received.WhlRotFL.value = 0.0F;
     self->received.WhlRotFR.value = 0.0F;
     self->received.WhlRotRL.value = 0.0F;
@@ -961,10 +728,10 @@ bool WheelSpeedCalculation_Adapter_Init(WheelSpeedCalculation_Adapter *self,
         (void)memset(&self->stored, 0, sizeof(self->stored));
     }
     if (!self->stored.has_cycle || (self->stored.ignition_cycle != ignition_cycle)) {
-        WheelSpeedCalculation_Adapter_BeginCycle(&self->stored.RangeError);
-        WheelSpeedCalculation_Adapter_BeginCycle(&self->stored.AliveError);
-        WheelSpeedCalculation_Adapter_BeginCycle(&self->stored.DeadlineError);
-        WheelSpeedCalculation_Adapter_BeginCycle(&self->stored.SequenceError);
+        Sigcat_BeginCycle(&self->stored.RangeError);
+        Sigcat_BeginCycle(&self->stored.AliveError);
+        Sigcat_BeginCycle(&self->stored.DeadlineError);
+        Sigcat_BeginCycle(&self->stored.SequenceError);
         self->stored.ignition_cycle = ignition_cycle;
         self->stored.has_cycle = true;
     }
@@ -989,7 +756,7 @@ bool WheelSpeedCalculation_Adapter_Init(WheelSpeedCalculation_Adapter *self,
 void WheelSpeedCalculation_Adapter_Start(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
     if (self->is_ready && !self->is_terminated) {
-        const uint64_t now = WheelSpeedCalculation_Adapter_Now(self, t);
+        const uint64_t now = Sigcat_Now(&self->now, t);
         WheelSpeedCalculation_Adapter_CloseWindows(self, now);
         if (!self->is_started) {
             WheelSpeedCalculation_Adapter_Enter_Step(self, now);
@@ -998,12 +765,7 @@ void WheelSpeedCalculation_Adapter_Start(WheelSpeedCalculation_Adapter *self, ui
             self->Step.release = now + UINT64_C(2000000);
             self->Step.alive.window = self->Step.release;
         } else {
-            if (now > self->Step.release) {
-                const uint64_t releases = ((now - UINT64_C(1) - self->Step.release) / UINT64_C(10000000)) + 1U;
-
-                self->Step.release += releases * UINT64_C(10000000);
-                self->Step.dropped = WheelSpeedCalculation_Adapter_Added(self->Step.dropped, releases);
-            }
+            Sigcat_DropBefore(&self->Step.release, &self->Step.dropped, UINT64_C(10000000), now);
             WheelSpeedCalculation_Adapter_Enter_Step(self, now);
         }
         self->is_started = true;
@@ -1017,7 +779,7 @@ void WheelSpeedCalculation_Adapter_Published(WheelSpeedCalculation_Adapter *self
 
 void WheelSpeedCalculation_Adapter_Terminate(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
-    (void)WheelSpeedCalculation_Adapter_Now(self, t);
+    (void)Sigcat_Now(&self->now, t);
     if (self->is_ready && !self->is_terminated) {
         WheelSpeedCalculation_Adapter_Report_Terminate(self);
         WheelSpeedCalculation_terminate();

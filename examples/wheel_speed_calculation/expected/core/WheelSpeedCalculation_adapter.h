@@ -11,6 +11,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "sigcat_core.h"
+
 #include "WheelSpeedCalculation.h"
 
 /* WheelSpeedCalculation keeps its data in global variables: a process has one of it. */
@@ -30,52 +32,6 @@ typedef enum {
     WHEEL_SPEED_CALCULATION_ADAPTER_CALL_STEP /* WheelSpeedCalculation_Step */
 } WheelSpeedCalculation_Adapter_Call;
 
-typedef enum {
-    WHEEL_SPEED_CALCULATION_ADAPTER_NOT_JUDGED = 0,
-    WHEEL_SPEED_CALCULATION_ADAPTER_ABSENT,
-    WHEEL_SPEED_CALCULATION_ADAPTER_PRESENT
-} WheelSpeedCalculation_Adapter_Verdict;
-
-typedef enum {
-    WHEEL_SPEED_CALCULATION_ADAPTER_INIT,
-    WHEEL_SPEED_CALCULATION_ADAPTER_RECEIVED,
-    WHEEL_SPEED_CALCULATION_ADAPTER_DEFAULT,
-    WHEEL_SPEED_CALCULATION_ADAPTER_REPLACEMENT
-} WheelSpeedCalculation_Adapter_Origin;
-
-typedef enum {
-    WHEEL_SPEED_CALCULATION_ADAPTER_NOT_TESTED = 0,
-    WHEEL_SPEED_CALCULATION_ADAPTER_PASSED,
-    WHEEL_SPEED_CALCULATION_ADAPTER_PREFAILED,
-    WHEEL_SPEED_CALCULATION_ADAPTER_FAILED,
-    WHEEL_SPEED_CALCULATION_ADAPTER_HEALING
-} WheelSpeedCalculation_Adapter_ErrorState;
-
-/* An error. */
-typedef struct {
-    WheelSpeedCalculation_Adapter_ErrorState state;
-    WheelSpeedCalculation_Adapter_ErrorState before; /* the last one */
-    uint64_t since; /* when it began */
-    WheelSpeedCalculation_Adapter_Verdict variable; /* what the function says */
-    bool is_confirmed; /* for the fault memory */
-    bool is_sent;
-} WheelSpeedCalculation_Adapter_Error;
-
-/* Counts of an error, over ignition cycles; the flags are of this one. */
-typedef struct {
-    uint16_t occurrences;
-    uint16_t ignition_cycles;
-    bool has_failed;
-    bool is_tested;
-} WheelSpeedCalculation_Adapter_Counts;
-
-/* When a value was received last, and how many there were. */
-typedef struct {
-    uint64_t time;
-    uint32_t count;
-    bool is_there;
-} WheelSpeedCalculation_Adapter_Reception;
-
 /* Parameters, in the catalogue's units. */
 typedef struct {
     float TireDiaFrnt; /* Vehicle.Chassis.Axle.Row1.TireDiameter [inch] */
@@ -87,10 +43,10 @@ typedef struct {
 typedef struct {
     uint32_t ignition_cycle;
     bool has_cycle;
-    WheelSpeedCalculation_Adapter_Counts RangeError;
-    WheelSpeedCalculation_Adapter_Counts AliveError;
-    WheelSpeedCalculation_Adapter_Counts DeadlineError;
-    WheelSpeedCalculation_Adapter_Counts SequenceError;
+    Sigcat_Counts RangeError;
+    Sigcat_Counts AliveError;
+    Sigcat_Counts DeadlineError;
+    Sigcat_Counts SequenceError;
     struct {
         float value;
         bool is_there;
@@ -114,15 +70,15 @@ typedef struct WheelSpeedCalculation_Adapter {
     /* What has been received, in the catalogue's units. */
     struct {
         /* Vehicle.Chassis.Axle.Row1.Wheel.Left.AngularSpeed [degrees/s] */
-        struct { float value; WheelSpeedCalculation_Adapter_Reception reception; } WhlRotFL;
+        struct { float value; Sigcat_Reception reception; } WhlRotFL;
         /* Vehicle.Chassis.Axle.Row1.Wheel.Right.AngularSpeed [degrees/s] */
-        struct { float value; WheelSpeedCalculation_Adapter_Reception reception; } WhlRotFR;
+        struct { float value; Sigcat_Reception reception; } WhlRotFR;
         /* Vehicle.Chassis.Axle.Row2.Wheel.Left.AngularSpeed [degrees/s] */
-        struct { float value; WheelSpeedCalculation_Adapter_Reception reception; } WhlRotRL;
+        struct { float value; Sigcat_Reception reception; } WhlRotRL;
         /* Vehicle.Chassis.Axle.Row2.Wheel.Right.AngularSpeed [degrees/s] */
-        struct { float value; WheelSpeedCalculation_Adapter_Reception reception; } WhlRotRR;
+        struct { float value; Sigcat_Reception reception; } WhlRotRR;
         /* Vehicle.Function.WheelSpeedCalculation.Mode.In */
-        struct { uint8_t value; WheelSpeedCalculation_Adapter_Reception reception; } Mode_In;
+        struct { uint8_t value; Sigcat_Reception reception; } Mode_In;
     } received;
 
     /* WheelSpeedCalculation_Step */
@@ -135,25 +91,19 @@ typedef struct WheelSpeedCalculation_Adapter {
         bool is_active; /* from the answer of NextCall to the end of GetOutput */
         bool is_running; /* from Begin to GetOutput */
         bool has_begun;
+        Sigcat_Alive alive;
+        Sigcat_Verdict deadline;
         struct {
-            WheelSpeedCalculation_Adapter_Verdict verdict;
-            uint64_t window; /* its beginning */
-            uint32_t ends; /* in this window */
-            bool has_closed; /* whether one has since it was checked */
-            bool is_bad; /* whether one of those was */
-        } alive;
-        WheelSpeedCalculation_Adapter_Verdict deadline;
-        struct {
-            struct { WheelSpeedCalculation_Adapter_Verdict range; } WhlSpdFL;
-            struct { WheelSpeedCalculation_Adapter_Verdict range; } WhlSpdFR;
-            struct { WheelSpeedCalculation_Adapter_Verdict range; } WhlSpdRL;
-            struct { WheelSpeedCalculation_Adapter_Verdict range; } WhlSpdRR;
+            struct { Sigcat_Verdict range; } WhlSpdFL;
+            struct { Sigcat_Verdict range; } WhlSpdFR;
+            struct { Sigcat_Verdict range; } WhlSpdRL;
+            struct { Sigcat_Verdict range; } WhlSpdRR;
         } out;
     } Step;
 
     struct {
         uint8_t now;
-        WheelSpeedCalculation_Adapter_Verdict unknown;
+        Sigcat_Verdict unknown;
     } mode;
 
     struct {
@@ -162,38 +112,36 @@ typedef struct WheelSpeedCalculation_Adapter {
 
     struct {
         uint32_t active; /* 0: none */
-        WheelSpeedCalculation_Adapter_Verdict Step;
+        Sigcat_Verdict Step;
     } checkpoint;
 
     struct {
-        WheelSpeedCalculation_Adapter_Error RangeError; /* Vehicle.Function.WheelSpeedCalculation.Error.RangeError */
-        WheelSpeedCalculation_Adapter_Error AliveError; /* Vehicle.Function.WheelSpeedCalculation.Error.AliveError */
-        /* Vehicle.Function.WheelSpeedCalculation.Error.DeadlineError */
-        WheelSpeedCalculation_Adapter_Error DeadlineError;
-        /* Vehicle.Function.WheelSpeedCalculation.Error.SequenceError */
-        WheelSpeedCalculation_Adapter_Error SequenceError;
+        Sigcat_Error RangeError; /* Vehicle.Function.WheelSpeedCalculation.Error.RangeError */
+        Sigcat_Error AliveError; /* Vehicle.Function.WheelSpeedCalculation.Error.AliveError */
+        Sigcat_Error DeadlineError; /* Vehicle.Function.WheelSpeedCalculation.Error.DeadlineError */
+        Sigcat_Error SequenceError; /* Vehicle.Function.WheelSpeedCalculation.Error.SequenceError */
     } error;
 
     struct {
-        struct { WheelSpeedCalculation_Adapter_Verdict outside; } WhlSpdRLInvalid;
+        struct { Sigcat_Verdict outside; } WhlSpdRLInvalid;
     } reaction;
 
     struct {
         struct {
             float value; /* Vehicle.Chassis.Axle.Row1.TireDiameter [inch] */
-            WheelSpeedCalculation_Adapter_Origin origin;
+            Sigcat_Origin origin;
         } TireDiaFrnt;
         struct {
             float value; /* Vehicle.Chassis.Axle.Row2.TireDiameter [inch] */
-            WheelSpeedCalculation_Adapter_Origin origin;
+            Sigcat_Origin origin;
         } TireDiaRear;
         struct {
             float value; /* Vehicle.Function.WheelSpeedCalculation.Parameter.LargestSpeed [km/h] */
-            WheelSpeedCalculation_Adapter_Origin origin;
+            Sigcat_Origin origin;
         } SpdMax;
         struct {
             uint32_t value; /* Vehicle.Function.WheelSpeedCalculation.Parameter.RangeErrorCount */
-            WheelSpeedCalculation_Adapter_Origin origin;
+            Sigcat_Origin origin;
         } RangeErrCnt;
     } parameter;
 

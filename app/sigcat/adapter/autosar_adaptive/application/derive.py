@@ -32,7 +32,7 @@ from sigcat.integration.autosar_adaptive.namespaces import parts as namespace_pa
 from sigcat.integration.autosar_adaptive.storages import StoredParameter, stored_parameters
 from sigcat.names import snake_case
 
-_TAKEN = {"all", "application", "arxml", "bench", "clean", "core", "edit_cache", "generated", "help", "install", "package",
+_TAKEN = {"all", "application", "arxml", "bench", "clean", "core", "core_runtime", "edit_cache", "generated", "help", "install", "package",
           "player", "player_messages", "rebuild_cache", "test"}  # fmt: skip
 """Folders of an application, and targets that CMake has: no executable can be called so."""
 

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import Cause, Error, Reaction
 
 
@@ -32,53 +31,53 @@ class ReactionPlan(NamedTuple):
     conditions: Sequence[Activation]
 
 
-def error_plan(error: Error, scope: Scope) -> ErrorPlan:
+def error_plan(error: Error) -> ErrorPlan:
     """An error, as it is evaluated."""
-    verdicts = [_verdict(cause, scope) for cause in error.causes] + _tested(error, scope)
-    first, *others = verdicts or [scope.constant("NOT_JUDGED")]
+    verdicts = [_verdict(cause) for cause in error.causes] + _tested(error)
+    first, *others = verdicts or ["SIGCAT_NOT_JUDGED"]
     return ErrorPlan(
         error=error,
         windows=[cause.place.split(".")[0] for cause in error.causes if cause.place.endswith(".alive.verdict")],
         first=first,
         others=others,
-        any_failed=_any_failed(error.dependencies, error.foreign, scope),
+        any_failed=_any_failed(error.dependencies, error.foreign),
         heals="false" if error.waits_for_restart else f"self->{error.reset_input}" if error.reset_input else "true",
     )
 
 
-def _verdict(cause: Cause, scope: Scope) -> str:
-    return scope.constant(cause.verdict) if cause.verdict else f"self->{cause.place}"
+def _verdict(cause: Cause) -> str:
+    return f"SIGCAT_{cause.verdict}" if cause.verdict else f"self->{cause.place}"
 
 
-def _tested(error: Error, scope: Scope) -> list[str]:
+def _tested(error: Error) -> list[str]:
     """Dependencies that have been tested: the error was evaluated with them."""
-    own = (f"self->error.{name}.state != {scope.constant('NOT_TESTED')}" for name in error.dependencies)
+    own = (f"self->error.{name}.state != SIGCAT_NOT_TESTED" for name in error.dependencies)
     foreign = (f"self->received.{name}.reception.is_there" for name in error.foreign)
-    return [f"({test}) ? {scope.constant('ABSENT')} : {scope.constant('NOT_JUDGED')}" for test in (*own, *foreign)]
+    return [f"({test}) ? SIGCAT_ABSENT : SIGCAT_NOT_JUDGED" for test in (*own, *foreign)]
 
 
-def _any_failed(own: tuple[str, ...], foreign: tuple[str, ...], scope: Scope) -> str:
+def _any_failed(own: tuple[str, ...], foreign: tuple[str, ...]) -> str:
     """The condition that any of some errors has failed."""
     conditions = [
-        *(f"{scope.prefix}_HasFailed(&self->error.{name})" for name in own),
+        *(f"Sigcat_HasFailed(&self->error.{name})" for name in own),
         *(f"(self->received.{name}.value != 0U)" for name in foreign),
     ]
     return " || ".join(conditions)
 
 
-def reaction_plan(reaction: Reaction, scope: Scope) -> ReactionPlan:
+def reaction_plan(reaction: Reaction) -> ReactionPlan:
     """A reaction, as it is evaluated."""
     calls = reaction.calls if reaction.time_out is not None else ("",) if reaction.calls else ()
-    return ReactionPlan(reaction, [Activation(call, _condition(reaction, call, scope)) for call in calls])
+    return ReactionPlan(reaction, [Activation(call, _condition(reaction, call)) for call in calls])
 
 
-def _condition(reaction: Reaction, call: str, scope: Scope) -> str:
+def _condition(reaction: Reaction, call: str) -> str:
     name = reaction.named.name
     conditions = [
-        _any_failed(reaction.errors, reaction.foreign, scope),
-        f"(self->reaction.{name}.outside == {scope.constant('PRESENT')})",
+        _any_failed(reaction.errors, reaction.foreign),
+        f"(self->reaction.{name}.outside == SIGCAT_PRESENT)",
         f"self->{call}.reaction.{name}.is_late" if call else "",
-        f"(self->reaction.{name}.outside == {scope.constant('NOT_JUDGED')})" if _is_active_first(reaction) else "",
+        f"(self->reaction.{name}.outside == SIGCAT_NOT_JUDGED)" if _is_active_first(reaction) else "",
     ]
     return " || ".join(filter(None, conditions))
 

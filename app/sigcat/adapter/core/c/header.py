@@ -14,8 +14,6 @@ class _Plan(NamedTuple):
     m: str
     plan: CorePlan
     about: Text
-    has_internals: bool = True
-    """Whether types that only the core itself uses are declared."""
 
 
 def header(scope: Scope) -> Lines:

@@ -49,15 +49,14 @@ def input_plan(call: Call, item: Input, scope: Scope) -> InputPlan:
     many = item.places > 1
     value = f"self->received.{item.port}.value"
     received = Ends(
-        source=f"{place}.values[{place}.first]" if item.queue else value,
+        source=f"{place}.values[{place}.queue.first]" if item.queue else value,
         target=f"{item.variable}[place]" if many else item.variable,
         names=f"{scope.prefix}_{name}",
         pointer=item.named.pointer,
-        prefix=scope.prefix,
         put=scope.put,
     )
     ends = received._replace(source=f"{place}.kept[{'place' if many else '0'}]" if item.keeps else value)
-    ways = [*_ways(item, place, scope)]
+    ways = [*_ways(item, place)]
     taken = transfer(item.value, ends, {way.kind for way in ways})
     return InputPlan(
         item=item,
@@ -76,7 +75,7 @@ def input_plan(call: Call, item: Input, scope: Scope) -> InputPlan:
     )
 
 
-def _ways(item: Input, place: str, scope: Scope) -> Iterator[Way]:
+def _ways(item: Input, place: str) -> Iterator[Way]:
     """Numbers for the variable, by the origin of the value."""
     if item.is_absent:
         yield Way("", "init")
@@ -85,11 +84,11 @@ def _ways(item: Input, place: str, scope: Scope) -> Iterator[Way]:
     origin = f"{place}.origin[{'place' if item.places > 1 else '0'}]" if item.queue else "origin"
     if item.queue and late != "Last":
         yield Way(f"{place}.clock.is_late", late.lower())
-    yield Way(f"{origin} == {scope.constant('RECEIVED')}", "converted")
+    yield Way(f"{origin} == SIGCAT_RECEIVED", "converted")
     if item.value.is_replaced:
-        yield Way(f"{origin} == {scope.constant('REPLACEMENT')}", "replacement")
+        yield Way(f"{origin} == SIGCAT_REPLACEMENT", "replacement")
     if not item.queue and late == "Default":
-        yield Way(f"{origin} == {scope.constant('DEFAULT')}", "default")
+        yield Way(f"{origin} == SIGCAT_DEFAULT", "default")
     yield Way("", "init")
 
 

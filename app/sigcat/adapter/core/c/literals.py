@@ -65,14 +65,14 @@ def _is_empty(element: Element) -> bool:
     return is_below or (element.least is not None and element.least > source.largest)
 
 
-def converted(value: str, element: Element, instead_of_nan: str, prefix: str) -> str:
+def converted(value: str, element: Element, instead_of_nan: str) -> str:
     """The number of the source as that of the target. An enumeration has its own function."""
     if element.conversion == IDENTITY:
-        return _of_same_scale(value, element.source, element.target, instead_of_nan, prefix)
-    scaled = _scaled(_as_double(value, element.source), element, prefix)
+        return _of_same_scale(value, element.source, element.target, instead_of_nan)
+    scaled = _scaled(_as_double(value, element.source), element)
     if element.target.name == "float" and not is_beyond_float(element):
         return f"(float){scaled}"
-    return _from_double(scaled, element.target, instead_of_nan, prefix)
+    return _from_double(scaled, element.target, instead_of_nan)
 
 
 def is_beyond_float(element: Element) -> bool:
@@ -87,13 +87,13 @@ def _reached(source: NumberType, conversion: Linear) -> Fraction:
     return largest * abs(conversion.factor) + abs(conversion.offset)
 
 
-def _scaled(value: str, element: Element, prefix: str) -> str:
+def _scaled(value: str, element: Element) -> str:
     factor, offset = (repr(float(number)) for number in (element.conversion.factor, element.conversion.offset))
     if element.conversion.offset == 0:
         return f"({value} * {_with_point(factor)})"
     if element.conversion.factor == 1:
         return f"({value} + {_with_point(offset)})"
-    return f"{prefix}_Scaled({value}, {_with_point(factor)}, {_with_point(offset)})"
+    return f"Sigcat_Scaled({value}, {_with_point(factor)}, {_with_point(offset)})"
 
 
 def _as_double(value: str, source: NumberType) -> str:
@@ -102,17 +102,17 @@ def _as_double(value: str, source: NumberType) -> str:
     return value if source.name == "double" else f"(double){value}"
 
 
-def _from_double(value: str, target: NumberType, instead_of_nan: str, prefix: str) -> str:
+def _from_double(value: str, target: NumberType, instead_of_nan: str) -> str:
     if target.name == "double":
         return value
     if target.is_boolean:
         return f"({value} != 0.0)"
     if target.name == "float":
-        return f"{prefix}_ToFloat({value})"
-    return f"{prefix}_To{target.name.capitalize()}({value}, {instead_of_nan})"
+        return f"Sigcat_ToFloat({value})"
+    return f"Sigcat_To{target.name.capitalize()}({value}, {instead_of_nan})"
 
 
-def _of_same_scale(value: str, source: NumberType, target: NumberType, instead_of_nan: str, prefix: str) -> str:
+def _of_same_scale(value: str, source: NumberType, target: NumberType, instead_of_nan: str) -> str:
     if source == target:
         return value
     if target.is_boolean:
@@ -120,8 +120,8 @@ def _of_same_scale(value: str, source: NumberType, target: NumberType, instead_o
     if source.is_boolean:
         return f"({value} ? {literal(1, target)} : {literal(0, target)})"
     if source.is_floating:
-        return _from_double(_as_double(value, source), target, instead_of_nan, prefix)
+        return _from_double(_as_double(value, source), target, instead_of_nan)
     if target.is_floating or (source.smallest >= target.smallest and source.largest <= target.largest):
         return f"({target.c}){value}"
     wide = "Uint64" if source.name == "uint64" else "Int64"
-    return f"{prefix}_{wide}To{target.name.capitalize()}({value})"
+    return f"Sigcat_{wide}To{target.name.capitalize()}({value})"

@@ -82,7 +82,7 @@ def _given(argument: Argument, method: Method, target: str, scope: Scope) -> Arg
 
 def _ends(argument: Argument, method: Method, scope: Scope) -> Ends:
     names = f"{scope.prefix}_{method.named.name}_{argument.name}"
-    return Ends("", "", names, method.named.pointer, scope.prefix)
+    return Ends("", "", names, method.named.pointer)
 
 
 def _plan(argument: Argument, method: Method, ends: Ends) -> ArgumentPlan:

@@ -30,7 +30,6 @@ def output_plan(call: Call, output: Output, scope: Scope) -> OutputPlan:
         target=f"{sent}.values[given]" if queue else sent,
         names=f"{scope.prefix}_{name}",
         pointer=output.named.pointer,
-        prefix=scope.prefix,
         is_read=scope.is_cpp,
         is_quiet=True,
     )

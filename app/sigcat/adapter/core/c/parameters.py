@@ -32,14 +32,13 @@ def parameter_plan(parameter: Parameter, scope: Scope) -> ParameterPlan:
         target=parameter.variable,
         names=f"{scope.prefix}_{name}",
         pointer=parameter.named.pointer,
-        prefix=scope.prefix,
         put=scope.put,
     )
     checked = transfer(value, ends._replace(source="(*value)" if is_struct else "value"))
     origin = f"self->parameter.{name}.origin == "
-    ways = [Way(f"{origin}{scope.constant('RECEIVED')}", "converted"), Way("", "init")]
+    ways = [Way(f"{origin}SIGCAT_RECEIVED", "converted"), Way("", "init")]
     if value.is_replaced and checked.has_range:
-        ways.insert(1, Way(f"{origin}{scope.constant('REPLACEMENT')}", "replacement"))
+        ways.insert(1, Way(f"{origin}SIGCAT_REPLACEMENT", "replacement"))
     written = transfer(value, ends, {way.kind for way in ways})
     return ParameterPlan(
         parameter=parameter,

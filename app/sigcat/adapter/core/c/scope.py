@@ -36,7 +36,7 @@ class Scope(NamedTuple):
     @property
     def put(self) -> str:
         """Function that puts a number into a variable that may be an enumeration; empty where `=` does."""
-        return f"{self.prefix}_Put" if self.is_cpp else ""
+        return "Sigcat_Put" if self.is_cpp else ""
 
     def constant(self, name: str) -> str:
         """A constant of the adapter: `PRESENT` → `CORE_ACC_ADAPTER_PRESENT`."""

@@ -29,10 +29,9 @@ def checks(scope: Scope) -> tuple[Check, ...]:
     return tuple(dict.fromkeys(_checks(scope))) if scope.plan.code.headers else ()
 
 
-def used_macros(found: Sequence[Check], scope: Scope) -> frozenset[str]:
-    """Names of the macros that checks need."""
-    own = ["SELF" for each in found if f"{scope.constant('SELF')}->" in each.variable]
-    return frozenset([*(each.macro for each in found), *own])
+def needs_self(found: Sequence[Check], scope: Scope) -> bool:
+    """Return whether any check is about a member of the adapter."""
+    return any(f"{scope.constant('SELF')}->" in each.variable for each in found)
 
 
 def _checks(scope: Scope) -> Iterator[Check]:

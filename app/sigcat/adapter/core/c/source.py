@@ -1,4 +1,4 @@
-"""The source: every function in the order of a reader, and those that they need before them."""
+"""The source: every function in the order of a reader."""
 
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
@@ -9,12 +9,11 @@ from sigcat.adapter.core.c.header import about
 from sigcat.adapter.core.c.inputs import received_init
 from sigcat.adapter.core.c.layout import c_lines
 from sigcat.adapter.core.c.life import InitialValues, cleared_members, initial_values
-from sigcat.adapter.core.c.lines import Line, Lines, code_of
+from sigcat.adapter.core.c.lines import Line, Lines
 from sigcat.adapter.core.c.methods import STATUS, MethodPlan, method_plan
 from sigcat.adapter.core.c.parameters import ParameterPlan, parameter_plan
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.core.c.sizes import Check, checks, used_macros
-from sigcat.adapter.core.c.small_functions import used_functions
+from sigcat.adapter.core.c.sizes import Check, checks, needs_self
 from sigcat.adapter.core.plan import Call, CorePlan
 from sigcat.function.document.text import Text
 
@@ -57,16 +56,15 @@ class _Before(NamedTuple):
     plan: CorePlan
     about: Text
     is_cpp: bool
-    uses_math: bool
     prototypes: Sequence[Call]
     checks: Sequence[Check]
-    macros: frozenset[str]
+    needs_self: bool
+    """Whether a check is about a member of the adapter."""
 
 
 def source(scope: Scope) -> Lines:
     """The whole source."""
     functions = c_lines("adapter/core/c/functions.c.j2", _functions(scope))
-    small = used_functions(code_of(functions), scope.prefix, scope.macro)
     plan, found = scope.plan, checks(scope)
     before = _Before(
         p=scope.prefix,
@@ -74,13 +72,11 @@ def source(scope: Scope) -> Lines:
         plan=plan,
         about=about(plan),
         is_cpp=scope.is_cpp,
-        uses_math=any("NAN" in code_of(each) for each in small),
         prototypes=() if plan.code.headers else plan.calls,
         checks=found,
-        macros=used_macros(found, scope),
+        needs_self=needs_self(found, scope),
     )
-    parts = [c_lines("adapter/core/c/source.c.j2", before), *small, functions]
-    return tuple(line for part in parts for line in (*part, Line("")))[:-1]
+    return (*c_lines("adapter/core/c/source.c.j2", before), Line(""), *functions)
 
 
 def _functions(scope: Scope) -> _Functions:
@@ -102,8 +98,8 @@ def _functions(scope: Scope) -> _Functions:
         parameters=[parameter_plan(each, scope) for each in plan.parameters],
         methods=[method_plan(each, scope) for each in plan.methods],
         status=STATUS,
-        errors=[error_plan(each, scope) for each in plan.errors if each.call],
-        reactions=[reaction_plan(each, scope) for each in plan.reactions],
+        errors=[error_plan(each) for each in plan.errors if each.call],
+        reactions=[reaction_plan(each) for each in plan.reactions],
         received_inits=received,
         initial=initial_values(plan, [*inits, *calls, *terminates], [*received.values()]),
         cleared=cleared_members(plan),

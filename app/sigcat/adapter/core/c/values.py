@@ -18,8 +18,6 @@ class Ends(NamedTuple):
     names: str
     """Prefix of its functions and tables: `CoreAcc_Adapter_Step_SpdLimUnit`."""
     pointer: Pointer
-    prefix: str
-    """Prefix of the functions of the adapter."""
     put: str = ""
     """Function that puts a number into an enumeration of C++, where the target is one."""
     is_read: bool = False
@@ -181,11 +179,11 @@ def _lookup_name(number: int, ends: Ends) -> str:
 
 def _converted(source: str, element: Element, default: str, ends: Ends) -> str:
     cast = f"({element.source.c}){source}" if ends.is_read and element.is_enumeration else source
-    number, target = converted(cast, element, default, ends.prefix), element.target
+    number, target = converted(cast, element, default), element.target
     is_copied = element.source == target and element.conversion == IDENTITY
     is_quiet = is_beyond_float(element) and not is_copied  # the conversion has seen to it
     can_be_nan = ends.is_quiet and target.is_floating and element.source.is_floating and not is_quiet
-    return f"{ends.prefix}_Quiet{target.c.capitalize()}({number})" if can_be_nan else number
+    return f"Sigcat_Quiet{target.c.capitalize()}({number})" if can_be_nan else number
 
 
 def _constant(leaf: Leaf, kind: str, number: int, ends: Ends) -> str:

@@ -150,42 +150,9 @@ class CorePlan(NamedTuple):
         return any(call.logical for call in self.calls)
 
     @property
-    def uses_origin(self) -> bool:
-        """Whether any input is more than an assignment, or there are parameters."""
-        has_inputs = any(not item.is_direct and not item.is_absent for call in self.steps for item in call.inputs)
-        return has_inputs or bool(self.parameters)
-
-    @property
-    def uses_clock(self) -> bool:
-        """Whether anything can be late."""
-        late_inputs = any(item.time_out for call in self.steps for item in call.inputs)
-        return late_inputs or any(each.time_out is not None for each in self.reactions)
-
-    @property
     def has_windows(self) -> bool:
         """Whether the ends of any call are counted (section 10)."""
         return any(call.alive for call in self.steps)
-
-    @property
-    def uses_verdict(self) -> bool:
-        """Whether anything can be wrong."""
-        watched = any(
-            call.overrun_error or call.alive or call.deadline or any(item.has_verdict for item in call.inputs)
-            or any(output.has_state for output in call.outputs)
-            for call in self.steps
-        )  # fmt: skip
-        is_checked = any(port.tells_of_rejection for port in self.ports) or any(
-            each.range_error for each in self.parameters
-        )
-        return bool(
-            watched
-            or is_checked
-            or self.uses_clock
-            or self.errors
-            or self.reactions
-            or self.mode_in
-            or self.judged_checkpoints
-        )
 
     @property
     def has_globals(self) -> bool:

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from sigcat.adapter.core.generate import RUNTIME_SOURCE
 from sigcat.adapter.ros2.cpp.names import bridge_source
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
 from sigcat.adapter.templates import rendered
@@ -72,7 +73,7 @@ def _node(node: NodePlan) -> _Node:
         core=node.core_library,
         component=node.component_library,
         executable=node.executable,
-        core_files=(node.core.source_file, bridge_source(node)),
+        core_files=(node.core.source_file, RUNTIME_SOURCE, bridge_source(node)),
         sources=code.sources,
         include_folders=code.include_folders,
         definitions=code.definitions,

@@ -31,7 +31,6 @@ class _Bridge(NamedTuple):
     b: str
     guard: str
     layouts: Sequence[_Layout]
-    has_internals: bool = False
     digest: str = ""
 
 
@@ -97,6 +96,7 @@ def _layouts(plan: CorePlan, p: str, b: str) -> Iterator[_Layout]:
     errors, parameters = ([each.named.name for each in plan.errors], [each.named.name for each in plan.parameters])
     yield _Layout(f"{p}_Stored", ["ignition_cycle", "has_cycle", *errors, *parameters])
     if plan.errors:
+        yield _Layout("Sigcat_Counts", ["occurrences", "ignition_cycles", "has_failed", "is_tested"])
         yield _Layout(f"{b}_Error", ["state", "is_confirmed", "occurrences", "ignition_cycles"])
     if plan.steps:
         yield _Layout(f"{b}_Call", ["missed", "dropped"])
