@@ -1,9 +1,12 @@
 """No test sees the settings or releases of the user, and the end of a run lists the skipped tests with their reasons."""
 
+import gc
 import os
 import signal
+import sys
 import tempfile
 from collections import Counter
+from collections.abc import Generator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -44,6 +47,9 @@ def pytest_configure(config: pytest.Config) -> None:
             del os.environ[name]
     os.environ["SIGCAT_DATA"] = _DATA.name
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # hundreds of processes would compile everything again
+    sys.dont_write_bytecode = (
+        False  # and each worker would rewrite the assertions of every test, and parse the shipped tree
+    )
     properties.load_profile()
 
 
@@ -69,6 +75,17 @@ def pytest_itemcollected(item: pytest.Item) -> None:
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
     """Files without a selected test are not read."""
     return real_parts.has_none(collection_path, config.option.markexpr) or None
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Generator[None, object, object]:
+    """What is collected stays: the search for garbage in it would take half of the time, and go on in all tests."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.freeze()
+        gc.enable()
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -115,11 +115,10 @@ KINDS = (
             "tests/adapter/test_classic_arxml.py::test_a_document_that_is_wrong_somewhere_is_refused_with_findings_or_gives_files_that_are_right",
         ),
         (
-            "tests/adapter/hostile/test_cmake_runs_no_text.py::test_values_of_types_call_no_command[autosar-classic]",
             "tests/adapter/hostile/test_dangerous_values.py::test_no_value_of_a_type_becomes_code[fmi]",
             "tests/adapter/hostile/test_every_field_refuses.py::test_every_field_refuses_it_at_every_door[deployment-*",
             "tests/adapter/test_hostile_text.py::test_free_text_never_becomes_code[0-autosar-classic]",
-            "tests/adapter/hostile/test_payloads.py::test_a_payload_is_a_finding_at_its_field[function-json/*",
+            "tests/adapter/hostile/test_payloads.py::test_a_payload_is_a_finding_at_its_field[function-json/Code/*",
             "tests/adapter/hostile/test_function_yaml.py::test_fields_of_other_signatures_refuse_it[member]",
             "tests/adapter/hostile/test_large_numbers.py::test_json_with_one_is_refused_by_every_generator[function-json-*",
             "tests/adapter/hostile/test_reserved_words.py::test_a_core_with_signals_and_parameters_of_all_these_names_compiles[c]",
@@ -227,17 +226,12 @@ KINDS = (
         ),
     ),
     Kind(
-        "the most expensive requests of every operation and page, and every shortcut beside the whole way",
-        ("tests/api/test_event_loop.py", "tests/api/test_shortcuts.py"),
+        "every operation and page with its most expensive requests and those of any kind, and every shortcut beside the whole way",
+        ("tests/api/test_contract.py", "tests/api/test_event_loop.py", "tests/api/test_shortcuts.py"),
         (
             "tests/api/test_event_loop.py::test_every_route_has_its_most_expensive_requests",
             "tests/api/test_shortcuts.py::test_a_shortcut_is_as_the_whole_way",
         ),
-    ),
-    Kind(
-        "every operation with requests of any kind",
-        ("tests/api/test_contract.py",),
-        ("tests/api/test_contract.py::test_every_operation_answers_as_its_schema_says[GET /api/v1/catalogues]",),
     ),
     Kind(
         "services that are started, stopped and killed",
@@ -252,6 +246,8 @@ KINDS = (
             "tests/catalogue/hosting/test_pull.py::test_a_pull_that_is_killed_leaves_no_release_and_the_next_one_cleans_up",
             "tests/catalogue/hosting/test_download.py::test_a_server_that_takes_its_time_is_given_up",
             "tests/api/test_tracing.py::test_nothing_is_loaded_where_no_collector_is_named",
+            "tests/registry/test_over_a_server.py::test_a_service_that_is_killed_while_it_publishes_leaves_a_registry_that_verifies",
+            "tests/registry/test_over_a_server.py::test_two_services_on_one_database_write_one_log",
             "tests/catalogue/hosting/test_hosting.py::test_readers_never_see_a_mix",
         ),
         (
@@ -260,11 +256,27 @@ KINDS = (
         ),
     ),
     Kind(
+        "registries that many write at once, and writers that are killed",
+        (
+            "tests/registry/test_postgresql.py::test_a_dump_that_is_made_while_others_write_is_a_whole_registry",
+            "tests/registry/test_postgresql.py::test_a_server_that_ends_within_a_transaction_keeps_nothing_of_it",
+            "tests/registry/test_webhooks.py::test_processes_that_are_killed_send_an_event_once_more_at_most_for_each_kill",
+            "tests/registry/test_writers.py::test_after_a_kill_every_answered_version_is_there_and_every_other_is_whole_or_absent",
+            "tests/registry/test_writers.py::test_equal_bytes_of_parallel_writers_are_published_once_and_unchanged_for_the_others",
+            "tests/registry/test_writers.py::test_twenty_writers_of_one_name_make_no_version_twice_and_lose_none",
+        ),
+        (
+            "tests/registry/test_writers.py::test_after_a_kill_every_answered_version_is_there_and_every_other_is_whole_or_absent[postgresql-0]",
+            "tests/registry/test_writers.py::test_after_a_kill_every_answered_version_is_there_and_every_other_is_whole_or_absent[sqlite-0]",
+            "tests/registry/test_writers.py::test_equal_bytes_of_parallel_writers_are_published_once_and_unchanged_for_the_others[postgresql]",
+            "tests/registry/test_writers.py::test_twenty_writers_of_one_name_make_no_version_twice_and_lose_none[sqlite]",
+        ),
+    ),
+    Kind(
         "changes that real tools check for each binding",
         ("tests/catalogue/comparing/witnesses",),
         (
             "tests/catalogue/comparing/witnesses/test_functions.py::test_what_a_function_uses_breaks_as_the_table_says[a wider integer]",
-            "tests/catalogue/comparing/witnesses/test_pairs.py::test_table_and_tool_agree[protobuf-0]",
             "tests/catalogue/comparing/witnesses/test_pairs.py::test_table_and_tool_agree[ids-0]",
         ),
     ),
@@ -282,12 +294,14 @@ KINDS = (
             "tests/catalogue/exporting/test_exporters.py::test_every_exporter_is_there",
             "tests/catalogue/exporting/test_isolation.py",
             "tests/catalogue/test_vspec_language.py::test_vss_tools_gives_the_same",
+            "tests/project/test_vehicles.py::test_a_vehicle_is_exported_as_vss_tools_exports_its_equivalent_overlay",
         ),
         (
             "tests/api/test_openapi.py::test_every_example_works_and_is_answered_as_the_schema_says[export_json]",
             "tests/catalogue/exporting/test_same_bytes.py::test_a_tree_with_everything[json -e ASILlevel]",
             "tests/catalogue/exporting/test_same_bytes.py::test_a_tree_with_everything[csv -e ASILlevel]",
             "tests/catalogue/exporting/test_isolation.py::test_nothing_of_vss_tools_is_imported_here",
+            "tests/project/test_vehicles.py::test_a_vehicle_is_exported_as_vss_tools_exports_its_equivalent_overlay[everything]",
         ),
     ),
     Kind(
@@ -295,6 +309,9 @@ KINDS = (
         (
             "tests/cli/test_pre_commit.py",
             "tests/documentation/test_commands.py",
+            "tests/test_generated.py::test_it_is_up_to_date[drives]",
+            "tests/test_generated.py::test_it_is_up_to_date[examples]",
+            "tests/test_generated.py::test_it_is_up_to_date[runs]",
             "tests/test_generated.py::test_it_is_up_to_date[shown_outputs]",
             "tests/test_installed.py",
             "tests/documentation/test_pipelines.py",
@@ -334,15 +351,20 @@ KINDS = (
         (
             "tests/adapter/fmi/test_fmus.py",
             "tests/adapter/fmi/test_event_mode.py",
+            "tests/adapter/fmi/test_drive_over_a_bus.py",
             "tests/adapter/fmi/test_fmi2.py",
             "tests/adapter/fmi/test_hostile.py",
             "tests/adapter/fmi/test_player.py",
             "tests/adapter/fmi/test_random.py",
             "tests/adapter/fmi/test_scheduled_execution.py",
             "tests/adapter/fmi/test_state.py",
+            "tests/adapter/fmi/test_two_fmus_on_a_bus.py",
             "tests/comparison/running/test_fmi.py",
         ),
-        ("tests/adapter/fmi/test_fmus.py::test_each_function_has_an_fmu_and_the_system_connects_them",),
+        (
+            "tests/adapter/fmi/test_fmus.py::test_each_function_has_an_fmu_and_the_system_connects_them",
+            "tests/adapter/fmi/test_two_fmus_on_a_bus.py::test_a_frame_is_received_at_the_end_of_the_step_in_which_it_is_sent",
+        ),
     ),
     Kind(
         "functions compiled and run",

@@ -87,7 +87,7 @@ def test_no_schema_and_no_description_of_an_api_is_a_document() -> None:
 
 
 def test_brackets_and_quotation_marks_are_read_once() -> None:
-    for part in (b'"\\"' * 700_000, b"{" * 2_000_000, b'"' * 2_000_000):
+    for part in (b'"\\"' * 175_000, b"{" * 500_000, b'"' * 500_000):
         assert file_kind(part + b'"FunctionInfo"', "a.json") == "unknown"
 
 

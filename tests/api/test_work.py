@@ -3,12 +3,14 @@
 import asyncio
 import ctypes
 import gc
+import importlib
 import io
 import itertools
 import os
 import re
 import signal
 import socket
+import sys
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -272,6 +274,29 @@ def test_what_was_rehearsed_a_worker_has_and_a_rehearsal_that_fails_is_passed_ov
 
     assert run(asked()) == ["overlay"]
     assert REHEARSED == []
+
+
+LOADED_LATE = "sigcat.adapter.source_cores"
+
+
+def load_and_grow() -> int:
+    importlib.import_module(LOADED_LATE)
+    GROWN.append(bytes(range(256)) * (16 * MEBIBYTE // 256))
+    return os.getpid()
+
+
+GROWN: list[bytes] = []
+
+
+def has_loaded() -> bool:
+    return LOADED_LATE in sys.modules
+
+
+def test_what_a_worker_loaded_that_ended_the_next_ones_have_from_the_start(queue: WorkQueue) -> None:
+    assert not done(queue, has_loaded)
+    process = done(queue, load_and_grow)
+    wait_until(lambda: not is_running(process), "the process ends")
+    assert done(queue, has_loaded)
 
 
 def test_what_work_refuses_reaches_who_asked_for_it(queue: WorkQueue) -> None:

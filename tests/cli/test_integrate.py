@@ -3,7 +3,7 @@
 import json
 from pathlib import Path
 
-import jsonschema
+import jsonschema_rs
 import pytest
 
 from sigcat.cli import main
@@ -110,7 +110,17 @@ def test_every_format_has_a_schema(name, capsys):
     assert main(["schema", name]) == 0
     schema = json.loads(capsys.readouterr().out)
     assert schema["$schema"] == "https://json-schema.org/draft/2020-12/schema"
-    jsonschema.Draft202012Validator.check_schema(schema)
+    jsonschema_rs.meta.validate(schema)
+
+
+@pytest.fixture(scope="module")
+def documents(tmp_path_factory):
+    """A folder with the Function JSON of a function, and its Integration JSON for each platform."""
+    folder = tmp_path_factory.mktemp("documents")
+    assert main(["function", "build", CORE_ACC, "-o", str(folder / "function.json")]) == 0
+    for platform in PLATFORMS:
+        assert main(["integrate", platform, CORE_ACC, "-o", str(folder / f"{platform}.json")]) == 0
+    return folder
 
 
 @pytest.mark.parametrize(
@@ -124,11 +134,8 @@ def test_every_format_has_a_schema(name, capsys):
         (("function", "build", str(ROOT_FILE)), "a vspec file"),
     ],
 )
-def test_a_document_of_another_kind_is_one_finding_that_says_what_it_is(command, kind, capsys):
-    main(["function", "build", CORE_ACC, "-o", "function.json"])
-    for platform in PLATFORMS:
-        main(["integrate", platform, CORE_ACC, "-o", f"{platform}.json"])
-    capsys.readouterr()
+def test_a_document_of_another_kind_is_one_finding_that_says_what_it_is(command, kind, documents, monkeypatch, capsys):
+    monkeypatch.chdir(documents)
     assert main(list(command)) == 1
     told = [line for line in capsys.readouterr().err.splitlines() if not line.startswith("  ")]  # but for excerpts
     assert len(told) == 2

@@ -93,23 +93,33 @@ TWICE = {
 }
 
 
-@pytest.fixture(autouse=True)
-def folder(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
+@pytest.fixture(scope="module")
+def prepared(tmp_path_factory):
+    """A folder with every kind of input, and with what commands make of it."""
+    folder = tmp_path_factory.mktemp("prepared")
     texts = {
         "tree/tree.vspec": TREE, "tree/part.vspec": PART, "tree/units.yaml": UNITS, "tree/quantities.yaml": QUANTITIES,
         "overlay.vspec": OVERLAY, "units.yaml": UNITS, "quantities.yaml": QUANTITIES, "types.vspec": TYPES,
         "other.vspec": TREE.partition("#")[0], "exceptions.yaml": "{}\n", "deployment.yaml": "{}\n", "old": "old\n",
         "sigcat.toml": '[lint]\nrules = ["rules.yaml"]\n', "rules.yaml": "{}\n",
     }  # fmt: skip
-    Path("tree").mkdir()
+    (folder / "tree").mkdir()
     for name, text in texts.items():
-        Path(name).write_text(text, encoding="utf-8")
-    shutil.copy(PROJECT / "examples/core_acc/function.yaml", "function.yaml")
+        (folder / name).write_text(text, encoding="utf-8")
+    shutil.copy(PROJECT / "examples/core_acc/function.yaml", folder / "function.yaml")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        assert main(["export", "json", "-s", "tree", "-o", "tree.json"]) == 0
+        assert main(["lint", "tree", "--write-baseline", "known.json"]) == 0
+    return folder
+
+
+@pytest.fixture(autouse=True)
+def folder(prepared, tmp_path, monkeypatch):
+    shutil.copytree(prepared, tmp_path, dirs_exist_ok=True)
+    monkeypatch.chdir(tmp_path)
     Path("link.vspec").symlink_to("tree/tree.vspec")
     os.link("tree/tree.vspec", "second.vspec")
-    assert main(["export", "json", "-s", "tree", "-o", "tree.json"]) == 0
-    assert main(["lint", "tree", "--write-baseline", "known.json"]) == 0
     return tmp_path
 
 

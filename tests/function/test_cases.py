@@ -8,7 +8,7 @@ import re
 import shutil
 from pathlib import Path
 
-import jsonschema
+import jsonschema_rs
 import pytest
 
 from scripts.cases import BAD_FUNCTIONS, FUNCTIONS, ROOT
@@ -42,8 +42,8 @@ def test_a_function_gives_its_function_json(name):
 @pytest.mark.parametrize("name", FUNCTIONS.names)
 def test_it_is_valid_under_the_published_schema_and_ours(name):
     document = json.loads(FUNCTIONS.text(name))
-    jsonschema.validate(document, schema("function_json"))
-    jsonschema.validate(document, function_schema())
+    jsonschema_rs.validate(schema("function_json"), document)
+    jsonschema_rs.validate(function_schema(), document)
 
 
 @pytest.mark.parametrize("name", FUNCTIONS.names)
@@ -78,7 +78,7 @@ def test_each_field_goes_into_an_integration_of_the_published_form_or_the_report
         return
     made = integrate(PLATFORMS[platform], [function])
     if platform in OF_THE_AUTHORS:
-        jsonschema.validate(json.loads(made.document), schema(platform.replace("-", "_")))
+        jsonschema_rs.validate(schema(platform.replace("-", "_")), json.loads(made.document))
     report = made.report
     assert [entry for entry in report if entry.target == NOT_CARRIED and not entry.note] == []
     assert "no field of Function JSON that sigcat knows" not in {entry.note for entry in report}

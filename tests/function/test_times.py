@@ -2,7 +2,7 @@
 
 import json
 
-import jsonschema
+import jsonschema_rs
 import pytest
 
 from sigcat.cli import main
@@ -49,7 +49,7 @@ def test_whole_nanoseconds_pass_lint_and_go_through_function_json(cycle, time, f
     built = tmp_path / "f.json"
     assert main(["function", "build", str(path), "-o", str(built)]) == 0
     document = json.loads(built.read_text())
-    jsonschema.validate(document, schema("function_json"))
+    jsonschema_rs.validate(schema("function_json"), document)
     step = document["ComponentList"][0]["functionList"][1]
     error = step["funcContractList"][0]["ErrorList"][0]
     assert nanoseconds(step, "Cycletime") == round(float(cycle) * 10**6)

@@ -238,11 +238,11 @@ def test_gitlab_reads_changes_as_code_quality(company, capsys):
 
 
 def test_a_comment_has_a_mark_and_fits(company, capsys):
-    many = "".join(NOISE.replace("AcmeNoise", f"AcmeNoise{number}") for number in range(3000))
+    many = "".join(NOISE.replace("AcmeNoise", f"AcmeNoise{number}{'x' * 200}") for number in range(400))
     Path("overlays/noise.vspec").write_text(many + "Vehicle.Speed:\n  type: sensor\n  delete: true\n")
     assert main(["diff", "git:main", "--format", "markdown"]) == 0
     comment = capsys.readouterr().out
-    assert comment.startswith("<!-- sigcat diff -->\n# Changes from `git:main` to `.`\n\n3001 changes: 1 breaking,")
+    assert comment.startswith("<!-- sigcat diff -->\n# Changes from `git:main` to `.`\n\n401 changes: 1 breaking,")
     assert "- Removed: `Vehicle.Speed`" in comment
     assert 64_000 < len(comment) <= 65_000
     assert comment.endswith("\nThe comment is full: further changes are not shown. `sigcat diff` lists them all.\n")

@@ -1,7 +1,6 @@
 """A vehicle is composed as its equivalent overlay: vss-tools exports the same bytes of both."""
 
 import json
-from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -107,12 +106,6 @@ def written(tmp_path_factory):
     return root
 
 
-@cache
-def expected(root: Path) -> dict[str, str | None]:
-    """Return what vss-tools exports of each tree with its equivalent overlay."""
-    return outputs({name: Job("json", root / name, options(root, name)) for name in CASES})
-
-
 def options(root: Path, name: str) -> list[str]:
     case = CASES[name]
     overlays = [file for file, text in (("extra.vspec", case.extra), ("same.vspec", case.overlay)) if text]
@@ -126,7 +119,7 @@ def options(root: Path, name: str) -> list[str]:
 def test_a_vehicle_is_exported_as_vss_tools_exports_its_equivalent_overlay(name, written, capsys, monkeypatch):
     monkeypatch.chdir(written / name)
     assert main(["export", "json", "-s", "vehicle:v"]) == 0
-    output = expected(written)[name]
+    output = outputs({name: Job("json", written / name, options(written, name))})[name]
     assert output is not None
     assert json.loads(capsys.readouterr().out) == json.loads(output)
 

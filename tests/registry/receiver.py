@@ -94,7 +94,7 @@ class _Handler(BaseHTTPRequestHandler):
 def receiving(answer: Callable[[int], int | str] = lambda _: 204) -> Iterator[Receiver]:
     """A receiver that runs in a thread."""
     with Receiver(answer) as receiver:
-        thread = threading.Thread(target=receiver.serve_forever, daemon=True)
+        thread = threading.Thread(target=receiver.serve_forever, args=(0.01,), daemon=True)
         thread.start()
         try:
             yield receiver

@@ -82,6 +82,14 @@ def test_what_a_set_makes_is_kept_as_files(site: Ask, proposing: str) -> None:
     assert missing.status_code == 404
 
 
+def test_an_archive_of_files_that_cannot_be_made_is_refused_with_the_reasons(site: Ask, proposing: str) -> None:
+    other = proposing.replace('"VssUnit": "m/s^2"', '"VssUnit": "km/h"')
+    refused = connected(site, ("mpc.json", other), f="core_acc", download="ros2.zip")
+    assert refused.status_code == 422
+    assert "ROS 2 cannot be made" in refused.text
+    assert "must have one datatype and unit" in refused.text
+
+
 @pytest.mark.parametrize(
     "text",
     [

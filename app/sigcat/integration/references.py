@@ -48,11 +48,11 @@ def _below(part: Any, path: tuple[str, ...], at: Pointer) -> Iterator[tuple[Poin
     if not path:
         yield at, part
         return
-    step, *rest = path
+    step, rest = path[0], path[1:]
     inner = enumerate(part) if step == "*" else ((step, getattr(part, _fields(part.__class__)[step])),)
     for key, value in inner:
         if value is not None:
-            yield from _below(value, tuple(rest), (*at, key))
+            yield from _below(value, rest, (*at, key))
 
 
 @cache

@@ -1,6 +1,8 @@
 """Two FMUs that are connected by their buses exchange the values that they exchange by connected signals."""
 
 import struct
+from contextlib import contextmanager
+from functools import cache
 
 import pytest
 
@@ -15,22 +17,31 @@ STEP = 0.01
 PAIR = HERE / "pair"
 
 
-def pair(folder, signals):
-    """Two functions that exchange a speed and an answer."""
-    found = []
-    for name in ("wheel", "display"):
-        (folder / name).mkdir()
+@pytest.fixture(scope="module")
+def files(tmp_path_factory):
+    """The FMUs of two functions that exchange a speed and an answer, for each choice of `signals`."""
+
+    @cache
+    def files_with(signals):
         options = {"tree": PAIR / "tree.vspec", "dbc": PAIR / "pair.dbc", "signals": signals}
-        found.append(Instance(made(folder / name, PAIR / f"{name}.yaml", **options)))
-    return found
+        return [made(tmp_path_factory.mktemp(name), PAIR / f"{name}.yaml", **options) for name in ("wheel", "display")]
+
+    return files_with
 
 
-@pytest.fixture
-def beside(tmp_path):
-    found = pair(tmp_path, "beside")
+@contextmanager
+def pair(files):
+    """An instance of each."""
+    found = [Instance(file) for file in files]
     yield found
     for each in found:
         each.close()
+
+
+@pytest.fixture
+def beside(files):
+    with pair(files("beside")) as found:
+        yield found
 
 
 def values_of(wheel, display):
@@ -67,15 +78,12 @@ def over_the_bus(instances, times):
 
 
 @pytest.mark.parametrize("step", [0.005, 0.01, 0.035])
-def test_two_fmus_exchange_the_values_of_connected_signals(beside, tmp_path, step):
+def test_two_fmus_exchange_the_values_of_connected_signals(beside, files, step):
     times = [index * step for index in range(200)]
     values = list(over_the_bus(beside, times))
-    (tmp_path / "signals").mkdir()
-    connected = pair(tmp_path / "signals", "beside")
-    assert values == list(over_signals(connected, times))
+    with pair(files("beside")) as connected:
+        assert values == list(over_signals(connected, times))
     assert values[-1][0] > 100
-    for each in connected:
-        each.close()
 
 
 def test_a_frame_is_received_at_the_end_of_the_step_in_which_it_is_sent(beside):
@@ -91,20 +99,18 @@ def test_a_frame_is_received_at_the_end_of_the_step_in_which_it_is_sent(beside):
     assert sent == [1.5, 1.75, 2.0]
 
 
-def test_signals_are_on_the_bus_only(tmp_path):
-    found = pair(tmp_path, "replaced")
-    wheel, display = found
-    assert {name for name in wheel.variables if name.startswith("Vehicle.")} == set()
-    speeds = []
-    for index in range(20):
-        for each in found:
-            if index > 0:
-                each.step(index * STEP)
-                each.fmu.enterEventMode()
-        sent = display.take()
-        speeds += [struct.unpack("<d", each.frame[2])[0] for each in operations(wheel.settle(sent))]
-        display.fmu.updateDiscreteStates()
-        display.fmu.enterStepMode()
-    assert speeds[-1] > 1
-    for each in found:
-        each.close()
+def test_signals_are_on_the_bus_only(files):
+    with pair(files("replaced")) as found:
+        wheel, display = found
+        assert {name for name in wheel.variables if name.startswith("Vehicle.")} == set()
+        speeds = []
+        for index in range(20):
+            for each in found:
+                if index > 0:
+                    each.step(index * STEP)
+                    each.fmu.enterEventMode()
+            sent = display.take()
+            speeds += [struct.unpack("<d", each.frame[2])[0] for each in operations(wheel.settle(sent))]
+            display.fmu.updateDiscreteStates()
+            display.fmu.enterStepMode()
+        assert speeds[-1] > 1

@@ -2,7 +2,7 @@
 
 import json
 
-import jsonschema
+import jsonschema_rs
 import pytest
 
 from sigcat.function.document.text import Text
@@ -50,7 +50,7 @@ def test_the_examples_are_integrated_without_a_finding_but_for_their_asil_and_pr
 def test_what_is_written_is_read_again_and_fits_its_schema(whole):
     data = to_json(whole)
     assert to_json(read_integration(data, "integration.json")) == data
-    jsonschema.validate(json.loads(data), integration_schema())
+    jsonschema_rs.validate(integration_schema(), json.loads(data))
 
 
 def test_each_function_is_carried_whole(whole):

@@ -24,7 +24,7 @@ def problems(written, change):
     document = json.loads(written)
     change(document)
     try:
-        read_integration(json.dumps(document, indent=1).encode(), "integration.json")
+        read_integration(json.dumps(document).encode(), "integration.json")
     except InputRefused as refused:
         return {(finding.rule, finding.pointer): finding for finding in refused.findings}
     return {}

@@ -221,8 +221,8 @@ def test_functions_of_ones_own_are_connected(open_page: Opener, use: Use, tmp_pa
     expect(page.locator(".document")).to_contain_text('"FunctionName": "CoreAcc and EcoControlMpc"')
     use(page.get_by_role("button", name="Files"))
     with page.expect_download() as kept:
-        use(page.get_by_role("button", name="Download types.arxml"))
-    assert kept.value.suggested_filename == "types.arxml"
+        use(page.get_by_role("button", name="Download AUTOSAR adaptive as an archive"))
+    assert kept.value.suggested_filename == "FunctionSet.autosar-adaptive.zip"
 
 
 def test_documents_are_pasted_and_edited(open_page: Opener, use: Use) -> None:

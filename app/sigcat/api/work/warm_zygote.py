@@ -72,6 +72,15 @@ class WarmZygote:
             told = Told(rehearsals=tuple(each.data for each in work))
             await asyncio.to_thread(self._started().zygote.tell, pickle.dumps(told, pickle.HIGHEST_PROTOCOL))
 
+    def learn(self, modules: Iterable[str]) -> None:
+        """Have modules that a worker loaded: later workers start with them. Nothing waits for that."""
+        if not self._started().known.issuperset(modules):
+            asyncio.get_running_loop().run_in_executor(None, self._tell_if_running, tuple(modules))
+
+    def _tell_if_running(self, modules: Iterable[str]) -> None:
+        with suppress(OSError):  # it ended: another one starts without them
+            self._tell(modules, {})
+
     def _started(self) -> _Started:
         with self._starting:
             if self._last is None or self._last.zygote.has_ended:

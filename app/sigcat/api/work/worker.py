@@ -12,6 +12,7 @@ import os
 import pickle
 import resource
 import socket
+import sys
 import traceback
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
@@ -58,6 +59,8 @@ class Outcome(NamedTuple):
     error: Exception | None = None
     is_last: bool = False
     """Whether the worker ends after it."""
+    modules: tuple[str, ...] = ()
+    """Modules of sigcat that the work loaded, if the worker ends after it: the next one needs them from the start."""
 
 
 def keep(data: bytes) -> None:
@@ -100,10 +103,12 @@ def serve(connection: socket.socket) -> None:
     memory = int(read_message(connection) or 0)
     with suppress(OSError):
         Path("/proc/self/oom_score_adj").write_text(_FIRST_TO_END)
-    warm = _memory()
+    warm, loaded = _memory(), frozenset(sys.modules)
     while (work := _next_work(connection)) is not None:
         with _ended_with(connection):
             outcome = _outcome(work, warm, memory)
+            if outcome.is_last and outcome.error is None:
+                outcome = outcome._replace(modules=_loaded_since(loaded))
             data = pickle.dumps(outcome, pickle.HIGHEST_PROTOCOL)
         write_message(connection, data)
         if outcome.is_last:
@@ -113,6 +118,11 @@ def serve(connection: socket.socket) -> None:
 def _next_work(connection: socket.socket) -> io.BytesIO | None:
     message = read_message(connection)
     return None if message is None else io.BytesIO(message)
+
+
+def _loaded_since(before: frozenset[str]) -> tuple[str, ...]:
+    """Modules of sigcat that were loaded after others, in the order of their imports."""
+    return tuple(name for name in sys.modules if name not in before and name.startswith("sigcat."))
 
 
 def _outcome(work: io.BytesIO, warm: "_Memory", memory: int) -> Outcome:

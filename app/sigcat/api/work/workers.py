@@ -49,6 +49,7 @@ class Workers:
             raise
         if outcome.is_last:
             worker.close()
+            self._zygote.learn(outcome.modules)
         else:
             self._idle.append(worker)
         if outcome.error is not None:

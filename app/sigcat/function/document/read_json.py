@@ -106,7 +106,7 @@ def _parsed(text: str, name: str, nesting: int) -> tuple[Any, list[Finding]]:
         return None, [_too_deep(text, nesting, name)]
     if _depth(value) > nesting:
         return None, [_too_deep(text, nesting, name)]
-    halves = list(islice(_halves(text, name), 1))
+    halves = list(islice(_halves(text, name), 1)) if "\\u" in text else ()
     return (None, halves) if halves else (value, list(_duplicates(text, name)) if has_duplicates else [])
 
 

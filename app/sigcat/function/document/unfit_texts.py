@@ -1,6 +1,6 @@
 """The strings of a document with the types of their fields, and those that their types refuse."""
 
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Sequence
 from functools import cache
 from typing import Annotated, Any, NamedTuple, get_args, get_origin
 
@@ -69,26 +69,34 @@ def _unknown_calls(pointer: Pointer, text: str, accessors: Collection[str], fiel
             yield Unfit(pointer, message, fix, C_EXPRESSION)
 
 
-def typed_strings(model: BaseModel, pointer: Pointer = ()) -> Iterator[TypedString]:
+def typed_strings(model: BaseModel) -> Sequence[TypedString]:
     """Every string of a model and of all models in it, but for free text."""
+    found: list[TypedString] = []
+    _add_model(model, (), found)
+    return found
+
+
+def _add_model(model: BaseModel, at: Pointer, found: list[TypedString]) -> None:
     for field in string_fields(type(model)):
-        yield from _in_value(getattr(model, field.name), field, (*pointer, field.alias))
+        value = getattr(model, field.name)
+        if value is not None:
+            _add_value(value, field, (*at, field.alias), found)
 
 
-def _in_value(value: Any, field: StringField, at: Pointer) -> Iterator[TypedString]:
-    if isinstance(value, BaseModel):
-        yield from typed_strings(value, at)
-    elif isinstance(value, str):
+def _add_value(value: Any, field: StringField, at: Pointer, found: list[TypedString]) -> None:
+    if isinstance(value, str):
         if field.values is not None:
-            yield TypedString(at, value, field.values)
+            found.append(TypedString(at, value, field.values))
+    elif isinstance(value, BaseModel):
+        _add_model(value, at, found)
     elif isinstance(value, tuple | list):
         for index, item in enumerate(value):
-            yield from _in_value(item, field, (*at, index))
+            _add_value(item, field, (*at, index), found)
     elif isinstance(value, dict):
         for key, item in value.items():
             if field.keys is not None:
-                yield TypedString((*at, key), key, field.keys)
-            yield from _in_value(item, field, (*at, key))
+                found.append(TypedString((*at, key), key, field.keys))
+            _add_value(item, field, (*at, key), found)
 
 
 @cache

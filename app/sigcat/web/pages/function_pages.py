@@ -1,6 +1,6 @@
 """Pages of the functions that the service hosts."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from functools import partial
 from typing import Annotated, NamedTuple
 
@@ -180,11 +180,10 @@ def _titles(tabs: Mapping[str, Tab], runs: HostedRuns) -> dict[str, str]:
     return {"interfaces": "Interfaces", "schedule": "Schedule", **recorded, **documented}
 
 
-def _made(chosen: HostedFunction, view: str) -> tuple[GeneratedDocument, ...]:
-    """The documents of a view."""
-    if view == _SOURCE:
-        return (_source_of(chosen),)
-    return documents_of(chosen.resolved, view) if chosen.resolved else ()
+def _made(chosen: HostedFunction, views: Collection[str]) -> tuple[GeneratedDocument, ...]:
+    """The documents of some views."""
+    source = (_source_of(chosen),) if _SOURCE in views else ()
+    return (*source, *(documents_of(chosen.resolved, views) if chosen.resolved else ()))
 
 
 @router.get("/functions/{function_id}/runs.json")

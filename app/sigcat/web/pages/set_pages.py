@@ -1,6 +1,6 @@
 """Pages of sets of functions: hosted ones by their ids in the address, any others as posted files."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from functools import partial
 from typing import Annotated, Any, NamedTuple
 
@@ -41,7 +41,7 @@ from sigcat.web.views.function_sets import (
     hosted_set,
     known_sets,
 )
-from sigcat.web.views.generated_documents import SET_VIEWS, GeneratedDocument, integrations_of
+from sigcat.web.views.generated_documents import GeneratedDocument, integrations_of
 from sigcat.web.views.source_view import SourceView, is_shown_whole, shown_text, source_view
 from sigcat.web.visits import Visit, visit_of
 
@@ -175,8 +175,6 @@ def _page(
         tabs=_TITLES,
         tab=tab,
         view=view,
-        views=SET_VIEWS,
-        documents=_documents(together.whole) if tab == "files" else (),
         opened=open_tab(view, SET_TABS[tab], make) if tab in SET_TABS and together.whole else None,
         made_from=[function.name for function in together.whole],
         ids={each.name: each.id for each in functions if each.id in chosen},
@@ -223,8 +221,8 @@ def _check_size(functions: Sequence[object]) -> None:
         raise UsageError(f"A set must have at most {PAGE_FUNCTIONS} functions.")
 
 
-def _documents(functions: Sequence[ResolvedFunction], view: str = "") -> Sequence[GeneratedDocument]:
-    return integrations_of(functions, "FunctionSet", view) if functions else ()
+def _documents(functions: Sequence[ResolvedFunction], views: Collection[str]) -> Sequence[GeneratedDocument]:
+    return integrations_of(functions, "FunctionSet", views) if functions else ()
 
 
 def _download(functions: Sequence[ResolvedFunction], document_id: str) -> Response:

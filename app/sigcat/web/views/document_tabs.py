@@ -1,13 +1,13 @@
 """Tabs of pages with generated documents: the files of a platform as folders, one of them open, and all as an archive."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from io import BytesIO
 from typing import NamedTuple
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 from starlette.responses import Response
 
-from sigcat.errors import NotFound
+from sigcat.errors import InputRefused, NotFound
 from sigcat.names import nearest
 from sigcat.platforms.table import PLATFORMS
 from sigcat.web.views.generated_documents import (
@@ -37,8 +37,8 @@ SET_TABS = {
 """The tabs of a set of functions, by their ids."""
 TABS = {**SET_TABS, FUNCTION_JSON: Tab(VIEWS[FUNCTION_JSON], {FUNCTION_JSON: VIEWS[FUNCTION_JSON]})}
 """Those of one function."""
-Make = Callable[[str], Iterable[GeneratedDocument]]
-"""Documents of a view."""
+Make = Callable[[Collection[str]], Iterable[GeneratedDocument]]
+"""Documents of some views, in the order of the views of a tab."""
 _OLDEST = (1980, 1, 1, 0, 0, 0)
 """Date of each file in an archive: the earliest that it can have."""
 
@@ -73,7 +73,7 @@ def chosen_tab(given: str, titles: Iterable[str], tabs: Mapping[str, Tab]) -> st
 
 def open_tab(given: str, tab: Tab, make: Make) -> OpenTab:
     """The documents of a tab, and the one with an id, or the first one of a view. Raises NotFound with the nearest ids."""
-    made = [(title, document) for view, title in tab.views.items() for document in make(view)]
+    made = [(tab.views[document.view], document) for document in make(tab.views)]
     known = {document.id: document for _, document in made}
     of_view = {document.view: document for _, document in reversed(made)}
     if given not in (*known, *of_view):
@@ -82,10 +82,16 @@ def open_tab(given: str, tab: Tab, make: Make) -> OpenTab:
 
 
 def download(given: str, name: str, make: Make, tabs: Mapping[str, Tab]) -> Response:
-    """A document, or all of a tab as an archive (`ros2.zip`). Raises NotFound with the nearest ids."""
+    """A document, or all of a tab as an archive (`ros2.zip`).
+
+    Raises NotFound with the nearest ids, and InputRefused if nothing of the tab can be made.
+    """
     tab = given.removesuffix(".zip")
     if tab != given and tab in tabs:
-        documents = [document for view in tabs[tab].views for document in make(view)]
+        documents = list(make(tabs[tab].views))
+        if not any(document.is_made for document in documents):
+            findings = dict.fromkeys(finding for document in documents for finding in document.findings)
+            raise InputRefused(f"{tabs[tab].title} cannot be made.", tuple(findings))
         return attachment(_archive(documents), f"{name}.{given}", "application/zip")
     return attached(document_named(given, make))
 

@@ -1,6 +1,6 @@
 """The documents that are made from functions, each to be read, copied and downloaded."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import NamedTuple
 from urllib.parse import quote
 
@@ -69,32 +69,34 @@ VIEWS = {FUNCTION_JSON: "Function JSON", **SET_VIEWS}
 """Views of one function."""
 
 
-def documents_of(function: ResolvedFunction, view: str = "") -> tuple[GeneratedDocument, ...]:
-    """The documents of a function: those of one view, or all."""
-    own = (_function_json(function.function),) if view in ("", FUNCTION_JSON) else ()
-    return (*own, *integrations_of((function,), function.name, view))
+def documents_of(function: ResolvedFunction, views: Collection[str]) -> tuple[GeneratedDocument, ...]:
+    """The documents of a function in some views."""
+    own = (_function_json(function.function),) if FUNCTION_JSON in views else ()
+    return (*own, *integrations_of((function,), function.name, views))
 
 
-def integrations_of(functions: Sequence[ResolvedFunction], name: str, view: str = "") -> tuple[GeneratedDocument, ...]:
-    """Return the documents of functions for all platforms, and for each, as without a deployment file."""
-    integrated = {p: _integrated(p, functions) for p in PLATFORMS.values() if view in ("", *views_of(p))}
+def integrations_of(
+    functions: Sequence[ResolvedFunction], name: str, views: Collection[str]
+) -> tuple[GeneratedDocument, ...]:
+    """The documents of functions in some views, as without a deployment file. A platform is integrated once for its views."""
+    integrated = {p: _integrated(p, functions) for p in PLATFORMS.values() if not views_of(p).keys().isdisjoint(views)}
     return (
-        *(document for function in functions if view in ("", CORE) for document in _core(function)),
-        *(_integration(platform, each, name) for platform, each in integrated.items() if view in ("", platform.name)),
+        *(document for function in functions if CORE in views for document in _core(function)),
+        *(_integration(platform, each, name) for platform, each in integrated.items() if platform.name in views),
         *(
             document
             for platform, each in integrated.items()
             for generator in platform.generators
-            if view in ("", generator.view or generator.name)
+            if (generator.view or generator.name) in views
             for document in _generated(platform, generator, each, name)
         ),
     )
 
 
-def document_named(given: str, made: Callable[[str], Iterable[GeneratedDocument]]) -> GeneratedDocument:
+def document_named(given: str, made: Callable[[Collection[str]], Iterable[GeneratedDocument]]) -> GeneratedDocument:
     """The document that an address or a form names, of those of a view. Raises NotFound with the nearest ones."""
     view = given.partition(".")[0]
-    known = {document.id: document for document in (made(view) if view in VIEWS else ()) if document.is_made}
+    known = {document.id: document for document in (made((view,)) if view in VIEWS else ()) if document.is_made}
     if given not in known:
         raise NotFound(f"Unknown document {given[:100]!r}.", nearest(given[:100], known or VIEWS))
     return known[given]
