@@ -26,8 +26,8 @@ define:
     Step: {{description: Works., asil: B, cycleTime: 20}}
 """
 BEYOND = {
-    "in the catalogue": ("", ", max: 1.0e+39", "error V008 `max` 1e+39 does not fit float (numbers up to ±3.4028235e+38)."),
-    "a default": ("", ", default: -1.0e+39", "error V009 Default -1e+39 does not fit float"),
+    "in the catalogue": ("", ", max: 1.0e+39", "error V030 `max` 1e+39 does not fit float (numbers up to ±3.4028235e+38)."),
+    "a default": ("", ", default: -1.0e+39", "error V030 Default -1e+39 does not fit float"),
     "in the code": (", max: 1.0e+39", "", "error F020 `max` 1e+39 does not fit float"),
     "in the unit of the code": (", unit: km/h", ", min: -1.0e+38", "error F020 `min` -3.6e+38 does not fit float"),
     "with a factor": (", factor: 1.0e-10", ", max: 1.0e+30", "error F020 `max` 1e+30 does not fit float"),

@@ -107,7 +107,18 @@ def _check_range(values: Mapping[str, Any], datatype: str, scope: Scope) -> Iter
             yield _not_for_structs(codes.LIMIT_OUTSIDE_DATATYPE, name, datatype)
         elif not holds(datatype, bound):
             message = _does_not_fit(f"`{name}` {bound}", datatype)
-            yield Problem(codes.LIMIT_OUTSIDE_DATATYPE, name, message, "Change the limit, or the datatype.")
+            yield Problem(
+                _broken(codes.LIMIT_OUTSIDE_DATATYPE, datatype, bound),
+                name,
+                message,
+                "Change the limit, or the datatype.",
+            )
+
+
+def _broken(rule: RuleCode, datatype: str, value: Any) -> RuleCode:
+    """The rule that a value breaks: a number that is infinite as a float breaks that of finite numbers."""
+    is_infinite = element_of(datatype) == "float" and type(value) in (int, float) and not holds("float", value)
+    return codes.NUMBER_NOT_FINITE if is_infinite else rule
 
 
 def _check_enum(values: Mapping[str, Any], datatype: str, scope: Scope) -> Iterator[Problem]:
@@ -151,7 +162,8 @@ def _check_allowed(values: Mapping[str, Any], datatype: str, scope: Scope) -> It
         if not holds(datatype, value):
             fix = _spelled(value, datatype)
             message = _does_not_fit(f"Allowed value {shown(value)}", datatype)
-            yield Problem(codes.ALLOWED_OF_WRONG_DATATYPE, "allowed", message, fix, within=(i,))
+            rule = _broken(codes.ALLOWED_OF_WRONG_DATATYPE, datatype, value)
+            yield Problem(rule, "allowed", message, fix, within=(i,))
 
 
 def _check_default(values: Mapping[str, Any], datatype: str, scope: Scope) -> Iterator[Problem]:
@@ -172,7 +184,7 @@ def _check_default(values: Mapping[str, Any], datatype: str, scope: Scope) -> It
     if wrong is not None:
         message = _does_not_fit(f"Default {shown(wrong)}", datatype)
         fix = _number_instead(wrong, values) or _spelled(wrong, datatype)
-        yield Problem(codes.DEFAULT_OF_WRONG_DATATYPE, "default", message, fix)
+        yield Problem(_broken(codes.DEFAULT_OF_WRONG_DATATYPE, datatype, wrong), "default", message, fix)
         return
     yield from _booleans("default", items, datatype)
     for item in items:

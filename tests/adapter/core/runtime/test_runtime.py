@@ -75,7 +75,7 @@ def compiled(folder: Path, *flags: str) -> Path:
     return folder / "cases"
 
 
-def passes(program: Path) -> subprocess.CompletedProcess:
+def passes(program: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run([program], cwd=program.parent, capture_output=True, text=True, check=False, timeout=20)
 
 
