@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from sigcat.adapter.core.generate import runtime_files
 from sigcat.api.application import create_app
 from sigcat.api.settings import DEFAULT_SETTINGS
 from sigcat.catalogue.hosting.library import Library, shipped_sources
@@ -158,7 +159,7 @@ def test_the_core_of_each_function_is_an_archive(shipped):
     assert answers[0].content == answers[1].content
     archive = zipfile.ZipFile(io.BytesIO(answers[0].content))
     names = [f"{name}_adapter.{end}" for name in ("CoreAcc", "EcoControlMpc") for end in ("h", "c")]
-    assert archive.namelist() == names
+    assert archive.namelist() == [*names, *(file.name for file in runtime_files())]
     assert b"bool EcoControlMpc_Adapter_Init(" in archive.read("EcoControlMpc_adapter.h")
 
 

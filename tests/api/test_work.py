@@ -276,7 +276,7 @@ def test_what_was_rehearsed_a_worker_has_and_a_rehearsal_that_fails_is_passed_ov
     assert REHEARSED == []
 
 
-LOADED_LATE = "sigcat.adapter.source_cores"
+LOADED_LATE = "sigcat.lsp.places"
 
 
 def load_and_grow() -> int:

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from sigcat.adapter.core.generate import runtime_files
 from sigcat.cli import main
 from sigcat.cli.generated_folder import LIST
 from sigcat.data import EXAMPLES
@@ -43,7 +44,7 @@ def test_the_list_names_what_was_written_and_can_be_read():
     assert first.startswith("# Written by `sigcat generate`")
     names = [row.rpartition(" ")[2] for row in rows]
     assert rows == [f"core {digest_of(Path('out', name).read_bytes())} {name}" for name in names]
-    assert names == ["CoreAcc_adapter.c", "CoreAcc_adapter.h"]
+    assert names == ["CoreAcc_adapter.c", "CoreAcc_adapter.h", *(file.name for file in runtime_files())]
     assert set(contents("out")) == {*names, LIST}
 
 

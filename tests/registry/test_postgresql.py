@@ -171,10 +171,10 @@ def test_a_database_that_cannot_be_reached_is_a_finding(server: Server, run: Run
 
 
 def test_no_command_shows_a_password(server: Server, run: Run) -> None:
-    url = ServerUrl(server.new_database().text.replace("sigcat@", "sigcat:secret@") + "&password=secret")
+    url = ServerUrl(server.new_database().text.replace("sigcat@", "sigcat:hidden@") + "&password=hidden")
     for arguments in (("registry", "list"), ("config", "--show")):
         _, text = run(url, *arguments)
-        assert ("sigcat:***@" in text, "secret" in text) == (True, False), text
+        assert ("sigcat:***@" in text, "hidden" in text) == (True, False), text
 
 
 @pytest.mark.parametrize("url", ["mysql://host/name", "postgres://host/name", "http://host"])

@@ -25,6 +25,10 @@ def test_two_rules_of_one_name_are_refused():
         codes_module((*RULES, made_by_code[0]))
 
 
+CHALLENGE_METHOD = "S256"
+"""How OAuth 2.0 names a hash (RFC 7636)."""
+
+
 def test_no_other_file_has_a_code_in_it():
     """But for examples in the API's document, which are data."""
     assert len(FILES) > 200
@@ -53,7 +57,7 @@ def literal_codes(file):
         node.value
         for node in ast.walk(tree)
         if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in examples
-        if CODE.fullmatch(node.value)
+        if CODE.fullmatch(node.value) and node.value != CHALLENGE_METHOD
     ]
 
 

@@ -65,7 +65,7 @@ def acknowledgements_of(connection: Connection, version: Published) -> tuple[Ack
 
 
 def _elements(connection: Connection, version: Published) -> Iterator[str]:
-    """What others may use of a version: the outputs of a function, the nodes of a catalogue or an overlay."""
+    """Parts of a version that others may use: the outputs of a function, the nodes of a catalogue or an overlay."""
     if version.kind == "function":
         uses = from_json(content_of(connection, version.uses))
         yield from dict.fromkeys(use.element for use in uses if use.provides)

@@ -1,4 +1,4 @@
-"""Who looks at a page of the registry, and forms of people who are signed in."""
+"""Readers of pages of the registry, and forms of people who are signed in."""
 
 import re
 import secrets

@@ -52,7 +52,7 @@ def install(
 def build_core(core: Path, function: str, code: Path, library: Path) -> None:
     """Compile a core with its bridge and the code of its function; a warning is an error."""
     library.parent.mkdir(parents=True, exist_ok=True)
-    sources = [*sorted(core.glob(f"{function}_*.c")), *sorted(code.glob("*.c"))]
+    sources = [*sorted(core.glob(f"{function}_*.c")), core / "sigcat_core.c", *sorted(code.glob("*.c"))]
     command = ["gcc", "-std=c99", "-shared", "-fPIC", *STRICT, f"-I{core}", f"-I{code}", *sources, "-lm", "-o", library]
     run(command, ros2_environment.variables())
 

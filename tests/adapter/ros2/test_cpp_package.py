@@ -101,7 +101,7 @@ def test_a_method_that_is_offered_waits_for_the_call_that_runs_and_tells_whether
     """An excluded or refused request does not return an answer with zeros."""
     text = body(source(generated.full(), "full"), "answer_do_")
     assert "lock_guard<std::mutex> call(call_mutex_);" in text
-    assert "response.success = reply == FULL_ADAPTER_OK;" in text
+    assert "response.success = reply == SIGCAT_OK;" in text
 
 
 def test_a_function_with_globals_has_one_node_in_a_process():

@@ -248,7 +248,7 @@ def test_the_core_of_a_class_has_as_many_objects_as_are_wanted(tmp_path):
     core, library = tmp_path / "demo/core", tmp_path / "libdemo_core.so"
     helper = tmp_path / "helper.o"
     subprocess.run(["gcc", "-c", "-fPIC", CLASS / "helper.c", "-o", helper], check=True)
-    sources = [*core.glob("*.cpp"), CLASS / "controller.cpp", helper]
+    sources = [*core.glob("*.cpp"), core / "sigcat_core.c", CLASS / "controller.cpp", helper]
     flags = ["-std=c++17", "-shared", "-fPIC", *STRICT, f"-I{core}", f"-I{CLASS}"]
     subprocess.run([*CPP_COMPILERS[0], *flags, *sources, "-o", library], check=True)
     done = ran(made, "demo_py", library, TWICE, tmp_path)

@@ -89,7 +89,7 @@ def program(tmp_path_factory):
     (folder / "main.c").write_text(MAIN)
     header = write_header(subject().prepared.connections.members, folder / "header")
     code = subject().code_settings["CORE_ACC_CODE"]
-    sources = [folder / "CoreAcc_adapter.c", folder / "main.c", code / "CoreAcc.c"]
+    sources = [folder / "CoreAcc_adapter.c", folder / "sigcat_core.c", folder / "main.c", code / "CoreAcc.c"]
     flags = [
         "-std=c99",
         "-Wall",

@@ -41,7 +41,8 @@ class CoreFiles(NamedTuple):
 
 def all_files(plans: Iterable[CorePlan]) -> tuple[GeneratedFile, ...]:
     """Return the files of several cores; those that all cores share are there once."""
-    return tuple(dict.fromkeys(file for plan in plans for file in core_files(plan).files))
+    cores = [core_files(plan) for plan in plans]
+    return (*(file for core in cores for file in (core.header, core.source)), *runtime_files())
 
 
 def core_files(plan: CorePlan) -> CoreFiles:

@@ -72,7 +72,7 @@ def _author(authorization: str, registry: HostedRegistry, scope: "Scope", *, nee
 
 
 def author_of(token: "Token", scope: "Scope") -> "Author":
-    """Who writes with a valid token. Raises 403 without the scope."""
+    """Return the writer with a valid token. Raises 403 without the scope."""
     from sigcat.registry.author import Author
 
     if not token.has(scope):

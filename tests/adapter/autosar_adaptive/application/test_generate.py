@@ -194,7 +194,7 @@ def test_no_executable_has_the_name_of_a_folder_or_a_target_of_the_application(n
 def test_a_request_that_is_not_answered_returns_an_application_error_that_the_arxml_has():
     answer = body(full()["FullExecutable/full_adapter.cpp"], "AnswerDo")
     refused = re.findall(r"reply == (\w+)\)|MakeErrorCode\(::full::FunctionMethodErrc::(\w+), 0\)", answer)
-    assert refused == [("FULL_ADAPTER_OK", ""), ("FULL_ADAPTER_EXCLUDED", ""), ("", "kExcluded"), ("", "kBadArgument")]
+    assert refused == [("SIGCAT_OK", ""), ("SIGCAT_EXCLUDED", ""), ("", "kExcluded"), ("", "kBadArgument")]
     interfaces = ET.fromstring(full()["arxml/interfaces.arxml"])
     errors = {
         error.findtext("{*}SHORT-NAME"): (error.findtext("{*}ERROR-CODE"), error.findtext("{*}ERROR-DOMAIN-REF"))

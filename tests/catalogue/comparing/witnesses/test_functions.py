@@ -121,7 +121,7 @@ def found(value: Any, key: str) -> list[Any]:
 def compiles(old: Generated, new: Generated) -> bool:
     """Whether the declarations of the old header agree with the new one."""
     calls = re.findall(r"^void Echo_Adapter_Receive_.*;$", old.header, re.MULTILINE)
-    members = re.findall(r"struct \{ (\w+) value(\[\d+\])?; Echo_Adapter_Reception reception; \} (\w+);", old.header)
+    members = re.findall(r"struct \{ (\w+) value(\[\d+\])?; Sigcat_Reception reception; \} (\w+);", old.header)
     assert len(calls) == len(members) == len(SIGNALS)
     sizes = [
         f"extern {kind} {name}{size}; extern __typeof__(((Echo_Adapter *)0)->received.{name}.value) {name};"

@@ -122,7 +122,7 @@ def _adapter(component: ComponentPlan, application: ApplicationPlan) -> _Adapter
         used=used_methods(component),
         offered={each.name: offered_methods(each) for each in component.provided},
         error_namespace=error_namespace(component),
-        errors=refusals(component),
+        errors=refusals(),
     )
 
 

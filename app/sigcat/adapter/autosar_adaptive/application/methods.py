@@ -6,7 +6,6 @@ from typing import NamedTuple
 from sigcat.adapter.autosar_adaptive.application.names import cpp_type
 from sigcat.adapter.autosar_adaptive.application.plan import CalledMethod, ComponentPlan, Provided
 from sigcat.adapter.autosar_adaptive.arxml.method_errors import DOMAIN, METHOD_ERRORS
-from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import Argument
 
 
@@ -79,10 +78,9 @@ def error_namespace(component: ComponentPlan) -> str:
     return "::".join(("", *component.error_namespace))
 
 
-def refusals(component: ComponentPlan) -> Sequence[Refusal]:
+def refusals() -> Sequence[Refusal]:
     """All replies that are errors."""
-    scope = Scope(component.core)
-    return [Refusal(scope.constant(each.reply), f"{DOMAIN}Errc::{each.name}") for each in METHOD_ERRORS]
+    return [Refusal(f"SIGCAT_{each.reply}", f"{DOMAIN}Errc::{each.name}") for each in METHOD_ERRORS]
 
 
 def _method(method: CalledMethod, service: str, output: str) -> AdapterMethod:

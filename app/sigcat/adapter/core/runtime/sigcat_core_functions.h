@@ -15,13 +15,11 @@
 #include "sigcat_core.h"
 
 /* Points of measurement (section 13). */
-enum {
-    SIGCAT_SET_INPUT_BEGINS = 0,
-    SIGCAT_CALL_BEGINS,
-    SIGCAT_CALL_ENDS,
-    SIGCAT_GET_OUTPUT_ENDS,
-    SIGCAT_SUPERVISES
-};
+#define SIGCAT_SET_INPUT_BEGINS 0
+#define SIGCAT_CALL_BEGINS 1
+#define SIGCAT_CALL_ENDS 2
+#define SIGCAT_GET_OUTPUT_ENDS 3
+#define SIGCAT_SUPERVISES 4
 
 #ifdef __cplusplus
 extern "C" {
