@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.adapter.core.clashes import clashes
-from sigcat.adapter.core.generate import CoreFiles
+from sigcat.adapter.core.generate import CoreFiles, runtime_files
 from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.host.connections import Member
 from sigcat.errors import InputRefused
@@ -19,6 +19,10 @@ from sigcat.runs.building.diagnostics import Diagnostic, diagnostics
 
 _CODE: Pointer = ("Code",)
 """Origin of a line of generated code that no interface causes."""
+
+
+_SHARED = frozenset(file.name for file in runtime_files())
+"""Files of all cores, whose macros check variables."""
 
 
 class Said(NamedTuple):
@@ -76,8 +80,13 @@ def _findings(said: Said, members: Sequence[Member], generated: Mapping[str, _Ge
     has_interfaces = any(pointer not in ((), _CODE) for pointer in pointers)
     for (found, file), pointer in zip(placed, pointers, strict=True):
         message = _sentence(found.message)
-        if file is not None and pointer == _CODE and has_interfaces:
+        is_shared = Path(found.file).name in _SHARED
+        if has_interfaces and (is_shared or (file is not None and pointer == _CODE)):
             continue  # an assertion about a variable that is wrong, which is reported at its interface
+        if is_shared and said.compilation is not None and said.compilation.member is not None:
+            function = members[said.compilation.member].function
+            yield function.finding(codes.CODE_UNFIT, _CODE, message, "Correct the code, or its declaration.")
+            continue
         if file is not None:
             fix = "Correct this line, or the code."
             yield file.member.function.finding(codes.CODE_UNFIT, pointer, message, fix)

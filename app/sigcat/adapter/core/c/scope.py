@@ -61,7 +61,23 @@ class Scope(NamedTuple):
 
 def in_adapter(plan: CorePlan) -> Scope:
     """A plan whose variables are expressions in functions of the adapter; the global ones are marked."""
-    return Scope(with_variables(plan, _marked if plan.code.signature == GLOBALS else Scope(plan).variable))
+    inside = _marked if plan.code.signature == GLOBALS else Scope(plan).variable
+    return Scope(with_variables(plan, lambda expression: inside(_as_operand(expression))))
+
+
+def _as_operand(expression: str) -> str:
+    """The expression as one that an index or a member may follow: `*v[i]` is no element of `*v`."""
+    return f"({expression})" if expression.startswith(("*", "&", "(")) and not _is_grouped(expression) else expression
+
+
+def _is_grouped(expression: str) -> bool:
+    """Whether parentheses are around the whole of it."""
+    depth = 0
+    for place, sign in enumerate(expression):
+        depth += (sign == "(") - (sign == ")")
+        if depth == 0:
+            return place == len(expression) - 1
+    return False
 
 
 def _marked(expression: str) -> str:
