@@ -107,6 +107,7 @@ extern point_T point;
 extern track_T track;
 extern track_T tracks[4];
 extern float *pointed;
+extern float (*at)[5];
 """
 FLOATS = "'float[]', arraysize: "
 SHAPED = {
@@ -116,7 +117,15 @@ SHAPED = {
     "an array for one value": ("float", "list", "", "'list' must be one value; the header has an array of 5."),
     "a struct for one value": ("float", "point", "", "'point' must be one value; the header has the struct point_T."),
     "a row": (FLOATS + "5", "grid[1]", "", ""),
-    "an array that a pointer has": (FLOATS + "5", "pointed", "", ""),
+    "an array that a pointer has": (FLOATS + "5", "pointed", "", "'pointed' must be an array of 5; the header has a pointer."),
+    "an array of the size of a pointer": (FLOATS + "2", "pointed", "", "'pointed' must be an array of 2; the header has a pointer."),
+    "the array that a pointer points at": (FLOATS + "5", "'*at'", "", ""),
+    "a bit field": ("uint8", "track.kind", "", ""),
+    "the last element": ("float", "'list[4]'", "", ""),
+    "an element beyond the array": ("float", "'list[5]'", "", "'list[5]' must be within its array; the header has 5 elements, and 5 is the index."),
+    "an element before the array": ("float", "'list[-1]'", "", "'list[-1]' must be within its array"),
+    "an element beyond a row": ("float", "'grid[1][5]'", "", "'grid[1][5]' must be within its array"),
+    "a member of an element beyond the array": ("float", "'tracks[4].Start.x'", "", "'tracks[4].Start.x' must be within its array"),
     "members of other names": ("Types.Point", "point", "", "'point' must have the member 'X'; the struct of the header has x, y."),
     "members": ("Types.Point", "point", ", members: {X: x, Y: y}", ""),
     "a member that is not there": ("Types.Point", "point", ", members: {X: x, Y: z}", "'point' must have the member 'z'"),

@@ -481,6 +481,15 @@ def test_a_question_that_is_refused_does_not_say_that_nothing_was_changed(field:
     assert (status, "nothing was changed" in text) == (1, True)
 
 
+def test_support_does_not_end_in_the_past_and_a_successor_is_supported(field: Run) -> None:
+    field("publish", without_proposal("2.0.0"))
+    status, text = field("registry", "deprecate", "EcoControlMpc@1.0.0", "--until", "2020-01-31")
+    assert (status, "The date must be today or later, not 2020-01-31" in text) == (1, True)
+    assert field("registry", "deprecate", "EcoControlMpc@1.0.0", "--until", "2040-01-31")[0] == 0
+    status, text = field("registry", "deprecate", "EcoControlMpc@2.0.0", "--successor", "1.0.0")
+    assert (status, "must be supported; 1.0.0 is deprecated." in text) == (1, True)
+
+
 def test_a_day_that_does_not_exist_is_reported_as_such(field: Run) -> None:
     status, text = field("registry", "deprecate", "CoreAcc@1.0.0", "--until", "2026-02-30")
     assert (status, "The date must be a day that exists, not 2026-02-30." in text) == (1, True)

@@ -45,6 +45,10 @@ def test_without_an_event_the_answer_is_empty_when_the_time_ends(registry: Regis
     assert time.monotonic() - begun >= 1
 
 
+def test_a_number_of_another_log_is_answered_with_the_last_one_of_this_one(registry: Registry) -> None:
+    assert asking(registry)(f"{EVENTS}?after=99999&wait=60").json() == {"registry_events": [], "epoch": 4}
+
+
 @pytest.mark.parametrize(
     "query", ["after=-1", "after=x", "wait=61", "wait=-1", "limit=0", "after=99999999999999999999"]
 )

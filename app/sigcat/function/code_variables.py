@@ -23,6 +23,7 @@ from sigcat.function.function_json.walk import data
 from sigcat.names import did_you_mean
 
 _ADAPTER = "Adapter"
+_INDEX = re.compile(r"\[\s*(-?[0-9]+)\s*\]")
 _UNIT = "sigcat-variables"
 _PROBE = "sigcat_variable_"
 _SIZED = re.compile(r"(?P<unsigned>u?)int(?P<bits>8|16|32|64)_t")
@@ -54,6 +55,8 @@ class _Question(NamedTuple):
     pointer: Pointer
     variable: CodeVariable | None = None
     is_definition: bool = False
+    index: int | None = None
+    """Index of an element; the line has the type of its array."""
 
 
 def unfit_variables(function: ResolvedFunction) -> Iterator[Finding]:
@@ -106,8 +109,13 @@ def _questions(function: ResolvedFunction, code: CodeInterface) -> Iterator[_Que
         if variable.defined_by == _ADAPTER and code.signature == GLOBALS:
             yield from _definition(variable, datatypes)
         word = "decltype" if code.signature == CLASS else "__typeof__"
-        text = f"extern {word}({_seen(variable.expression, code)}) {_PROBE}{number};"
-        yield _Question(text, variable.pointer, variable)
+        seen = _seen(variable.expression, code)
+        yield _Question(f"extern {word}({seen}) {_PROBE}{number};", variable.pointer, variable)
+        yield _Question(f"extern {word}(((void)0, {seen})) {_PROBE}{number}_value;", variable.pointer)
+        for place, match in enumerate(_INDEX.finditer(variable.expression)):
+            array = _seen(variable.expression[: match.start()], code)
+            text = f"extern {word}({array}) {_PROBE}{number}_array_{place};"
+            yield _Question(text, variable.pointer, variable, index=int(match[1]))
 
 
 def _definition(variable: CodeVariable, datatypes: Mapping[str, Datatype]) -> Iterator[_Question]:
@@ -148,14 +156,25 @@ def _compared(
         if question.is_definition:
             if line in wrong:
                 yield _not_definable(function, question, wrong[line])
+        elif question.index is not None and question.variable:
+            if line in types and (message := _outside(question.variable, question.index, types[line])):
+                yield function.finding(codes.VARIABLE_TYPE_UNFIT, question.pointer, message, "Correct the index.")
         elif question.variable and line in wrong:
-            if is_complete and question.variable.defined_by != _ADAPTER:
+            # of a bit field only the value has a type, which is in the next line
+            if line + 1 in wrong and is_complete and question.variable.defined_by != _ADAPTER:
                 yield _not_declared(function, question, question.variable, wrong[line])
         elif question.variable and line in types:
             is_read = question.pointer[:-1] in provided
             compared = _Types(datatypes, answers.records, dict(question.variable.members), is_read)
             for message, fix in _misfits(question.variable, types[line], compared):
                 yield function.finding(codes.VARIABLE_TYPE_UNFIT, question.pointer, message, fix)
+
+
+def _outside(variable: CodeVariable, index: int, array: CType) -> str:
+    """Say that an element is outside of its array; empty if it is not, or the header does not say."""
+    if array.kind != "array" or not array.length or 0 <= index < array.length:
+        return ""
+    return f"{variable.expression!r} must be within its array; the header has {array.length} elements, and {index} is the index."
 
 
 def _not_declared(function: ResolvedFunction, question: _Question, variable: CodeVariable, said: str) -> Finding:
@@ -196,7 +215,8 @@ def _misfits(variable: CodeVariable, found: CType, types: _Types) -> Iterator[_M
         kind = kind.of
     datatype = types.datatypes.get(variable.datatype or "")
     if found.kind == "pointer" and datatype is not None and datatype.kind == "array":
-        datatype = types.datatypes.get(datatype.element or "")  # a pointer does not say how many elements there are
+        yield _Misfit(f"{variable.expression!r} must be an array{_of_length(datatype)}; the header has a pointer.")
+        return
     yield from _differences(variable.expression, (), kind, datatype, types)
 
 

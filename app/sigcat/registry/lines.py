@@ -16,7 +16,7 @@ from sigcat.registry.reference import (
     refused,
     unknown,
 )
-from sigcat.registry.storing.entry import Action
+from sigcat.registry.storing.entry import Action, now
 from sigcat.registry.storing.ledger import Ledger, Registry, head, ledger_of
 
 
@@ -56,6 +56,9 @@ def set_state(
             replacing = version_named(ledger.connection, kind, Reference(reference.name, successor))
             if replacing.id == published.id:
                 message = f"The successor of {reference} must be another version."
+                raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message, path=reference.name))
+            if replacing.state in ("deprecated", "retired"):
+                message = f"The successor of {reference} must be supported; {successor} is {replacing.state}."
                 raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message, path=reference.name))
         _check_retired(ledger.connection, reference, state)
         data = {"kind": kind, "name": reference.name, "version": reference.version, "state": state}
@@ -111,6 +114,9 @@ def _check_retired(connection: Connection, reference: Reference, state: State) -
 def _check_date(text: str) -> None:
     if text and (fault := date_fault(text)):
         raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(f"The date {fault}."))
+    if text and text < now()[:10]:
+        message = f"The date must be today or later, not {text}: support ends on it."
+        raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message))
 
 
 def _head(connection: Connection) -> str:

@@ -32,6 +32,8 @@ def posted_files(files: Sequence[File]) -> Posted:
     """The files by their kind. Raises UsageError for others."""
     functions, overlays = list[File](), list[File]()
     for data, name in files:
+        if not data.strip():
+            raise UsageError(f"{name} is empty. Choose a function or an overlay.")
         kind = file_kind(data, name)
         if kind in ("function", "function json"):
             functions.append((data, name))

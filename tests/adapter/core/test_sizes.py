@@ -45,6 +45,7 @@ READ = {
     "a pointer for an array": (signal("A", "DT_Floats"), "float *a;", "io.a must have 3 elements"),
     "queued values": (queue("A", 4, U8, ValuesPerStep=3), "uint8_t a[5];", ""),
     "no room for queued values": (queue("A", 4, U8, ValuesPerStep=3), "uint8_t a[2];", "io.a must have at least 3 elements"),
+    "a pointer with room by chance": (queue("A", 4, U8, ValuesPerStep=3), "uint8_t *a;", "io.a must have at least 3 elements"),
     "a number beyond the variable": (signal("A", "DT_Far"), "uint8_t a;", "io.a must be an integer that holds 0 to 300"),
     "a number within the variable": (signal("A", "DT_Far"), "int16_t a;", ""),
     "a number of either sign": (signal("A", "DT_Signed"), "int8_t a;", ""),

@@ -56,10 +56,12 @@ def log_entries(connection: Snapshot, after: int, most: int) -> list[schemas.Log
 
 
 def events(connection: Snapshot, after: int, most: int) -> schemas.RegistryEventList:
-    """Events of the entries behind a number."""
+    """Events of the entries behind a number. A number beyond the log is that of another log: `epoch` is the last one here."""
     links, source = log_page(connection, after, most), source_of(connection)
     found = [schemas.RegistryEvent.model_validate(event_of(each, source)) for each in links]
-    return schemas.RegistryEventList(registry_events=found, epoch=links[-1].number if links else after)
+    last = head(connection)
+    epoch = links[-1].number if links else min(after, last.number if last else 0)
+    return schemas.RegistryEventList(registry_events=found, epoch=epoch)
 
 
 def names(

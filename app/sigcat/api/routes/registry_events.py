@@ -41,7 +41,7 @@ async def list_registry_events(
     """Changes behind an entry of the log as CloudEvents 1.0, in order: at once, or as soon as there is one."""
     size, end = page_size(limit, settings), asyncio.get_running_loop().time() + wait
     found = await in_thread(request, _events, registry, after, size)
-    if not found.registry_events and wait:
+    if not found.registry_events and wait and found.epoch == after:
         turns: Turns = request.app.state.event_turns
         async with turns.turn(client_of(request)):
             while not found.registry_events and (left := end - asyncio.get_running_loop().time()) > 0:

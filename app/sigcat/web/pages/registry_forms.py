@@ -45,13 +45,14 @@ async def publish_files(
 ) -> Response:
     """Publish all files of the form, or none, and list what became of them."""
     from sigcat.registry.publish import publish
+    from sigcat.registry.storing.entry import now
 
     author = author_of(session.token, "publish")
     owner = field(form, "owner") or author.owner
     candidates = await queue.run(_candidates, form, visit.library, field(form, "version"), owner, settings.limits)
     is_draft = bool(form.last("draft"))
     receipt = await in_turn(request, lambda: publish(registry.written_by(author), candidates, is_draft=is_draft))
-    return await in_thread(request, page_for, visit, "registry_publish.html", outcomes=receipt.outcomes)
+    return await in_thread(request, page_for, visit, "registry_publish.html", outcomes=receipt.outcomes, now=now())
 
 
 @router.post("/registry/decide", dependencies=[OwnSite])

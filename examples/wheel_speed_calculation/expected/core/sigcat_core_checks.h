@@ -92,11 +92,20 @@ template <typename T> constexpr int Sigcat_KindOf()
     SIGCAT_CHECK((SIGCAT_SIZE_OF(variable) <= sizeof(type)) && \
         SIGCAT_AGREES(variable, (type)0, SIGCAT_SIZE_OF(variable) < sizeof(type)), \
         variable_must_not_be_wider_than_declared, #variable " must be " #type)
+/* A pointer may have the size of the array by chance. */
+#if defined(__cplusplus)
+#define SIGCAT_IS_ARRAY(variable) std::is_array<std::remove_reference<decltype(variable)>::type>::value
+#elif defined(__GNUC__)
+#define SIGCAT_IS_ARRAY(variable) \
+    (__builtin_types_compatible_p(__typeof__(variable), __typeof__(&(variable)[0])) == 0)
+#else
+#define SIGCAT_IS_ARRAY(variable) 1
+#endif
 #define SIGCAT_HAS(variable, count) \
-    SIGCAT_CHECK(sizeof(variable) == ((size_t)(count) * sizeof((variable)[0])), \
+    SIGCAT_CHECK(SIGCAT_IS_ARRAY(variable) && (sizeof(variable) == ((size_t)(count) * sizeof((variable)[0]))), \
         variable_must_have_as_many_elements_as_declared, #variable " must have " #count " elements")
 #define SIGCAT_HAS_ROOM(variable, count) \
-    SIGCAT_CHECK(sizeof(variable) >= ((size_t)(count) * sizeof((variable)[0])), \
+    SIGCAT_CHECK(SIGCAT_IS_ARRAY(variable) && (sizeof(variable) >= ((size_t)(count) * sizeof((variable)[0]))), \
         variable_must_have_at_least_as_many_elements_as_declared, #variable " must have at least " #count " elements")
 
 #endif /* SIGCAT_CORE_CHECKS_H */
