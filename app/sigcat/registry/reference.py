@@ -87,7 +87,7 @@ def refused(*findings: Finding) -> InputRefused:
 
 
 def date_fault(text: str) -> str:
-    """Return what is wrong with a date, such as 2027-01-31; empty if nothing is."""
+    """Return the fault of a date such as 2027-01-31; empty if it has none."""
     if not _DATE.fullmatch(text):
         return f"must be written as 2027-01-31, not {text[:40]!r}"
     try:

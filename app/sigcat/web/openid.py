@@ -155,7 +155,7 @@ def _claims(
 
 
 def _token_of(claims: Mapping[str, Any], settings: Settings) -> "Token":
-    """The person with the rights of a token. Raises UsageError for one who is in no group of the settings."""
+    """The person with the rights of a token. Raises UsageError for a person in no group of the settings."""
     from sigcat.registry.storing.tokens import Token
 
     is_verified = claims.get("email") and claims.get("email_verified") is not False

@@ -68,7 +68,7 @@ class SqliteStore(NamedTuple):
     def _has_no_room(self) -> bool:
         """Whether the disk has no room for the index of the log, which processes share, and the log is empty.
 
-        Reading goes on all the same. An index that is there needs no more room.
+        Reading continues without it. An index that is there needs no more room.
         """
         if not self.exists() or _size(self._log) or _size(self.file.with_name(f"{self.file.name}-shm")) >= _INDEX_BYTES:
             return False

@@ -293,7 +293,7 @@ void Sigcat_EnterAlive(Sigcat_Alive *alive, uint64_t now);
 /* What its windows said is forgotten. */
 void Sigcat_ResetAlive(Sigcat_Alive *alive);
 
-/* A window that is over. Each has `least` to `most` ends; if any is needed, one that nobody saw is bad. */
+/* A window that is over. Each has `least` to `most` ends; if any is needed, a window that passed unseen is bad. */
 void Sigcat_CloseWindow(Sigcat_Alive *alive, uint64_t length, uint32_t least, uint32_t most, uint64_t now);
 
 /* Windows that have closed since this was asked last. */

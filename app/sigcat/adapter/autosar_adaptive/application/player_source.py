@@ -141,7 +141,7 @@ def _field(field: ServiceField, model: IntegrationModel, types: TypeNames) -> _E
 
 
 def _initial(field: ServiceField, model: IntegrationModel, type_: str) -> str:
-    """Start value of the function, so that it behaves as if nobody sends the field."""
+    """Start value of the function, so that it behaves as if no application sends the field."""
     entries = (entry for entry in model.datatypes or () if entry.name == field.word)
     symbols = (each.symbol for entry in entries for each in entry.symbols or ())
     found = next((symbol for symbol in symbols if symbol.upper() == _beginning(field).upper()), None)

@@ -66,7 +66,7 @@ def in_adapter(plan: CorePlan) -> Scope:
 
 
 def _as_operand(expression: str) -> str:
-    """The expression as one that an index or a member may follow: `*v[i]` is no element of `*v`."""
+    """The expression as one that an index or a member may follow: `*v[i]` is not an element of `*v`."""
     return f"({expression})" if expression.startswith(("*", "&", "(")) and not _is_grouped(expression) else expression
 
 

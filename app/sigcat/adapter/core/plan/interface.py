@@ -88,12 +88,6 @@ class Input(NamedTuple):
         return self.keeps or self.is_reset or any((self.time_out, self.range_error, self.e2e_error))
 
     @property
-    def has_verdict(self) -> bool:
-        """Whether an error is evaluated with it."""
-        has_overflow = not self.is_absent and self.queue is not None and self.queue.overflow_error is not None
-        return has_overflow or any((self.time_out, self.range_error, self.e2e_error))
-
-    @property
     def places(self) -> int:
         """Number of values for which the variable has room."""
         return self.queue.values_per_step if self.queue else 1
