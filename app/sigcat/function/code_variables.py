@@ -55,7 +55,7 @@ class _Question(NamedTuple):
     pointer: Pointer
     variable: CodeVariable | None = None
     is_definition: bool = False
-    index: int | None = None
+    element: int | None = None
     """Index of an element; the line has the type of its array."""
 
 
@@ -115,7 +115,7 @@ def _questions(function: ResolvedFunction, code: CodeInterface) -> Iterator[_Que
         for place, match in enumerate(_INDEX.finditer(variable.expression)):
             array = _seen(variable.expression[: match.start()], code)
             text = f"extern {word}({array}) {_PROBE}{number}_array_{place};"
-            yield _Question(text, variable.pointer, variable, index=int(match[1]))
+            yield _Question(text, variable.pointer, variable, element=int(match[1]))
 
 
 def _definition(variable: CodeVariable, datatypes: Mapping[str, Datatype]) -> Iterator[_Question]:
@@ -156,8 +156,8 @@ def _compared(
         if question.is_definition:
             if line in wrong:
                 yield _not_definable(function, question, wrong[line])
-        elif question.index is not None and question.variable:
-            if line in types and (message := _outside(question.variable, question.index, types[line])):
+        elif question.element is not None and question.variable:
+            if line in types and (message := _outside(question.variable, question.element, types[line])):
                 yield function.finding(codes.VARIABLE_TYPE_UNFIT, question.pointer, message, "Correct the index.")
         elif question.variable and line in wrong:
             # of a bit field only the value has a type, which is in the next line
