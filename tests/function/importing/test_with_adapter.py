@@ -74,7 +74,7 @@ def test_the_core_compiles_with_the_code(shape, tmp_path):
     define_what_is_to_be_chosen(tmp_path / "function.yaml")
     assert main(["generate", "core", str(tmp_path / "function.yaml"), "-o", str(tmp_path)]) == 0
     sources = [file for file in tmp_path.iterdir() if file.suffix in (".c", ".cpp")]
-    assert len(sources) == 2
+    assert len(sources) == 3
     for source in sources:
         compiled(source)
 
