@@ -7,7 +7,7 @@ import pytest
 from sigcat.catalogue.model.vocabulary import read_vocabulary
 from sigcat.data import OVERLAYS, VSPEC
 from sigcat.function.function_json.conversion import _TO_BASE, Linear, as_decimal, as_text, between, of_text
-from sigcat.function.resolving.numbers import shown
+from sigcat.function.resolving.values.numbers import shown
 
 UNITS = read_vocabulary([VSPEC / "units.yaml", OVERLAYS / "units.yaml"], [VSPEC / "quantities.yaml"])
 

@@ -5,10 +5,10 @@ from typing import Any
 
 import pytest
 
-from sigcat.registry import breaking, deploying, member
-from sigcat.registry.breaking import broken_by_functions
-from sigcat.registry.deploying import can_deploy
-from sigcat.registry.member import candidate_member
+from sigcat.registry.compatibility import breaking, deploying, member
+from sigcat.registry.compatibility.breaking import broken_by_functions
+from sigcat.registry.compatibility.deploying import can_deploy
+from sigcat.registry.compatibility.member import candidate_member
 from sigcat.registry.published import Published
 from sigcat.registry.reference import Reference
 from sigcat.registry.storing.content import content_of

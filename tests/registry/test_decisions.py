@@ -9,9 +9,9 @@ import pytest
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.function.function_file import CheckedFunction
 from sigcat.function.sets.check_set import check_set
-from sigcat.registry.breaking import broken_by_catalogue
 from sigcat.registry.candidate import Candidate
-from sigcat.registry.deploying import can_deploy
+from sigcat.registry.compatibility.breaking import broken_by_catalogue
+from sigcat.registry.compatibility.deploying import can_deploy
 from sigcat.registry.reference import Reference
 from sigcat.registry.storing.database import in_memory
 from sigcat.registry.users import users_of
