@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from sigcat.catalogue.reading import yaml_document
-from sigcat.compiled_values import Stamp, read_values, stamp_of, write_values
+from sigcat.compiled_values import Stamp, read_values, stamp_of, stamp_of_values, write_values
 from sigcat.rules import record
 from sigcat.rules.record import Nodes, Rule, load_rule_files
 
@@ -21,11 +21,11 @@ CODE = (Path(__file__), Path(record.__file__), Path(yaml_document.__file__))
 def compiled_rules(folder: Path) -> tuple[Rule, ...]:
     """Return what `load_rules` returns, without reading the files again. Raises InputRefused with all findings."""
     files = tuple(sorted(folder.glob("*.yaml")))
-    return _compiled_rules(folder, files, stamp_of((*files, *CODE)))
+    return _compiled_rules(folder, files, stamp_of((*files, *CODE)), stamp_of_values(folder, "rules"))
 
 
 @lru_cache(maxsize=4)
-def _compiled_rules(folder: Path, files: Sequence[Path], stamp: Stamp) -> tuple[Rule, ...]:
+def _compiled_rules(folder: Path, files: Sequence[Path], stamp: Stamp, _of_values: Stamp) -> tuple[Rule, ...]:
     records = read_values(folder, "rules", stamp)
     if records is not None:
         return tuple(map(_rule, records))
