@@ -86,7 +86,14 @@ def pytest_collection() -> Generator[None, object, object]:
         return (yield)
     finally:
         gc.freeze()
+        gc.set_threshold(20_000, 20, 20)  # for large heaps: the usual 700 takes a tenth of the time of the tests
         gc.enable()
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_sessionfinish() -> None:
+    """The process ends: pytest would search everything for garbage five times, and Python once more."""
+    gc.freeze()
 
 
 @pytest.hookimpl(tryfirst=True)
