@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from sigcat.adapter.core.numbers import DOUBLE, FLOAT, NumberType
 from sigcat.adapter.core.plan.call import Call
 from sigcat.adapter.core.plan.interface import Method, Output, Parameter, Port
 from sigcat.adapter.core.plan.status import Error, ForeignError, ModeIn, ModeOut, Reaction
@@ -10,6 +11,9 @@ from sigcat.adapter.core.plan.value import WireStruct
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import CLASS, GLOBALS
 from sigcat.names import screaming_snake_case
+
+RUNTIME_VERSIONS = {DOUBLE: 1, FLOAT: 2}
+"""Number of the files that all cores share, by their arithmetic."""
 
 
 class CodeObject(NamedTuple):
@@ -79,8 +83,15 @@ class CorePlan(NamedTuple):
     due: tuple[Call, ...]
     """The steps in the order in which they run when they are due at the same time."""
     terminates: tuple[Call, ...]
+    arithmetic: NumberType = DOUBLE
+    """Type in which values are converted."""
     sources: Mapping[str, str] = {}
     """Source of the plan, by name and digest."""
+
+    @property
+    def runtime_version(self) -> int:
+        """Number of the files that it shares with other cores."""
+        return RUNTIME_VERSIONS[self.arithmetic]
 
     @property
     def calls(self) -> tuple[Call, ...]:
