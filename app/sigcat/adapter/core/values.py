@@ -101,7 +101,7 @@ def value_of(item: Interface, at: Pointer, context: Context, *, to_code: bool) -
         message = f"{item.name} cannot be converted: a double does not hold 64-bit integers."
         context.report(codes.VALUE_NOT_CARRIED, at, message, "Give both sides the same unit, or 32 bits.")
         return None
-    if context.arithmetic == FLOAT and _is_beyond_float_arithmetic(item, leaves, at, context):
+    if context.arithmetic == FLOAT and _is_beyond_float_arithmetic(item, leaves, at, context, to_code=to_code):
         return None
     wire = _wire_type(item, parts, leaves, context, to_code=to_code)
     return Value(wire, leaves, is_bare=len(parts) == 1 and not is_struct and parts[0].length is None)
@@ -116,11 +116,17 @@ _MOST = Fraction(2**64)
 lose digits."""
 
 
-def _is_beyond_float_arithmetic(item: Interface, leaves: Iterable[Leaf], at: Pointer, context: Context) -> bool:
+def _is_beyond_float_arithmetic(
+    item: Interface, leaves: Iterable[Leaf], at: Pointer, context: Context, *, to_code: bool
+) -> bool:
     elements = [leaf.element for leaf in leaves]
     numbers = [abs(number) for element in elements for number in element.conversion if number != 0]
-    if any(DOUBLE in (element.source, element.target) for element in elements):
-        message, fix = f"{item.name} must not be a double in a core with float arithmetic.", "Declare it as float"
+    if any((element.target if to_code else element.source) == DOUBLE for element in elements):
+        message = f"The variable of {item.name} must not be a double in a core with float arithmetic."
+        fix = "Give it the datatype float"
+    elif any(DOUBLE in (element.source, element.target) for element in elements):
+        message = f"{item.name} must not be a double in the catalogue for a core with float arithmetic."
+        fix = "Give the signal the datatype float in an overlay"
     elif not all(1 / _MOST <= number <= _MOST for number in numbers):
         message = f"Factor and offset of {item.name} must be between 2⁻⁶⁴ and 2⁶⁴ in a core with float arithmetic."
         fix = "Choose another unit"
