@@ -4,6 +4,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+from bench.cortex_m4 import Memory, memory
 from bench.measuring import command, interleaved
 from bench.rows import Bench, Missing, Row, time_of
 from sigcat.adapter.toolchain import EXACT, toolchain
@@ -17,7 +18,7 @@ _ROUNDS = 200_000
 def generated(bench: Bench) -> Row:
     """`sigcat generate core` as a command."""
     _write(bench.folder, with_conversions=True)
-    (seconds,) = interleaved([command(*_generate(bench.folder))], bench.runs)
+    (seconds,) = interleaved([command(*_generate(bench.folder, bench.folder / "core"))], bench.runs)
     return Row("`sigcat generate core`, 162 signals", time_of(seconds), "", "", "under 300 ms", seconds < 0.3)
 
 
@@ -38,13 +39,35 @@ def _row(work: str, figure: float, name: str, reference: float, wanted: int) -> 
     return Row(work, f"{figure * 1e9:.0f} ns", beside, f"{ratio:.2f} ×", f"at most {wanted} ×", ratio <= wanted)
 
 
-ROWS = {"core": generated, "core_conversions": conversions, "core_copies": copies}
+def on_a_controller(bench: Bench) -> Row:
+    """Memory of the core with float arithmetic on a Cortex-M4, beside the one with double arithmetic."""
+    _write(bench.folder, with_conversions=True)
+    figure, reference = (_on_a_controller(bench.folder, arithmetic) for arithmetic in ("float", "double"))
+    work = "the core of 162 signals with float arithmetic on a Cortex-M4 (clang `-Os`), bytes"
+    ratio, beside = figure.text / reference.text, f"double arithmetic, without its library: {_bytes(reference)}"
+    return Row(work, _bytes(figure), beside, f"{ratio:.2f} × text", "at most 1 × text", ratio <= 1)
 
 
-def _generate(folder: Path) -> tuple[str, ...]:
+def _on_a_controller(folder: Path, arithmetic: str) -> Memory:
+    """Memory of the core and of what all cores share."""
+    output = folder / arithmetic
+    subprocess.run([*_generate(folder, output), "--arithmetic", arithmetic], check=True, capture_output=True)
+    core, shared = (memory(output / name, [folder, output]) for name in ("Many_adapter.c", "sigcat_core.c"))
+    stack = max(core.stack, shared.stack)
+    return Memory(core.text + shared.text, core.data + shared.data, core.bss + shared.bss, stack)
+
+
+def _bytes(found: Memory) -> str:
+    return f"text {found.text:,}, data {found.data:,}, bss {found.bss:,}, largest stack frame {found.stack}"
+
+
+ROWS = {"core": generated, "core_conversions": conversions, "core_copies": copies, "core_memory": on_a_controller}
+
+
+def _generate(folder: Path, output: Path) -> tuple[str, ...]:
     words = (sys.executable, "-m", "sigcat.cli", "generate", "core", str(folder / "function.yaml"))
     units = ("-u", str(ROOT_FILE.with_name("units.yaml")), "-q", str(ROOT_FILE.with_name("quantities.yaml")))
-    return *words, "-s", str(folder / "tree.vspec"), *units, "-o", str(folder / "core")
+    return *words, "-s", str(folder / "tree.vspec"), *units, "-o", str(output)
 
 
 def _measured(bench: Bench, *, with_conversions: bool) -> tuple[float, float]:
@@ -55,7 +78,7 @@ def _measured(bench: Bench, *, with_conversions: bool) -> tuple[float, float]:
         raise Missing(str(missing)) from missing
     folder = bench.folder
     _write(folder, with_conversions=with_conversions)
-    subprocess.run(_generate(folder), check=True, capture_output=True)
+    subprocess.run(_generate(folder, folder / "core"), check=True, capture_output=True)
     program = folder / "program"
     sources = [folder / "core/Many_adapter.c", folder / "core/sigcat_core.c", folder / "code.c", folder / "driver.c"]
     flags = ("-std=c99", "-O2", "-D_POSIX_C_SOURCE=199309L", *EXACT, f"-I{folder}", f"-I{folder / 'core'}")

@@ -11,6 +11,7 @@ VALUE_NOT_CARRIED = RuleCode("G002", "error")
 TIME_NOT_WHOLE = RuleCode("G003", "error")
 HEADER_MISSING = RuleCode("G004", "error")
 SUPERVISION_WITHOUT_EFFECT = RuleCode("G005", "warning")
+BEYOND_FLOAT_ARITHMETIC = RuleCode("G006", "error")
 
 # code
 CODE_FILE_ELSEWHERE = RuleCode("F200", "error")

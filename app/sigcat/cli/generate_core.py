@@ -21,6 +21,12 @@ def add_kind(kinds: "argparse._SubParsersAction[argparse.ArgumentParser]") -> No
     )
     add_functions(one)
     add_folder(one)
+    one.add_argument(
+        "--arithmetic",
+        choices=("double", "float"),
+        default="double",
+        help="type in which values are converted; float for controllers without doubles (default: %(default)s)",
+    )
     add_tree_options(one)
     one.set_defaults(run=run)
 
@@ -28,11 +34,12 @@ def add_kind(kinds: "argparse._SubParsersAction[argparse.ArgumentParser]") -> No
 def run(arguments: argparse.Namespace) -> int:
     """Write the files; findings go to standard error. Raises InputRefused if a function cannot be used."""
     from sigcat.adapter.core.cores import cores
+    from sigcat.adapter.core.numbers import DOUBLE, FLOAT
     from sigcat.integration.reading import read_functions
 
     sources = [(path.read_bytes(), str(path)) for path in functions_of(arguments)]
     functions, findings = read_functions(sources, read_tree(arguments))
-    files, warnings = cores(functions)
+    files, warnings = cores(functions, FLOAT if arguments.arithmetic == "float" else DOUBLE)
     print_findings((*findings, *warnings))
     refuse_overwriting(arguments, written=paths_in(arguments.output, files))
     write_generated(files, arguments.output, "core", is_whole=False, force=arguments.force)

@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from sigcat.adapter.core.numbers import DOUBLE, NumberType
 from sigcat.function.function_json.model import FunctionJson, to_json
 from tests.adapter.core import core_side, model_side
 from tests.adapter.core.script import Line, Script
@@ -9,9 +10,11 @@ from tests.adapter.core.subject import Subject, subject
 from tests.adapter.core.traces import Tracer
 
 
-def disagreement(document: FunctionJson, seed: int, lines: int, folder: Path, flags: tuple[str, ...]) -> str:
+def disagreement(
+    document: FunctionJson, seed: int, lines: int, folder: Path, flags: tuple[str, ...], arithmetic: NumberType = DOUBLE
+) -> str:
     """Return where the two differ, and in which values: empty if they do not."""
-    made = subject(document)
+    made = subject(document, arithmetic)
     (folder / "function.json").write_bytes(to_json(document))
     script = Tracer(made, seed).script(lines)
     (folder / "script.txt").write_text("\n".join(str(readable(made, line)) for line in script))

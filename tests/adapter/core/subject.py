@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.derive import derive
+from sigcat.adapter.core.numbers import DOUBLE, NumberType
 from sigcat.adapter.core.plan import CLASS, CorePlan, WireType
 from sigcat.adapter.core.plan import Argument as PlannedArgument
 from sigcat.function.function_json import walk
@@ -160,8 +161,8 @@ def _own(reference: str) -> str:
 class _Reading:
     """A document, with what its adapters in Python and in C make of it."""
 
-    def __init__(self, document: FunctionJson) -> None:
-        self.function, self.plan = read(document), derive(resolved(document)).plan
+    def __init__(self, document: FunctionJson, arithmetic: NumberType) -> None:
+        self.function, self.plan = read(document), derive(resolved(document), arithmetic).plan
         self.table = {each.reference: each for each in (*document.datatypes, *OWN_TYPES, *DECLARED.values())}
         self.externs = {each.name: each for each in self.plan.code.externs}
         self.document = document
@@ -206,9 +207,9 @@ class _Reading:
         return Item(name, c, leaves, declared, transfer.is_single, transfer)
 
 
-def subject(document: FunctionJson) -> Subject:
+def subject(document: FunctionJson, arithmetic: NumberType = DOUBLE) -> Subject:
     """Inputs and observable values of a function."""
-    reading = _Reading(document)
+    reading = _Reading(document, arithmetic)
     return Subject(
         document,
         reading.function,

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from sigcat.adapter.core.derive import Planned, derive
 from sigcat.adapter.core.generate import all_files
+from sigcat.adapter.core.numbers import DOUBLE, NumberType
 from sigcat.adapter.files import GeneratedFile
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, in_order
@@ -19,22 +20,23 @@ class Cores(NamedTuple):
     findings: tuple[Finding, ...]
 
 
-def cores(functions: Sequence[ResolvedFunction]) -> Cores:
+def cores(functions: Sequence[ResolvedFunction], arithmetic: NumberType = DOUBLE) -> Cores:
     """Header and source of each function. Raises InputRefused with all obstacles."""
-    planned = plans(functions)
+    planned = plans(functions, arithmetic)
     return Cores(
-        all_files(each.plan for each in planned), tuple(finding for each in planned for finding in each.findings)
+        all_files((each.plan for each in planned), arithmetic),
+        tuple(finding for each in planned for finding in each.findings),
     )
 
 
-def plans(functions: Sequence[ResolvedFunction]) -> tuple[Planned, ...]:
+def plans(functions: Sequence[ResolvedFunction], arithmetic: NumberType = DOUBLE) -> tuple[Planned, ...]:
     """The plan of each function. Raises InputRefused with all obstacles."""
     refuse_doubles([function.name for function in functions])
     planned: list[Planned] = []
     refused: list[InputRefused] = []
     for function in functions:
         try:
-            planned.append(derive(function))
+            planned.append(derive(function, arithmetic))
         except InputRefused as error:
             refused.append(error)
     if refused:

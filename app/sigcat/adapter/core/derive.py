@@ -21,6 +21,7 @@ from sigcat.adapter.core.identifiers import identifier, unique
 from sigcat.adapter.core.interfaces import inputs_of, outputs_of, ports_of, received
 from sigcat.adapter.core.methods import methods_of
 from sigcat.adapter.core.modes import mode_in, mode_out
+from sigcat.adapter.core.numbers import DOUBLE, NumberType
 from sigcat.adapter.core.parameters import parameters_of
 from sigcat.adapter.core.plan import Call, CorePlan, Error, ModeIn, Parameter, Reaction
 from sigcat.adapter.core.planning import INIT, TERMINATE, Context, ListedCall, context_of
@@ -45,12 +46,12 @@ class Planned(NamedTuple):
     findings: tuple[Finding, ...]
 
 
-def derive(function: ResolvedFunction) -> Planned:
+def derive(function: ResolvedFunction, arithmetic: NumberType = DOUBLE) -> Planned:
     """The plan of the core. Raises InputRefused with all obstacles."""
     circular = function.findings(circular_types(function.function.datatypes, may_be_lists=False))
     if circular:
         raise InputRefused(f"The core of {function.name} cannot be generated.", circular)
-    context = context_of(function.function)
+    context = context_of(function.function, arithmetic)
     plan = _planned(context)._replace(**_provenance(function)._asdict())
     findings = function.findings(context.problems)
     if has_errors(findings):
@@ -111,6 +112,7 @@ def _planned(context: Context) -> CorePlan:
         steps=steps,
         due=in_order_of_due(steps),
         terminates=_of_type(TERMINATE, calls, listed),
+        arithmetic=context.arithmetic,
     )
 
 

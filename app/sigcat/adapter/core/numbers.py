@@ -56,6 +56,9 @@ class NumberType(NamedTuple):
         return Fraction(INTEGER_RANGES.get(self.name, (0, 1))[1])
 
 
+DOUBLE, FLOAT = NumberType("double", "double"), NumberType("float", "float")
+
+
 def number_type(vss: str) -> NumberType | None:
     """The type of a VSS datatype; None if it holds no number."""
     row = BY_VSS.get(vss)

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from sigcat import codes
+from sigcat.adapter.core.numbers import DOUBLE, NumberType
 from sigcat.findings import RuleCode
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.expression import may_hold_value
@@ -21,6 +22,8 @@ class Context(NamedTuple):
     datatypes: Mapping[str, Datatype]
     problems: list[Problem]
     """Obstacles, in the order in which they are reported."""
+    arithmetic: NumberType
+    """Type in which values are converted."""
 
     def report(self, rule: RuleCode, at: Pointer, message: str, fix: str = "", subject: Subject | None = None) -> None:
         """Report an obstacle."""
@@ -50,9 +53,9 @@ INIT, TERMINATE = "Init", "Shutdown"
 """Run types of the calls at the beginning and at the end."""
 
 
-def context_of(function: FunctionJson) -> Context:
+def context_of(function: FunctionJson, arithmetic: NumberType = DOUBLE) -> Context:
     """The context of a function."""
-    return Context(function, {datatype.reference: datatype for datatype in function.datatypes}, [])
+    return Context(function, {datatype.reference: datatype for datatype in function.datatypes}, [], arithmetic)
 
 
 def nanoseconds(value: str | float | None, at: Pointer, context: Context) -> int | None:

@@ -8,6 +8,8 @@ from typing import Any, NamedTuple
 from sigcat import codes
 from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.numbers import (
+    DOUBLE,
+    FLOAT,
     Number,
     NumberType,
     brought_to,
@@ -94,10 +96,12 @@ def value_of(item: Interface, at: Pointer, context: Context, *, to_code: bool) -
         context.report(codes.VALUE_NOT_CARRIED, (*at, "Datatype"), message, "Give it another datatype.")
         return None
     is_struct = any(part.keys for part in parts)
-    leaves = tuple([_leaf(item, part, to_code=to_code, is_struct=is_struct) for part in parts])
+    leaves = tuple([_leaf(item, part, context.arithmetic, to_code=to_code, is_struct=is_struct) for part in parts])
     if any(_is_inexact(leaf.element) for leaf in leaves):
         message = f"{item.name} cannot be converted: a double does not hold 64-bit integers."
         context.report(codes.VALUE_NOT_CARRIED, at, message, "Give both sides the same unit, or 32 bits.")
+        return None
+    if context.arithmetic == FLOAT and _is_beyond_float_arithmetic(item, leaves, at, context, to_code=to_code):
         return None
     wire = _wire_type(item, parts, leaves, context, to_code=to_code)
     return Value(wire, leaves, is_bare=len(parts) == 1 and not is_struct and parts[0].length is None)
@@ -105,6 +109,33 @@ def value_of(item: Interface, at: Pointer, context: Context, *, to_code: bool) -
 
 def _is_inexact(element: Element) -> bool:
     return element.conversion != IDENTITY and (element.source.is_wide or element.target.is_wide)
+
+
+_MOST = Fraction(2**64)
+"""Largest factor and offset of float arithmetic, and the smallest one is its reciprocal: products neither overflow nor
+lose digits."""
+
+
+def _is_beyond_float_arithmetic(
+    item: Interface, leaves: Iterable[Leaf], at: Pointer, context: Context, *, to_code: bool
+) -> bool:
+    elements = [leaf.element for leaf in leaves]
+    numbers = [abs(number) for element in elements for number in element.conversion if number != 0]
+    if any((element.target if to_code else element.source) == DOUBLE for element in elements):
+        message = f"The variable of {item.name} must not be a double in a core with float arithmetic."
+        fix = "Give it the datatype float"
+    elif any(DOUBLE in (element.source, element.target) for element in elements):
+        message = f"{item.name} must not be a double in the catalogue for a core with float arithmetic."
+        fix = "Give the signal the datatype float in an overlay"
+    elif not all(1 / _MOST <= number <= _MOST for number in numbers):
+        message = f"Factor and offset of {item.name} must be between 2⁻⁶⁴ and 2⁶⁴ in a core with float arithmetic."
+        fix = "Choose another unit"
+    else:
+        return False
+    context.report(
+        codes.BEYOND_FLOAT_ARITHMETIC, at, message, f"{fix}, or generate the core with `--arithmetic double`."
+    )
+    return True
 
 
 # -- parts of a datatype ------------------------------------------------------------------------------------------
@@ -171,7 +202,7 @@ def _number_type(datatype: Datatype) -> NumberType:
 # -- from one side to the other -----------------------------------------------------------------------------------
 
 
-def _leaf(item: Interface, part: Part, *, to_code: bool, is_struct: bool) -> Leaf:
+def _leaf(item: Interface, part: Part, arithmetic: NumberType, *, to_code: bool, is_struct: bool) -> Leaf:
     code, wire = _code_side(item, part, is_struct=is_struct), _wire_side(item, part, is_struct=is_struct)
     source, target = (wire, code) if to_code else (code, wire)
     is_checked = item.range_error_action is not None or item.range_error is not None
@@ -183,6 +214,7 @@ def _leaf(item: Interface, part: Part, *, to_code: bool, is_struct: bool) -> Lea
         names=_names(source, target),
         coded=_coded(code),
         is_checked=is_checked and not part.symbols,
+        arithmetic=arithmetic,
         **(_on_source(low, high, source) if is_checked and not part.symbols else {}),
     )
     init, default = _declared_numbers(item, "init", part), _declared_numbers(item, "default", part)

@@ -83,21 +83,62 @@ void Sigcat_Pop(Sigcat_Queue *queue, uint32_t length);
 
 /* -- numbers (section 4) -- */
 
-/* Two roundings, never one: the sum is a separate statement. */
-static inline double Sigcat_Scaled(double value, double factor, double offset)
-{
-    const double product = value * factor;
-    return product + offset;
-}
-
 /* Not a number. <math.h> has names that the code of a function may have, too. */
 extern const float Sigcat_NanFloat;
-extern const double Sigcat_NanDouble;
 
 /* The number; of a NaN the one with the usual bits. */
 static inline float Sigcat_QuietFloat(float value)
 {
     return (value == value) ? value : Sigcat_NanFloat;
+}
+
+#if SIGCAT_CORE_VERSION == 2
+
+/* Type in which values are converted. */
+typedef float Sigcat_Real;
+
+/*
+ * value * factor + offset, with twice the digits of a float: each `_rest` is the part of a number that its float
+ * does not hold.
+ */
+float Sigcat_Scaled(float value, float value_rest, float factor, float factor_rest, float offset, float offset_rest);
+
+/* The part of an integer that its float does not hold. */
+static inline float Sigcat_RestOfInt32(int32_t value)
+{
+    const int64_t rest = (int64_t)value - (int64_t)(float)value;
+    return (float)rest;
+}
+
+static inline float Sigcat_RestOfUint32(uint32_t value)
+{
+    const int64_t rest = (int64_t)value - (int64_t)(float)value;
+    return (float)rest;
+}
+
+/* A converted value that no float holds: too large, infinite, or no number. */
+SIGCAT_RARE float Sigcat_BeyondFloat(float value, float source);
+
+/* A converted value: finite if its source is. */
+static inline float Sigcat_ToFloat(float value, float source)
+{
+    const bool is_usual = (value >= -FLT_MAX) && (value <= FLT_MAX);
+
+    return is_usual ? value : Sigcat_BeyondFloat(value, source);
+}
+
+#else
+
+/* Type in which values are converted. */
+typedef double Sigcat_Real;
+
+extern const double Sigcat_NanDouble;
+
+/* Two roundings, never one: the sum is a separate statement. */
+static inline double Sigcat_Scaled(double value, double factor, double offset)
+{
+    const double product = value * factor;
+    return product + offset;
 }
 
 /* The number; of a NaN the one with the usual bits. */
@@ -117,38 +158,40 @@ static inline float Sigcat_ToFloat(double value)
     return is_usual ? (float)value : Sigcat_BeyondFloat(value);
 }
 
-/* To the nearest integer, ties to even, saturated. */
-int32_t Sigcat_ToSigned(double value, int32_t least, int32_t most, int32_t instead_of_nan);
-uint32_t Sigcat_ToUnsigned(double value, uint32_t most, uint32_t instead_of_nan);
-int64_t Sigcat_ToInt64(double value, int64_t instead_of_nan);
-uint64_t Sigcat_ToUint64(double value, uint64_t instead_of_nan);
+#endif
 
-static inline int8_t Sigcat_ToInt8(double value, int8_t instead_of_nan)
+/* To the nearest integer, ties to even, saturated. */
+int32_t Sigcat_ToSigned(Sigcat_Real value, int32_t least, int32_t most, int32_t instead_of_nan);
+uint32_t Sigcat_ToUnsigned(Sigcat_Real value, uint32_t most, uint32_t instead_of_nan);
+int64_t Sigcat_ToInt64(Sigcat_Real value, int64_t instead_of_nan);
+uint64_t Sigcat_ToUint64(Sigcat_Real value, uint64_t instead_of_nan);
+
+static inline int8_t Sigcat_ToInt8(Sigcat_Real value, int8_t instead_of_nan)
 {
     return (int8_t)Sigcat_ToSigned(value, INT8_MIN, INT8_MAX, instead_of_nan);
 }
 
-static inline int16_t Sigcat_ToInt16(double value, int16_t instead_of_nan)
+static inline int16_t Sigcat_ToInt16(Sigcat_Real value, int16_t instead_of_nan)
 {
     return (int16_t)Sigcat_ToSigned(value, INT16_MIN, INT16_MAX, instead_of_nan);
 }
 
-static inline int32_t Sigcat_ToInt32(double value, int32_t instead_of_nan)
+static inline int32_t Sigcat_ToInt32(Sigcat_Real value, int32_t instead_of_nan)
 {
     return Sigcat_ToSigned(value, INT32_MIN, INT32_MAX, instead_of_nan);
 }
 
-static inline uint8_t Sigcat_ToUint8(double value, uint8_t instead_of_nan)
+static inline uint8_t Sigcat_ToUint8(Sigcat_Real value, uint8_t instead_of_nan)
 {
     return (uint8_t)Sigcat_ToUnsigned(value, UINT8_MAX, instead_of_nan);
 }
 
-static inline uint16_t Sigcat_ToUint16(double value, uint16_t instead_of_nan)
+static inline uint16_t Sigcat_ToUint16(Sigcat_Real value, uint16_t instead_of_nan)
 {
     return (uint16_t)Sigcat_ToUnsigned(value, UINT16_MAX, instead_of_nan);
 }
 
-static inline uint32_t Sigcat_ToUint32(double value, uint32_t instead_of_nan)
+static inline uint32_t Sigcat_ToUint32(Sigcat_Real value, uint32_t instead_of_nan)
 {
     return Sigcat_ToUnsigned(value, UINT32_MAX, instead_of_nan);
 }

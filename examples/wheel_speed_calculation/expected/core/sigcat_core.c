@@ -65,6 +65,85 @@ void Sigcat_Pop(Sigcat_Queue *queue, uint32_t length)
 /* -- numbers (section 4) -- */
 
 const float Sigcat_NanFloat = NAN;
+
+#if SIGCAT_CORE_VERSION == 2
+
+/* The upper half of the digits: the product of two halves is exact. */
+static float UpperHalf(float value)
+{
+    uint32_t bits;
+    float half;
+
+    (void)memcpy(&bits, &value, sizeof(bits));
+    bits &= 0xFFFFF000U;
+    (void)memcpy(&half, &bits, sizeof(half));
+    return half;
+}
+
+/* Larger ones are not split: a product of their halves could be infinite, and the offset does not change them. */
+static const float LargestSplit = 8.507059e37F;
+
+float Sigcat_Scaled(float value, float value_rest, float factor, float factor_rest, float offset, float offset_rest)
+{
+    const float product = value * factor;
+    float result = product;
+
+    if ((product >= -LargestSplit) && (product <= LargestSplit)) {
+        const float upper = UpperHalf(value);
+        const float lower = value - upper;
+        const float factor_upper = UpperHalf(factor);
+        const float factor_lower = factor - factor_upper;
+        /* What the rounding of the product lost, exactly (Dekker). */
+        const float upper_lost = ((upper * factor_upper) - product) + (upper * factor_lower);
+        const float product_lost = (upper_lost + (lower * factor_upper)) + (lower * factor_lower);
+        const float product_rest = product_lost + ((value * factor_rest) + (value_rest * factor));
+        /* What the rounding of the sum lost, exactly (Knuth). */
+        const float sum = product + offset;
+        const float added = sum - product;
+        const float sum_lost = (product - (sum - added)) + (offset - added);
+
+        result = sum + (sum_lost + (product_rest + offset_rest));
+    }
+    return result;
+}
+
+float Sigcat_BeyondFloat(float value, float source)
+{
+    const bool is_finite = (source >= -FLT_MAX) && (source <= FLT_MAX);
+    float found;
+
+    if (value > 0.0F) {
+        found = is_finite ? FLT_MAX : INFINITY;
+    } else if (value < 0.0F) {
+        found = is_finite ? -FLT_MAX : -INFINITY;
+    } else {
+        found = NAN;
+    }
+    return found;
+}
+
+/* From here on, each float is an integer. */
+static const float Whole = 8388608.0F;
+
+/* The nearest integer, ties to even: a sum with this number has no digits after the point. */
+static float RoundedToEven(float value)
+{
+    float rounded = value;
+
+    if ((value >= 0.0F) && (value < Whole)) {
+        const float sum = value + Whole;
+        rounded = sum - Whole;
+    } else if ((value < 0.0F) && (value > -Whole)) {
+        const float sum = value - Whole;
+        rounded = sum + Whole;
+    } else {
+        /* it is an integer */
+    }
+    return rounded;
+}
+
+#else
+
 const double Sigcat_NanDouble = (double)NAN;
 
 float Sigcat_BeyondFloat(double value)
@@ -102,15 +181,17 @@ static int64_t RoundedToEven(double value)
     return whole;
 }
 
-int32_t Sigcat_ToSigned(double value, int32_t least, int32_t most, int32_t instead_of_nan)
+#endif
+
+int32_t Sigcat_ToSigned(Sigcat_Real value, int32_t least, int32_t most, int32_t instead_of_nan)
 {
     int32_t rounded;
 
     if (value != value) {
         rounded = instead_of_nan;
-    } else if (value <= (double)least) {
+    } else if (value <= (Sigcat_Real)least) {
         rounded = least;
-    } else if (value >= (double)most) {
+    } else if (value >= (Sigcat_Real)most) {
         rounded = most;
     } else {
         rounded = (int32_t)RoundedToEven(value);
@@ -118,15 +199,15 @@ int32_t Sigcat_ToSigned(double value, int32_t least, int32_t most, int32_t inste
     return rounded;
 }
 
-uint32_t Sigcat_ToUnsigned(double value, uint32_t most, uint32_t instead_of_nan)
+uint32_t Sigcat_ToUnsigned(Sigcat_Real value, uint32_t most, uint32_t instead_of_nan)
 {
     uint32_t rounded;
 
     if (value != value) {
         rounded = instead_of_nan;
-    } else if (value <= 0.0) {
+    } else if (value <= (Sigcat_Real)0) {
         rounded = 0U;
-    } else if (value >= (double)most) {
+    } else if (value >= (Sigcat_Real)most) {
         rounded = most;
     } else {
         rounded = (uint32_t)RoundedToEven(value);
@@ -134,35 +215,35 @@ uint32_t Sigcat_ToUnsigned(double value, uint32_t most, uint32_t instead_of_nan)
     return rounded;
 }
 
-int64_t Sigcat_ToInt64(double value, int64_t instead_of_nan)
+int64_t Sigcat_ToInt64(Sigcat_Real value, int64_t instead_of_nan)
 {
     int64_t rounded;
 
     if (value != value) {
         rounded = instead_of_nan;
-    } else if (value <= -9223372036854775808.0) {
+    } else if (value <= -(Sigcat_Real)9223372036854775808.0) {
         rounded = INT64_MIN;
-    } else if (value >= 9223372036854775808.0) {
+    } else if (value >= (Sigcat_Real)INT64_MAX) {
         rounded = INT64_MAX;
     } else {
-        rounded = RoundedToEven(value);
+        rounded = (int64_t)RoundedToEven(value);
     }
     return rounded;
 }
 
-uint64_t Sigcat_ToUint64(double value, uint64_t instead_of_nan)
+uint64_t Sigcat_ToUint64(Sigcat_Real value, uint64_t instead_of_nan)
 {
     uint64_t rounded;
 
     if (value != value) {
         rounded = instead_of_nan;
-    } else if (value <= 0.0) {
+    } else if (value <= (Sigcat_Real)0) {
         rounded = 0U;
-    } else if (value >= 18446744073709551616.0) {
+    } else if (value >= (Sigcat_Real)UINT64_MAX) {
         rounded = UINT64_MAX;
     } else {
         /* Larger ones are whole. */
-        rounded = (value < 9223372036854775808.0) ? (uint64_t)RoundedToEven(value) : (uint64_t)value;
+        rounded = (value < (Sigcat_Real)INT64_MAX) ? (uint64_t)RoundedToEven(value) : (uint64_t)value;
     }
     return rounded;
 }

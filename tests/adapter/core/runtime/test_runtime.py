@@ -13,11 +13,13 @@ from typing import NamedTuple
 import pytest
 
 from sigcat.adapter.core.generate import RUNTIME_SOURCE, runtime_files
+from sigcat.adapter.core.numbers import DOUBLE, FLOAT, NumberType
 from sigcat.adapter.toolchain import EXACT, toolchain
 from tests.adapter.core.compilers import SANITIZERS, STRICT, sanitizers
 from tests.needs import IS_SLOW_RUN
 
-CASES = Path(__file__).with_name("cases.c")
+CASES, FLOAT_CASES = (Path(__file__).with_name(name) for name in ("cases.c", "float_cases.h"))
+ARITHMETICS = (DOUBLE, FLOAT)
 SOURCES = ("sigcat_core.c", "sigcat_core_functions.h")
 CHANGES = (
     (r"(?<![<>=!-])>(?![>=])", ">="), (r">=", ">"), (r"(?<![<=])<(?![<=])", "<="), (r"<=", "<"),
@@ -25,10 +27,11 @@ CHANGES = (
     (r"--", "++"), (r"\+=", "-="), (r"\btrue\b", "false"), (r"\bfalse\b", "true"), (r"\b0U;", "1U;"),
 )  # fmt: skip
 EQUAL = re.compile(
-    r"value <= \(double\)least|value >= \(double\)most|value <= 0\.0|value >= 18446744073709551616\.0"  # the limit itself
-    r"|value <= -9223372036854775808\.0|value > 0\.0|value < 0\.0|value > DBL_MAX|value < -DBL_MAX"
+    r"value [<>]= \(Sigcat_Real\)(?:least|most|0|INT64_MAX|UINT64_MAX)|-\(Sigcat_Real\)9223"  # the limit itself
+    r"|value > 0\.0F?\) |value < 0\.0F?\) |value > DBL_MAX|value < -DBL_MAX"
     r"|reception->time > entered|return \(a [<>] b\)|\(value [<>] (?:least|most)|\(value < 0\)|t > \*now|#if|-\(double\)FLT_MAX"
-    r"|\(more > |\(value < 9223372036854775808\.0\)|value == value"
+    r"|\(more > |\(value < \(Sigcat_Real\)INT64_MAX\)|value == value"
+    r"|value >= -FLT_MAX|source >= -FLT_MAX|-LargestSplit|value >= 0\.0F|value < 0\.0F"
 )
 """Lines in which a limit and what is beside it give the same number."""
 
@@ -61,10 +64,11 @@ def every_mutant() -> tuple[Mutant, ...]:
     return tuple(dict.fromkeys(mutants()))
 
 
-def written(folder: Path) -> Path:
-    for file in runtime_files():
+def written(folder: Path, arithmetic: NumberType) -> Path:
+    for file in runtime_files(arithmetic):
         (folder / file.name).write_bytes(file.data)
-    shutil.copyfile(CASES, folder / CASES.name)
+    for path in (CASES, FLOAT_CASES):
+        shutil.copyfile(path, folder / path.name)
     return folder
 
 
@@ -79,23 +83,28 @@ def passes(program: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run([program], cwd=program.parent, capture_output=True, text=True, check=False, timeout=20)
 
 
+@pytest.mark.parametrize("arithmetic", ARITHMETICS)
 @pytest.mark.parametrize("standard", ["c99", "c11", "c17"])
-def test_every_case_holds_without_a_warning(standard, tmp_path):
-    done = passes(compiled(written(tmp_path), f"-std={standard}", *STRICT, "-Wno-unused-function"))
+def test_every_case_holds_without_a_warning(standard, arithmetic, tmp_path):
+    promotion = ("-Wdouble-promotion",) if arithmetic == FLOAT else ()
+    flags = (f"-std={standard}", *STRICT, *promotion, "-Wno-unused-function")
+    done = passes(compiled(written(tmp_path, arithmetic), *flags))
     assert (done.returncode, done.stdout) == (0, "")
 
 
-def test_every_case_holds_under_sanitizers(tmp_path):
+@pytest.mark.parametrize("arithmetic", ARITHMETICS)
+def test_every_case_holds_under_sanitizers(arithmetic, tmp_path):
     if not sanitizers():
         pytest.skip("sanitizers: a compiler that has them")
-    done = passes(compiled(written(tmp_path), "-std=c99", *SANITIZERS))
+    done = passes(compiled(written(tmp_path, arithmetic), "-std=c99", *SANITIZERS))
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
 
 
-def test_every_branch_is_taken(tmp_path):
+@pytest.mark.parametrize("arithmetic", ARITHMETICS)
+def test_every_branch_is_taken(arithmetic, tmp_path):
     if shutil.which("gcov") is None or "gcc" not in Path(toolchain().c[0]).name:
         pytest.skip("gcov: install gcc")
-    passes(compiled(written(tmp_path), "-std=c99", "-O0", "--coverage"))
+    passes(compiled(written(tmp_path, arithmetic), "-std=c99", "-O0", "--coverage"))
     notes = [path.name for path in tmp_path.glob("*sigcat_core.gcda")]
     done = subprocess.run(["gcov", "-b", "-j", "-t", *notes], cwd=tmp_path, capture_output=True, check=True)
     (source,) = (file for file in json.loads(done.stdout)["files"] if file["file"] == RUNTIME_SOURCE)
@@ -117,6 +126,10 @@ def test_there_are_many_faults():
 def test_a_fault_is_found(mutant, tmp_path):
     rows = text_of(mutant.file).split("\n")
     rows[mutant.line] = mutant.text
-    (written(tmp_path) / mutant.file).write_text("\n".join(rows))
     with contextlib.suppress(subprocess.TimeoutExpired):
-        assert passes(compiled(tmp_path, "-std=c99", "-O0", "-w")).returncode != 0
+        assert any(fails(mutant.file, "\n".join(rows), arithmetic, tmp_path) for arithmetic in ARITHMETICS)
+
+
+def fails(name: str, text: str, arithmetic: NumberType, folder: Path) -> bool:
+    (written(folder, arithmetic) / name).write_text(text)
+    return passes(compiled(folder, "-std=c99", "-O0", "-w")).returncode != 0

@@ -4,7 +4,7 @@ import struct
 from fractions import Fraction
 from functools import lru_cache
 
-from sigcat.adapter.core.numbers import Number, NumberType
+from sigcat.adapter.core.numbers import FLOAT, Number, NumberType, nearest_float
 from sigcat.adapter.core.plan import Element
 from sigcat.function.function_json.conversion import IDENTITY, Linear
 
@@ -63,11 +63,16 @@ def _is_empty(element: Element) -> bool:
 def converted(value: str, element: Element, instead_of_nan: str) -> str:
     """The number of the source as that of the target. An enumeration has its own function."""
     if element.conversion == IDENTITY:
-        return _of_same_scale(value, element.source, element.target, instead_of_nan)
-    scaled = _scaled(_as_double(value, element.source), element)
-    if element.target.name == "float" and not is_beyond_float(element):
-        return f"(float){scaled}"
-    return _from_double(scaled, element.target, instead_of_nan)
+        return _of_same_scale(value, element, instead_of_nan)
+    real = element.arithmetic
+    scaled = (
+        _scaled_in_float(value, element) if real == FLOAT else _scaled(_as_real(value, element.source, real), element)
+    )
+    if element.target == FLOAT and not is_beyond_float(element):
+        return scaled if real == FLOAT else f"(float){scaled}"
+    if element.target == real == FLOAT:
+        return f"Sigcat_ToFloat({scaled}, {value})"
+    return _from_real(scaled, element.target, real, instead_of_nan)
 
 
 def is_beyond_float(element: Element) -> bool:
@@ -91,23 +96,47 @@ def _scaled(value: str, element: Element) -> str:
     return f"Sigcat_Scaled({value}, {_with_point(factor)}, {_with_point(offset)})"
 
 
-def _as_double(value: str, source: NumberType) -> str:
+def _scaled_in_float(value: str, element: Element) -> str:
+    real = _as_real(value, element.source, FLOAT)
+    (factor, factor_rest), (offset, offset_rest) = (_in_two_floats(number) for number in element.conversion)
+    rest = _RESTS.get(element.source.name, "")
+    if offset == 0 and not rest:
+        return f"({real} * {literal(factor, FLOAT)})"
+    if element.conversion.factor == 1 and offset_rest == 0 and not rest:
+        return f"({real} + {literal(offset, FLOAT)})"
+    value_rest = f"{rest}({value})" if rest else literal(0, FLOAT)
+    numbers = (literal(number, FLOAT) for number in (factor, factor_rest, offset, offset_rest))
+    return f"Sigcat_Scaled({', '.join((real, value_rest, *numbers))})"
+
+
+_RESTS = {"int32": "Sigcat_RestOfInt32", "uint32": "Sigcat_RestOfUint32"}
+"""Functions for integers with more digits than a float."""
+
+
+def _in_two_floats(number: Fraction) -> tuple[float, float]:
+    """The nearest float, and the nearest one to what is left."""
+    near = nearest_float(number)
+    return near, nearest_float(number - Fraction(near))
+
+
+def _as_real(value: str, source: NumberType, real: NumberType) -> str:
     if source.is_boolean:
-        return f"({value} ? 1.0 : 0.0)"
-    return value if source.name == "double" else f"(double){value}"
+        return f"({value} ? {literal(1, real)} : {literal(0, real)})"
+    return value if source == real else f"({real.c}){value}"
 
 
-def _from_double(value: str, target: NumberType, instead_of_nan: str) -> str:
-    if target.name == "double":
+def _from_real(value: str, target: NumberType, real: NumberType, instead_of_nan: str) -> str:
+    if target == real:
         return value
     if target.is_boolean:
-        return f"({value} != 0.0)"
-    if target.name == "float":
+        return f"({value} != {literal(0, real)})"
+    if target == FLOAT:
         return f"Sigcat_ToFloat({value})"
     return f"Sigcat_To{target.name.capitalize()}({value}, {instead_of_nan})"
 
 
-def _of_same_scale(value: str, source: NumberType, target: NumberType, instead_of_nan: str) -> str:
+def _of_same_scale(value: str, element: Element, instead_of_nan: str) -> str:
+    source, target, real = element.source, element.target, element.arithmetic
     if source == target:
         return value
     if target.is_boolean:
@@ -115,7 +144,7 @@ def _of_same_scale(value: str, source: NumberType, target: NumberType, instead_o
     if source.is_boolean:
         return f"({value} ? {literal(1, target)} : {literal(0, target)})"
     if source.is_floating:
-        return _from_double(_as_double(value, source), target, instead_of_nan)
+        return _from_real(_as_real(value, source, real), target, real, instead_of_nan)
     if target.is_floating or (source.smallest >= target.smallest and source.largest <= target.largest):
         return f"({target.c}){value}"
     wide = "Uint64" if source.name == "uint64" else "Int64"

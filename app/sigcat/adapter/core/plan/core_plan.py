@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
+from sigcat.adapter.core.numbers import DOUBLE, FLOAT, NumberType
 from sigcat.adapter.core.plan.call import Call
 from sigcat.adapter.core.plan.interface import Method, Output, Parameter, Port
 from sigcat.adapter.core.plan.status import Error, ForeignError, ModeIn, ModeOut, Reaction
@@ -11,6 +12,9 @@ from sigcat.function.document.document import Pointer
 from sigcat.function.document.text import Text, composed
 from sigcat.function.function_json.code import CLASS, GLOBALS
 from sigcat.names import screaming_snake_case
+
+RUNTIME_VERSIONS = {DOUBLE: 1, FLOAT: 2}
+"""Number of the files that all cores share, by their arithmetic."""
 
 
 class CodeObject(NamedTuple):
@@ -80,6 +84,8 @@ class CorePlan(NamedTuple):
     due: tuple[Call, ...]
     """The steps in the order in which they run when they are due at the same time."""
     terminates: tuple[Call, ...]
+    arithmetic: NumberType = DOUBLE
+    """Type in which values are converted."""
     declaration: Text = Text("")
     """Name of the file that declares the function."""
     digest: str = ""
@@ -93,6 +99,11 @@ class CorePlan(NamedTuple):
     def origin(self) -> Text:
         """File that declares the function, for readers: `function.yaml (SHA-256 f4cb…)`."""
         return composed(self.declaration, f" (SHA-256 {self.digest})")
+
+    @property
+    def runtime_version(self) -> int:
+        """Number of the files that it shares with other cores."""
+        return RUNTIME_VERSIONS[self.arithmetic]
 
     @property
     def calls(self) -> tuple[Call, ...]:

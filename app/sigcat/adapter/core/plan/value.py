@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from sigcat.adapter.core.numbers import Number, NumberType
+from sigcat.adapter.core.numbers import DOUBLE, Number, NumberType
 from sigcat.function.document.text_filters import AnyText
 from sigcat.function.function_json.conversion import IDENTITY, Linear
 
@@ -25,6 +25,8 @@ class Element(NamedTuple):
     greatest: Number | None = None
     is_checked: bool = False
     """Whether there is a check of the range, so that NaN and infinities are outside of it."""
+    arithmetic: NumberType = DOUBLE
+    """Type in which it is converted: double, or float for a controller without doubles."""
 
     @property
     def is_enumeration(self) -> bool:
