@@ -1,1 +1,4 @@
-"""Whether a version fits what is deployed, and who breaks."""
+"""A candidate and what vehicle lines run in; functions that break, and whether it may be deployed, out.
+
+Functions are compared by the checks of a set.
+"""

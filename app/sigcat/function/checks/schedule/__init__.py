@@ -1,1 +1,4 @@
-"""The schedule of a function: order, times and supervision of calls."""
+"""A resolved function in; problems of its schedule out.
+
+Order, times, supervision and checkpoints of calls.
+"""

@@ -1,1 +1,4 @@
-"""Values in the code of a function: datatype, unit, range, start value."""
+"""A declared value and its node in the catalogue in; its datatype, unit, range and start value in the code out.
+
+Numbers are exact fractions.
+"""

@@ -1,1 +1,4 @@
-"""The section of the deployment file that concerns AUTOSAR adaptive."""
+"""The deployment file in; its section on AUTOSAR adaptive out.
+
+Identifiers, namespaces, transport and SOME/IP settings are checked here.
+"""

@@ -1,1 +1,4 @@
-"""Services of the set: which there are, their elements, and who uses them."""
+"""Functions with their components in; services with their elements, and the view of each component on them, out.
+
+Interfaces are grouped by component or by branch.
+"""

@@ -1,1 +1,4 @@
-"""Datatypes of the set."""
+"""Types of functions in; implementation and application types of the set out.
+
+Platform types come from AUTOSAR.
+"""

@@ -1,1 +1,4 @@
-"""The section of the deployment file that concerns AUTOSAR Classic."""
+"""The deployment file in; its section on AUTOSAR Classic out.
+
+The state machine of end-to-end protection has settings of its own.
+"""

@@ -1,1 +1,4 @@
-"""Parts of an Integration JSON that an RTE generator would refuse."""
+"""An Integration JSON in; problems for which an RTE generator would refuse it out.
+
+Each file checks one kind of part.
+"""

@@ -1,1 +1,4 @@
-"""Messages and services of ROS 2: made for the set, and existing ones."""
+"""Values that topics and services carry in; their messages out.
+
+Messages are made for the set, or exist already.
+"""
