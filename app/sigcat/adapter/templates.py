@@ -50,6 +50,7 @@ def _environment() -> "Environment":
         bytecode_cache=CompiledTemplates(Path(__file__)),
     )
     environment.filters.update({name: getattr(text_filters, name) for name in _FILTERS})
+    environment.globals["sigcat_version"] = sigcat.__version__
     environment.filters["origin"] = origin
     environment.filters["composed"] = lambda parts: composed(*parts)
     return environment

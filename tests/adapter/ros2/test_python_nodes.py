@@ -99,7 +99,8 @@ def test_an_answer_that_cannot_be_taken_ends_the_node_with_its_exception(has_thr
     ended = subprocess.run(
         command, env=variables(where, tmp_path), capture_output=True, text=True, timeout=60, check=False
     )
-    assert (ended.returncode, ended.stderr.splitlines()[-1]) == (1, "ValueError: rejected")
+    assert ended.returncode == 1
+    assert "ValueError: rejected" in ended.stderr.splitlines()
 
 
 def test_a_message_that_cannot_be_taken_is_left_out_and_told(ask, where, tmp_path):

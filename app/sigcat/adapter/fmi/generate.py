@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from pydantic import BaseModel
 
-from sigcat import __version__, codes
+from sigcat import codes
 from sigcat.adapter.core.generate import RUNTIME_SOURCE, all_files
 from sigcat.adapter.core.plan import CorePlan
 from sigcat.adapter.files import GeneratedFile, shipped, within
@@ -27,6 +27,7 @@ from sigcat.adapter.source_functions import source_functions
 from sigcat.adapter.templates import Plan, rendered
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.errors import InputRefused
+from sigcat.function.document.text import Text
 from sigcat.integration.fmi.document import read_integration
 from sigcat.integration.fmi.model import FmiIntegration, Fmu, FmuVariable
 from sigcat.integration.report import Entry, FieldTarget, entries
@@ -45,6 +46,8 @@ class _Source(NamedTuple):
     """A function in an FMU: its code, and the files around it."""
 
     name: str
+    origin: Text
+    """File that declares it, for readers."""
     setting: str
     """Setting of CMake that names the folder of its code."""
     code: tuple[tuple[str, str, str], ...]
@@ -66,7 +69,6 @@ class _Call(NamedTuple):
 class _FmuPlan(NamedTuple):
     """Plan of the files of an FMU."""
 
-    version: str
     model: FmiIntegration
     fmu: Fmu
     functions: tuple[_Source, ...]
@@ -94,7 +96,6 @@ class _FmuPlan(NamedTuple):
 class _ProjectPlan(NamedTuple):
     """Plan of the files that all FMUs share."""
 
-    version: str
     model: FmiIntegration
     fmus: tuple[_FmuPlan, ...]
     languages: str
@@ -114,7 +115,7 @@ def generate(data: bytes, name: str, limits: Limits) -> tuple[GeneratedFile, ...
         _check(model, units)
     fmus = tuple(_plan(fmu, unit, model) for fmu, unit in zip(model.fmus, units, strict=True))
     languages = "C CXX" if any(each.is_cpp for each in fmus) else "C"
-    project = _ProjectPlan(__version__, model, fmus, languages)
+    project = _ProjectPlan(model, fmus, languages)
     return (
         _file("CMakeLists.txt", project),
         _file("README.md", project),
@@ -225,7 +226,7 @@ def _plan(fmu: Fmu, unit: Unit, model: FmiIntegration) -> _FmuPlan:
     is_cpp = any(each.code.is_cpp for each in plans)
     sources = tuple(_source(each, is_alone=len(plans) == 1) for each in plans)
     return _FmuPlan(
-        version=__version__, model=model, fmu=fmu,
+        model=model, fmu=fmu,
         functions=sources,
         variables=tuple(zip(fmu.variables, layout.variables, strict=True)),
         inputs=tuple(inputs),
@@ -267,6 +268,7 @@ def _source(plan: CorePlan, *, is_alone: bool) -> _Source:
     code = [(each, _inside(each, root)) for each in plan.code.sources]
     return _Source(
         name=plan.function,
+        origin=plan.origin,
         setting=plan.code_setting,
         code=tuple((each, inside, str(PurePosixPath(inside).parent)) for each, inside in code),
         folders=tuple((each, _inside(each, root)) for each in dict.fromkeys((".", *plan.code.include_folders))),
@@ -304,7 +306,7 @@ def _files(plan: _FmuPlan, unit: Unit) -> Iterator[GeneratedFile]:
 def _bus_sources(plan: _FmuPlan, unit: Unit) -> Iterator[GeneratedFile]:
     if plan.fmu.bus is None:
         return
-    tables = bus_plan(plan.fmu.bus, unit.layout, plan.version)
+    tables = bus_plan(plan.fmu.bus, unit.layout)
     yield from shipped(_C_BUS)
     for name in ("sigcat_bus_sizes.h", "sigcat_bus_model.c"):
         yield GeneratedFile(name, rendered(f"adapter/fmi/bus/{name}.j2", tables).encode())

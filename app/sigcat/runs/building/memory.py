@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sigcat.adapter.host.connections import Member
+from sigcat.adapter.templates import rendered
 from sigcat.adapter.toolchain import Toolchain
-from sigcat.function.document.text_filters import c_header
 from sigcat.runs.building.commands import Compilation, compilations
 
 _USAGE = re.compile(r"[^\t]*:\d+:\d+:(?P<name>[^\t]*)\t(?P<bytes>\d+)\t")
@@ -34,6 +34,13 @@ class Memory(NamedTuple):
         return f"{self.function}: {self.state} bytes of state, {stack}"
 
 
+class _SizePlan(NamedTuple):
+    """Plan of a program that prints the size of a type."""
+
+    header: str
+    type_name: str
+
+
 def memory_of(members: Sequence[Member], folder: Path, tools: Toolchain) -> tuple[Memory, ...]:
     """Return the memory of each function, from a folder with the files that were generated for them and built."""
     cores = [one for one in compilations(members, folder, tools) if one.source.stem.endswith("_adapter")]
@@ -49,10 +56,8 @@ def _memory(member: Member, core: Compilation) -> Memory:
 def _size(type_name: str, core: Compilation) -> int:
     """The size of a type, as a program prints it."""
     source = core.source.with_name(f"{core.source.stem}_memory{core.source.suffix}")
-    source.write_text(
-        f"#include {c_header(core.source.with_suffix('.h').name)}\n#include <stdio.h>\n"
-        f'int main(void)\n{{\n    (void)printf("%lu", (unsigned long)sizeof({type_name}));\n    return 0;\n}}\n'
-    )
+    plan = _SizePlan(core.source.with_suffix(".h").name, type_name)
+    source.write_text(rendered("runs/building/size.c.j2", plan))
     program = source.with_suffix(".exe")
     flags = [each for each in core.command[:-3] if each != "-c"]
     _run([*flags, "-o", str(program), str(source)])

@@ -26,11 +26,6 @@ def _integer(number: int, of: NumberType) -> str:
     return _SMALLEST.get(number) or f"{number}{'U' if of.name.startswith('u') else ''}"
 
 
-def time(nanoseconds: int) -> str:
-    """A time in ns."""
-    return f"UINT64_C({nanoseconds})"
-
-
 def _shortest_float(number: float) -> str:
     wanted = struct.pack("f", number)
     texts = (f"{number:.{digits}g}" for digits in range(1, 10))

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Sequence
 
-from sigcat.adapter.core.c.literals import time
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import CLASS, Call
 
@@ -30,7 +29,7 @@ def _conditions(call: Call, scope: Scope) -> Iterator[str]:
     yield f"(t >= {place}.release)" if call.cycle is not None else f"({place}.events > 0U)"
     yield f"!{place}.is_active"
     if call.debounce:
-        yield f"(!{place}.has_begun || ((t - {place}.begun) >= {time(call.debounce)}))"
+        yield f"(!{place}.has_begun || ((t - {place}.begun) >= {scope.macro}_DEBOUNCE_{call.name}))"
     if waits(call, scope):
         yield f"!{scope.prefix}_Waits_{call.name}(self)"
 

@@ -1,6 +1,6 @@
 """The whole plan of a core."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from sigcat.adapter.core.numbers import DOUBLE, FLOAT, NumberType
@@ -8,7 +8,8 @@ from sigcat.adapter.core.plan.call import Call
 from sigcat.adapter.core.plan.interface import Method, Output, Parameter, Port
 from sigcat.adapter.core.plan.status import Error, ForeignError, ModeIn, ModeOut, Reaction
 from sigcat.adapter.core.plan.value import WireStruct
-from sigcat.function.document.text import Text
+from sigcat.function.document.document import Pointer
+from sigcat.function.document.text import Text, composed
 from sigcat.function.function_json.code import CLASS, GLOBALS
 from sigcat.names import screaming_snake_case
 
@@ -85,8 +86,19 @@ class CorePlan(NamedTuple):
     terminates: tuple[Call, ...]
     arithmetic: NumberType = DOUBLE
     """Type in which values are converted."""
-    sources: Mapping[str, str] = {}
-    """Source of the plan, by name and digest."""
+    declaration: Text = Text("")
+    """Name of the file that declares the function."""
+    digest: str = ""
+    """SHA-256 of that file."""
+    document: str = ""
+    """Name of the file whose lines `traces` names."""
+    traces: Mapping[Pointer, str] = {}
+    """Line and ASIL of each interface, for readers, by pointers into Function JSON."""
+
+    @property
+    def origin(self) -> Text:
+        """File that declares the function, for readers: `function.yaml (SHA-256 f4cb…)`."""
+        return composed(self.declaration, f" (SHA-256 {self.digest})")
 
     @property
     def runtime_version(self) -> int:
@@ -189,6 +201,11 @@ class CorePlan(NamedTuple):
     def code_setting(self) -> str:
         """The setting of CMake that names the folder of the function's code: `CORE_ACC_CODE`."""
         return f"{screaming_snake_case(self.function)}_CODE"
+
+    def trace(self, pointers: Iterable[Pointer]) -> str:
+        """Return the lines of some interfaces in the document, as the beginning of a list: `line 57, ASIL B, `."""
+        found = dict.fromkeys(self.traces[each] for each in pointers if each in self.traces)
+        return " and ".join(found) + ", " if found else ""
 
     def is_moded(self, call: Call) -> bool:
         """Whether a mode excludes a call."""

@@ -125,6 +125,11 @@ class Port(NamedTuple):
     """Calls and their inputs."""
 
     @property
+    def pointers(self) -> tuple[Pointer, ...]:
+        """Pointers of the inputs that take it."""
+        return tuple(item.named.pointer for _, item in self.consumers)
+
+    @property
     def is_kept(self) -> bool:
         """Whether the value itself is kept where it is received, and not in queues alone."""
         return any(item.queue is None for _, item in self.consumers)

@@ -79,14 +79,13 @@ class MappedVariable(NamedTuple):
 class BusPlan(NamedTuple):
     """Plan of the tables of a bus."""
 
-    version: str
     bus: FmuBus
     messages: tuple[Message, ...]
     signals: tuple[Signal, ...]
     mappings: tuple[MappedVariable, ...]
 
 
-def bus_plan(bus: FmuBus, layout: Layout, version: str) -> BusPlan:
+def bus_plan(bus: FmuBus, layout: Layout) -> BusPlan:
     """The tables of a bus."""
     messages: list[Message] = []
     signals: list[Signal] = []
@@ -99,7 +98,7 @@ def bus_plan(bus: FmuBus, layout: Layout, version: str) -> BusPlan:
             )
         )  # fmt: skip
         signals += [_signal(each, number, first, first + index) for index, each in enumerate(message.signals)]
-    return BusPlan(version, bus, tuple(messages), tuple(signals), tuple(_mappings(bus.messages, layout)))
+    return BusPlan(bus, tuple(messages), tuple(signals), tuple(_mappings(bus.messages, layout)))
 
 
 def _signal(signal: BusSignal, message: int, first: int, index: int) -> Signal:

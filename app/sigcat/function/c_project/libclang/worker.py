@@ -11,8 +11,9 @@ and `included` by file.
 
 import json
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
+from pathlib import Path
 from typing import Any
 
 from clang import cindex
@@ -20,9 +21,12 @@ from clang import cindex
 from sigcat.function.c_project.libclang import uses, values_of_c
 from sigcat.function.c_project.libclang.answer import ROOT, Answer, Json, inside
 from sigcat.function.c_project.libclang.read_declarations import read_declarations
-from sigcat.function.c_project.libclang.system_headers import SYSTEM_HEADERS
 
 _SYSTEM = "/sigcat-system/"
+_SYSTEM_HEADERS = Path(__file__).with_name("system_headers")
+"""Parts of headers of the system that declarations need; other headers of the system are skipped.
+
+They include the types of Simulink, which many projects do not pass on. A file of the project takes precedence."""
 _KEEP_GOING = 0x200
 _ERROR = 3
 _MOST_ERRORS = 200
@@ -36,8 +40,9 @@ def main() -> None:
     uses.declare_calls()
     answer, seen = Answer(), set[str]()
     index = cindex.Index.create()
+    system_headers = {each.name: each.read_text("utf-8") for each in _SYSTEM_HEADERS.iterdir()}
     for path, language in request["units"]:
-        unit = _parse(index, path, language, request)
+        unit = _parse(index, path, language, request, system_headers)
         _note_includes(unit, answer)
         answer.errors += _errors(unit)
         if request["declarations"]:
@@ -54,13 +59,13 @@ def _bound(megabytes: int, seconds: int) -> None:
         resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
 
 
-def _parse(index: Any, path: str, language: str, request: Json) -> Any:
+def _parse(index: Any, path: str, language: str, request: Json, system_headers: Mapping[str, str]) -> Any:
     folders = [f"-I{ROOT}{folder}" for folder in request["folders"]]
     options = ["-nostdinc", "-w", "-ferror-limit=0", f"--target={request['target']}", "-isystem", _SYSTEM]
     options += ["-ftemplate-depth=64", "-fconstexpr-depth=64", "-fbracket-depth=256"]
     options += [f"-D{definition}" for definition in request["definitions"]]
     texts = [(ROOT + name, text) for name, text in request["texts"].items()]
-    texts += [(_SYSTEM + name, text) for name, text in SYSTEM_HEADERS.items()]
+    texts += [(_SYSTEM + name, text) for name, text in system_headers.items()]
     return index.parse(ROOT + path, ["-x", language, *options, *folders], texts, _KEEP_GOING)
 
 

@@ -58,6 +58,7 @@ class _Core(NamedTuple):
     function: str
     version: str
     about: Sequence[AnyText]
+    origin: AnyText
     typing_imports: Sequence[Import]
     own_imports: Sequence[Import]
     declarations: str
@@ -117,6 +118,7 @@ def core_module(node: NodePlan) -> str:
         function=core.function,
         version=f" {core.version}" if core.version else "",
         about=[sentence(core.description)] if core.description else [],
+        origin=core.origin,
         typing_imports=_typing_imports(core),
         own_imports=imports([(".support.core", own)]),
         declarations=declarations(core),

@@ -136,6 +136,7 @@ class _Node(NamedTuple):
 
     function: str
     about: Sequence[AnyText]
+    origin: AnyText
     type: str
     name: str
     core: str
@@ -164,6 +165,7 @@ def node_module(node: NodePlan, *, has_bond: bool) -> str:
     plan = _Node(
         function=core.function,
         about=[sentence(core.description)] if core.description else [],
+        origin=core.origin,
         type=node.type,
         name=node.name,
         core=core_type(core),
