@@ -13,7 +13,8 @@ help:  ## list the commands
 serve: .venv/serve  ## start the service with the shipped trees on http://127.0.0.1:8000
 	@$(BIN)/sigcat serve --host $(HOST) --port $(PORT)
 
-test: format lint types imports tests  ## the fast checks: formatting, lint, types, import directions, tests
+test: format lint imports  ## the fast checks: formatting, lint, import directions, types, tests
+	@$(MAKE) --no-print-directory --jobs=2 types tests
 
 real: .venv/dev  ## the tests that take longer: every page in a browser, generated code built and run, attacks
 	$(BIN)/python scripts/browser.py

@@ -13,9 +13,9 @@ from bench.rows import Bench, Row, time_of
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.function.document.read_json import read_json
 from sigcat.function.function_file import CheckedFunction
-from sigcat.registry.breaking import broken_by_catalogue, broken_by_functions
 from sigcat.registry.candidate import Candidate
-from sigcat.registry.member import Member
+from sigcat.registry.compatibility.breaking import broken_by_catalogue, broken_by_functions
+from sigcat.registry.compatibility.member import Member
 from sigcat.registry.publish import publish
 from sigcat.registry.storing.database import reading
 from sigcat.registry.storing.ledger import Registry, ledger_of

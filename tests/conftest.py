@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from tests import properties, real_parts
+from tests import properties, real_parts, recent_catalogues
 from tests.needs import OFFICIAL
 from tests.reference_tools import Results, note
 
@@ -51,6 +51,7 @@ def pytest_configure(config: pytest.Config) -> None:
         False  # and each worker would rewrite the assertions of every test, and parse the shipped tree
     )
     properties.load_profile()
+    recent_catalogues.keep()
 
 
 @pytest.hookimpl(optionalhook=True)
@@ -85,7 +86,14 @@ def pytest_collection() -> Generator[None, object, object]:
         return (yield)
     finally:
         gc.freeze()
+        gc.set_threshold(20_000, 20, 20)  # for large heaps: the usual 700 takes a tenth of the time of the tests
         gc.enable()
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_sessionfinish() -> None:
+    """The process ends: pytest would search everything for garbage five times, and Python once more."""
+    gc.freeze()
 
 
 @pytest.hookimpl(tryfirst=True)

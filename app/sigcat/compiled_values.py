@@ -26,6 +26,11 @@ def stamp_of(files: Iterable[Path]) -> Stamp:
     return tuple((name, stat.st_size, stat.st_mtime_ns) for name, stat in stats)
 
 
+def stamp_of_values(folder: Path, name: str) -> Stamp:
+    """Stamp of the file that has the values which are stored under a name; nothing without one."""
+    return stamp_of((_file(folder, name),))
+
+
 def read_values(folder: Path, name: str, stamp: Stamp) -> Any:
     """Return the value that was stored in a folder under a name, with this stamp; None without one."""
     try:

@@ -9,11 +9,11 @@ from autosar_data import AutosarVersion
 from sigcat.adapter.autosar_classic.arxml.field_targets import TABLES
 from sigcat.adapter.autosar_classic.arxml.generate import PLATFORM_FILE, generate
 from sigcat.errors import InputRefused
+from sigcat.integration.autosar_classic.deployment.releases import RELEASES
+from sigcat.integration.autosar_classic.deployment.settings import NO_SETTINGS, AutosarClassicSettings
 from sigcat.integration.autosar_classic.derive import derive
 from sigcat.integration.autosar_classic.document import read_integration
 from sigcat.integration.autosar_classic.model import to_json
-from sigcat.integration.autosar_classic.releases import RELEASES
-from sigcat.integration.autosar_classic.settings import NO_SETTINGS, AutosarClassicSettings
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT
 from tests.adapter import arxml_made
 from tests.adapter.arxml_made import COLOURS, METHOD, lost, tags

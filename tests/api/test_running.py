@@ -22,6 +22,7 @@ from sigcat.api.settings import Settings
 from tests import plain_http
 from tests.api.conftest import TREE
 from tests.api.serving import Service, served
+from tests.function.test_hosting import noise
 from tests.processes import family, is_running
 from tests.waiting import DEADLINE, wait_until
 
@@ -140,6 +141,78 @@ def test_as_an_application_of_another_server_it_logs_and_watches_too(tmp_path: P
             assert process.stderr is not None
             lines = [json.loads(line) for line in process.stderr if line.startswith("{")]
     assert any(line.get("route") == "/api/v1/catalogues/{catalogue}" for line in lines)
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    """A project file with a catalogue, and what it can name more."""
+    (tmp_path / "tree.vspec").write_text(f"Vehicle: {{type: branch, description: A vehicle.}}\n{OVERLAY.decode()}")
+    (tmp_path / "overlay.vspec").write_text(
+        "Vehicle.Drag: {type: sensor, datatype: float, unit: zorp, description: Drag.}\n"
+    )
+    (tmp_path / "units.yaml").write_text(
+        "zorp: {definition: Drag., unit: Zorp, quantity: drag, allowed-datatypes: [float]}\n"
+    )
+    (tmp_path / "quantities.yaml").write_text("drag: {definition: Drag.}\n")
+    (tmp_path / "functions").mkdir()
+    (tmp_path / "functions/near.function.yaml").write_text(noise("Near"))
+    (tmp_path / "sigcat.toml").write_text(PROJECT)
+    return tmp_path / "sigcat.toml"
+
+
+PROJECT = 'watch = true\n[[catalogue]]\nid = "own"\ntitle = "Own"\nspec = "tree.vspec"\n'
+
+
+@contextmanager
+def serving(project: Path) -> Iterator[tuple[str, Path]]:
+    """Address and log of a service over a project."""
+    command = [sys.executable, "-m", "sigcat.cli", "serve", "--port", "0", "--config", str(project)]
+    log = project.with_name("log")
+    with (
+        log.open("w") as out,
+        subprocess.Popen(command, stdout=subprocess.PIPE, stderr=out, text=True) as process,
+    ):
+        assert process.stdout is not None
+        try:
+            yield process.stdout.readline().split()[3], log
+        finally:
+            process.kill()
+
+
+def test_a_changed_project_file_is_taken_over_while_the_service_runs(project: Path) -> None:
+    with serving(project) as (address, log):
+        catalogue = partial(plain_http.get, f"{address}/api/v1/catalogues/own")
+        assert catalogue().json()["node_count"] == 2
+        project.write_text(
+            'functions = ["functions"]\nunits = ["units.yaml"]\nquantities = ["quantities.yaml"]\n'
+            f'{PROJECT}overlays = ["overlay.vspec"]\n[service]\nport = 1\n'
+            '[[catalogue]]\nid = "more"\ntitle = "More"\nspec = "tree.vspec"\n'
+        )
+        wait_until(lambda: catalogue().json()["node_count"] == 3, "the overlay and its unit are read")
+        assert catalogue().json()["rejected"] == []
+        assert plain_http.get(f"{address}/api/v1/catalogues/more").json()["node_count"] == 2
+        near = partial(plain_http.get, f"{address}/functions/near")
+        wait_until(lambda: near().status_code == 200, "the function is hosted")
+        wait_until(lambda: "start the service again to use service" in log.read_text(), "a key needs a new start")
+        project.write_text(PROJECT)
+        wait_until(lambda: near().status_code == 404, "the function is gone")
+        assert catalogue().json()["node_count"] == 2
+        assert plain_http.get(f"{address}/api/v1/catalogues/more").status_code == 404
+
+
+def test_an_invalid_project_file_is_shown_and_the_last_good_state_stays(project: Path) -> None:
+    with serving(project) as (address, log):
+        catalogue = partial(plain_http.get, f"{address}/api/v1/catalogues/own")
+        project.write_text(PROJECT.replace("spec", "spce"))
+        wait_until(lambda: catalogue().json()["rejected"], "the finding is shown")
+        state = catalogue().json()
+        assert state["node_count"] == 2
+        assert {(each["rule"], each["file"]) for each in state["rejected"]} >= {("C002", str(project))}
+        assert "catalogue own" in plain_http.get(f"{address}/health/ready").json()["outdated"]
+        assert "spce" in plain_http.get(f"{address}/catalogues/own").text
+        project.write_text(PROJECT)
+        wait_until(lambda: not catalogue().json()["rejected"], "it is taken back")
+        assert "Traceback" not in log.read_text()
 
 
 def nodes_at(port: int) -> int:

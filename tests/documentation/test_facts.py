@@ -56,11 +56,16 @@ def test_the_glossary_names_keys_of_function_json():
     assert named <= keys
 
 
-@pytest.mark.parametrize("page", PAGES)
-def test_files_and_folders_of_code_that_pages_name_are_there(page):
-    for name in re.findall(r"`([\w/]+\.py|\w+/\w+/)`", text_of(page)):
-        if "NAME" not in name:
-            assert any(path.endswith(f"/{name.rstrip('/')}") for path in KNOWN), f"{page}: {name}"
+def test_files_and_folders_of_code_that_pages_name_are_there():
+    named = {
+        (name, page)
+        for page in PAGES
+        for name in re.findall(r"`([\w/]+\.py|\w+/\w+/)`", text_of(page))
+        if "NAME" not in name
+    }
+    endings = {name: f"/{name.rstrip('/')}" for name, _ in named}
+    there = {name for name, ending in endings.items() if any(path.endswith(ending) for path in KNOWN)}
+    assert sorted(f"{page}: {name}" for name, page in named if name not in there) == []
 
 
 def test_the_architecture_names_every_room():

@@ -7,7 +7,7 @@ import pytest
 from sigcat.catalogue.model.vocabulary import read_vocabulary
 from sigcat.data import OVERLAYS, VSPEC
 from sigcat.function.function_json.conversion import _TO_BASE, Linear, as_decimal, as_text, between, of_text
-from sigcat.function.resolving.numbers import shown
+from sigcat.function.resolving.values.numbers import shown
 
 UNITS = read_vocabulary([VSPEC / "units.yaml", OVERLAYS / "units.yaml"], [VSPEC / "quantities.yaml"])
 
@@ -80,18 +80,18 @@ PAIRS = [(source, target) for units in _TO_BASE.values() for source in units for
 PI = Fraction("3.14159265358979323846264338327950288419716939937510")
 
 
-@pytest.mark.parametrize(("source", "target"), PAIRS)
-def test_what_is_carried_has_the_nearest_double_of_each_direction(source, target):
-    linear, back = between(source, target), between(target, source)
-    assert linear is not None
-    assert back is not None
-    factor, offset = of_text(as_text(linear.factor)), of_text(as_text(linear.offset))
-    assert factor is not None
-    assert offset is not None
-    carried = Linear(factor, offset)
-    assert carried == linear
-    assert carried.inverse == back
-    assert [float(as_decimal(end)) for end in (*carried, *carried.inverse)] == [float(end) for end in (*linear, *back)]
+def test_what_is_carried_has_the_nearest_double_of_each_direction():
+    for pair in PAIRS:
+        linear, back = between(*pair), between(*reversed(pair))
+        assert linear is not None, pair
+        assert back is not None, pair
+        factor, offset = of_text(as_text(linear.factor)), of_text(as_text(linear.offset))
+        assert factor is not None, pair
+        assert offset is not None, pair
+        carried = Linear(factor, offset)
+        assert (carried, carried.inverse) == (linear, back), pair
+        ends = [float(as_decimal(end)) for end in (*carried, *carried.inverse)]
+        assert ends == [float(end) for end in (*linear, *back)], pair
 
 
 @pytest.mark.parametrize(

@@ -67,6 +67,5 @@ PAYLOADS = (
 
 
 @pytest.mark.parametrize("grammar", GRAMMARS.values(), ids=GRAMMARS)
-@pytest.mark.parametrize("payload", PAYLOADS, ids=ascii)
-def test_no_type_takes_what_a_language_interprets(grammar, payload):
-    assert not grammar.accepts(payload)
+def test_no_type_takes_what_a_language_interprets(grammar):
+    assert [payload for payload in PAYLOADS if grammar.accepts(payload)] == []

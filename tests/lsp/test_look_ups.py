@@ -1,4 +1,4 @@
-"""Hover, completion, definition and references, over a tree of 5,000 signals."""
+"""Hover, completion, definition and references, over a tree of 1,000 signals."""
 
 from pathlib import Path
 from typing import Any

@@ -10,7 +10,7 @@ from sigcat.registry import approvals
 from sigcat.registry.approvals import approve, pending, reject
 from sigcat.registry.author import Author
 from sigcat.registry.candidate import Candidate
-from sigcat.registry.deploying import can_deploy
+from sigcat.registry.compatibility.deploying import can_deploy
 from sigcat.registry.lines import set_rule, set_state
 from sigcat.registry.publish import publish
 from sigcat.registry.published import all_versions, version_named

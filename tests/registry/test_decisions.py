@@ -9,9 +9,9 @@ import pytest
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.function.function_file import CheckedFunction
 from sigcat.function.sets.check_set import check_set
-from sigcat.registry.breaking import broken_by_catalogue
 from sigcat.registry.candidate import Candidate
-from sigcat.registry.deploying import can_deploy
+from sigcat.registry.compatibility.breaking import broken_by_catalogue
+from sigcat.registry.compatibility.deploying import can_deploy
 from sigcat.registry.reference import Reference
 from sigcat.registry.storing.database import in_memory
 from sigcat.registry.users import users_of
@@ -19,8 +19,8 @@ from tests.catalogue.trees import ROOT, catalogue_of
 from tests.needs import IS_SLOW_RUN
 from tests.registry.parts import NAMES, SIGNALS, add, candidate, catalogue, checked, declaration, deploy
 
-HISTORIES = 10_000 if IS_SLOW_RUN else 300
-PARTS = 20
+HISTORIES = 10_000 if IS_SLOW_RUN else 100
+PARTS = 20 if IS_SLOW_RUN else 5
 """Parts of the histories, so that several processes share them."""
 _UNPROVIDED = "F103"
 _OTHER = {"S0": "uint8", "S2": "uint16"}

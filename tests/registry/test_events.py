@@ -118,5 +118,5 @@ def test_follow_prints_an_event_when_it_is_written(tmp_path: Path) -> None:
         assert json.loads(process.stdout.readline())["subject"] == "o@1.1.0"
     finally:
         process.send_signal(signal.SIGINT)
-        assert process.wait(30) == 130
+        assert process.wait(30) == 0
         process.stdout.close()

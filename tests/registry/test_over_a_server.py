@@ -1,5 +1,6 @@
 """The commands with a service give the same output and the same exit status as with a database."""
 
+import json
 import os
 import re
 import shlex
@@ -9,7 +10,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from http.server import BaseHTTPRequestHandler, HTTPServer
 from pathlib import Path
 from typing import NamedTuple
@@ -112,9 +113,9 @@ def write(folder: Path, project: str) -> None:
 
 
 @contextmanager
-def serving(folder: Path) -> Iterator[Served]:
+def serving(folder: Path, port: str = "0") -> Iterator[Served]:
     """A service of the project in a folder."""
-    command = [sys.executable, "-m", "sigcat.cli", "serve", "--port", "0"]
+    command = [sys.executable, "-m", "sigcat.cli", "serve", "--port", port]
     with subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as process:
         assert process.stdout is not None
         try:
@@ -224,6 +225,54 @@ def test_a_server_that_is_wrong_in_the_project_is_reported(run: Run, tmp_path: P
     write(tmp_path, f"[registry]\n{settings}\n")
     status, _, text = run(tmp_path, "registry list")
     assert (status, "sigcat.toml:" in text, "Traceback" in text) == (2, True, False), text
+
+
+def test_events_of_a_service_are_those_of_its_database(served: Served, run: Run, tmp_path: Path) -> None:
+    client = client_of(served, tmp_path / "client")
+    run(client, "publish CoreAcc.yaml User.yaml Provider.yaml")
+    status, lines, _ = run(served.folder, "registry events")
+    assert (status, lines.count("\n") >= 3) == (0, True)
+    assert run(client, "registry events") == (0, lines, "")
+    first, rest = lines.split("\n", 1)
+    assert run(client, f"registry events --after {json.loads(first)['id']}") == (0, rest, "")
+    status, printed, text = run(client, "registry events --after 00")
+    assert (status, printed, "error E005" in text) == (1, "", True)
+    _, printed, _ = run(client, "registry events --format text")
+    assert printed.splitlines()[0].split("  ")[1:] == ["published", "CoreAcc@1.0.0"]
+
+
+def test_events_are_followed_over_a_restart_of_the_service_until_an_interrupt(tmp_path: Path, run: Run) -> None:
+    folder = tmp_path / "served"
+    folder.mkdir()
+    write(folder, DATABASE.replace('key = "registry.key"\n', ""))
+    with ExitStack() as stack:
+        with serving(folder) as service:
+            client = client_of(service, tmp_path / "client")
+            assert run(client, "publish CoreAcc.yaml")[0] == 0
+            command = [sys.executable, "-m", "sigcat.cli", "registry", "events", "--follow"]
+            following = stack.enter_context(
+                subprocess.Popen(command, cwd=client, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            )
+            stack.callback(following.kill)
+            assert following.stdout is not None
+            assert following.stderr is not None
+            assert json.loads(following.stdout.readline())["subject"] == "CoreAcc@1.0.0"
+            assert run(client, "publish User.yaml")[0] == 0
+            assert json.loads(following.stdout.readline())["subject"] == "User@1.0.0"
+        assert "does not answer" in following.stderr.readline()
+        assert run(folder, "publish Provider.yaml")[0] == 0
+        port = service.address.rpartition(":")[2].strip("/")
+        with serving(folder, port):
+            assert json.loads(following.stdout.readline())["subject"] == "Provider@1.0.0"
+            following.send_signal(signal.SIGINT)
+            assert following.wait(30) == 0
+        assert following.stderr.read() == ""
+
+
+def test_a_service_that_does_not_answer_at_first_is_not_waited_for(run: Run, tmp_path: Path) -> None:
+    write(tmp_path, PROJECT)
+    status, _, text = run(tmp_path, "registry events --follow --server http://127.0.0.1:9")
+    assert (status, "does not answer" in text) == (2, True)
 
 
 # -- servers that are no service, or end ----------------------------------------------------------------------------

@@ -2,10 +2,15 @@
 
 import csv
 import json
+import sqlite3
+from contextlib import closing
 from functools import cache
 from pathlib import Path
 
 import pytest
+import zstandard
+from mcap.reader import make_reader
+from mcap.writer import Writer as RawWriter
 from mcap_ros2.writer import Writer
 
 from sigcat.adapter.host.shapes import Array, Number, Record
@@ -195,7 +200,12 @@ def test_a_damaged_bag_is_reported_and_nothing_is_written(drive, tmp_path, cut, 
     [
         ("a: [", 1, "must be that of a bag"),
         ("rosbag2_bagfile_information: 3", 1, "must be that of a bag"),
-        ("rosbag2_bagfile_information: {storage_identifier: sqlite3, relative_file_paths: []}", 2, "ros2 bag convert"),
+        ("rosbag2_bagfile_information: {storage_identifier: sqlite3, relative_file_paths: []}", 1, "has no topic"),
+        ("rosbag2_bagfile_information: {storage_identifier: tape, relative_file_paths: []}", 2, "MCAP or SQLite"),
+        (
+            "rosbag2_bagfile_information: {storage_identifier: mcap, relative_file_paths: [], compression_format: lz4}",
+            2, "by zstd, not 'lz4'",
+        ),
         ("rosbag2_bagfile_information: {storage_identifier: mcap, relative_file_paths: [x]}", 2, "does not exist"),
     ],
 )  # fmt: skip
@@ -242,10 +252,161 @@ def test_a_bag_whose_recording_was_cut_off_is_reported(drive, tmp_path, capsys):
     assert "T001" in capsys.readouterr().err
 
 
-def test_files_of_a_bag_that_go_back_in_time_are_reported(tmp_path):
-    for name, time in (("a", 2), ("b", 1)):
-        bag(tmp_path / f"{name}.mcap", ("/vehicle/speed", "Speed", time, stamped(speed=1.0)), schemas={"Speed": SPEED})
-    described = {"storage_identifier": "mcap", "relative_file_paths": ["a.mcap", "b.mcap"]}
-    (tmp_path / "metadata.yaml").write_text(json.dumps({"rosbag2_bagfile_information": described}))
-    with pytest.raises(InputRefused, match="must not be before the end of the file before it"):
-        rows(tmp_path, tmp_path)
+def test_files_of_a_bag_that_overlap_in_time_are_one_trace(tmp_path):
+    """A recorder splits by size, and stores messages of several topics almost in order."""
+    for name, times in (("a", (2, 4)), ("b", (1, 3))):
+        written = [("/vehicle/speed", "Speed", time, stamped(speed=time)) for time in times]
+        bag(tmp_path / f"{name}.mcap", *written, schemas={"Speed": SPEED})
+    described(tmp_path, "mcap", "a.mcap", "b.mcap")
+    text, _ = rows(tmp_path, tmp_path)
+    assert [row.split(",")[1] for row in text.splitlines()[1:]] == ["1.0", "2.0", "3.0", "4.0"]
+
+
+# -- the forms in which `ros2 bag record` stores a bag ------------------------------------------------------------
+
+SCHEMA = """
+CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL, serialization_format TEXT NOT NULL,
+  offered_qos_profiles TEXT NOT NULL);
+CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER NOT NULL, timestamp INTEGER NOT NULL, data BLOB NOT NULL);
+"""
+DEFINED = """
+CREATE TABLE message_definitions(id INTEGER PRIMARY KEY, topic_type TEXT NOT NULL, encoding TEXT NOT NULL,
+  encoded_message_definition TEXT NOT NULL, type_description_hash TEXT NOT NULL);
+"""
+
+
+def described(folder, storage, *names, **compression):
+    """Write metadata.yaml."""
+    content = {"version": 9, "storage_identifier": storage, "relative_file_paths": list(names), **compression}
+    (folder / "metadata.yaml").write_text(json.dumps({"rosbag2_bagfile_information": content}))
+
+
+def in_sqlite(source, target, is_defined=True, packed=bytes):
+    """Write the messages of a file in MCAP as the plugin of rosbag2 for SQLite does; without definitions, that of Humble."""
+    with closing(sqlite3.connect(target)) as database, source.open("rb") as file:
+        database.executescript(SCHEMA + (DEFINED if is_defined else ""))
+        topics: dict[str, int] = {}
+        for schema, channel, message in make_reader(file).iter_messages(log_time_order=False):
+            assert schema is not None
+            if channel.topic not in topics:
+                topics[channel.topic] = len(topics) + 1
+                number = topics[channel.topic]
+                database.execute("INSERT INTO topics VALUES (?, ?, ?, 'cdr', '')", (number, channel.topic, schema.name))
+                if is_defined:
+                    definition = (number, schema.name, "ros2msg", schema.data.decode(), "")
+                    database.execute("INSERT INTO message_definitions VALUES (?, ?, ?, ?, ?)", definition)
+            row = (topics[channel.topic], message.log_time, packed(message.data))
+            database.execute("INSERT INTO messages (topic_id, timestamp, data) VALUES (?, ?, ?)", row)
+        database.commit()
+    return target
+
+
+def packed_by_message(source, target):
+    """Write a file in MCAP with each message compressed."""
+    with source.open("rb") as file, target.open("wb") as out:
+        writer = RawWriter(out)
+        writer.start()
+        channels = {}
+        for schema, channel, message in make_reader(file).iter_messages():
+            assert schema is not None
+            if channel.topic not in channels:
+                number = writer.register_schema(schema.name, schema.encoding, schema.data)
+                channels[channel.topic] = writer.register_channel(channel.topic, "cdr", number)
+            time, data = message.log_time, zstandard.compress(message.data)
+            writer.add_message(channels[channel.topic], time, data, time)
+        writer.finish()
+
+
+@pytest.fixture
+def recorded(tmp_path):
+    """A file in MCAP with two topics, and its trace."""
+    path = bag(
+        tmp_path / "recorded.mcap",
+        ("/speed", "Speed", 0, stamped(speed=36.5)), ("/hmi/lamp_fault", "ErrorStatus", 0.5, stamped(status=1)),
+        ("/speed", "Speed", 1.25, stamped(speed=0.1)), schemas={"Speed": SPEED, "ErrorStatus": STATUS},
+    )  # fmt: skip
+    return path, rows(path, tmp_path)
+
+
+@pytest.mark.parametrize("storage", ["mcap", "sqlite3"])
+@pytest.mark.parametrize("compression", ["none", "file", "message"])
+def test_each_storage_and_compression_gives_the_same_trace(recorded, tmp_path, storage, compression):
+    source, expected = recorded
+    folder = tmp_path / "bag"
+    folder.mkdir()
+    file = folder / {"mcap": "bag_0.mcap", "sqlite3": "bag_0.db3"}[storage]
+    if storage == "sqlite3":
+        in_sqlite(source, file, packed=zstandard.compress if compression == "message" else bytes)
+    elif compression == "message":
+        packed_by_message(source, file)
+    else:
+        file.write_bytes(source.read_bytes())
+    if compression == "file":
+        packed = file.with_name(f"{file.name}.zstd")
+        packed.write_bytes(zstandard.compress(file.read_bytes()))
+        file.unlink()
+        file = packed
+    form = {} if compression == "none" else {"compression_format": "zstd", "compression_mode": compression.upper()}
+    described(folder, storage, file.name, **form)
+    assert is_bag(folder)
+    assert rows(folder, tmp_path) == expected
+    assert is_bag(file)
+    assert rows(file, tmp_path) == expected
+
+
+def test_a_file_without_chunks_is_read(recorded, tmp_path):
+    """The preset `fastwrite` of the recorder."""
+    source, expected = recorded
+    with source.open("rb") as file, (tmp_path / "fast.mcap").open("wb") as out:
+        writer = RawWriter(out, use_chunking=False)
+        writer.start()
+        for schema, channel, message in make_reader(file).iter_messages():
+            assert schema is not None
+            number = writer.register_channel(
+                channel.topic, "cdr", writer.register_schema(schema.name, schema.encoding, schema.data)
+            )
+            writer.add_message(number, message.log_time, message.data, message.log_time)
+        writer.finish()
+    assert rows(tmp_path / "fast.mcap", tmp_path) == expected
+
+
+@pytest.mark.parametrize("mapped", [{}, {"/speed": (Column("speed", "Vehicle.Speed"),)}])
+def test_a_bag_without_definitions_says_how_to_get_them(recorded, tmp_path, mapped):
+    path = in_sqlite(recorded[0], tmp_path / "humble.db3", is_defined=False)
+    with pytest.raises(InputRefused) as refusal:
+        rows(path, tmp_path, **mapped)
+    (finding,) = refusal.value.findings
+    assert "no definition of the messages of /speed" in finding.message
+    assert "ros2 bag convert" in finding.fix
+
+
+@pytest.mark.parametrize("content", [b"", b"text", b"SQLite format 3\0", b"\x28\xb5\x2f\xfd123", "cut"])
+@pytest.mark.parametrize("name", ["a.db3", "a.mcap.zstd"])
+def test_a_file_that_cannot_be_read_is_reported(recorded, tmp_path, name, content, capsys):
+    whole = in_sqlite(recorded[0], tmp_path / "whole.db3").read_bytes()
+    (tmp_path / name).write_bytes(whole[:5000] if content == "cut" else content)
+    assert main(["simulate", *FUNCTIONS, "--trace", str(tmp_path / name)]) == 1
+    assert "T001" in capsys.readouterr().err
+
+
+def test_messages_that_are_damaged_are_reported(recorded, tmp_path):
+    path = in_sqlite(recorded[0], tmp_path / "a.db3", packed=lambda data: data[:5])
+    with pytest.raises(InputRefused, match="cannot be read"):
+        rows(path, tmp_path)
+
+
+def test_a_definition_that_cannot_be_parsed_is_reported(recorded, tmp_path):
+    """That of the events of a service has two parts, each with fields."""
+    path = in_sqlite(recorded[0], tmp_path / "a.db3")
+    with closing(sqlite3.connect(path)) as database:
+        database.execute("UPDATE message_definitions SET encoded_message_definition = ?", (f"---\n{SPEED}",))
+        database.commit()
+    with pytest.raises(InputRefused) as refusal:
+        rows(path, tmp_path)
+    assert "definition of a message is invalid" in refusal.value.findings[0].message
+
+
+def test_a_folder_without_metadata_is_reported(recorded, tmp_path, capsys):
+    """A recorder that was killed writes none."""
+    assert main(["simulate", *FUNCTIONS, "--trace", str(tmp_path)]) == 2
+    assert "has no metadata.yaml. Run `ros2 bag reindex`." in capsys.readouterr().err

@@ -1,6 +1,8 @@
 """A registry whose pages have a version that may not be deployed."""
 
+from functools import cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from sigcat.project.project import RegistrySettings
 from sigcat.registry.lines import record, set_rule, set_state
@@ -9,6 +11,7 @@ from sigcat.registry.reference import Reference
 from sigcat.registry.storing.database import writing
 from sigcat.registry.storing.entry import now
 from sigcat.registry.storing.ledger import Registry
+from sigcat.registry.storing.sqlite import close_all
 from sigcat.registry.webhooks.addresses import Policy
 from sigcat.registry.webhooks.deliveries import plan
 from sigcat.registry.webhooks.subscriptions import subscribe
@@ -17,7 +20,24 @@ from tests.registry.parts import candidate, catalogue, declaration
 
 def published(folder: Path) -> RegistrySettings:
     """Alpha 1.0.0 provides S0 to Beta and Gamma, and Alpha 2.0.0 does not."""
-    registry, over = Registry(folder / "registry.db"), catalogue()
+    database = folder / "registry.db"
+    database.write_bytes(_content())
+    return RegistrySettings(database)
+
+
+@cache
+def _content() -> bytes:
+    """The file of the database, which is written once and copied: to publish takes much longer."""
+    with TemporaryDirectory() as folder:
+        registry = Registry(Path(folder, "registry.db"))
+        _publish(registry)
+        close_all()  # moves the write-ahead log into the file
+        assert isinstance(registry.database, Path)
+        return registry.database.read_bytes()
+
+
+def _publish(registry: Registry) -> None:
+    over = catalogue()
     first = (
         declaration("Alpha", ("S0",)),
         declaration("Beta", ("S1",), ("S0",)),
@@ -35,4 +55,3 @@ def published(folder: Path) -> RegistrySettings:
     with writing(registry.database) as connection:
         plan(connection, now())
         connection.exec_driver_sql("UPDATE deliveries SET state = 'failed', attempts = 12, answer = 'answered 503'")
-    return RegistrySettings(registry.database)

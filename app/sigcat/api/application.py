@@ -3,15 +3,17 @@
 import asyncio
 import logging
 import os
-from collections.abc import AsyncIterator, Iterator, Mapping
+from collections.abc import AsyncIterator, Iterator, Mapping, Sequence
 from contextlib import asynccontextmanager, contextmanager
+from functools import cache
 from math import ceil
 from typing import Any
 
 from anyio.to_thread import current_default_thread_limiter
-from fastapi import Depends, FastAPI
+from fastapi import APIRouter, Depends, FastAPI
 from fastapi.middleware.cors import CORSMiddleware
 from fastapi.routing import APIRoute
+from starlette.routing import BaseRoute
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from sigcat import __version__
@@ -157,14 +159,21 @@ def create_app(
     app.state.held_bodies = HeldBodies(settings.bodies_bytes)
     app.state.metrics = Metrics(library, app.state.functions, app.state.work_queue, app.state.export_queue)
     app.state.request_notes = RequestNotes(app.state.metrics)
-    for router in (*_ROUTERS, *([metrics.router] if settings.metrics else [])):
-        app.include_router(router, dependencies=[Depends(refuse_unknown)])
-    app.include_router(exports.unknown_formats)
-    app.router.routes.append(contract.WHOLE_SERVICE)
+    app.router.routes.extend(_routes(settings.metrics))
     install_problems(app)
     app.openapi = lambda: openapi_document(app)  # type: ignore[method-assign]
     _wrap(app, library, settings)
     return app
+
+
+@cache
+def _routes(has_metrics: bool) -> Sequence[BaseRoute]:
+    """Routes of the API. FastAPI analyzes them at the first request; all services of a process share the result."""
+    all_routers = APIRouter(generate_unique_id_function=_operation_id)
+    for router in (*_ROUTERS, *([metrics.router] if has_metrics else [])):
+        all_routers.include_router(router, dependencies=[Depends(refuse_unknown)])
+    all_routers.include_router(exports.unknown_formats)
+    return (*all_routers.routes, contract.WHOLE_SERVICE)
 
 
 def _queue(at_once: int, settings: Settings, kind: str = "") -> WorkQueue:

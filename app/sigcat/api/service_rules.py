@@ -45,5 +45,15 @@ class ServiceRules:
 
 
 def service_rules(folder: Path) -> ServiceRules:
-    """The rules of the files in a folder. Raises InputRefused with everything that is wrong with them."""
-    return ServiceRules(compiled_rules(folder))
+    """The rules of the files in a folder. Raises InputRefused with everything that is wrong with them.
+
+    Services of a process share them, so that their worker processes get them once.
+    """
+    global _last  # noqa: PLW0603 - rules are read again when their files change
+    rules = compiled_rules(folder)
+    if rules is not _last.rules:
+        _last = ServiceRules(rules)
+    return _last
+
+
+_last = ServiceRules(())

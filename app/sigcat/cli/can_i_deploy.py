@@ -10,7 +10,7 @@ from sigcat.limits import REGISTRY_ROWS
 from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
-    from sigcat.registry.deploying import Answer
+    from sigcat.registry.compatibility.deploying import Answer
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:

@@ -66,6 +66,13 @@ def served_project(arguments: argparse.Namespace) -> "tuple[Project, Settings]":
     return project, settings
 
 
+def read_again(arguments: argparse.Namespace, file: Path) -> "Project":
+    """Return the project of a file that has changed since. Raises InputRefused or UsageError."""
+    from sigcat.project.read_project import read_project
+
+    return read_project(file, {SETTINGS: lambda table, place: _settings(table, place, arguments)})
+
+
 def _settings(table: "Mapping[str, Any]", file: Path | None, arguments: argparse.Namespace) -> "Settings":
     from sigcat.api.read_settings import read_settings
 

@@ -58,9 +58,9 @@ def check(arguments: argparse.Namespace) -> int:
 
 
 def _findings(arguments: argparse.Namespace, connection: "Snapshot") -> "Iterator[Finding]":
-    from sigcat.registry.breaking import broken_by_catalogue, broken_by_functions
     from sigcat.registry.candidates import read_functions
-    from sigcat.registry.member import file_member
+    from sigcat.registry.compatibility.breaking import broken_by_catalogue, broken_by_functions
+    from sigcat.registry.compatibility.member import file_member
 
     files = published_files(arguments.files)
     if files.functions:

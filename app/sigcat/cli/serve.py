@@ -3,11 +3,11 @@
 import argparse
 import atexit
 from contextlib import ExitStack, nullcontext
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sigcat.cli.catalogue_options import add_catalogue_options, hosted_sources, served_project
+from sigcat.cli.catalogue_options import add_catalogue_options, hosted_sources, read_again, served_project
 from sigcat.cli.ended_by_signals import was_interrupted
-from sigcat.cli.project_options import add_project_options
 from sigcat.cli.registry_options import hosted_registry
 from sigcat.cli.tree_options import add_tree_options, tree_options
 from sigcat.errors import UsageError, without_signals
@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
     from sigcat.catalogue.hosting.library import Library
     from sigcat.catalogue.hosting.source import Source
+    from sigcat.function.hosting import FunctionLibrary
+    from sigcat.project.changed_file import ProjectFile
     from sigcat.project.project import Project
 
 _HIGHEST_PORT = 65535
@@ -55,7 +57,6 @@ def serve(arguments: argparse.Namespace) -> int:
     from sigcat.api.server import run
     from sigcat.catalogue.hosting.library import Library, Watch
     from sigcat.function.hosting import FunctionLibrary
-    from sigcat.project.changed_file import ProjectFile
     from sigcat.temporary_files import temporary_folder
     from sigcat.web.openid import check_openid
     from sigcat.web.site import create_site
@@ -63,14 +64,14 @@ def serve(arguments: argparse.Namespace) -> int:
     with temporary_folder("sigcat-serve-"):
         pass  # better told now than with the first export
     project, settings = served_project(arguments)
-    sources = _with_local(hosted_sources(arguments, project), arguments, project)
-    library = Library(sources)
+    library = Library(_sources(arguments, project))
     _refuse_without_signals(library, project)
     check_openid(settings)
     functions = FunctionLibrary(project.functions, has_shipped=project.has_shipped_functions, catalogues=library)
     if was_interrupted():
         raise KeyboardInterrupt
-    with Watch(library, functions, ProjectFile(project.file)) if project.is_watching else nullcontext():
+    file = _project_file(arguments, project, library, functions)
+    with Watch(file, library, functions) if project.is_watching else nullcontext():
         run(create_site(library, settings, functions, hosted_registry(project)), settings)
     return 0
 
@@ -83,13 +84,26 @@ def _refuse_without_signals(library: "Library", project: "Project") -> None:
             raise UsageError(f"catalogue {hosted.source.id!r}: {without_signals(hosted.source.spec)}")
 
 
-def _with_local(
-    sources: "tuple[Source, ...]", arguments: argparse.Namespace, project: "Project"
-) -> "tuple[Source, ...]":
+def _project_file(
+    arguments: argparse.Namespace, project: "Project", library: "Library", functions: "FunctionLibrary"
+) -> "ProjectFile":
+    """Return the project file, whose changes are hosted."""
+    from sigcat.project.changed_file import ProjectFile
+
+    def take(file: Path) -> None:
+        changed = read_again(arguments, file)
+        library.host(_sources(arguments, changed))
+        functions.host(changed.functions, has_shipped=changed.has_shipped_functions)
+
+    return ProjectFile(project.file, take, library.refuse)
+
+
+def _sources(arguments: argparse.Namespace, project: "Project") -> "tuple[Source, ...]":
     """Return the sources with the tree that the options name in front: of the project by its id, any other as `local`."""
     from sigcat.catalogue.hosting.sources import sources_in_order
     from sigcat.project.chosen_tree import TreeOptions, chosen_tree
 
+    sources = hosted_sources(arguments, project)
     given = tree_options(arguments)
     if given == TreeOptions():
         return sources
@@ -105,17 +119,16 @@ def application() -> "FastAPI":
     from sigcat.api.server import prepare
     from sigcat.catalogue.hosting.library import Library, Watch
     from sigcat.function.hosting import FunctionLibrary
-    from sigcat.project.changed_file import ProjectFile
     from sigcat.web.openid import check_openid
     from sigcat.web.site import create_site
 
     ignore_hangup()
     parser = argparse.ArgumentParser()
     add_catalogue_options(parser)
-    add_project_options(parser)
+    add_tree_options(parser)
     arguments = parser.parse_args([])
     project, settings = served_project(arguments)
-    library = Library(hosted_sources(arguments, project))
+    library = Library(_sources(arguments, project))
     _refuse_without_signals(library, project)
     check_openid(settings)
     functions = FunctionLibrary(project.functions, has_shipped=project.has_shipped_functions, catalogues=library)
@@ -123,6 +136,7 @@ def application() -> "FastAPI":
     prepare(service, settings)
     if project.is_watching:
         watching = ExitStack()
-        watching.enter_context(Watch(library, functions, ProjectFile(project.file)))
+        file = _project_file(arguments, project, library, functions)
+        watching.enter_context(Watch(file, library, functions))
         atexit.register(watching.close)
     return service

@@ -97,6 +97,13 @@ class FunctionLibrary:
             self.comparisons = told_apart((*compared, *(_shipped_comparisons() if self._has_shipped else ())))
         return self.files
 
+    def host(self, folders: Iterable[Path], *, has_shipped: bool) -> None:
+        """Host the functions of these folders in place of the ones so far."""
+        before = self.folders, self._has_shipped
+        self.folders, self._has_shipped = tuple(folders), has_shipped
+        if before != (self.folders, self._has_shipped):
+            self.reload()
+
     @property
     def runs(self) -> HostedRuns:
         """The stored runs."""

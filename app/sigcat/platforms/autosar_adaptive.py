@@ -3,20 +3,20 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from sigcat.integration.autosar_adaptive.releases import RELEASES, SOURCE_RELEASES
+from sigcat.integration.autosar_adaptive.deployment.releases import RELEASES, SOURCE_RELEASES
 from sigcat.platforms.platform import Generator, Integrated, Options, Platform
 
 if TYPE_CHECKING:
     from sigcat.adapter.files import GeneratedFile
     from sigcat.function.function_json.resolved_function import ResolvedFunction
-    from sigcat.integration.autosar_adaptive.settings import AutosarAdaptiveSettings
+    from sigcat.integration.autosar_adaptive.deployment.settings import AutosarAdaptiveSettings
     from sigcat.integration.deployment import Deployment
     from sigcat.integration.report import Entry
     from sigcat.limits import Limits
 
 
 def _settings() -> "type[AutosarAdaptiveSettings]":
-    from sigcat.integration.autosar_adaptive.settings import AutosarAdaptiveSettings
+    from sigcat.integration.autosar_adaptive.deployment.settings import AutosarAdaptiveSettings
 
     return AutosarAdaptiveSettings
 
@@ -58,7 +58,7 @@ def _report_of_application(data: bytes, name: str, limits: "Limits") -> "tuple[E
 
 def _with_identifiers(deployment: "Deployment", files: "Sequence[tuple[bytes, str]]", limits: "Limits") -> "Deployment":
     from sigcat.adapter.autosar_adaptive.arxml.reading import read_arxml
-    from sigcat.integration.autosar_adaptive.id_catalogue import merged, read_csv
+    from sigcat.integration.autosar_adaptive.someip.id_catalogue import merged, read_csv
 
     read = [
         (read_arxml if data.lstrip(b"\xef\xbb\xbf \r\n\t")[:1] == b"<" else read_csv)(data, name, limits)
@@ -74,7 +74,7 @@ def _with_previous(
 ) -> Integrated:
     from sigcat.integration.autosar_adaptive.document import read_integration
     from sigcat.integration.autosar_adaptive.model import IntegrationModel, to_json
-    from sigcat.integration.autosar_adaptive.versions import raised
+    from sigcat.integration.autosar_adaptive.someip.versions import raised
 
     settings: AutosarAdaptiveSettings = deployment.autosar_adaptive  # type: ignore[attr-defined]
     model = IntegrationModel.model_validate_json(integrated.document)

@@ -3,20 +3,20 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from sigcat.integration.autosar_classic.releases import RELEASES
+from sigcat.integration.autosar_classic.deployment.releases import RELEASES
 from sigcat.platforms.platform import Generator, Integrated, Options, Platform
 
 if TYPE_CHECKING:
     from sigcat.adapter.files import GeneratedFile
     from sigcat.function.function_json.resolved_function import ResolvedFunction
-    from sigcat.integration.autosar_classic.settings import AutosarClassicSettings
+    from sigcat.integration.autosar_classic.deployment.settings import AutosarClassicSettings
     from sigcat.integration.deployment import Deployment
     from sigcat.integration.report import Entry
     from sigcat.limits import Limits
 
 
 def _settings() -> "type[AutosarClassicSettings]":
-    from sigcat.integration.autosar_classic.settings import AutosarClassicSettings
+    from sigcat.integration.autosar_classic.deployment.settings import AutosarClassicSettings
 
     return AutosarClassicSettings
 

@@ -31,7 +31,7 @@ def _derive(functions: "Sequence[ResolvedFunction]", deployment: "Deployment", s
 
 
 def _with_files(deployment: "Deployment", folder: "Path", environment: "Mapping[str, str]") -> "Deployment":
-    from sigcat.integration.ros2.installed_messages import with_installed_messages
+    from sigcat.integration.ros2.messages.installed_messages import with_installed_messages
 
     settings: Ros2Settings = deployment.ros2  # type: ignore[attr-defined]
     return deployment.model_copy(update={"ros2": with_installed_messages(settings, folder, environment)})

@@ -1,45 +1,76 @@
-"""The project file of a service that runs: a change of it takes effect at the next start, which the log says."""
+"""The project file of a service that runs: a change of it takes effect at once, except for keys that need a new start."""
 
 import logging
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
+from sigcat import codes
+from sigcat.errors import InputRefused, UsageError
+from sigcat.findings import Finding
+
+AT_START = ("watch", "service", "registry")
+"""Keys that a service uses when it starts."""
 _log = logging.getLogger("sigcat.hosting")
 
 
 class ProjectFile:
     """A project file that is watched."""
 
-    def __init__(self, file: Path | None) -> None:
-        self._file = file
-        self._mark = _mark_of(file)
-        self._settings = _settings_of(file)
+    def __init__(
+        self, file: Path | None, take: Callable[[Path], None], refuse: Callable[[tuple[Finding, ...]], None]
+    ) -> None:
+        """`take` reads the file, and hosts what it names; it raises InputRefused or UsageError before it changes anything.
+
+        `refuse` shows the findings of a file that is not taken; none after one that is.
+        """
+        self._file, self._take, self._refuse = file, take, refuse
+        self._mark = self._seen = _mark_of(file)
+        self._started_with = _settings_of(file)
 
     def reload_changed(self) -> None:
-        """Log a change with its keys, once."""
-        mark = _mark_of(self._file)
-        if mark != self._mark:
-            self._mark = mark
-            before, now = self._settings, _settings_of(self._file)
-            if before is None or now is None:
-                _log.warning("%s has changed: start the service again to use it", self._file)
-            elif keys := [key for key in sorted({*before, *now}) if before.get(key) != now.get(key)]:
-                _log.warning("%s has changed: start the service again to use %s", self._file, ", ".join(keys))
-            self._settings = now
+        """Take a changed file at the second look, as it may be half written at the first.
+
+        Of an invalid one, log and show the findings: the last good state stays.
+        """
+        before, self._seen = self._seen, _mark_of(self._file)
+        if self._file is None or self._seen == self._mark or self._seen != before:
+            return
+        self._mark = self._seen
+        try:
+            self._take(self._file)
+        except (InputRefused, UsageError) as error:
+            findings = _findings(self._file, error)
+            _log.warning("%s: the file has errors; the last good state stays", self._file)
+            for finding in findings:
+                _log.warning("%s", finding.line_of_text)
+            self._refuse(findings)
+            return
+        self._refuse(())
+        _log.info("%s: read again", self._file)
+        then, now = self._started_with, _settings_of(self._file)
+        if keys := [key for key in AT_START if then.get(key) != now.get(key)]:
+            _log.warning("%s has changed: start the service again to use %s", self._file, ", ".join(keys))
 
 
-def _settings_of(file: Path | None) -> Mapping[str, Any] | None:
-    """Values of the file by key; None if it cannot be read."""
+def _findings(file: Path, error: InputRefused | UsageError) -> tuple[Finding, ...]:
+    if isinstance(error, InputRefused):
+        return error.findings
+    rule = codes.SETTING_UNFIT if file.is_file() else codes.FILE_MISSING
+    return (rule.finding(str(error), str(file)),)
+
+
+def _settings_of(file: Path | None) -> Mapping[str, Any]:
+    """Values of the file by key; none if it cannot be read."""
     try:
         content = tomllib.loads(file.read_text(encoding="utf-8")) if file is not None else {}
-    except (OSError, ValueError):
-        return None
+    except (OSError, ValueError, RecursionError):
+        return {}
     if file is not None and file.name == "pyproject.toml":
         tools = content.get("tool")
         content = tools.get("sigcat", {}) if isinstance(tools, dict) else {}
-    return content if isinstance(content, dict) else None
+    return content if isinstance(content, dict) else {}
 
 
 def _mark_of(file: Path | None) -> tuple[int, int] | None:

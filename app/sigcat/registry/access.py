@@ -5,7 +5,7 @@ from typing import NamedTuple, Protocol
 
 from sigcat.registry.acknowledgements import Deprecation
 from sigcat.registry.approvals import Decided, Pending
-from sigcat.registry.deploying import Answer
+from sigcat.registry.compatibility.deploying import Answer
 from sigcat.registry.published import Published
 from sigcat.registry.reference import Kind, Reference, Rule, State
 from sigcat.registry.storing.entry import Action

@@ -3,7 +3,7 @@
 from sqlalchemy import Connection
 
 from sigcat import codes
-from sigcat.registry.deploying import deployable
+from sigcat.registry.compatibility.deploying import deployable
 from sigcat.registry.published import all_versions, names_of, running, version_named
 from sigcat.registry.reference import (
     CHANGEABLE,

@@ -11,10 +11,10 @@ from sigcat.errors import UsageError
 from sigcat.file_kind import file_kind, root_branch
 from sigcat.findings import Finding, in_order
 from sigcat.limits import Limits
-from sigcat.registry.breaking import broken_by_catalogue, broken_by_functions
 from sigcat.registry.candidate import Candidate
 from sigcat.registry.candidates import function_candidates, overlay_candidate, overlay_trial, read_functions
-from sigcat.registry.member import file_member
+from sigcat.registry.compatibility.breaking import broken_by_catalogue, broken_by_functions
+from sigcat.registry.compatibility.member import file_member
 from sigcat.registry.storing.database import Snapshot
 
 File = tuple[bytes, str]

@@ -10,10 +10,10 @@ from sigcat import codes
 from sigcat.catalogue.comparing.changelog import next_version, part_of
 from sigcat.catalogue.comparing.changes import CLASSES
 from sigcat.findings import Finding
-from sigcat.registry.affected import Affected, affected_owners
 from sigcat.registry.approvals import Approval, approvals_of, approving
 from sigcat.registry.candidate import Candidate
 from sigcat.registry.changes import UseChange, function_changes, node_changes
+from sigcat.registry.compatibility.affected import Affected, affected_owners
 from sigcat.registry.published import PUBLISHED, Published, all_versions, version_named
 from sigcat.registry.reference import CHANGEABLE, DEPLOYABLE, Kind, Reference, Rule, name_problem, refused
 from sigcat.registry.storing.content import content_of

@@ -16,8 +16,8 @@ from sigcat.limits import REGISTRY_ANSWER_BYTES, REGISTRY_SECONDS
 from sigcat.registry.access import Change, Listed
 from sigcat.registry.acknowledgements import Acknowledgement, Deprecation
 from sigcat.registry.approvals import Approval, Decided, Pending
-from sigcat.registry.conflicts import Conflict, Side
-from sigcat.registry.deploying import Answer
+from sigcat.registry.compatibility.conflicts import Conflict, Side
+from sigcat.registry.compatibility.deploying import Answer
 from sigcat.registry.publish import Outcome, Receipt, Status
 from sigcat.registry.published import Published
 from sigcat.registry.reference import Kind, Reference, Rule, State
@@ -31,6 +31,8 @@ _KINDS: Mapping[str, Kind] = {group: kind for kind, group in _GROUPS.items()}
 _ACTIONS: Mapping[Action, str] = {
     "deployment": "record-deployment", "release": "record-release", "support ended": "support-ended",
 }  # fmt: skip
+_LATER = (429, 502, 503, 504)
+"""Statuses of a service that may answer later."""
 _JSON = Mapping[str, Any]
 _Asked = ParamSpec("_Asked")
 _Answer = TypeVar("_Answer")
@@ -49,6 +51,10 @@ def _understood(
             raise UsageError(f"{server.address} does not answer as this version of sigcat expects it") from None
 
     return asking
+
+
+class Unanswered(UsageError):
+    """A service that may answer later: it does not run, is busy, or is behind a proxy that does not reach it."""
 
 
 class Server(NamedTuple):
@@ -74,6 +80,15 @@ class Server(NamedTuple):
             return _answer(self, "GET", address)
         digest = _asked(self, "GET", f"{address}$details")["resolved_digest"]
         return _answer(self, "GET", "/contents", {"digest": digest})
+
+    @_understood
+    def events(self, after: int, wait: int = 0) -> tuple[Sequence[_JSON], int]:
+        """Events behind an entry of the log, or of the first one after so many seconds at most; and the entry they end with.
+
+        Raises Unanswered.
+        """
+        found = _asked(self, "GET", "/events", {"after": str(after), "wait": str(wait)})
+        return [dict(each) for each in found["registry_events"]], int(found["epoch"])
 
     @_understood
     def users_of(self, path: str, *, is_complete: bool = False, catalogue: str = "") -> Users:
@@ -223,10 +238,11 @@ def _answer(server: Server, method: str, path: str, query: _JSON | None = None, 
         with _OPENER.open(request, timeout=REGISTRY_SECONDS) as answer:
             found: bytes = answer.read(REGISTRY_ANSWER_BYTES + 1)
     except urllib.error.HTTPError as error:
-        raise _refusal(server, error) from None
+        refusal = _refusal(server, error)
+        raise (Unanswered(str(refusal)) if error.code in _LATER else refusal) from None
     except (OSError, HTTPException, ValueError) as error:
         reason = getattr(error, "reason", error)
-        raise UsageError(f"{server.address} does not answer: {reason}") from None
+        raise Unanswered(f"{server.address} does not answer: {reason}") from None
     if len(found) > REGISTRY_ANSWER_BYTES:
         raise UsageError(f"the answer of {server.address} has more than {REGISTRY_ANSWER_BYTES:,} bytes")
     return found

@@ -5,12 +5,12 @@ changes, or that of the code that reads rule files.
 """
 
 from collections.abc import Sequence
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 from sigcat.catalogue.reading import yaml_document
-from sigcat.compiled_values import Stamp, read_values, stamp_of, write_values
-from sigcat.open_files import made_once
+from sigcat.compiled_values import Stamp, read_values, stamp_of, stamp_of_values, write_values
 from sigcat.rules import record
 from sigcat.rules.record import Nodes, Rule, load_rule_files
 
@@ -20,12 +20,12 @@ CODE = (Path(__file__), Path(record.__file__), Path(yaml_document.__file__))
 
 def compiled_rules(folder: Path) -> tuple[Rule, ...]:
     """Return what `load_rules` returns, without reading the files again. Raises InputRefused with all findings."""
-    files = sorted(folder.glob("*.yaml"))
-    stamp = stamp_of((*files, *CODE))
-    return made_once(("rules", folder), stamp, lambda: _compiled_rules(folder, files, stamp))
+    files = tuple(sorted(folder.glob("*.yaml")))
+    return _compiled_rules(folder, files, stamp_of((*files, *CODE)), stamp_of_values(folder, "rules"))
 
 
-def _compiled_rules(folder: Path, files: Sequence[Path], stamp: Stamp) -> tuple[Rule, ...]:
+@lru_cache(maxsize=4)
+def _compiled_rules(folder: Path, files: Sequence[Path], stamp: Stamp, _of_values: Stamp) -> tuple[Rule, ...]:
     records = read_values(folder, "rules", stamp)
     if records is not None:
         return tuple(map(_rule, records))

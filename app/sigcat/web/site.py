@@ -1,14 +1,15 @@
 """The whole service: the API, and pages for people on top of it."""
 
-from collections.abc import Iterator
-from functools import partial
+from collections.abc import Iterator, Sequence
+from functools import cache, partial
 from http import HTTPStatus
 from itertools import islice
 from pathlib import Path
 
-from fastapi import Depends, FastAPI, Request
+from fastapi import APIRouter, Depends, FastAPI, Request
 from fastapi.responses import Response
 from starlette.exceptions import HTTPException
+from starlette.routing import BaseRoute
 
 from sigcat.api.answers.problems import ANSWERED, answer_problem, headers_of, problem_from
 from sigcat.api.application import create_app
@@ -90,14 +91,22 @@ def create_site(
     if registry is not None:
         app.state.modules_of_work.append(registry_pages.VIEWS)
     app.state.rehearsals = partial(_rehearsals, app, library, settings)
-    app.include_router(openid_pages.router, include_in_schema=False)  # a provider may send parameters that it invented
-    for module in _PAGES:
-        app.include_router(module.router, include_in_schema=False, dependencies=[Depends(refuse_unknown)])
+    app.router.routes.extend(_routes())
     app.mount("/static", CheckedStaticFiles(directory=_STATIC), name="static")
     app.add_middleware(SecurityHeaders)
     for kind in ANSWERED:
         app.add_exception_handler(kind, _answer)
     return app
+
+
+@cache
+def _routes() -> Sequence[BaseRoute]:
+    """Routes of the pages, which all services of a process share."""
+    all_routers = APIRouter()
+    all_routers.include_router(openid_pages.router, include_in_schema=False)  # a provider may send invented parameters
+    for module in _PAGES:
+        all_routers.include_router(module.router, include_in_schema=False, dependencies=[Depends(refuse_unknown)])
+    return tuple(all_routers.routes)
 
 
 def _rehearsals(app: FastAPI, library: Library, settings: Settings) -> Iterator[Work]:

@@ -43,9 +43,8 @@ def test_there_are_many_and_each_has_a_name_of_its_own():
     assert len({mutant.name for mutant in MUTANTS}) == len(MUTANTS) > 100
 
 
-@pytest.mark.parametrize("mutant", MUTANTS, ids=lambda mutant: mutant.name)
-def test_a_mutant_changes_the_text(mutant: Mutant):
-    assert broken(mutant, texts(mutant.function))
+def test_a_mutant_changes_the_text():
+    assert [mutant.name for mutant in MUTANTS if not broken(mutant, texts(mutant.function))] == []
 
 
 @pytest.mark.parametrize("mutant", TRIED, ids=lambda mutant: mutant.name)

@@ -69,12 +69,12 @@ def test_each_string_is_free_text_or_has_a_type(kind):
     assert {pointer for pointer, _ in strings(json.loads(document(kind)))} <= known
 
 
-@pytest.mark.parametrize("payload", PAYLOADS, ids=ascii)
 @pytest.mark.parametrize("kind", DOCUMENTS)
-def test_no_field_with_a_type_takes_a_payload(kind, payload):
+def test_no_field_with_a_type_takes_a_payload(kind):
     grammars = {each.grammar for each in typed_strings(read(kind)) if each.grammar is not FREE}
     assert len(grammars) > 10
-    assert [grammar.expected for grammar in grammars if grammar.accepts(payload)] == []
+    accepted = [(each.expected, payload) for each in grammars for payload in PAYLOADS if each.accepts(payload)]
+    assert accepted == []
 
 
 @pytest.mark.parametrize("kind", PLATFORMS)

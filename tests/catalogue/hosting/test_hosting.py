@@ -4,6 +4,7 @@ import threading
 
 import pytest
 
+from sigcat import codes
 from sigcat.catalogue.hosting.library import Library, Source, Watch
 from sigcat.errors import NotFound
 from sigcat.function.hosting import FunctionLibrary
@@ -153,6 +154,39 @@ def test_hosting_other_sources_keeps_the_catalogues_that_stay(library, tree):
     library.host([Source("new", "New", tree / "part.vspec"), own.source])
     assert [hosted.source.id for hosted in library] == ["new", "own"]
     assert library.get("own") is own
+
+
+def test_of_a_changed_source_with_errors_the_last_good_state_stays_until_its_files_are_valid(library, tree):
+    source = library.get("own").source
+    (tree / "other.vspec").write_text("Vehicle.Height:\n  datatype: flaot\n")
+    library.host([source._replace(overlays=(tree / "other.vspec",))])
+    assert leaves(library) == ["Speed", "Height"]
+    assert [finding.file for finding in library.get("own").rejected if finding.severity == "error"]
+    (tree / "other.vspec").write_text(signal("Depth"))
+    library.reload_changed()
+    assert leaves(library) == ["Speed", "Depth"]
+    assert library.get("own").rejected == ()
+
+
+def test_refused_findings_are_shown_with_each_catalogue_until_they_are_taken_back(library, tree):
+    finding = codes.NOT_TOML.finding("It is no TOML.", "sigcat.toml", 1)
+    library.refuse((finding,))
+    (tree / "overlay.vspec").write_text(signal("Depth"))
+    library.reload_changed()
+    assert leaves(library) == ["Speed", "Depth"]
+    assert [hosted.rejected for hosted in library] == [(finding,)] * 2
+    library.refuse(())
+    assert [hosted.rejected for hosted in library] == [()] * 2
+
+
+def test_findings_of_files_are_not_taken_back_with_those_that_are_refused(library, tree):
+    (tree / "overlay.vspec").write_text("Vehicle.Height:\n  datatype: flaot\n")
+    library.reload_changed()
+    own = library.get("own").rejected
+    library.refuse((codes.NOT_TOML.finding("It is no TOML.", "sigcat.toml", 1),))
+    library.refuse(())
+    assert library.get("own").rejected == own
+    assert own
 
 
 def test_a_watch_reads_changed_files_again(library, tree):

@@ -6,7 +6,7 @@ from sigcat.adapter.autosar_adaptive.arxml.generate import generate
 from sigcat.adapter.autosar_adaptive.arxml.reading import read_arxml
 from sigcat.errors import InputRefused
 from sigcat.integration.autosar_adaptive.document import identifiers_of
-from sigcat.integration.autosar_adaptive.id_catalogue import read_csv
+from sigcat.integration.autosar_adaptive.someip.id_catalogue import read_csv
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT
 from sigcat.platforms.table import PLATFORMS

@@ -7,7 +7,7 @@ import pytest
 from sigcat.errors import InputRefused
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import to_json
-from sigcat.integration.autosar_adaptive.versions import raised, version_of
+from sigcat.integration.autosar_adaptive.someip.versions import raised, version_of
 from sigcat.platforms.deployment_file import read_deployment
 from tests.integration.autosar_adaptive.sets import at, deployed, derive, function
 

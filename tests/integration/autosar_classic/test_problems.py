@@ -8,7 +8,7 @@ import pytest
 from sigcat.errors import InputRefused
 from sigcat.integration.autosar_classic.document import read_integration
 from sigcat.integration.autosar_classic.model import to_json
-from sigcat.integration.autosar_classic.names_table import NAMESPACES, REFERENCES
+from sigcat.integration.autosar_classic.problems.names_table import NAMESPACES, REFERENCES
 from sigcat.integration.references import places
 from tests.integration.autosar_adaptive.sets import examples
 from tests.integration.autosar_classic.classic import derive

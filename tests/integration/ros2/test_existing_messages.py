@@ -7,8 +7,8 @@ import pytest
 from sigcat.errors import InputRefused
 from sigcat.integration.datatypes import BY_VSS
 from sigcat.integration.ros2.document import read_integration
-from sigcat.integration.ros2.installed_messages import with_installed_messages
-from sigcat.integration.ros2.message_definitions import Definitions, Field, MessageError
+from sigcat.integration.ros2.messages.installed_messages import with_installed_messages
+from sigcat.integration.ros2.messages.message_definitions import Definitions, Field, MessageError
 from sigcat.integration.source_functions import SOURCE_FUNCTIONS
 from sigcat.limits import DEFAULT_LIMITS
 from tests.integration.ros2.functions import derived, document, function, rules, settings, signal, topics

@@ -69,7 +69,7 @@ def test_a_list_among_the_values_of_the_tree_does_not_end_the_lint_of_an_overlay
 
 
 @given(NODES, NODES, NODES)
-@examples(60)
+@examples(30)
 def test_an_overlay_has_the_findings_that_it_has_when_the_whole_tree_is_checked(tree, other, overlay):
     named = {"tree": {"Vehicle": {"type": "branch"}, **tree}, "other": other, "posted": overlay}
     layers = [

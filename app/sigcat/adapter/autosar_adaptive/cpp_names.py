@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 from sigcat.adapter.autosar_adaptive.arxml.components import port_name, root_name
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import Whole
+from sigcat.integration.autosar_adaptive.deployment.namespaces import parts
 from sigcat.integration.autosar_adaptive.model import Component, IntegrationModel, ServiceInterface
-from sigcat.integration.autosar_adaptive.namespaces import parts
 from sigcat.integration.datatypes import BY_ADAPTIVE
 
 TEXT = "string"

@@ -51,6 +51,7 @@ class Library:
     def __init__(self, sources: Iterable[Source], limits: Limits = DEFAULT_LIMITS) -> None:
         self._limits = limits
         self._lock = Lock()
+        self._refused: tuple[Finding, ...] = ()
         self._hosted = {source.id: self._load(source) for source in sources}
 
     def __iter__(self) -> Iterator[Hosted]:
@@ -62,6 +63,7 @@ class Library:
 
     def __setstate__(self, state: Any) -> None:
         self._limits, self._hosted = state
+        self._refused = ()
         self._lock = Lock()
 
     @property
@@ -86,8 +88,9 @@ class Library:
         """Read a catalogue's files again. With errors in them, the last good state stays, and `rejected` says why."""
         with self._lock:
             hosted = self._reloaded(self.get(catalogue_id))
+            _log_state(hosted)
+            hosted = hosted if hosted.rejected else hosted._replace(rejected=self._refused)
             self._hosted = {**self._hosted, catalogue_id: hosted}
-        _log_state(hosted)
         return hosted
 
     def reload_changed(self) -> tuple[str, ...]:
@@ -98,10 +101,29 @@ class Library:
         return tuple(changed)
 
     def host(self, sources: Iterable[Source]) -> None:
-        """Host these sources in place of the ones so far; a catalogue whose source is the same stays."""
+        """Host these sources in place of the ones so far; a catalogue whose source is the same stays.
+
+        Of one whose new source has errors, the last good state stays, and `rejected` says why.
+        """
         with self._lock:
             before = {hosted.source: hosted for hosted in self._hosted.values()}
-            self._hosted = {source.id: before.get(source) or self._load(source) for source in sources}
+            self._hosted = {source.id: before.get(source) or self._replaced(source) for source in sources}
+
+    def refuse(self, findings: tuple[Finding, ...]) -> None:
+        """Show findings of the file that names the sources with each catalogue; those from before are taken back."""
+        with self._lock:
+            before, self._refused = self._refused, findings
+            self._hosted = {
+                name: hosted._replace(rejected=findings) if hosted.rejected in ((), before) else hosted
+                for name, hosted in self._hosted.items()
+            }
+
+    def _replaced(self, source: Source) -> Hosted:
+        fresh, earlier = self._load(source), self._hosted.get(source.id)
+        if earlier and has_errors(fresh.catalogue.findings) and not has_errors(earlier.catalogue.findings):
+            fresh = fresh._replace(catalogue=earlier.catalogue, rejected=fresh.catalogue.findings)
+        _log_state(fresh)
+        return fresh
 
     def _load(self, source: Source) -> Hosted:
         marks = _marks(_named_files(source))

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from sigcat import codes
 from sigcat.asil import Level, is_above, level_of, rank
 from sigcat.function.checks.circles import circles
-from sigcat.function.checks.order import contradiction, previous_calls
+from sigcat.function.checks.schedule.order import contradiction, previous_calls
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.duration import milliseconds

@@ -3,7 +3,7 @@
 from collections.abc import Collection, Iterator, Sequence
 
 from sigcat import codes
-from sigcat.function.checks.order import previous_calls
+from sigcat.function.checks.schedule.order import previous_calls
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.model import FunctionJson, Mode

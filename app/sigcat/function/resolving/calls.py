@@ -23,8 +23,8 @@ from sigcat.function.resolving.interfaces import (  # fmt: skip
     text_of,
     texts_of,
 )
-from sigcat.function.resolving.numbers import plain_text
 from sigcat.function.resolving.part import Part, written
+from sigcat.function.resolving.values.numbers import plain_text
 
 _ON_THE_WIRE = {"NonPreemptive": "Non-Preemptive"}
 """Spelling of the published documents where it differs from that of the attributes."""

@@ -21,11 +21,11 @@ from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.type_list import listed, symbols_of
 from sigcat.function.resolving.code import members, word
 from sigcat.function.resolving.context import Context
-from sigcat.function.resolving.elements import converted
 from sigcat.function.resolving.interfaces import asil_of, error_name
-from sigcat.function.resolving.numbers import fraction, plain_text
 from sigcat.function.resolving.part import Part, written
-from sigcat.function.resolving.values import Value, value_of
+from sigcat.function.resolving.values.elements import converted
+from sigcat.function.resolving.values.numbers import fraction, plain_text
+from sigcat.function.resolving.values.values import Value, value_of
 from sigcat.names import with_article
 
 ROLES = {"consumed": CONSUMER, "provided": PROVIDER}

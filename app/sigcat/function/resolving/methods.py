@@ -11,8 +11,8 @@ from sigcat.function.function_json.methods import Argument, MethodInterface
 from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.data_interfaces import ROLES
-from sigcat.function.resolving.numbers import plain_text
 from sigcat.function.resolving.part import Part, each, origin_of, values_of, written
+from sigcat.function.resolving.values.numbers import plain_text
 from sigcat.names import did_you_mean
 
 

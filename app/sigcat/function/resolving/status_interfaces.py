@@ -12,8 +12,8 @@ from sigcat.function.function_json.type_list import symbols_of
 from sigcat.function.resolving.code import word
 from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.interfaces import asil_of, interface_node, number_of, text_of, texts_of
-from sigcat.function.resolving.numbers import plain_text
 from sigcat.function.resolving.part import Part, written
+from sigcat.function.resolving.values.numbers import plain_text
 
 
 def error(item: ErrorItem, at: Pointer, context: Context) -> Part[ErrorInterface]:

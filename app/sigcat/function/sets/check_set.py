@@ -9,7 +9,7 @@ from sigcat.catalogue.network.mapping import RECEIVED
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.findings import Finding, in_order
 from sigcat.function.checks.circles import circles
-from sigcat.function.checks.order import contradiction, previous_calls
+from sigcat.function.checks.schedule.order import contradiction, previous_calls
 from sigcat.function.code_files import CodeCheck
 from sigcat.function.document.document import Pointer
 from sigcat.function.exchange import Side

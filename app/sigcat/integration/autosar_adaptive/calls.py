@@ -14,7 +14,7 @@ from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.code import CallCode, ParameterCode, code_of
 from sigcat.integration.autosar_adaptive.context import Context
-from sigcat.integration.autosar_adaptive.settings import RunModes
+from sigcat.integration.autosar_adaptive.deployment.settings import RunModes
 from sigcat.integration.autosar_adaptive.types import TypeTable
 from sigcat.integration.autosar_names import distinct, short_name
 from sigcat.integration.finding_collector import Subject

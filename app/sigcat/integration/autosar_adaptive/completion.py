@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from sigcat.integration.autosar_adaptive.identifiers import (
+from sigcat.integration.autosar_adaptive.deployment.identifiers import (
     EVENT_GROUPS,
     EVENTS,
     INSTANCE,
@@ -13,6 +13,7 @@ from sigcat.integration.autosar_adaptive.identifiers import (
     Span,
     assign,
 )
+from sigcat.integration.autosar_adaptive.deployment.namespaces import namespace_of
 from sigcat.integration.autosar_adaptive.model import (
     ArxmlDeployment,
     Event,
@@ -23,7 +24,6 @@ from sigcat.integration.autosar_adaptive.model import (
     ServiceInterface,
     Services,
 )
-from sigcat.integration.autosar_adaptive.namespaces import namespace_of
 from sigcat.integration.autosar_adaptive.startup import NO_STARTUP, startup
 from sigcat.integration.autosar_names import short_name
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from sigcat.function.exchange import Exchange, Part
 from sigcat.integration.application import Application
-from sigcat.integration.autosar_adaptive.settings import AutosarAdaptiveSettings
+from sigcat.integration.autosar_adaptive.deployment.settings import AutosarAdaptiveSettings
 from sigcat.integration.finding_collector import FindingCollector
 
 

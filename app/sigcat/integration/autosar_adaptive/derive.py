@@ -13,13 +13,15 @@ from sigcat.function.function_json.runnable import Contract
 from sigcat.integration.application import DEFAULT_VERSION, NO_DATE, Application, application
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.calls import calls, function_modes, parameters
-from sigcat.integration.autosar_adaptive.component_views import view
 from sigcat.integration.autosar_adaptive.context import Context
-from sigcat.integration.autosar_adaptive.disagreements import report_disagreements
-from sigcat.integration.autosar_adaptive.elements import Service, element_paths, services
+from sigcat.integration.autosar_adaptive.deployment.namespaces import namespace_of
+from sigcat.integration.autosar_adaptive.deployment.settings import (
+    NO_SETTINGS,
+    AutosarAdaptiveSettings,
+    ComponentSettings,
+    ServiceSettings,
+)
 from sigcat.integration.autosar_adaptive.field_targets import field_targets
-from sigcat.integration.autosar_adaptive.grouping import MODES, SAFETY
-from sigcat.integration.autosar_adaptive.namespaces import namespace_of
 from sigcat.integration.autosar_adaptive.processes import further_processes, process_problems
 from sigcat.integration.autosar_adaptive.protection import (
     METHODS_ARE_NOT_PROTECTED,
@@ -28,13 +30,12 @@ from sigcat.integration.autosar_adaptive.protection import (
     report_unset_errors,
     states_asil,
 )
-from sigcat.integration.autosar_adaptive.segmentation import segmented
-from sigcat.integration.autosar_adaptive.settings import (
-    NO_SETTINGS,
-    AutosarAdaptiveSettings,
-    ComponentSettings,
-    ServiceSettings,
-)
+from sigcat.integration.autosar_adaptive.services.component_views import view
+from sigcat.integration.autosar_adaptive.services.disagreements import report_disagreements
+from sigcat.integration.autosar_adaptive.services.elements import Service, element_paths, services
+from sigcat.integration.autosar_adaptive.services.grouping import MODES, SAFETY
+from sigcat.integration.autosar_adaptive.someip.segmentation import segmented
+from sigcat.integration.autosar_adaptive.someip.versions import FIRST, parsed
 from sigcat.integration.autosar_adaptive.startup import (
     HIGHEST_PRIORITY,
     StartupSettings,
@@ -44,7 +45,6 @@ from sigcat.integration.autosar_adaptive.startup import (
 from sigcat.integration.autosar_adaptive.types import TypeTable
 from sigcat.integration.autosar_adaptive.units import units_of
 from sigcat.integration.autosar_adaptive.unused import report_units, report_unused
-from sigcat.integration.autosar_adaptive.versions import FIRST, parsed
 from sigcat.integration.autosar_names import short_name
 from sigcat.integration.autosar_parts import named_parts
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment

@@ -11,7 +11,7 @@ from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.autosar_adaptive.code import CallCode, ParameterCode
 from sigcat.integration.autosar_adaptive.context import Context
-from sigcat.integration.autosar_adaptive.elements import Service, element_paths
+from sigcat.integration.autosar_adaptive.services.elements import Service, element_paths
 from sigcat.integration.report import OF_ABSENT, Entry, FieldTarget, Targets, entries
 
 _CATALOGUE = "sent in the catalogue's datatype and unit; its use has those of the code"

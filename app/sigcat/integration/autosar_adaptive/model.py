@@ -38,17 +38,17 @@ from sigcat.function.function_json.runnable import Watchdog
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.wire import OWN, Integer, Listed, Number, WireModel, always, described, own, written
 from sigcat.integration.autosar_adaptive.code import CallCode, MethodUse, ParameterCode
-from sigcat.integration.autosar_adaptive.e2e import E2eProtection
-from sigcat.integration.autosar_adaptive.namespaces import DEFAULT_HEADER_FOLDERS, HeaderFolders, Namespace
-from sigcat.integration.autosar_adaptive.releases import DEFAULT_RELEASE, ReleaseName
-from sigcat.integration.autosar_adaptive.someip_settings import (
+from sigcat.integration.autosar_adaptive.deployment.namespaces import DEFAULT_HEADER_FOLDERS, HeaderFolders, Namespace
+from sigcat.integration.autosar_adaptive.deployment.releases import DEFAULT_RELEASE, ReleaseName
+from sigcat.integration.autosar_adaptive.deployment.someip_settings import (
     DEFAULT_SERVICE_DISCOVERY,
     DEFAULT_TRANSFORMATION,
     ServiceDiscoverySettings,
     TransformationSettings,
 )
+from sigcat.integration.autosar_adaptive.deployment.transport import TransportSettings
+from sigcat.integration.autosar_adaptive.e2e import E2eProtection
 from sigcat.integration.autosar_adaptive.startup import StartupSettings, Wish
-from sigcat.integration.autosar_adaptive.transport import TransportSettings
 from sigcat.integration.autosar_si_units import UnitSettings
 from sigcat.integration.source_functions import source_functions
 

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.walk import parts
 from sigcat.integration.agreement import argument_counts
-from sigcat.integration.autosar_adaptive.identifiers import (
+from sigcat.integration.autosar_adaptive.deployment.identifiers import (
     EVENT_GROUPS,
     EVENTS,
     INSTANCES,
@@ -14,6 +14,7 @@ from sigcat.integration.autosar_adaptive.identifiers import (
     Span,
     data_ids,
 )
+from sigcat.integration.autosar_adaptive.deployment.someip_settings import TransformationSettings
 from sigcat.integration.autosar_adaptive.model import (
     ArxmlDeployment,
     Component,
@@ -26,9 +27,8 @@ from sigcat.integration.autosar_adaptive.model import (
     Use,
 )
 from sigcat.integration.autosar_adaptive.processes import process_problems
-from sigcat.integration.autosar_adaptive.someip_settings import TransformationSettings
+from sigcat.integration.autosar_adaptive.someip.versions import Version, version_of
 from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE, storage_name, storages
-from sigcat.integration.autosar_adaptive.versions import Version, version_of
 from sigcat.integration.autosar_names import short_name
 from sigcat.integration.checked_document import Problem
 from sigcat.integration.datatypes import BY_ADAPTIVE

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from sigcat.integration.autosar_adaptive.identifiers import INSTANCES
+from sigcat.integration.autosar_adaptive.deployment.identifiers import INSTANCES
 from sigcat.integration.autosar_adaptive.model import Component, FurtherProcess, ProcessInstance, ServiceInterface
 from sigcat.integration.autosar_names import distinct, short_name
 

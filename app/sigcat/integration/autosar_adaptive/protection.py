@@ -6,11 +6,16 @@ from sigcat import codes
 from sigcat.asil import is_above
 from sigcat.function.exchange import Side
 from sigcat.integration.autosar_adaptive.context import Context
+from sigcat.integration.autosar_adaptive.deployment.identifiers import (
+    DATA_ID,
+    RULED_DATA_IDS,
+    RULED_INSTANCES,
+    data_ids,
+)
 from sigcat.integration.autosar_adaptive.e2e import E2eProtection, EventE2eSettings, Profile
-from sigcat.integration.autosar_adaptive.elements import Element, Service
-from sigcat.integration.autosar_adaptive.identifiers import DATA_ID, RULED_DATA_IDS, RULED_INSTANCES, data_ids
 from sigcat.integration.autosar_adaptive.model import IntegrationModel, TypeEntry
-from sigcat.integration.autosar_adaptive.numbering import Names, is_given, numbers
+from sigcat.integration.autosar_adaptive.services.elements import Element, Service
+from sigcat.integration.autosar_adaptive.someip.numbering import Names, is_given, numbers
 from sigcat.integration.finding_collector import Subject
 
 METHODS_ARE_NOT_PROTECTED = "sigcat protects events and fields end to end, and this is a method."

@@ -5,10 +5,10 @@ from collections.abc import Collection, Iterator, Sequence
 from sigcat import codes
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_adaptive.context import Context
-from sigcat.integration.autosar_adaptive.elements import Service
-from sigcat.integration.autosar_adaptive.identifiers import DATA_ID
+from sigcat.integration.autosar_adaptive.deployment.identifiers import DATA_ID
+from sigcat.integration.autosar_adaptive.deployment.transport import DEFAULT_TRANSPORT
 from sigcat.integration.autosar_adaptive.protection import METHODS_ARE_NOT_PROTECTED
-from sigcat.integration.autosar_adaptive.transport import DEFAULT_TRANSPORT
+from sigcat.integration.autosar_adaptive.services.elements import Service
 from sigcat.integration.autosar_si_units import WITHOUT_SI, si_unit
 from sigcat.integration.unknown_paths import report_unknown_paths
 from sigcat.names import did_you_mean

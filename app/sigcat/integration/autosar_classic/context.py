@@ -7,7 +7,7 @@ from typing import NamedTuple
 from sigcat.function.exchange import Exchange, Part
 from sigcat.function.function_json.runnable import Runnable as Call
 from sigcat.integration.application import Application
-from sigcat.integration.autosar_classic.settings import AutosarClassicSettings
+from sigcat.integration.autosar_classic.deployment.settings import AutosarClassicSettings
 from sigcat.integration.autosar_names import distinct, short_name
 from sigcat.integration.finding_collector import FindingCollector
 

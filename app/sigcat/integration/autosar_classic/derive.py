@@ -23,6 +23,8 @@ from sigcat.integration.autosar_classic.base_software import (
 )
 from sigcat.integration.autosar_classic.composition import composition_of
 from sigcat.integration.autosar_classic.context import Context, named_calls
+from sigcat.integration.autosar_classic.datatypes.types import TypeTable
+from sigcat.integration.autosar_classic.deployment.settings import NO_SETTINGS, AutosarClassicSettings
 from sigcat.integration.autosar_classic.e2e import report_unknown_elements
 from sigcat.integration.autosar_classic.elements import Element, by_part, elements_of
 from sigcat.integration.autosar_classic.events import events_of
@@ -43,7 +45,7 @@ from sigcat.integration.autosar_classic.parameters import (
 )
 from sigcat.integration.autosar_classic.partitioning import asil_of, partition_entries, report_lower_calls, sections
 from sigcat.integration.autosar_classic.ports import data_ports, kind_of_port
-from sigcat.integration.autosar_classic.problems import problems_of
+from sigcat.integration.autosar_classic.problems.document import problems_of
 from sigcat.integration.autosar_classic.runnables import AREA, CALLS, Behaviour, runnables_of
 from sigcat.integration.autosar_classic.service_needs import (
     inhibitions,
@@ -53,10 +55,8 @@ from sigcat.integration.autosar_classic.service_needs import (
     service_ports,
     supervised_entities,
 )
-from sigcat.integration.autosar_classic.settings import NO_SETTINGS, AutosarClassicSettings
 from sigcat.integration.autosar_classic.signals import report_narrow_signals, system_signals
 from sigcat.integration.autosar_classic.tasks import behaviours_by_name, init_batches_of, tasks_of
-from sigcat.integration.autosar_classic.types import TypeTable
 from sigcat.integration.autosar_names import short_name
 from sigcat.integration.autosar_parts import named_parts
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment

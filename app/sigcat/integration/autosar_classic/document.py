@@ -2,7 +2,7 @@
 
 from sigcat import codes
 from sigcat.integration.autosar_classic.model import ClassicIntegration
-from sigcat.integration.autosar_classic.problems import problems_of
+from sigcat.integration.autosar_classic.problems.document import problems_of
 from sigcat.integration.checked_document import DocumentKind
 from sigcat.limits import DEFAULT_LIMITS, Limits
 

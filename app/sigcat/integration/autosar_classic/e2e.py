@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from sigcat import codes
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import Context
-from sigcat.integration.autosar_classic.e2e_settings import E2eSettings, ElementE2eSettings, WindowSettings
+from sigcat.integration.autosar_classic.deployment.e2e_settings import E2eSettings, ElementE2eSettings, WindowSettings
 from sigcat.integration.autosar_classic.elements import Element
 from sigcat.names import did_you_mean
 

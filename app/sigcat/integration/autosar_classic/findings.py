@@ -11,10 +11,10 @@ from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.triggers import absent_in
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import STEP, Context, named_calls
+from sigcat.integration.autosar_classic.datatypes.types import TypeTable
 from sigcat.integration.autosar_classic.elements import Element
 from sigcat.integration.autosar_classic.interfaces import type_of
 from sigcat.integration.autosar_classic.service_needs import STORED
-from sigcat.integration.autosar_classic.types import TypeTable
 from sigcat.integration.autosar_names import LONGEST_SHORT_NAME
 from sigcat.integration.finding_collector import Subject
 

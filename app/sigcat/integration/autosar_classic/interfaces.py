@@ -11,8 +11,8 @@ from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.base_software import E_NOT_OK
+from sigcat.integration.autosar_classic.datatypes.types import Meaning, TypeTable
 from sigcat.integration.autosar_classic.elements import Element
-from sigcat.integration.autosar_classic.types import Meaning, TypeTable
 from sigcat.integration.autosar_names import distinct, short_name
 from sigcat.integration.sent_values import sent
 

@@ -8,7 +8,7 @@ from sigcat.function.exchange import Part
 from sigcat.function.function_json.data_interfaces import ParameterInterface
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import OF_ADAPTER, named_calls
-from sigcat.integration.autosar_classic.types import Meaning, TypeTable
+from sigcat.integration.autosar_classic.datatypes.types import Meaning, TypeTable
 from sigcat.integration.autosar_names import distinct, short_name
 from sigcat.integration.sent_values import initial, sent
 

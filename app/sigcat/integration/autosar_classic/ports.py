@@ -9,11 +9,11 @@ from sigcat.function.function_json.duration import milliseconds, whole
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.autosar_classic import model
+from sigcat.integration.autosar_classic.datatypes.types import TypeTable
+from sigcat.integration.autosar_classic.deployment.e2e_settings import E2eSettings
 from sigcat.integration.autosar_classic.e2e import windows_of
-from sigcat.integration.autosar_classic.e2e_settings import E2eSettings
 from sigcat.integration.autosar_classic.elements import Element
 from sigcat.integration.autosar_classic.interfaces import CALL_QUEUE, numbers_of_status, queue_length
-from sigcat.integration.autosar_classic.types import TypeTable
 from sigcat.integration.sent_values import initial
 
 

@@ -4,14 +4,14 @@ import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from sigcat.integration.autosar_classic.datatypes.platform_types import FLOATS, WHOLE_NUMBERS
+from sigcat.integration.autosar_classic.datatypes.used_types import element_types
 from sigcat.integration.autosar_classic.model import (
     ApplicationType,
     ClassicIntegration,
     DataConstraint,
     ImplementationType,
 )
-from sigcat.integration.autosar_classic.platform_types import FLOATS, WHOLE_NUMBERS
-from sigcat.integration.autosar_classic.used_types import element_types
 
 
 class Need(NamedTuple):

@@ -10,8 +10,8 @@ from sigcat.function.function_json.datatype import Datatype, EnumerationValue
 from sigcat.function.function_json.primitive_types import value_range
 from sigcat.integration.datatypes import Spelling
 from sigcat.integration.finding_collector import FindingCollector, Subject
+from sigcat.integration.ros2.messages.field_types import FieldType, c_definition, code_type, symbols_of
 from sigcat.integration.ros2.model import Conversion, SymbolMap
-from sigcat.integration.ros2.types import FieldType, c_definition, code_type, symbols_of
 
 _FLOATING = ("float", "double")
 

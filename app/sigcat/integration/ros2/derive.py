@@ -17,10 +17,14 @@ from sigcat.integration.application import DEFAULT_VERSION, Application, applica
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.report import Entry
-from sigcat.integration.ros2.existing_messages import ExistingMessages, existing_messages, with_existing_messages
 from sigcat.integration.ros2.field_targets import field_targets
 from sigcat.integration.ros2.function_set import function_set
-from sigcat.integration.ros2.messages import MessageBook
+from sigcat.integration.ros2.messages.existing_messages import (
+    ExistingMessages,
+    existing_messages,
+    with_existing_messages,
+)
+from sigcat.integration.ros2.messages.made_messages import MessageBook
 from sigcat.integration.ros2.model import Communication, InterfacePackage, NodePackage, Ros2Integration, RosNode
 from sigcat.integration.ros2.names import PACKAGES_OF_ROS, package_name, topic_name
 from sigcat.integration.ros2.nodes import NodeContext, mode_topic, node_of, report_calls

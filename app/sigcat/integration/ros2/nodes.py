@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
 from sigcat import codes
-from sigcat.function.checks.order import previous_calls
+from sigcat.function.checks.schedule.order import previous_calls
 from sigcat.function.document.text import Text
 from sigcat.function.exchange import Part, contracts_of
 from sigcat.function.function_json.duration import milliseconds, whole
@@ -12,8 +12,9 @@ from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.status_interfaces import ModeInterface
 from sigcat.function.function_json.triggers import absent_in, triggers
 from sigcat.integration.finding_collector import FindingCollector, Subject
-from sigcat.integration.ros2.common_types import STAMP
-from sigcat.integration.ros2.messages import MessageBook, constants, unresolved
+from sigcat.integration.ros2.messages.common_types import STAMP
+from sigcat.integration.ros2.messages.field_types import field_type
+from sigcat.integration.ros2.messages.made_messages import MessageBook, constants, unresolved
 from sigcat.integration.ros2.model import (
     Communication,
     MessageField,
@@ -36,7 +37,6 @@ from sigcat.integration.ros2.statuses import (
     reaction_topics,
 )
 from sigcat.integration.ros2.topics import PUBLISHER, SUBSCRIPTION
-from sigcat.integration.ros2.types import field_type
 from sigcat.names import camel_case
 
 _PRIORITIES = range(1, 100)

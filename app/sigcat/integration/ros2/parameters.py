@@ -15,10 +15,10 @@ from sigcat.function.function_json.primitive_types import value_range
 from sigcat.function.function_json.runnable import Contract
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.conversions import conversion, converted, physical, to_catalogue
-from sigcat.integration.ros2.messages import unresolved
+from sigcat.integration.ros2.messages.field_types import FieldType, c_definition, field_type, sent, symbols_of
+from sigcat.integration.ros2.messages.made_messages import unresolved
 from sigcat.integration.ros2.model import RosParameter
 from sigcat.integration.ros2.names import field_name, package_name, report_renamed
-from sigcat.integration.ros2.types import FieldType, c_definition, field_type, sent, symbols_of
 
 _LARGEST = 2**63 - 1
 """Largest integer of a parameter."""

@@ -10,8 +10,8 @@ from sigcat.function.document.text import Text
 from sigcat.integration.agreement import argument_counts
 from sigcat.integration.checked_document import Problem
 from sigcat.integration.datatypes import BY_VSS
-from sigcat.integration.ros2.common_types import ERROR_STATUS, SAFETY_REACTION, STEP
-from sigcat.integration.ros2.message_definitions import PRIMITIVES, holds
+from sigcat.integration.ros2.messages.common_types import ERROR_STATUS, SAFETY_REACTION, STEP
+from sigcat.integration.ros2.messages.message_definitions import PRIMITIVES, holds
 from sigcat.integration.ros2.model import (
     InterfacePackage,
     Message,

@@ -8,10 +8,10 @@ from sigcat.function.document.text import Text
 from sigcat.function.exchange import Exchange, Side
 from sigcat.function.function_json.methods import Argument, MethodInterface
 from sigcat.integration.finding_collector import FindingCollector, Subject, subject_of
-from sigcat.integration.ros2.messages import MessageBook, unresolved
+from sigcat.integration.ros2.messages.field_types import c_definition, field_type
+from sigcat.integration.ros2.messages.made_messages import MessageBook, unresolved
 from sigcat.integration.ros2.model import ArgumentMap, Communication, MessageField, RosService
 from sigcat.integration.ros2.names import field_name, report_renamed, topic_name
-from sigcat.integration.ros2.types import c_definition, field_type
 from sigcat.names import camel_case
 
 SERVER = "Server"

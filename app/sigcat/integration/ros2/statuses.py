@@ -13,12 +13,12 @@ from sigcat.function.exchange import Part, errors_of, reactions_of
 from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.integration.finding_collector import FindingCollector, Subject
-from sigcat.integration.ros2.common_types import ERROR_STATUS, SAFETY_REACTION
+from sigcat.integration.ros2.messages.common_types import ERROR_STATUS, SAFETY_REACTION
+from sigcat.integration.ros2.messages.field_types import c_definition
 from sigcat.integration.ros2.model import ConditionMonitor, Diagnostic, StatusTopic
 from sigcat.integration.ros2.names import Name, report_renamed, shortened, topic_name
 from sigcat.integration.ros2.quality import STATUS
 from sigcat.integration.ros2.topics import PUBLISHER, SUBSCRIPTION
-from sigcat.integration.ros2.types import c_definition
 
 DIAGNOSTICS = "/diagnostics"
 """Topic of the nodes' statuses, as diagnostic_updater and the aggregator have it."""

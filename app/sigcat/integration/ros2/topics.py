@@ -9,10 +9,11 @@ from sigcat.function.exchange import Element, Exchange, Side
 from sigcat.function.function_json.conversion import IDENTITY, Linear, as_text
 from sigcat.function.function_json.duration import time_in_a_name
 from sigcat.integration.finding_collector import FindingCollector, subject_of
-from sigcat.integration.ros2.common_types import STAMP
 from sigcat.integration.ros2.conversions import conversion, to_catalogue
-from sigcat.integration.ros2.existing_messages import SECTION, ExistingMessages, MappedField
-from sigcat.integration.ros2.messages import MessageBook, constants, unresolved
+from sigcat.integration.ros2.messages.common_types import STAMP
+from sigcat.integration.ros2.messages.existing_messages import SECTION, ExistingMessages, MappedField
+from sigcat.integration.ros2.messages.field_types import FieldType, c_definition, field_type, number_of, sent
+from sigcat.integration.ros2.messages.made_messages import MessageBook, constants, unresolved
 from sigcat.integration.ros2.model import (
     Communication,
     Conversion,
@@ -27,7 +28,6 @@ from sigcat.integration.ros2.names import Name, field_name, package_name, report
 from sigcat.integration.ros2.quality import quality
 from sigcat.integration.ros2.settings import Ros2Settings
 from sigcat.integration.ros2.signal_uses import asil_of_side, cycle_of, timeout_of
-from sigcat.integration.ros2.types import FieldType, c_definition, field_type, number_of, sent
 from sigcat.names import camel_case, last_name, parent_path
 
 PUBLISHER = "Publisher"

@@ -12,9 +12,9 @@ from sigcat.names import nearest
 from sigcat.registry.acknowledgements import Deprecation, deprecations
 from sigcat.registry.approvals import Pending, pending
 from sigcat.registry.changes import UseChange, function_changes
-from sigcat.registry.conflicts import Conflict
-from sigcat.registry.deploying import Decision, can_deploy
-from sigcat.registry.member import Member
+from sigcat.registry.compatibility.conflicts import Conflict
+from sigcat.registry.compatibility.deploying import Decision, can_deploy
+from sigcat.registry.compatibility.member import Member
 from sigcat.registry.published import Published, all_versions, lines_by_version, names_of, running
 from sigcat.registry.reference import DEPLOYABLE, Kind
 from sigcat.registry.storing.content import content_of

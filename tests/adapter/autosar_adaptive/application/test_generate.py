@@ -13,7 +13,7 @@ from sigcat.adapter.autosar_adaptive.application.generate import generate
 from sigcat.adapter.autosar_adaptive.application.report import report
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.errors import InputRefused
-from sigcat.integration.autosar_adaptive.releases import SOURCE_RELEASES
+from sigcat.integration.autosar_adaptive.deployment.releases import SOURCE_RELEASES
 from sigcat.integration.reading import read_functions
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.integrate import integrate

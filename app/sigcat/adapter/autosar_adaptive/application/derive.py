@@ -27,8 +27,8 @@ from sigcat.adapter.core.plan import CorePlan
 from sigcat.adapter.source_cores import Holder, SourceCore, SourceCores, wrong_holders
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
+from sigcat.integration.autosar_adaptive.deployment.namespaces import parts as namespace_parts
 from sigcat.integration.autosar_adaptive.model import Component, IntegrationModel
-from sigcat.integration.autosar_adaptive.namespaces import parts as namespace_parts
 from sigcat.integration.autosar_adaptive.storages import StoredParameter, stored_parameters
 from sigcat.names import snake_case
 

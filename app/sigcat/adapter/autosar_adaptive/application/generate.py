@@ -21,9 +21,9 @@ from sigcat.adapter.source_cores import files_of, source_cores
 from sigcat.adapter.source_functions import source_functions
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.errors import InputRefused
+from sigcat.integration.autosar_adaptive.deployment.releases import DEFAULT_RELEASE, SOURCE_RELEASES
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
-from sigcat.integration.autosar_adaptive.releases import DEFAULT_RELEASE, SOURCE_RELEASES
 from sigcat.limits import Limits
 
 CPP = Path(__file__).parent / "cpp"

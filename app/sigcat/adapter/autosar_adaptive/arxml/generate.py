@@ -11,9 +11,9 @@ from sigcat.adapter.autosar_adaptive.arxml.releases import BY_NAME
 from sigcat.adapter.files import GeneratedFile
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.errors import InputRefused
+from sigcat.integration.autosar_adaptive.deployment.namespaces import parts
 from sigcat.integration.autosar_adaptive.document import writable
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
-from sigcat.integration.autosar_adaptive.namespaces import parts
 
 
 @collector_paused()

@@ -16,6 +16,9 @@ from sigcat.adapter.arxml.tree import (
 from sigcat.adapter.autosar_adaptive.arxml.method_errors import possible_errors
 from sigcat.adapter.autosar_adaptive.arxml.paths import INTERFACES, TYPE
 from sigcat.adapter.autosar_adaptive.arxml.types import Library, Presentation, presentation
+from sigcat.integration.autosar_adaptive.deployment.namespaces import parts
+from sigcat.integration.autosar_adaptive.deployment.someip_settings import TransformationSettings
+from sigcat.integration.autosar_adaptive.deployment.transport import DEFAULT_TRANSPORT, TransportSettings
 from sigcat.integration.autosar_adaptive.model import (
     Event,
     EventGroup,
@@ -25,10 +28,7 @@ from sigcat.integration.autosar_adaptive.model import (
     ServiceField,
     ServiceInterface,
 )
-from sigcat.integration.autosar_adaptive.namespaces import parts
-from sigcat.integration.autosar_adaptive.someip_settings import TransformationSettings
-from sigcat.integration.autosar_adaptive.transport import DEFAULT_TRANSPORT, TransportSettings
-from sigcat.integration.autosar_adaptive.versions import Version, version_of
+from sigcat.integration.autosar_adaptive.someip.versions import Version, version_of
 
 Item = TypeVar("Item", Event, Method, ServiceField, EventGroup)
 

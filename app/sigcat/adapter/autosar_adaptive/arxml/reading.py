@@ -6,7 +6,7 @@ from autosar_data import AutosarDataError, AutosarModel, Element
 
 from sigcat.adapter.autosar_adaptive.arxml.deployment import DEPLOYMENT, GROUP_SUFFIX
 from sigcat.errors import InputRefused
-from sigcat.integration.autosar_adaptive.id_catalogue import Entry, collected
+from sigcat.integration.autosar_adaptive.someip.id_catalogue import Entry, collected
 from sigcat.limits import Limits
 
 _INSTANCES = {

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from sigcat.integration.autosar_adaptive.releases import RELEASES, ReleaseName
+from sigcat.integration.autosar_adaptive.deployment.releases import RELEASES, ReleaseName
 
 
 class Release(NamedTuple):

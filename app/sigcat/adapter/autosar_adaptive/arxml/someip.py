@@ -7,8 +7,11 @@ from sigcat.adapter.arxml.tree import Package, Tag, listed, reference, seconds, 
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import Whole
 from sigcat.adapter.autosar_adaptive.arxml.paths import DISCOVERY, INTERFACES, TRANSFORMATION
 from sigcat.adapter.autosar_adaptive.arxml.releases import Release
+from sigcat.integration.autosar_adaptive.deployment.someip_settings import (
+    ServiceDiscoverySettings,
+    TransformationSettings,
+)
 from sigcat.integration.autosar_adaptive.model import ArxmlDeployment
-from sigcat.integration.autosar_adaptive.someip_settings import ServiceDiscoverySettings, TransformationSettings
 from sigcat.integration.autosar_names import short_name
 
 _SET, _MAPPINGS, _PROPERTIES = "SomeIp", "SomeIp_Mappings", "Default"

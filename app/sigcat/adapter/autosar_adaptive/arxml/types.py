@@ -18,8 +18,8 @@ from sigcat.adapter.arxml.tree import (
     trace,
 )
 from sigcat.adapter.autosar_adaptive.arxml.paths import DATATYPES, TYPE
+from sigcat.integration.autosar_adaptive.deployment.namespaces import parts
 from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel, StructField, TypeEntry
-from sigcat.integration.autosar_adaptive.namespaces import parts
 from sigcat.integration.autosar_adaptive.units import units_of
 from sigcat.integration.autosar_names import distinct, short_name
 from sigcat.integration.autosar_si_units import UnitSettings

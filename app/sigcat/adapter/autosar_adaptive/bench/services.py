@@ -6,8 +6,8 @@ from typing import NamedTuple
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import Whole, wholes
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, member_name, service_names, type_names
 from sigcat.function.document.text import Text, sentence
+from sigcat.integration.autosar_adaptive.deployment.namespaces import parts
 from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel, Method, MethodArgument, ServiceField
-from sigcat.integration.autosar_adaptive.namespaces import parts
 
 
 class Protection(NamedTuple):

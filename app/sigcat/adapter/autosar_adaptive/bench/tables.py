@@ -9,9 +9,9 @@ from sigcat.adapter.autosar_adaptive.bench.method_errors import errors_path
 from sigcat.adapter.autosar_adaptive.bench.services import Service, error_namespace, hexadecimal
 from sigcat.adapter.autosar_adaptive.cpp_names import instance_specifier
 from sigcat.adapter.templates import rendered
+from sigcat.integration.autosar_adaptive.deployment.someip_settings import TransformationSettings
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
 from sigcat.integration.autosar_adaptive.processes import processes
-from sigcat.integration.autosar_adaptive.someip_settings import TransformationSettings
 from sigcat.integration.autosar_names import short_name
 
 _TEMPLATE = "adapter/autosar_adaptive/bench/tables.cpp.j2"

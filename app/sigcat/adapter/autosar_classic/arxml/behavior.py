@@ -22,6 +22,7 @@ from sigcat.adapter.autosar_classic.arxml.ports import port_tag
 from sigcat.adapter.autosar_classic.arxml.releases import Release
 from sigcat.adapter.autosar_classic.arxml.values import init_value
 from sigcat.function.document.text import Text
+from sigcat.integration.autosar_classic.datatypes.used_types import enumerations_of
 from sigcat.integration.autosar_classic.model import (
     Access,
     AccessKind,
@@ -32,7 +33,6 @@ from sigcat.integration.autosar_classic.model import (
     Port,
     Runnable,
 )
-from sigcat.integration.autosar_classic.used_types import enumerations_of
 from sigcat.integration.autosar_names import short_name
 
 

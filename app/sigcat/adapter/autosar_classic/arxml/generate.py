@@ -22,7 +22,7 @@ from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.errors import InputRefused
 from sigcat.function.document.document import pointer_text
 from sigcat.integration.autosar_classic.model import ClassicIntegration
-from sigcat.integration.autosar_classic.window_problems import window_problems
+from sigcat.integration.autosar_classic.problems.windows import window_problems
 
 PLATFORM_FILE = "platform_types.arxml"
 """Types that every vendor has: the file is for tests on a PC, without those of a vendor."""

@@ -13,6 +13,7 @@ from sigcat.adapter.autosar_classic.arxml.paths import (
     PLATFORM,
 )
 from sigcat.adapter.autosar_classic.arxml.releases import Release
+from sigcat.integration.autosar_classic.datatypes.used_types import element_types, exchanged_types
 from sigcat.integration.autosar_classic.model import (
     ApplicationType,
     ClassicIntegration,
@@ -21,7 +22,6 @@ from sigcat.integration.autosar_classic.model import (
     ModeSwitchInterface,
     Port,
 )
-from sigcat.integration.autosar_classic.used_types import element_types, exchanged_types
 
 INTERFACE = {
     "SenderReceiver": "SENDER-RECEIVER-INTERFACE",

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from sigcat.integration.autosar_classic.releases import ReleaseName
+from sigcat.integration.autosar_classic.deployment.releases import ReleaseName
 
 
 class Release(NamedTuple):

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code.plan import RteType, SwcPlan
 from sigcat.adapter.autosar_classic.code.types import rte_types
+from sigcat.integration.autosar_classic.datatypes.used_types import element_types, enumerations_of, exchanged_types
 from sigcat.integration.autosar_classic.model import ApplicationType, ClassicIntegration, DataConstraint
-from sigcat.integration.autosar_classic.used_types import element_types, enumerations_of, exchanged_types
 
 _SMALLEST = {-(2**31): "(-2147483647 - 1)", -(2**63): "(-9223372036854775807LL - 1LL)"}
 

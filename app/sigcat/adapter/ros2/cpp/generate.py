@@ -25,8 +25,7 @@ _DEPENDS = (
     "rclcpp_lifecycle",
 )
 _TEST_DEPENDS = (
-    "ament_cmake_cpplint", "ament_cmake_flake8", "ament_cmake_gtest", "ament_cmake_lint_cmake", "ament_cmake_pep257",
-    "ament_cmake_ros", "ament_cmake_uncrustify", "ament_cmake_xmllint", "ament_lint_auto", "launch_testing_ament_cmake",
+    "ament_cmake_gtest", "ament_cmake_ros", "ament_lint_auto", "ament_lint_common", "launch_testing_ament_cmake",
     "launch_testing_ros", "lifecycle_msgs",
 )  # fmt: skip
 _FOLDER = "adapter/ros2/cpp/support"

@@ -49,7 +49,7 @@ def _depends(package: InterfacePackage) -> list[tuple[str, str]]:
         ("buildtool_depend", "rosidl_default_generators"),
         *(("depend", name) for name in package.dependencies),
         ("exec_depend", "rosidl_default_runtime"),
-        *(("test_depend", name) for name in ("ament_cmake_lint_cmake", "ament_cmake_xmllint", "ament_lint_auto")),
+        *(("test_depend", name) for name in ("ament_lint_auto", "ament_lint_common")),
         ("member_of_group", "rosidl_interface_packages"),
     ]
 

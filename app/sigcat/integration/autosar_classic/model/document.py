@@ -9,6 +9,7 @@ from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.wire import Integer, Listed, WireModel, always, own, written
+from sigcat.integration.autosar_classic.deployment.releases import DEFAULT_RELEASE, ReleaseName
 from sigcat.integration.autosar_classic.model.behaviour import (
     Event,
     ExclusiveArea,
@@ -34,7 +35,6 @@ from sigcat.integration.autosar_classic.model.types import (
     ModeGroup,
     Unit,
 )
-from sigcat.integration.autosar_classic.releases import DEFAULT_RELEASE, ReleaseName
 from sigcat.integration.source_functions import source_functions
 
 

@@ -1,0 +1,1 @@
+"""The schedule of a function: order, times and supervision of calls."""

@@ -1,0 +1,1 @@
+"""Values in the code of a function: datatype, unit, range, start value."""

@@ -1,0 +1,1 @@
+"""Ids, versions and segments of services over SOME/IP."""

@@ -1,0 +1,1 @@
+"""Datatypes of the set."""

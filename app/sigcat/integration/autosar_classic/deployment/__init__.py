@@ -1,0 +1,1 @@
+"""The section of the deployment file that concerns AUTOSAR Classic."""

@@ -1,0 +1,1 @@
+"""Parts of an Integration JSON that an RTE generator would refuse."""

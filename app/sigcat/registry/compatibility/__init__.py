@@ -1,0 +1,1 @@
+"""Whether a version fits what is deployed, and who breaks."""
