@@ -199,7 +199,10 @@ def test_a_version_is_deprecated_and_retired(person: Person) -> None:
     fields = {"group": "functions", "reference": "Alpha@2.0.0"}
     answer = person.send("/registry/end", action="deprecate", until="2040-12-31", successor="1.0.0", **fields)
     assert answer.headers["location"] == "/registry/functions/Alpha"
-    assert "until 2040-12-31, successor 1.0.0" in person.get("/registry/functions/Alpha").text
+    page = person.get("/registry/functions/Alpha").text
+    assert "until 2040-12-31, successor 1.0.0" in page
+    asked = page.partition("<summary>Retire the version</summary>")[2].partition("</details>")[0]
+    assert 'value="retire"' in asked, "the button is behind a question"
     assert person.send("/registry/end", action="retire", **fields).status_code == 303
     running = person.send("/registry/end", action="retire", group="functions", reference="Alpha@1.0.0")
     assert (running.status_code, "E009" in running.text) == (422, True)

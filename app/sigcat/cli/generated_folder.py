@@ -10,6 +10,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+from sigcat import __version__
 from sigcat.cli.output import make_folder, write_bytes
 from sigcat.cli.output_options import add_output
 from sigcat.digest import digest_of
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 
 LIST = ".sigcat-generated"
 """In the folder: the files that sigcat has written there, each with its generator and the SHA-256 of its content."""
-_HEAD = "# Written by `sigcat generate`, which replaces these files and no others. Keep it with them.\n"
+_HEAD = f"# Written by `sigcat generate` of sigcat {__version__}, which replaces these files and no others. Keep it with them.\n"
 
 
 class _Entry(NamedTuple):
