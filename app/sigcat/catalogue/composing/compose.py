@@ -71,7 +71,7 @@ _IN_USE: MutableMapping[tuple[Any, ...], Catalogue] = WeakValueDictionary()
 def _composed_from(
     layers: Sequence[Layer], vocabulary: Vocabulary, types: Sequence[Layer], options: tuple[Any, ...]
 ) -> tuple[Any, ...]:
-    """What decides the catalogue of files: their names and digests, and options. Nothing if a file has findings."""
+    """The inputs that decide the catalogue of files: their names and digests, and options. Nothing if a file has findings."""
     if vocabulary.findings or any(layer.findings for layer in (*layers, *types)):
         return ()
     files = [tuple((layer.name, layer.is_overlay, layer.files) for layer in group) for group in (layers, types)]

@@ -1,4 +1,4 @@
 """The deployment file in; its section on AUTOSAR Classic out.
 
-The state machine of end-to-end protection has settings of its own.
+Settings of the end-to-end state machine have a separate file.
 """
