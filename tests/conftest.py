@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from tests import properties, real_parts, recent_catalogues
+from tests import properties, real_parts
 from tests.needs import OFFICIAL
 from tests.reference_tools import Results, note
 
@@ -51,7 +51,6 @@ def pytest_configure(config: pytest.Config) -> None:
         False  # and each worker would rewrite the assertions of every test, and parse the shipped tree
     )
     properties.load_profile()
-    recent_catalogues.keep()
 
 
 @pytest.hookimpl(optionalhook=True)

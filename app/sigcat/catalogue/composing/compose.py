@@ -4,10 +4,8 @@ The steps, each in the file of its name: `merge_layers` (which checks each node 
 `expand_instances`, and `build_tree` again to freeze the result.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, MutableMapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Any
-from weakref import WeakValueDictionary
 
 from sigcat import codes
 from sigcat.catalogue.composing.build_tree import Draft, draft_tree, frozen_tree
@@ -54,28 +52,10 @@ def read_catalogue(
             base = with_present_spellings(base)
         layers = [read_layer(path, include_dirs, is_overlay=True, limits=limits) for path in overlays]
         type_layers = [read_layer(path, include_dirs, limits=limits) for path in types]
-        stack, name = (base, *layers), name or spec.stem
-        composed_from = _composed_from(stack, vocabulary, type_layers, (name, expanded, is_older, limits))
-        catalogue = _IN_USE.get(composed_from)
-        if catalogue is None:
-            catalogue = compose(stack, vocabulary, type_layers, name=name, expanded=expanded, limits=limits)
-            if composed_from and not catalogue.findings:
-                _IN_USE[composed_from] = catalogue
+        catalogue = compose(
+            [base, *layers], vocabulary, type_layers, name=name or spec.stem, expanded=expanded, limits=limits
+        )
     return tolerant(catalogue) if is_older or is_release else catalogue
-
-
-_IN_USE: MutableMapping[tuple[Any, ...], Catalogue] = WeakValueDictionary()
-"""Catalogues of files without findings that are in use, by what they were composed from."""
-
-
-def _composed_from(
-    layers: Sequence[Layer], vocabulary: Vocabulary, types: Sequence[Layer], options: tuple[Any, ...]
-) -> tuple[Any, ...]:
-    """The inputs that decide the catalogue of files: their names and digests, and options. Nothing if a file has findings."""
-    if vocabulary.findings or any(layer.findings for layer in (*layers, *types)):
-        return ()
-    files = [tuple((layer.name, layer.is_overlay, layer.files) for layer in group) for group in (layers, types)]
-    return (*files, vocabulary.files, vocabulary.given, tuple(vocabulary.quantities), *options)
 
 
 @bounded_proposals()
