@@ -1,21 +1,21 @@
 """Memory of compiled C on an Arm Cortex-M4 with a unit for floats: sizes, stack, and functions of the compiler's library."""
 
-import re
-import struct
 import subprocess
 from collections.abc import Iterator, Sequence
+from io import BytesIO
 from pathlib import Path
 from typing import NamedTuple
+
+from elftools.common.construct_utils import ULEB128
+from elftools.elf.constants import SH_FLAGS
+from elftools.elf.elffile import ELFFile
+from elftools.elf.sections import SymbolTableSection
 
 from bench.rows import Missing
 from sigcat.adapter.toolchain import EXACT, packaged
 
 _TARGET = ("-target", "thumb-linux-musleabihf", "-mcpu=cortex_m4+vfp4d16sp")
 _FLAGS = ("-std=c99", "-Os", "-ffunction-sections", "-fno-unwind-tables", "-fstack-size-section", *EXACT)
-_STRINGS, _NO_BITS = 3, 8
-"""Types of sections in ELF."""
-_WRITTEN, _ALLOCATED = 1, 2
-"""Flags of sections."""
 
 
 class Memory(NamedTuple):
@@ -39,46 +39,28 @@ def memory(source: Path, includes: Sequence[Path]) -> Memory:
     folders = [f"-I{folder}" for folder in includes]
     command = [*clang.c, *_TARGET, *_FLAGS, *folders, "-c", str(source), "-o", str(made)]
     subprocess.run(command, capture_output=True, check=True)
-    return _of_object(made.read_bytes())
+    return _of_object(made)
 
 
-class _Section(NamedTuple):
-    name: str
-    type: int
-    flags: int
-    content: bytes
-    size: int
-
-
-def _of_object(elf: bytes) -> Memory:
-    """Sizes of an object in ELF of 32 bits."""
-    sections = [*_sections(elf)]
-    placed = [section for section in sections if section.flags & _ALLOCATED]
-    bss = sum(section.size for section in placed if section.type == _NO_BITS)
-    data = sum(section.size for section in placed if section.type != _NO_BITS and section.flags & _WRITTEN)
-    text = sum(section.size for section in placed) - data - bss
-    frames = [size for section in sections if section.name == ".stack_sizes" for size in _frames(section.content)]
-    names = b"\0".join(section.content for section in sections if section.type == _STRINGS).decode()
-    return Memory(text, data, bss, max(frames, default=0), frozenset(re.findall(r"__aeabi_\w+", names)))
-
-
-def _sections(elf: bytes) -> Iterator[_Section]:
-    (table,) = struct.unpack_from("<I", elf, 32)
-    length, count, of_names = struct.unpack_from("<HHH", elf, 46)
-    heads = [struct.unpack_from("<6I", elf, table + number * length) for number in range(count)]
-    names = heads[of_names][4]
-    for name, kind, flags, _, offset, size in heads:
-        text = elf[names + name : elf.index(b"\0", names + name)].decode()
-        yield _Section(text, kind, flags, b"" if kind == _NO_BITS else elf[offset : offset + size], size)
+def _of_object(path: Path) -> Memory:
+    """Sizes of an object."""
+    with path.open("rb") as file:
+        elf = ELFFile(file)
+        placed = [each for each in elf.iter_sections() if each["sh_flags"] & SH_FLAGS.SHF_ALLOC]
+        bss = sum(each["sh_size"] for each in placed if each["sh_type"] == "SHT_NOBITS")
+        written = (each for each in placed if each["sh_flags"] & SH_FLAGS.SHF_WRITE and each["sh_type"] != "SHT_NOBITS")
+        data = sum(each["sh_size"] for each in written)
+        text = sum(each["sh_size"] for each in placed) - data - bss
+        stacks = (each.data() for each in elf.iter_sections() if each.name == ".stack_sizes")
+        frames = [size for content in stacks for size in _frames(content)]
+        tables = (each for each in elf.iter_sections() if isinstance(each, SymbolTableSection))
+        names = (symbol.name for table in tables for symbol in table.iter_symbols())
+        library = frozenset(name for name in names if name.startswith("__aeabi_"))
+    return Memory(text, data, bss, max(frames, default=0), library)
 
 
 def _frames(content: bytes) -> Iterator[int]:
-    """Sizes of frames: of each function its address, and a number of seven bits in each byte."""
-    place = 4
-    while place < len(content):
-        size, shift = 0, 0
-        while content[place] & 0x80:
-            size |= (content[place] & 0x7F) << shift
-            place, shift = place + 1, shift + 7
-        yield size | content[place] << shift
-        place += 5
+    """Sizes of frames: the section has the address of each function, and a number in LEB128."""
+    stream = BytesIO(content)
+    while stream.read(4):
+        yield ULEB128("size").parse_stream(stream)
