@@ -115,7 +115,7 @@ def test_the_files_of_the_other_arithmetic_do_not_compile(tmp_path):
         line = [*toolchain().c, "-c", "F_adapter.c", "-o", "core.o"]
         done = subprocess.run(line, cwd=tmp_path, capture_output=True, text=True, check=False)
         assert done.returncode != 0
-        assert "sigcat_core.h is of another version of sigcat" in done.stderr
+        assert "sigcat_core_arithmetic.h is of another arithmetic" in done.stderr
 
 
 def of_controller(name: str, folder: Path, arithmetic: NumberType) -> dict[str, Memory]:

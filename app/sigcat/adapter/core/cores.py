@@ -24,7 +24,7 @@ def cores(functions: Sequence[ResolvedFunction], arithmetic: NumberType = DOUBLE
     """Header and source of each function. Raises InputRefused with all obstacles."""
     planned = plans(functions, arithmetic)
     return Cores(
-        all_files((each.plan for each in planned), arithmetic),
+        all_files(each.plan for each in planned),
         tuple(finding for each in planned for finding in each.findings),
     )
 

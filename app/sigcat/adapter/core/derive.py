@@ -1,6 +1,6 @@
 """From a resolved function to the plan of its core, and the obstacles."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from pathlib import PurePath
 from typing import NamedTuple, TypeVar
 
@@ -23,14 +23,13 @@ from sigcat.adapter.core.methods import methods_of
 from sigcat.adapter.core.modes import mode_in, mode_out
 from sigcat.adapter.core.numbers import DOUBLE, NumberType
 from sigcat.adapter.core.parameters import parameters_of
-from sigcat.adapter.core.plan import Call, CorePlan, Error, ModeIn, Parameter, Reaction
+from sigcat.adapter.core.plan import Call, CorePlan, Error, ModeIn, Parameter, Provenance, Reaction
 from sigcat.adapter.core.planning import INIT, TERMINATE, Context, ListedCall, context_of
 from sigcat.adapter.core.structs import wire_structs
 from sigcat.asil import level_of
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, has_errors
 from sigcat.function.checks.types import circular_types
-from sigcat.function.document.document import Pointer
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction
@@ -52,32 +51,23 @@ def derive(function: ResolvedFunction, arithmetic: NumberType = DOUBLE) -> Plann
     if circular:
         raise InputRefused(f"The core of {function.name} cannot be generated.", circular)
     context = context_of(function.function, arithmetic)
-    plan = _planned(context)._replace(**_provenance(function)._asdict())
+    plan = _planned(context)._replace(provenance=_provenance(function))
     findings = function.findings(context.problems)
     if has_errors(findings):
         raise InputRefused(f"The core of {function.name} cannot be generated.", findings)
     return Planned(plan, findings)
 
 
-class _Provenance(NamedTuple):
-    """Fields of the plan that lead from generated code back to its source."""
-
-    declaration: Text
-    digest: str
-    document: str
-    traces: Mapping[Pointer, str]
-
-
-def _provenance(function: ResolvedFunction) -> _Provenance:
+def _provenance(function: ResolvedFunction) -> Provenance:
     document = PurePath(function.document.name).name
     given = function.function.provenance
     declaration = given.declaration if given else Text(document)
     digest = given.declaration_digest if given else function.document.digest
-    traces = {pointer: _trace(function.position(pointer).line, item) for pointer, item in parts(function.function)}
-    return _Provenance(declaration, digest, document, traces)
+    lines = {pointer: _line(function.position(pointer).line, item) for pointer, item in parts(function.function)}
+    return Provenance(declaration, digest, document, lines)
 
 
-def _trace(line: int, item: BaseModel) -> str:
+def _line(line: int, item: BaseModel) -> str:
     level = level_of(getattr(item, "asil_level", None))
     asil = f", ASIL {level}" if level not in (None, "QM") else f", {level}" if level else ""
     return f"line {line}{asil}"

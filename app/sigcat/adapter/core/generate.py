@@ -11,7 +11,7 @@ from sigcat.adapter.core.c.scope import Scope, in_adapter
 from sigcat.adapter.core.c.shadowing import distinct
 from sigcat.adapter.core.c.source import source
 from sigcat.adapter.core.numbers import DOUBLE, NumberType
-from sigcat.adapter.core.plan import RUNTIME_VERSIONS, CorePlan
+from sigcat.adapter.core.plan import CorePlan
 from sigcat.adapter.files import GeneratedFile
 from sigcat.function.document.document import Pointer
 
@@ -20,16 +20,11 @@ RUNTIME_SOURCE = "sigcat_core.c"
 """File that is compiled once for all cores of a program."""
 
 
-_VERSION = "#define SIGCAT_CORE_VERSION {}\n"
-
-
 @cache
 def runtime_files(arithmetic: NumberType = DOUBLE) -> tuple[GeneratedFile, ...]:
-    """Return files of C that all cores share. Those in the package are for double; of those for float the number differs."""
-    shipped, wanted = (_VERSION.format(RUNTIME_VERSIONS[each]).encode() for each in (DOUBLE, arithmetic))
-    return tuple(
-        GeneratedFile(path.name, path.read_bytes().replace(shipped, wanted)) for path in sorted(_RUNTIME.iterdir())
-    )
+    """Return files of C that all cores of a program share, as they are in the package."""
+    paths = (*_RUNTIME.glob("*.[ch]"), *(_RUNTIME / arithmetic.name).iterdir())
+    return tuple(GeneratedFile(path.name, path.read_bytes()) for path in sorted(paths, key=lambda path: path.name))
 
 
 class CoreFiles(NamedTuple):
@@ -39,18 +34,20 @@ class CoreFiles(NamedTuple):
     source: GeneratedFile
     origins: dict[tuple[str, int], Pointer]
     """Pointers into Function JSON, by file name and line."""
-    arithmetic: NumberType = DOUBLE
+    runtime: tuple[GeneratedFile, ...]
+    """Files that all cores of a program share."""
 
     @property
     def files(self) -> tuple[GeneratedFile, ...]:
-        """All that a program needs: both of them, and the files that all cores share."""
-        return self.header, self.source, *runtime_files(self.arithmetic)
+        """All that a program needs."""
+        return self.header, self.source, *self.runtime
 
 
-def all_files(plans: Iterable[CorePlan], arithmetic: NumberType = DOUBLE) -> tuple[GeneratedFile, ...]:
+def all_files(plans: Iterable[CorePlan]) -> tuple[GeneratedFile, ...]:
     """Return the files of several cores of one arithmetic; those that all cores share are there once."""
     cores = [core_files(plan) for plan in plans]
-    return (*(file for core in cores for file in (core.header, core.source)), *runtime_files(arithmetic))
+    own = (file for core in cores for file in (core.header, core.source))
+    return (*own, *dict.fromkeys(file for core in cores for file in core.runtime))
 
 
 def core_files(plan: CorePlan) -> CoreFiles:
@@ -64,7 +61,7 @@ def core_files(plan: CorePlan) -> CoreFiles:
         if line.source is not None
     }
     made = [GeneratedFile(name, _text(part)) for name, part in zip(names, parts, strict=True)]
-    return CoreFiles(made[0], made[1], origins, plan.arithmetic)
+    return CoreFiles(made[0], made[1], origins, runtime_files(plan.arithmetic))
 
 
 def _text(part: Lines) -> bytes:

@@ -268,7 +268,7 @@ def _source(plan: CorePlan, *, is_alone: bool) -> _Source:
     code = [(each, _inside(each, root)) for each in plan.code.sources]
     return _Source(
         name=plan.function,
-        origin=plan.origin,
+        origin=plan.provenance.text,
         setting=plan.code_setting,
         code=tuple((each, inside, str(PurePosixPath(inside).parent)) for each, inside in code),
         folders=tuple((each, _inside(each, root)) for each in dict.fromkeys((".", *plan.code.include_folders))),

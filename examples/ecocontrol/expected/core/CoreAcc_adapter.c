@@ -15,6 +15,9 @@
 #if SIGCAT_CORE_VERSION != 1
 #error "sigcat_core.h is of another version of sigcat"
 #endif
+#if SIGCAT_FLOAT_ARITHMETIC != 0
+#error "sigcat_core_arithmetic.h is of another arithmetic"
+#endif
 
 /* Points of measurement are those of sigcat_core_functions.h. */
 #ifndef CORE_ACC_ADAPTER_MARK

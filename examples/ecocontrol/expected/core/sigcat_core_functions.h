@@ -92,7 +92,7 @@ static inline float Sigcat_QuietFloat(float value)
     return (value == value) ? value : Sigcat_NanFloat;
 }
 
-#if SIGCAT_CORE_VERSION == 2
+#if SIGCAT_FLOAT_ARITHMETIC == 1
 
 /* Type in which values are converted. */
 typedef float Sigcat_Real;

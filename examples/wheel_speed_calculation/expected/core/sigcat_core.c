@@ -66,7 +66,7 @@ void Sigcat_Pop(Sigcat_Queue *queue, uint32_t length)
 
 const float Sigcat_NanFloat = NAN;
 
-#if SIGCAT_CORE_VERSION == 2
+#if SIGCAT_FLOAT_ARITHMETIC == 1
 
 /* The upper half of the digits: the product of two halves is exact. */
 static float UpperHalf(float value)

@@ -10,7 +10,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* An adapter and this file belong together if both have the same number. 1 converts values in double, 2 in float. */
+#include "sigcat_core_arithmetic.h"
+
+/* An adapter and this file belong together if both have the same number. */
 #define SIGCAT_CORE_VERSION 1
 
 #ifdef __cplusplus

@@ -12,8 +12,11 @@
 
 #include "WheelSpeedCalculation_adapter.h"
 
-#if SIGCAT_CORE_VERSION != 2
-#error "sigcat_core.h is of another version of sigcat, or of another arithmetic"
+#if SIGCAT_CORE_VERSION != 1
+#error "sigcat_core.h is of another version of sigcat"
+#endif
+#if SIGCAT_FLOAT_ARITHMETIC != 1
+#error "sigcat_core_arithmetic.h is of another arithmetic"
 #endif
 
 /* Points of measurement are those of sigcat_core_functions.h. */

@@ -95,7 +95,7 @@ static int a_full_queue_may_lose_the_value_that_comes(void)
     return 0;
 }
 
-#if SIGCAT_CORE_VERSION == 2
+#if SIGCAT_FLOAT_ARITHMETIC == 1
 #include "float_cases.h"
 #else
 static int converted_numbers_are_rounded_once(void)

@@ -4,7 +4,7 @@ Every name, number and conversion is resolved. The writer of C asks nothing but 
 """
 
 from sigcat.adapter.core.plan.call import Alive, Call, Deadline, Logical
-from sigcat.adapter.core.plan.core_plan import RUNTIME_VERSIONS, Code, CodeObject, CorePlan, Extern
+from sigcat.adapter.core.plan.core_plan import Code, CodeObject, CorePlan, Extern, Provenance
 from sigcat.adapter.core.plan.interface import Argument, Input, Method, Named, Output, Parameter, Port, Queue, TimeOut
 from sigcat.adapter.core.plan.status import Cause, Error, ForeignError, ModeIn, ModeOut, ModeValue, Reaction
 from sigcat.adapter.core.plan.value import Element, Leaf, Value, WireField, WireStruct, WireType
@@ -14,7 +14,6 @@ __all__ = [
     "CLASS",
     "GLOBALS",
     "POINTERS",
-    "RUNTIME_VERSIONS",
     "Alive",
     "Argument",
     "Call",
@@ -38,6 +37,7 @@ __all__ = [
     "Output",
     "Parameter",
     "Port",
+    "Provenance",
     "Queue",
     "Reaction",
     "TimeOut",

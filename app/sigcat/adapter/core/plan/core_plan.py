@@ -13,9 +13,6 @@ from sigcat.function.document.text import Text, composed
 from sigcat.function.function_json.code import CLASS, GLOBALS
 from sigcat.names import screaming_snake_case
 
-RUNTIME_VERSIONS = {DOUBLE: 1, FLOAT: 2}
-"""Number of the files that all cores share, by their arithmetic."""
-
 
 class CodeObject(NamedTuple):
     """An object of the code that the adapter holds or defines."""
@@ -61,6 +58,29 @@ class Code(NamedTuple):
         return "cpp" if self.is_cpp else "c"
 
 
+class Provenance(NamedTuple):
+    """The file that declares a function, and the lines of its interfaces, for readers."""
+
+    declaration: Text = Text("")
+    """Name of the file."""
+    digest: str = ""
+    """SHA-256 of the file."""
+    document: str = ""
+    """Name of the file whose lines `lines` names: the same, or a document that was made from it."""
+    lines: Mapping[Pointer, str] = {}
+    """Line and ASIL of each interface, by pointers into Function JSON."""
+
+    @property
+    def text(self) -> Text:
+        """The file: `function.yaml (SHA-256 f4cb…)`."""
+        return composed(self.declaration, f" (SHA-256 {self.digest})")
+
+    def of(self, pointers: Iterable[Pointer]) -> str:
+        """Return the lines of some interfaces, as the beginning of a list: `line 57, ASIL B, `."""
+        found = dict.fromkeys(self.lines[each] for each in pointers if each in self.lines)
+        return " and ".join(found) + ", " if found else ""
+
+
 class CorePlan(NamedTuple):
     """The core of one function."""
 
@@ -86,24 +106,12 @@ class CorePlan(NamedTuple):
     terminates: tuple[Call, ...]
     arithmetic: NumberType = DOUBLE
     """Type in which values are converted."""
-    declaration: Text = Text("")
-    """Name of the file that declares the function."""
-    digest: str = ""
-    """SHA-256 of that file."""
-    document: str = ""
-    """Name of the file whose lines `traces` names."""
-    traces: Mapping[Pointer, str] = {}
-    """Line and ASIL of each interface, for readers, by pointers into Function JSON."""
+    provenance: Provenance = Provenance()
 
     @property
-    def origin(self) -> Text:
-        """File that declares the function, for readers: `function.yaml (SHA-256 f4cb…)`."""
-        return composed(self.declaration, f" (SHA-256 {self.digest})")
-
-    @property
-    def runtime_version(self) -> int:
-        """Number of the files that it shares with other cores."""
-        return RUNTIME_VERSIONS[self.arithmetic]
+    def is_in_float(self) -> bool:
+        """Whether values are converted in float."""
+        return self.arithmetic == FLOAT
 
     @property
     def calls(self) -> tuple[Call, ...]:
@@ -201,11 +209,6 @@ class CorePlan(NamedTuple):
     def code_setting(self) -> str:
         """The setting of CMake that names the folder of the function's code: `CORE_ACC_CODE`."""
         return f"{screaming_snake_case(self.function)}_CODE"
-
-    def trace(self, pointers: Iterable[Pointer]) -> str:
-        """Return the lines of some interfaces in the document, as the beginning of a list: `line 57, ASIL B, `."""
-        found = dict.fromkeys(self.traces[each] for each in pointers if each in self.traces)
-        return " and ".join(found) + ", " if found else ""
 
     def is_moded(self, call: Call) -> bool:
         """Whether a mode excludes a call."""

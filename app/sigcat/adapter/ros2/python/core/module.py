@@ -118,7 +118,7 @@ def core_module(node: NodePlan) -> str:
         function=core.function,
         version=f" {core.version}" if core.version else "",
         about=[sentence(core.description)] if core.description else [],
-        origin=core.origin,
+        origin=core.provenance.text,
         typing_imports=_typing_imports(core),
         own_imports=imports([(".support.core", own)]),
         declarations=declarations(core),

@@ -165,7 +165,7 @@ def node_module(node: NodePlan, *, has_bond: bool) -> str:
     plan = _Node(
         function=core.function,
         about=[sentence(core.description)] if core.description else [],
-        origin=core.origin,
+        origin=core.provenance.text,
         type=node.type,
         name=node.name,
         core=core_type(core),
