@@ -3,6 +3,7 @@
 import csv
 import json
 import sqlite3
+import struct
 from contextlib import closing
 from functools import cache
 from pathlib import Path
@@ -10,6 +11,7 @@ from pathlib import Path
 import pytest
 import zstandard
 from mcap.reader import make_reader
+from mcap.writer import CompressionType
 from mcap.writer import Writer as RawWriter
 from mcap_ros2.writer import Writer
 
@@ -23,6 +25,7 @@ from sigcat.platforms.integrate import integrate
 from sigcat.platforms.table import PLATFORMS
 from sigcat.runs.recording.ros2_bag import Column, bag_as_csv, is_bag
 from sigcat.runs.recording.trace_file import Known
+from sigcat.runs.recording.traces import moments, open_trace
 from tests.comparison.ecocontrol import EXAMPLES, subject
 
 START = 1_764_000_000_000_000_000
@@ -43,6 +46,7 @@ KNOWN = Known(
         "Vehicle.Pose": Record((("X", Number("float")), ("Marks", Array(Number("uint8"), 2)))),
     },
     None,
+    units={"Vehicle.Speed": "km/h"},
 )
 
 
@@ -206,7 +210,8 @@ def test_a_damaged_bag_is_reported_and_nothing_is_written(drive, tmp_path, cut, 
             "rosbag2_bagfile_information: {storage_identifier: mcap, relative_file_paths: [], compression_format: lz4}",
             2, "by zstd, not 'lz4'",
         ),
-        ("rosbag2_bagfile_information: {storage_identifier: mcap, relative_file_paths: [x]}", 2, "does not exist"),
+        ("rosbag2_bagfile_information: {storage_identifier: mcap, relative_file_paths: [x]}", 2, "must be in the folder"),
+        ("rosbag2_bagfile_information: {storage_identifier: mcap, relative_file_paths: [/etc/passwd]}", 2, "/etc/passwd"),
     ],
 )  # fmt: skip
 def test_metadata_that_cannot_be_used_is_reported(tmp_path, metadata, status, said, capsys):
@@ -222,9 +227,9 @@ def _generated_topics():
     aliases = {name: each.names for each in subject().prepared.connections.entries for name in each.names}
     found = {}
     for kind, text in _definitions().items():
-        for field, path in _fields(text):
-            for name in aliases.get(path, ()) if path else ():
-                found[name] = (f"/{kind.lower()}", kind, field)
+        for field in _fields(text):
+            for name in aliases.get(field.path, ()) if field.path else ():
+                found[name] = (f"/{kind.lower()}", kind, field.name)
     return found
 
 
@@ -391,19 +396,88 @@ def test_a_file_that_cannot_be_read_is_reported(recorded, tmp_path, name, conten
 
 def test_messages_that_are_damaged_are_reported(recorded, tmp_path):
     path = in_sqlite(recorded[0], tmp_path / "a.db3", packed=lambda data: data[:5])
-    with pytest.raises(InputRefused, match="cannot be read"):
+    with pytest.raises(InputRefused) as refusal:
         rows(path, tmp_path)
+    (finding,) = refusal.value.findings
+    assert finding.message == (
+        "The message of /speed at 1764000000.000000000 s does not fit its definition, or is damaged."
+    )
+
+
+@pytest.mark.parametrize("change", ["timestamp = 'abc'", "data = 'abc'"])
+def test_a_row_of_another_type_is_reported(recorded, tmp_path, change):
+    path = in_sqlite(recorded[0], tmp_path / "a.db3")
+    with closing(sqlite3.connect(path)) as database:
+        database.execute(f"UPDATE messages SET {change}")
+        database.commit()
+    with pytest.raises(InputRefused) as refusal:
+        rows(path, tmp_path)
+    assert "mcap" not in refusal.value.findings[0].fix
+
+
+def test_a_changed_byte_in_a_chunk_is_found_by_its_checksum(tmp_path):
+    path = tmp_path / "a.mcap"
+    with path.open("wb") as file:
+        writer = Writer(file, compression=CompressionType.NONE)
+        schema = writer.register_msgdef("x_interfaces/msg/Speed", SPEED)
+        writer.write_message("/speed", schema, stamped(speed=36.5), log_time=START, publish_time=START)
+        writer.finish()
+    speed = struct.pack("<f", 36.5)
+    data = path.read_bytes()
+    assert data.count(speed) == 1
+    path.write_bytes(data.replace(speed, struct.pack("<f", 36.0)))
+    with pytest.raises(InputRefused, match=r"crc validation failed") as refusal:
+        rows(path, tmp_path)
+    assert refusal.value.findings[0].rule == "T001"
+
+
+@pytest.mark.parametrize(("unit", "expected"), [("m/s", "36.0"), ("km/h", "10.0")])
+def test_a_unit_of_the_definition_is_converted_to_that_of_the_signal(tmp_path, unit, expected):
+    """The unit of a signal may have changed since the recording."""
+    schemas = {"Speed": SPEED.replace("[km/h]", f"[{unit}]")}
+    path = bag(tmp_path / "a.mcap", ("/speed", "Speed", 0, stamped(speed=10.0)), schemas=schemas)
+    assert rows(path, tmp_path)[0].endswith(f",{expected}\n")
+
+
+def test_a_unit_that_cannot_be_converted_is_refused(tmp_path):
+    schemas = {"Speed": SPEED.replace("[km/h]", "[kg]")}
+    path = bag(tmp_path / "a.mcap", ("/speed", "Speed", 0, stamped(speed=10.0)), schemas=schemas)
+    with pytest.raises(InputRefused) as refusal:
+        rows(path, tmp_path)
+    assert "Vehicle.Speed cannot be converted from kg, as the bag has it, to km/h." in str(refusal.value.findings[0])
+
+
+def test_a_signal_of_two_topics_is_refused(tmp_path):
+    written = [(topic, "Speed", time, stamped(speed=time)) for time, topic in enumerate(("/a/speed", "/b/speed"))]
+    with pytest.raises(InputRefused) as refusal:
+        rows(bag(tmp_path / "a.mcap", *written, schemas={"Speed": SPEED}), tmp_path)
+    assert "and has /a/speed and /b/speed." in refusal.value.findings[0].message
+
+
+def test_findings_of_values_are_about_the_bag(tmp_path):
+    """Its file in CSV is removed."""
+    written = [("/speed", "Speed", time, stamped(speed=1)) for time in (0, 300 * 365 * 86_400)]
+    path = bag(tmp_path / "a.mcap", *written, schemas={"Speed": SPEED})
+    trace = open_trace(path, KNOWN)
+    with pytest.raises(InputRefused) as refusal:
+        list(moments(trace))
+    (finding,) = refusal.value.findings
+    assert (finding.file, finding.line) == (str(path), 0)
+    assert str(path) in str(refusal.value)
 
 
 def test_a_definition_that_cannot_be_parsed_is_reported(recorded, tmp_path):
     """That of the events of a service has two parts, each with fields."""
     path = in_sqlite(recorded[0], tmp_path / "a.db3")
     with closing(sqlite3.connect(path)) as database:
-        database.execute("UPDATE message_definitions SET encoded_message_definition = ?", (f"---\n{SPEED}",))
+        database.execute(
+            "UPDATE message_definitions SET encoded_message_definition = ? WHERE topic_type LIKE '%Speed'",
+            (f"---\n{SPEED}",),
+        )
         database.commit()
     with pytest.raises(InputRefused) as refusal:
         rows(path, tmp_path)
-    assert "definition of a message is invalid" in refusal.value.findings[0].message
+    assert "The definition of /speed is invalid" in refusal.value.findings[0].message
 
 
 def test_a_folder_without_metadata_is_reported(recorded, tmp_path, capsys):

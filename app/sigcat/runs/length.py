@@ -19,7 +19,7 @@ def check_length(members: Sequence[Member], start: int, end: int, trace: Trace |
     if trace is None or line is None:
         raise UsageError(f"{said[0].lower()}{said[1:]}: give a shorter duration")
     fix = "Correct the time, or pass `--duration` with the length of the run."
-    finding = codes.RUN_TOO_LONG.finding(f"{said}.", str(trace.file), line, 1, fix=fix)
+    finding = codes.RUN_TOO_LONG.finding(f"{said}.", *trace.place(line, 1), fix=fix)
     raise InputRefused("The run would be too long.", (finding,))
 
 

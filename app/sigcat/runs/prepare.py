@@ -39,7 +39,8 @@ class Prepared(NamedTuple):
             each.vss_path or each.name for one in connections.members for _, _, each in absent(one.function.function)
         )
         others = {*paths, *lacking, *(name for each in names for name in each)}
-        return Known({**durations, **connections.received}, others, inputs=connections.inputs)
+        units = {name: each.unit for each in connections.entries for name in each.names}
+        return Known({**durations, **connections.received}, others, inputs=connections.inputs, units=units)
 
     @property
     def inputs(self) -> frozenset[str]:

@@ -28,7 +28,7 @@ def findings_of(columns: Sequence[Compared], trace: Trace) -> tuple[Finding, ...
 def _finding(each: Compared, first: Difference, trace: Trace) -> Finding:
     column = column_in(trace, first.line, each.name)
     message = _message(each, first)
-    return codes.OUTPUT_UNEXPECTED.finding(message, str(trace.file), first.line, column, path=each.name)
+    return codes.OUTPUT_UNEXPECTED.finding(message, *trace.place(first.line, column), path=each.name)
 
 
 def _message(each: Compared, first: Difference) -> str:

@@ -35,6 +35,7 @@ _DEFINED = "ros2msg"
 CDR = "cdr"
 _EXTRA = "Bags of ROS 2 need the extra `mcap`: run `pip install 'sigcat[mcap]'`"
 _REINDEX = "Run `ros2 bag reindex`."
+_AGAIN = "Record the bag again."
 
 
 class Topic(NamedTuple):
@@ -130,11 +131,10 @@ def _paths(path: Path) -> tuple[Path, ...]:
         raise UsageError(
             f"{path}: the bag must be compressed by zstd, not {shown(compression)}. Convert it with `ros2 bag convert`."
         )
-    files = tuple(path / Path(name).name for name in names)
-    for file in files:
-        if not file.is_file():
-            raise UsageError(f"{file}: {METADATA} names this file, and it does not exist. {_REINDEX}")
-    return files
+    for name in names:
+        if not (path / Path(name).name).is_file():
+            raise UsageError(f"{path / METADATA}: the file {shown(name)} must be in the folder of the bag. {_REINDEX}")
+    return tuple(dict.fromkeys(path / Path(name).name for name in names))
 
 
 def _begins(path: Path, magic: bytes) -> bool:
@@ -181,7 +181,8 @@ def _damages(path: Path) -> Iterator[None]:
         zstandard.ZstdError,
     ) as error:
         message = f"The bag cannot be read: {str(error) or type(error).__name__}."
-        raise refused_trace(path, message, "Record it again, or try `mcap recover`.") from None
+        is_mcap = path.name.removesuffix(_PACKED).endswith(SUFFIX)
+        raise refused_trace(path, message, "Record it again, or try `mcap recover`." if is_mcap else _AGAIN) from None
 
 
 # -- MCAP ---------------------------------------------------------------------------------------------------------
@@ -209,9 +210,8 @@ def _mcap_messages(path: Path, topics: Sequence[str]) -> Iterator[Message]:
 
     decoders = DecoderFactory()
     with path.open("rb") as file:
-        for schema, channel, message in make_reader(file).iter_messages(topics=topics):
-            content = _decoded(decoders, schema, message.data)
-            yield Message(path, channel.topic, message.log_time, content)
+        for schema, channel, message in make_reader(file, validate_crcs=True).iter_messages(topics=topics):
+            yield _message(path, channel.topic, message.log_time, decoders, schema, message.data)
 
 
 # -- SQLite -------------------------------------------------------------------------------------------------------
@@ -239,7 +239,9 @@ def _sqlite_messages(path: Path, topics: Sequence[str]) -> Iterator[Message]:
         numbers = ", ".join(map(str, schemas))
         for number, time, data in database.execute(_MESSAGES.format(numbers)):
             name, schema = schemas[number]
-            yield Message(path, name, int(time), _decoded(decoders, schema, data))
+            if not isinstance(time, int) or not isinstance(data, bytes):
+                raise refused_trace(path, f"A message of {name} must have a time and bytes.", _AGAIN)
+            yield _message(path, name, time, decoders, schema, data)
 
 
 @contextmanager
@@ -270,14 +272,20 @@ def _messages(path: Path, topics: Sequence[str]) -> Iterator[Message]:
         yield from _sqlite_messages(path, topics) if _begins(path, _SQLITE) else _mcap_messages(path, topics)
 
 
-def _decoded(decoders: "DecoderFactory", schema: "Schema | None", data: bytes) -> Any:
-    """Decode a message, which may be compressed."""
+def _message(
+    path: Path, topic: str, time: int, decoders: "DecoderFactory", schema: "Schema | None", data: bytes
+) -> Message:
+    """Decode a message, which may be compressed. Raises InputRefused."""
     import zstandard
 
     try:
         decode = decoders.decoder_for(CDR, schema)
     except Exception as error:  # noqa: BLE001 — the parser of definitions has its own
-        raise ValueError(f"the definition of a message is invalid: {error}") from None
+        raise refused_trace(path, f"The definition of {topic} is invalid: {error}.", _AGAIN) from None
     if decode is None:
-        raise ValueError("a message has no definition")
-    return decode(zstandard.decompress(data) if data.startswith(_ZSTD) else data)
+        raise refused_trace(path, f"The messages of {topic} have no definition.", _AGAIN)
+    try:
+        return Message(path, topic, time, decode(zstandard.decompress(data) if data.startswith(_ZSTD) else data))
+    except Exception:  # noqa: BLE001 — generated decoders raise what the bytes make them raise
+        message = f"The message of {topic} at {time / 10**9:.9f} s does not fit its definition, or is damaged."
+        raise refused_trace(path, message, _AGAIN) from None

@@ -51,7 +51,7 @@ class OutsideValues:
             count = "1 value is" if found.number == 1 else f"{found.number:,} values are"
             message = f"{column}: {count} outside of the range {_written(held)} of the signal, the first at {found.time / 1e9:g} s."
             at = (found.line, column_in(trace, found.line, column)) if found.line else (0, 0)
-            yield codes.TRACE_VALUE_OUTSIDE_RANGE.finding(message, str(trace.file), *at, column)
+            yield codes.TRACE_VALUE_OUTSIDE_RANGE.finding(message, *trace.place(*at), column)
 
 
 def _written(held: Range) -> str:

@@ -14,7 +14,7 @@ from sigcat import codes
 from sigcat.adapter.host.shapes import Array, Record, Shape
 from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding
-from sigcat.function.function_json.conversion import IDENTITY, Linear
+from sigcat.function.function_json.conversion import IDENTITY, Linear, between
 from sigcat.names import snake_case
 from sigcat.runs.recording.bag_files import METADATA, SUFFIX, SUFFIXES, BagFile, Message, bag_files, is_cdr, messages
 from sigcat.runs.recording.cells import Unfit, cell_of, fitted
@@ -22,7 +22,7 @@ from sigcat.runs.recording.times import seconds
 from sigcat.runs.recording.trace_file import TIME, Known, refused, refused_trace
 from sigcat.temporary_files import temporary_folder
 
-_PATH = re.compile(r"#\s*([A-Za-z]\w*(?:\.\w+)+)(?:\s+\[[^\]]*\])?")
+_PATH = re.compile(r"#\s*(?P<path>[A-Za-z]\w*(?:\.\w+)+)(?:\s+\[(?P<unit>[^\]]*)\])?")
 _FIELD = re.compile(r"[A-Za-z][\w/]*(?:\[[<=\d]*\])?(?:<=\d+)?\s+([a-z]\w*)\s*(?:#.*)?")
 _STAMPS = ("stamp", "header")
 _STATUS = re.compile(r"_(?:ErrorSts|SftyCondSts)$")
@@ -42,6 +42,14 @@ class Column(NamedTuple):
     """From the unit of the field to that of the column."""
     symbols: Mapping[int, str] = {}
     """Values of an enumeration by the numbers of the message, where it has others."""
+
+
+class _Field(NamedTuple):
+    """A field of a message, with the signal that its definition names."""
+
+    name: str
+    path: str
+    unit: str
 
 
 BagColumns = Mapping[str, Sequence[Column]]
@@ -78,13 +86,14 @@ def _as_csv(
     path: Path, files: Sequence[BagFile], target: Path, known: Known, mapped: BagColumns
 ) -> tuple[Finding, ...]:
     definitions = _definitions(files)
-    found = {name: _mapped(name, mapped) or _columns(name, text, known) for name, text in definitions.items()}
+    found = {name: _mapped(name, mapped) or _columns(path, name, text, known) for name, text in definitions.items()}
     topics = {name: columns for name, columns in found.items() if columns}
     unused = [name for name in definitions if name not in topics]
     undefined = [name for name in topics or definitions if not definitions[name]]
     if undefined:
         message = f"The bag has no definition of the messages of {', '.join(undefined)}."
         raise refused_trace(path, message, _UNDEFINED)
+    _refuse_ambiguous(path, topics)
     names = dict.fromkeys(column.name for columns in topics.values() for column in columns)
     if not names:
         message = f"The bag must have a topic with signals of the functions, and has {', '.join(unused) or 'no topic'}."
@@ -100,6 +109,17 @@ def _as_csv(
         return ()
     message = f"Topics without signals of the functions are skipped: {', '.join(unused)}."
     return (codes.TRACE_COLUMN_UNUSED.finding(message, str(path)),)
+
+
+def _refuse_ambiguous(path: Path, topics: BagColumns) -> None:
+    """Raise InputRefused if two topics have the same signal."""
+    first: dict[str, str] = {}
+    for topic, columns in topics.items():
+        for column in columns:
+            other = first.setdefault(column.name, topic)
+            if other != topic:
+                message = f"The bag must have one topic with {column.name}, and has {other} and {topic}."
+                raise refused_trace(path, message, "Record one of them, or filter the bag with `ros2 bag convert`.")
 
 
 def _definitions(files: Sequence[BagFile]) -> Mapping[str, str]:
@@ -121,20 +141,32 @@ def _mapped(topic: str, mapped: BagColumns) -> tuple[Column, ...]:
     return ()
 
 
-def _columns(topic: str, definition: str, known: Known) -> tuple[Column, ...]:
-    """Return the fields of a topic that are received."""
+def _columns(bag: Path, topic: str, definition: str, known: Known) -> tuple[Column, ...]:
+    """Return the fields of a topic that are received. Raises InputRefused for a unit that does not fit."""
     fields = tuple(_fields(definition))
-    found = tuple(Column(field, path) for field, path in fields if path in known.received)
-    data = [field for field, _ in fields if field not in _STAMPS]
+    found = tuple(
+        Column(field.name, field.path, _way(bag, field, known)) for field in fields if field.path in known.received
+    )
+    data = [field.name for field in fields if field.name not in _STAMPS]
     if found or len(data) != 1:
         return found
     name = next((name for name in known.received if _is_topic_of(topic, name)), "")
     return (Column(data[0], name),) if name else ()
 
 
-def _fields(definition: str) -> Iterator[tuple[str, str]]:
-    """Yield each field of a message with the path in the comment above it, or an empty text."""
-    path = ""
+def _way(bag: Path, field: _Field, known: Known) -> Linear:
+    """Return the way from the unit that the definition names to that of the signal."""
+    unit = known.units.get(field.path, "")
+    way = between(field.unit or unit, unit)
+    if way is None:
+        message = f"{field.path} cannot be converted from {field.unit}, as the bag has it, to {unit or 'no unit'}."
+        raise refused_trace(bag, message, "Record the bag with the unit of the catalogue.")
+    return way
+
+
+def _fields(definition: str) -> Iterator[_Field]:
+    """Yield each field of a message, with the path and the unit in the comment above it."""
+    path = unit = ""
     for line in definition.splitlines():
         if line.startswith("==="):  # the definition of another message
             return
@@ -142,8 +174,8 @@ def _fields(definition: str) -> Iterator[tuple[str, str]]:
         comment = _PATH.fullmatch(text)
         field = _FIELD.fullmatch(text)
         if field:
-            yield field[1], path
-        path = comment[1] if comment else ""
+            yield _Field(field[1], path, unit)
+        path, unit = (comment["path"], comment["unit"] or "") if comment else ("", "")
 
 
 def _is_topic_of(topic: str, name: str) -> bool:

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import islice
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from types import MappingProxyType
 from typing import BinaryIO, NamedTuple
 
 from sigcat import codes
@@ -35,6 +36,8 @@ class Known(NamedTuple):
     may be."""
     inputs: tuple[tuple[str, ...], ...] = ()
     """The names of each input that a trace should have."""
+    units: Mapping[str, str] = MappingProxyType({})
+    """Units of received values, by each of their names."""
     unused: str = "the functions do not receive it, or one of them provides it"
     """Why one of the others is left out."""
     kinds: str = "neither a signal of the catalogue nor an interface of the functions"
@@ -71,6 +74,12 @@ class Trace(NamedTuple):
     """Known topics of a file in MCAP; None: it is CSV."""
     folder: "TemporaryDirectory[str] | None" = None
     """The folder of a converted file, which is removed with the trace."""
+    bag: Path | None = None
+    """The bag of ROS 2 that was converted."""
+
+    def place(self, line: int, column: int) -> tuple[str, int, int]:
+        """File, line and column of a finding. A bag has no lines."""
+        return (str(self.file), line, column) if self.bag is None else (str(self.bag), 0, 0)
 
 
 class _Row(NamedTuple):
@@ -140,7 +149,7 @@ class Lines:
     def check(self) -> None:
         """Raise InputRefused if something is wrong."""
         if self._findings:
-            raise refused(self._trace.file, tuple(self._findings))
+            raise refused(self._trace.bag or self._trace.file, tuple(self._findings))
 
     def _row(self, line: bytes) -> _Row | Finding | None:
         self.number += 1
@@ -220,7 +229,7 @@ def _moment(trace: Trace, row: _Row, last: int, findings: list[Finding]) -> Mome
     """Return the values at the time of a row; findings of its cells are added to the list."""
     if len(row.cells) != len(trace.columns):
         message = f"The row must have {len(trace.columns)} cells, as the header has, not {len(row.cells)}."
-        return codes.TRACE_MALFORMED.finding(message, str(trace.file), row.line, 1)
+        return codes.TRACE_MALFORMED.finding(message, *trace.place(row.line, 1))
     time = nanoseconds(row.cells[0])
     if time is None or time < last:
         return _unfit_time(trace, row, is_number=time is not None)
@@ -240,12 +249,12 @@ def _unfit_time(trace: Trace, row: _Row, *, is_number: bool) -> Finding:
     message = f"The time must be at least that of the row above, not {text}."
     if not is_number:
         message = f"The time must be in seconds, {LIMITS}, not {text}."
-    return codes.TRACE_TIME_UNFIT.finding(message, str(trace.file), row.line, _column(row, 0))
+    return codes.TRACE_TIME_UNFIT.finding(message, *trace.place(row.line, _column(row, 0)))
 
 
 def _unfit_value(trace: Trace, row: _Row, index: int, reason: Unfit) -> Finding:
     name = trace.columns[index]
-    place = (str(trace.file), row.line, _column(row, index))
+    place = trace.place(row.line, _column(row, index))
     return codes.TRACE_VALUE_UNFIT.finding(f"{name} {reason}.", *place, path=name, fix=reason.fix)
 
 

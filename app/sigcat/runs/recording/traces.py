@@ -25,7 +25,7 @@ def _open_bag(path: Path, known: Known, mapped: BagColumns) -> Trace:
     notes = bag_as_csv(path, Path(folder.name) / f"{path.name}.csv", known, mapped)
     trace = trace_file.open_trace(Path(folder.name) / f"{path.name}.csv", known)
     found = (*notes, *(each._replace(file=str(path)) for each in trace.findings))
-    return trace._replace(findings=found, folder=folder)
+    return trace._replace(findings=found, folder=folder, bag=path)
 
 
 def moments(trace: Trace) -> Iterator[Moment]:
