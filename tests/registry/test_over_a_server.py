@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from http.server import BaseHTTPRequestHandler, HTTPServer
 from pathlib import Path
-from typing import NamedTuple
+from typing import IO, NamedTuple
 
 import pytest
 
@@ -267,6 +267,60 @@ def test_events_are_followed_over_a_restart_of_the_service_until_an_interrupt(tm
             following.send_signal(signal.SIGINT)
             assert following.wait(30) == 0
         assert following.stderr.read() == ""
+
+
+@contextmanager
+def following(client: Path) -> Iterator["subprocess.Popen[str]"]:
+    """A command that follows the events of a service."""
+    command = [sys.executable, "-m", "sigcat.cli", "registry", "events", "--follow"]
+    with subprocess.Popen(command, cwd=client, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        try:
+            yield process
+        finally:
+            process.kill()
+
+
+def line_of(stream: IO[str] | None) -> str:
+    assert stream is not None
+    return stream.readline()
+
+
+def test_another_log_at_the_same_address_ends_following(tmp_path: Path, run: Run) -> None:
+    """The numbers of its entries mean other events."""
+    before, after = tmp_path / "before", tmp_path / "after"
+    for folder, file in ((before, "CoreAcc.yaml"), (after, "User.yaml")):
+        folder.mkdir()
+        write(folder, DATABASE.replace('key = "registry.key"\n', ""))
+        assert run(folder, f"publish {file}")[0] == 0
+    with ExitStack() as stack:
+        with serving(before) as service:
+            follower = stack.enter_context(following(client_of(service, tmp_path / "client")))
+            assert json.loads(line_of(follower.stdout))["subject"] == "CoreAcc@1.0.0"
+        assert "does not answer" in line_of(follower.stderr)
+        with serving(after, service.address.rpartition(":")[2].strip("/")):
+            assert follower.wait(60) == 2
+        assert "has another log than before" in line_of(follower.stderr)
+
+
+def test_a_service_with_a_follower_stops_without_force(tmp_path: Path, run: Run) -> None:
+    """Who waits for events is answered."""
+    write(tmp_path, DATABASE.replace('key = "registry.key"\n', ""))
+    assert run(tmp_path, "publish CoreAcc.yaml")[0] == 0
+    command = [sys.executable, "-m", "sigcat.cli", "serve", "--port", "0"]
+    with subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        service = Served(line_of(process.stdout).split()[3], process, tmp_path)
+        with following(client_of(service, tmp_path / "client")) as follower:
+            line_of(follower.stdout)
+            process.terminate()
+            assert process.stderr is not None
+            assert "graceful shutdown exceeded" not in process.stderr.read()
+
+
+def test_an_answer_that_is_cut_is_one_that_may_come_later(run: Run, tmp_path: Path) -> None:
+    write(tmp_path, PROJECT)
+    with answering(200, {"Content-Length": "900"}, b'{"epoch": 1,') as (address, _):
+        status, _, text = run(tmp_path, f"registry events --server {address}")
+    assert (status, "its answer was cut off" in text) == (2, True), text
 
 
 def test_a_service_that_does_not_answer_at_first_is_not_waited_for(run: Run, tmp_path: Path) -> None:

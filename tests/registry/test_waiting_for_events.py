@@ -128,3 +128,17 @@ def test_a_database_that_goes_away_ends_the_waiting(registry: Registry) -> None:
 
     run(scenario())
     assert found[0].status_code == 503
+
+
+def test_a_service_that_stops_answers_those_who_wait(registry: Registry) -> None:
+    found: list[httpx.Response] = []
+
+    async def scenario() -> None:
+        app = application(registry)
+        async with client_of(app) as client:
+            tasks = await waiting(client, 1)
+            app.state.event_watch.close()
+            found.append(await asyncio.wait_for(tasks[0], 30))
+
+    run(scenario())
+    assert (found[0].status_code, found[0].json()["registry_events"]) == (200, [])

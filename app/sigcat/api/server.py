@@ -23,7 +23,11 @@ _log = logging.getLogger("sigcat")
 
 
 class _Server(uvicorn.Server):
-    """Says where it listens once it does: with port 0 it is not known before."""
+    """Says where it listens once it does: with port 0 it is not known before. Requests that wait for events end with it."""
+
+    def __init__(self, application: FastAPI, settings: Settings) -> None:
+        super().__init__(uvicorn_config(application, settings))
+        self._application = application
 
     async def startup(self, sockets: list[object] | None = None) -> None:  # type: ignore[override]
         await super().startup(sockets)  # type: ignore[arg-type]
@@ -32,6 +36,10 @@ class _Server(uvicorn.Server):
                 host, port = listening.getsockname()[:2]
                 shown = f"[{host}]" if ":" in host else host
                 print(f"sigcat is at http://{shown}:{port}  (Ctrl+C ends it)", flush=True)  # noqa: T201
+
+    async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+        self._application.state.event_watch.close()
+        await super().shutdown(sockets)
 
 
 def run(application: FastAPI, settings: Settings) -> None:
@@ -42,7 +50,7 @@ def run(application: FastAPI, settings: Settings) -> None:
     refuse_address_in_use(settings.host, settings.port)
     prepare(application, settings)
     try:
-        _Server(uvicorn_config(application, settings)).run()
+        _Server(application, settings).run()
     except SystemExit as ended:
         raise SystemExit(_COULD_NOT_RUN if ended.code else 0) from None
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from sigcat.cli.registry_options import Actions, add_action, add_server, read_registry, server_of
+from sigcat.errors import UsageError
 from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
@@ -97,10 +98,14 @@ def _followed(server: "Server", number: int) -> "Iterator[Sequence[Event]]":
     from sigcat.registry.remote import Unanswered
 
     found, number = server.events(number)
+    last: Event | None = None
     pause = 0.0
     while True:
         yield found
+        last = found[-1] if found else last
         try:
+            if pause and last:
+                _check_log(server, last)
             found, number = server.events(number, _WAIT)
             pause = 0.0
         except Unanswered as error:
@@ -108,3 +113,10 @@ def _followed(server: "Server", number: int) -> "Iterator[Sequence[Event]]":
                 print(f"sigcat: {error}; waiting for it", file=sys.stderr)
             found, pause = (), min(2 * pause or _PAUSE, _LONGEST_PAUSE)
             time.sleep(pause)
+
+
+def _check_log(server: "Server", last: "Event") -> None:
+    """Raise UsageError if the log does not have the last event that was printed: another one took its place."""
+    found, _ = server.events(int(last["sequence"]) - 1)
+    if not found or found[0]["id"] != last["id"]:
+        raise UsageError(f"{server.address} has another log than before. Follow it again, from its first event on.")

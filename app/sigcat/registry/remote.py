@@ -237,12 +237,15 @@ def _answer(server: Server, method: str, path: str, query: _JSON | None = None, 
     try:
         with _OPENER.open(request, timeout=REGISTRY_SECONDS) as answer:
             found: bytes = answer.read(REGISTRY_ANSWER_BYTES + 1)
+            is_cut = bool(answer.length) and len(found) <= REGISTRY_ANSWER_BYTES
     except urllib.error.HTTPError as error:
         refusal = _refusal(server, error)
         raise (Unanswered(str(refusal)) if error.code in _LATER else refusal) from None
     except (OSError, HTTPException, ValueError) as error:
         reason = getattr(error, "reason", error)
         raise Unanswered(f"{server.address} does not answer: {reason}") from None
+    if is_cut:
+        raise Unanswered(f"{server.address} does not answer: its answer was cut off")
     if len(found) > REGISTRY_ANSWER_BYTES:
         raise UsageError(f"the answer of {server.address} has more than {REGISTRY_ANSWER_BYTES:,} bytes")
     return found

@@ -20,6 +20,8 @@ class EventWatch:
         self._waiting = 0
         self._grown = asyncio.Event()
         self._looking: asyncio.Task[None] | None = None
+        self.is_closed = False
+        """Whether the service stops: nobody waits any longer."""
 
     async def wait(self, number: int, last_number: Callable[[], int], seconds: float) -> None:
         """Wait until the log may have an entry behind a number, at most so many seconds."""
@@ -29,12 +31,17 @@ class EventWatch:
         self._waiting += 1
         try:
             async with asyncio.timeout(seconds):
-                while self._last <= number and not self._looking.done():
+                while self._last <= number and not self._looking.done() and not self.is_closed:
                     await self._grown.wait()
         except TimeoutError:
             return
         finally:
             self._waiting -= 1
+
+    def close(self) -> None:
+        """Wake all requests: the service stops."""
+        self.is_closed = True
+        self._wake()
 
     async def _look(self, last_number: Callable[[], int]) -> None:
         """Look at the log until no request waits. A database that cannot be used ends it, and the requests report it."""

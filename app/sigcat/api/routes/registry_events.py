@@ -39,13 +39,15 @@ async def list_registry_events(
     ] = None,
 ) -> Response:
     """Changes behind an entry of the log as CloudEvents 1.0, in order: at once, or as soon as there is one."""
-    size, end = page_size(limit, settings), asyncio.get_running_loop().time() + wait
+    loop = asyncio.get_running_loop()
+    size, end = page_size(limit, settings), loop.time() + wait
     found = await in_thread(request, _events, registry, after, size)
     if not found.registry_events and wait and found.epoch == after:
         turns: Turns = request.app.state.event_turns
+        watch = event_watch_of(request)
         async with turns.turn(client_of(request)):
-            while not found.registry_events and (left := end - asyncio.get_running_loop().time()) > 0:
-                await event_watch_of(request).wait(after, lambda: _last_number(registry), left)
+            while not (found.registry_events or watch.is_closed) and (left := end - loop.time()) > 0:
+                await watch.wait(after, lambda: _last_number(registry), left)
                 found = await in_thread(request, _events, registry, after, size)
     return Response(json_bytes(found), media_type=JSON, headers={"Cache-Control": "no-store"})
 
