@@ -47,3 +47,10 @@ def test_a_set_has_each_function_once_and_one_at_least():
         derived([example("core_acc"), example("core_acc")])
     with pytest.raises(UsageError, match="No function to integrate"):
         derived([])
+
+
+def test_a_set_has_the_version_that_its_functions_share():
+    assert derived(examples()).model.info.version == "1.0.0"
+    first, second, *_ = examples()
+    other = second.model_copy(update={"info": second.info.model_copy(update={"version": "2.0.0"})})
+    assert derived([first, other]).model.info.version is None

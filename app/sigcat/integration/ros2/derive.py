@@ -209,12 +209,12 @@ def _meta(app: Application) -> MetaInfo:
 
 
 def _info(app: Application) -> FunctionInfo:
-    versions = (function.function.info.version for function in app.functions)
+    versions = {function.function.info.version for function in app.functions}
     return FunctionInfo(
         function_name=app.name,
         function_responsible=app.responsible,
         description=app.description,
-        version=app.version or "; ".join(dict.fromkeys(filter(None, versions))) or None,
+        version=app.version or (versions.pop() if len(versions) == 1 else None),
     )
 
 
