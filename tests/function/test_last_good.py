@@ -54,6 +54,16 @@ def test_a_file_that_breaks_keeps_its_last_good_state(folder: Path, functions: F
     assert data(functions) == noise()
 
 
+def test_the_log_names_what_is_wrong(
+    folder: Path, functions: FunctionLibrary, caplog: pytest.LogCaptureFixture
+) -> None:
+    (folder / "noise.function.yaml").write_text(BROKEN)
+    assert rejected(functions)["noise"]
+    said, *findings = caplog.messages
+    assert "the last good state stays" in said
+    assert any("noise.function.yaml" in each and "F004" in each for each in findings)
+
+
 def test_it_is_taken_as_soon_as_it_is_good_again(folder: Path, functions: FunctionLibrary, catalogues: Library) -> None:
     for text in (BROKEN, HALF):
         (folder / "noise.function.yaml").write_text(text)

@@ -8,7 +8,7 @@ from threading import Lock
 from typing import NamedTuple, TypeVar
 
 from sigcat.catalogue.hosting.file_marks import Marks, marks_of
-from sigcat.catalogue.hosting.library import Hosted
+from sigcat.catalogue.hosting.library import Hosted, log_findings
 from sigcat.catalogue.hosting.variants import expanded_of
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.interfaces import FUNCTION_BRANCH
@@ -208,6 +208,7 @@ def _log_rejected(files: Iterable[HostedFile]) -> None:
     for file in files:
         if file.rejected:
             _log.warning("%s: the file has errors; the last good state stays", file.name)
+            log_findings(file.rejected)
 
 
 @lru_cache(maxsize=4)

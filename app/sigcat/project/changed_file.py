@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from sigcat import codes
+from sigcat.catalogue.hosting.library import log_findings
 from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding
 
@@ -43,8 +44,7 @@ class ProjectFile:
         except (InputRefused, UsageError) as error:
             findings = _findings(self._file, error)
             _log.warning("%s: the file has errors; the last good state stays", self._file)
-            for finding in findings:
-                _log.warning("%s", finding.line_of_text)
+            log_findings(findings)
             self._refuse(findings)
             return
         self._refuse(())

@@ -196,7 +196,7 @@ def tell_errors(library: Library) -> None:
             _log.warning(
                 "Catalogue %s has errors and no earlier valid version; it is served incomplete", hosted.source.id
             )
-            _log_findings(errors)
+            log_findings(errors)
 
 
 def _log_state(hosted: Hosted) -> None:
@@ -204,10 +204,11 @@ def _log_state(hosted: Hosted) -> None:
         _log.info("%s: read again, %d nodes", hosted.source.id, len(hosted.catalogue.nodes))
         return
     _log.warning("%s: the files have errors; the last good state stays", hosted.source.id)
-    _log_findings(hosted.rejected)
+    log_findings(hosted.rejected)
 
 
-def _log_findings(findings: Sequence[Finding]) -> None:
+def log_findings(findings: Sequence[Finding]) -> None:
+    """Log findings, at most a hundred."""
     for finding in findings[:_MOST_LOGGED]:
         _log.warning("%s", finding.line_of_text)
     if len(findings) > _MOST_LOGGED:

@@ -735,7 +735,7 @@ static void CoreAcc_Adapter_SetInitialValues(CoreAcc_Adapter *self)
     CoreAcc_Adapter_Load_ALatMax(self);
 }
 
-/* Stored values, start values and init of the function (section 1) */
+/* Stored values, start values and init of the function (line 20, QM, section 1) */
 bool CoreAcc_Adapter_Init(CoreAcc_Adapter *self, const CoreAcc_Adapter_Stored *stored, uint32_t ignition_cycle)
 {
     if (stored != NULL) {
@@ -788,7 +788,7 @@ void CoreAcc_Adapter_Published(CoreAcc_Adapter *self)
     (void)memset(&self->publish, 0, sizeof(self->publish));
 }
 
-/* The end (section 1) */
+/* The end (line 137, QM, section 1) */
 void CoreAcc_Adapter_Terminate(CoreAcc_Adapter *self, uint64_t t)
 {
     (void)Sigcat_Now(&self->now, t);

@@ -601,7 +601,7 @@ static void EcoControlMpc_Adapter_SetInitialValues(EcoControlMpc_Adapter *self)
     EcoControlMpc_Adapter_Load_EnergyWeight(self);
 }
 
-/* Stored values, start values and init of the function (section 1) */
+/* Stored values, start values and init of the function (line 25, QM, section 1) */
 bool EcoControlMpc_Adapter_Init(EcoControlMpc_Adapter *self, const EcoControlMpc_Adapter_Stored *stored,
     uint32_t ignition_cycle)
 {
@@ -656,7 +656,7 @@ void EcoControlMpc_Adapter_Published(EcoControlMpc_Adapter *self)
     (void)memset(&self->publish, 0, sizeof(self->publish));
 }
 
-/* The end (section 1) */
+/* The end (line 97, QM, section 1) */
 void EcoControlMpc_Adapter_Terminate(EcoControlMpc_Adapter *self, uint64_t t)
 {
     (void)Sigcat_Now(&self->now, t);

@@ -745,7 +745,7 @@ static void WheelSpeedCalculation_Adapter_SetInitialValues(WheelSpeedCalculation
     WheelSpeedCalculation_Adapter_Load_RangeErrCnt(self);
 }
 
-/* Stored values, start values and init of the function (section 1) */
+/* Stored values, start values and init of the function (line 19, ASIL B, section 1) */
 bool WheelSpeedCalculation_Adapter_Init(WheelSpeedCalculation_Adapter *self,
     const WheelSpeedCalculation_Adapter_Stored *stored, uint32_t ignition_cycle)
 {
@@ -807,7 +807,7 @@ void WheelSpeedCalculation_Adapter_Published(WheelSpeedCalculation_Adapter *self
     (void)memset(&self->publish, 0, sizeof(self->publish));
 }
 
-/* The end (section 1) */
+/* The end (line 160, ASIL B, section 1) */
 void WheelSpeedCalculation_Adapter_Terminate(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
     (void)Sigcat_Now(&self->now, t);

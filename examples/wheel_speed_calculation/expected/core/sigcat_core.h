@@ -26,7 +26,7 @@ typedef enum {
     SIGCAT_PRESENT
 } Sigcat_Verdict;
 
-/* Origin of the value of an input or a parameter (section 3). */
+/* Origin of the value of an input or a parameter (sections 3 and 5). */
 typedef enum {
     SIGCAT_INIT,
     SIGCAT_RECEIVED,
@@ -83,7 +83,7 @@ typedef struct {
     bool is_there;
 } Sigcat_Reception;
 
-/* Whether a value is late (section 5). */
+/* Whether a value is late (section 3). */
 typedef struct {
     Sigcat_Verdict verdict;
     uint32_t count;

@@ -25,7 +25,7 @@
 #endif
 
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD != 0)
-#error "WheelSpeedCalculation: doubles must be evaluated as doubles"
+#error "WheelSpeedCalculation: floats must be evaluated as floats"
 #endif
 #if defined(__FAST_MATH__)
 #error "WheelSpeedCalculation: -ffast-math changes results"
@@ -747,7 +747,7 @@ static void WheelSpeedCalculation_Adapter_SetInitialValues(WheelSpeedCalculation
     WheelSpeedCalculation_Adapter_Load_RangeErrCnt(self);
 }
 
-/* Stored values, start values and init of the function (section 1) */
+/* Stored values, start values and init of the function (line 19, ASIL B, section 1) */
 bool WheelSpeedCalculation_Adapter_Init(WheelSpeedCalculation_Adapter *self,
     const WheelSpeedCalculation_Adapter_Stored *stored, uint32_t ignition_cycle)
 {
@@ -809,7 +809,7 @@ void WheelSpeedCalculation_Adapter_Published(WheelSpeedCalculation_Adapter *self
     (void)memset(&self->publish, 0, sizeof(self->publish));
 }
 
-/* The end (section 1) */
+/* The end (line 160, ASIL B, section 1) */
 void WheelSpeedCalculation_Adapter_Terminate(WheelSpeedCalculation_Adapter *self, uint64_t t)
 {
     (void)Sigcat_Now(&self->now, t);
