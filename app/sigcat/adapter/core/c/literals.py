@@ -1,6 +1,7 @@
 """Numbers as literals of C, and numbers of one type as those of another (section 4)."""
 
 import struct
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import lru_cache
 
@@ -32,24 +33,33 @@ def _shortest_float(number: float) -> str:
     return repr(float(next((text for text in texts if struct.pack("f", float(text)) == wanted), repr(number))))
 
 
-def _with_point(text: str) -> str:
-    return text if "." in text or "e" in text else f"{text}.0"
+Naming = Callable[[str, str], str]
+"""From the kind of a constant and its literal to what stands in the code: its name, or the literal itself."""
+_SIGNS = {"LEAST": ">=", "GREATEST": "<="}
 
 
-def within(value: str, element: Element) -> str | None:
-    """The condition that a number is within its range; None where all numbers of its type are."""
-    source = element.source
+def _unnamed(kind: str, text: str) -> str:
+    del kind
+    return text
+
+
+def limits(element: Element) -> Mapping[str, str]:
+    """Literals of the limits that are checked, by their kinds."""
+    source, least, greatest = element.source, element.least, element.greatest
     if source.is_floating and element.is_checked:
-        least = literal(float(source.smallest) if element.least is None else element.least, source)
-        greatest = literal(float(source.largest) if element.greatest is None else element.greatest, source)
-        return f"({value} >= {least}) && ({value} <= {greatest})"
-    if _is_empty(element):
+        least = float(source.smallest) if least is None else least
+        greatest = float(source.largest) if greatest is None else greatest
+    elif _is_empty(element):
+        return {}
+    given = zip(_SIGNS, (least, greatest), strict=True)
+    return {kind: literal(limit, source) for kind, limit in given if limit is not None}
+
+
+def within(value: str, element: Element, named: Naming = _unnamed) -> str | None:
+    """The condition that a number is within its range; None where all numbers of its type are."""
+    if _is_empty(element) and not (element.source.is_floating and element.is_checked):
         return "false"
-    sides = [
-        f"({value} {sign} {literal(limit, source)})"
-        for sign, limit in ((">=", element.least), ("<=", element.greatest))
-        if limit is not None
-    ]
+    sides = [f"({value} {_SIGNS[kind]} {named(kind, text)})" for kind, text in limits(element).items()]
     return " && ".join(sides) or None
 
 
@@ -60,14 +70,12 @@ def _is_empty(element: Element) -> bool:
     return is_below or (element.least is not None and element.least > source.largest)
 
 
-def converted(value: str, element: Element, instead_of_nan: str) -> str:
+def converted(value: str, element: Element, instead_of_nan: str, named: Naming = _unnamed) -> str:
     """The number of the source as that of the target. An enumeration has its own function."""
     if element.conversion == IDENTITY:
         return _of_same_scale(value, element, instead_of_nan)
     real = element.arithmetic
-    scaled = (
-        _scaled_in_float(value, element) if real == FLOAT else _scaled(_as_real(value, element.source, real), element)
-    )
+    scaled = _scaled(value, element, named)
     if element.target == FLOAT and not is_beyond_float(element):
         return scaled if real == FLOAT else f"(float){scaled}"
     if element.target == real == FLOAT:
@@ -87,34 +95,39 @@ def _reached(source: NumberType, conversion: Linear) -> Fraction:
     return largest * abs(conversion.factor) + abs(conversion.offset)
 
 
-def _scaled(value: str, element: Element) -> str:
-    factor, offset = (repr(float(number)) for number in (element.conversion.factor, element.conversion.offset))
-    if element.conversion.offset == 0:
-        return f"({value} * {_with_point(factor)})"
-    if element.conversion.factor == 1:
-        return f"({value} + {_with_point(offset)})"
-    return f"Sigcat_Scaled({value}, {_with_point(factor)}, {_with_point(offset)})"
+def scaling(element: Element) -> Mapping[str, str]:
+    """Literals of factor and offset, by their kinds: one of them, or all arguments of `Sigcat_Scaled`."""
+    conversion, real = element.conversion, element.arithmetic
+    (factor, factor_rest), (offset, offset_rest) = (_in_parts(number, real) for number in conversion)
+    has_rest = real == FLOAT and element.source.name in _RESTS
+    numbers = {"FACTOR": factor, "FACTOR_REST": factor_rest, "OFFSET": offset, "OFFSET_REST": offset_rest}
+    if conversion.offset == 0 and not has_rest:
+        kinds: tuple[str, ...] = ("FACTOR",)
+    elif conversion.factor == 1 and offset_rest == 0 and not has_rest:
+        kinds = ("OFFSET",)
+    else:
+        kinds = tuple(numbers) if real == FLOAT else ("FACTOR", "OFFSET")
+    return {kind: literal(numbers[kind], real) for kind in kinds}
 
 
-def _scaled_in_float(value: str, element: Element) -> str:
-    real = _as_real(value, element.source, FLOAT)
-    (factor, factor_rest), (offset, offset_rest) = (_in_two_floats(number) for number in element.conversion)
-    rest = _RESTS.get(element.source.name, "")
-    if offset == 0 and not rest:
-        return f"({real} * {literal(factor, FLOAT)})"
-    if element.conversion.factor == 1 and offset_rest == 0 and not rest:
-        return f"({real} + {literal(offset, FLOAT)})"
-    value_rest = f"{rest}({value})" if rest else literal(0, FLOAT)
-    numbers = (literal(number, FLOAT) for number in (factor, factor_rest, offset, offset_rest))
-    return f"Sigcat_Scaled({', '.join((real, value_rest, *numbers))})"
+def _scaled(value: str, element: Element, named: Naming) -> str:
+    numbers = {kind: named(kind, text) for kind, text in scaling(element).items()}
+    real = _as_real(value, element.source, element.arithmetic)
+    if len(numbers) == 1:
+        ((kind, number),) = numbers.items()
+        return f"({real} {'*' if kind == 'FACTOR' else '+'} {number})"
+    rest = f"{_RESTS[element.source.name]}({value})" if element.source.name in _RESTS else literal(0, FLOAT)
+    return f"Sigcat_Scaled({', '.join((real, *([rest] if element.arithmetic == FLOAT else []), *numbers.values()))})"
 
 
 _RESTS = {"int32": "Sigcat_RestOfInt32", "uint32": "Sigcat_RestOfUint32"}
 """Functions for integers with more digits than a float."""
 
 
-def _in_two_floats(number: Fraction) -> tuple[float, float]:
-    """The nearest float, and the nearest one to what is left."""
+def _in_parts(number: Fraction, real: NumberType) -> tuple[float, float]:
+    """The nearest number of the arithmetic; and of float arithmetic the nearest one to what is left."""
+    if real != FLOAT:
+        return float(number), 0.0
     near = nearest_float(number)
     return near, nearest_float(number - Fraction(near))
 
