@@ -84,14 +84,8 @@ def _table(title: str, head: str, rows: Sequence[tuple[Cell, ...]], *, is_shown:
     return (Table(title, tuple(head.split("|")), tuple(rows), is_shown),) if rows else ()
 
 
-_HOLDS = {True: Cell("pass", "good"), False: Cell("fail", "bad")}
-
-
 def _held(target: Target) -> Cell:
-    """Return whether a criterion passes; with too few figures it is inconclusive."""
-    if target.holds is not None:
-        return _HOLDS[target.holds]
-    return Cell("inconclusive" if target.measured else "not measured", "muted")
+    return Cell(target.verdict, {True: "good", False: "bad", None: "muted"}[target.holds])
 
 
 def _targets(report: Report) -> Section:
