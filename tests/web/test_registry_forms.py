@@ -222,6 +222,17 @@ def test_a_failed_delivery_is_sent_again(person: Person) -> None:
     assert (unknown.status_code, "E005" in unknown.text) == (422, True)
 
 
+def test_a_refused_form_of_files_keeps_its_values(person: Person) -> None:
+    person.sign_in("publish")
+    data = {"form": person.form, "version": "1.x", "owner": "Team <Z>", "draft": "yes"}
+    answer = person.post("/registry/publish", data=data, files={"file": ("own.vspec", OVERLAY)})
+    assert answer.status_code == 422
+    for kept in ('name="version" value="1.x"', 'name="owner" value="Team &lt;Z&gt;"', 'value="yes" checked'):
+        assert kept in answer.text
+    assert "Nothing was published." in answer.text
+    assert 'class="findings' in answer.text
+
+
 def test_who_may_not_administer_sends_no_delivery_again(person: Person) -> None:
     person.sign_in("publish")
     assert failed_delivery(person) == ""
