@@ -67,6 +67,8 @@ own_network = pytest.mark.skipif(
 object_reader = pytest.mark.skipif(not which("nm"), reason="nm, which reads object files: install binutils")
 BUF = which("buf", path=os.pathsep.join((str(Path(sys.executable).parent), os.environ.get("PATH", ""))))
 buf = pytest.mark.skipif(not BUF, reason="buf, which compares Protocol Buffers: `pip install buf-bin`")
+IDLC = which("idlc")
+idlc = pytest.mark.skipif(not IDLC, reason="idlc, the compiler of DDS IDL: install cyclonedds-tools")
 ros2 = pytest.mark.skipif(not ros2_environment.is_made(), reason="ROS 2: `make ros2`, which needs Python 3.11")
 
 HAS_POSTGRESQL = bool(which("postgres") or list(Path("/usr/lib/postgresql").glob("*/bin/initdb"))) and bool(
