@@ -5,6 +5,7 @@ those that `sigcat pull` downloaded are used. ELIV_PRESENTATION names a checkout
 """
 
 import os
+import subprocess
 import sys
 from collections.abc import Container, Iterable
 from importlib.util import find_spec
@@ -63,6 +64,12 @@ cmake = pytest.mark.skipif(
 )
 own_network = pytest.mark.skipif(
     has_own_network() is None, reason="a network of a test's own: let users make namespaces (`unshare -Urn`)"
+)
+own_disk = pytest.mark.skipif(
+    subprocess.run(["unshare", "-Urm", "true"], capture_output=True, check=False).returncode != 0
+    if which("unshare")
+    else True,
+    reason="a disk of a test's own: let users make namespaces (`unshare -Urm`)",
 )
 object_reader = pytest.mark.skipif(not which("nm"), reason="nm, which reads object files: install binutils")
 BUF = which("buf", path=os.pathsep.join((str(Path(sys.executable).parent), os.environ.get("PATH", ""))))

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack
 from pathlib import Path
+from shutil import copyfile, disk_usage
 
 import httpx
 import pytest
@@ -15,7 +16,7 @@ import pytest
 from sigcat.registry.published import all_versions
 from sigcat.registry.storing.database import Place, reading
 from sigcat.registry.storing.verify import verify
-from tests.needs import IS_SLOW_RUN, postgresql
+from tests.needs import IS_SLOW_RUN, own_disk, postgresql
 from tests.registry.served import function_file
 from tests.registry.server import Server, programs, running
 from tests.registry.test_over_a_server import PROJECT, Served, serving, write
@@ -43,6 +44,32 @@ def stored(place: Place) -> Sequence[str]:
     with reading(place) as connection:
         assert verify(connection).findings == ()
         return [each.version for each in all_versions(connection)]
+
+
+@own_disk
+def test_on_a_full_disk_a_service_answers_507_and_publishes_nothing_by_half(tmp_path: Path) -> None:
+    disk = tmp_path / "disk"
+    disk.mkdir()
+    mount = 'mount -t tmpfs -o size=4m tmpfs "$0" && exec "$@"'
+    with serving(
+        project(tmp_path / "served", disk / "registry.db"), before=("unshare", "-Urm", "sh", "-c", mount, str(disk))
+    ) as service:
+        first = post(service.address, "1.0.0")
+        assert first.status_code == 201, first.text
+        filler = Path(f"/proc/{service.process.pid}/root{disk}/filler")
+        filler.write_bytes(bytes(disk_usage(filler.parent).free - 150_000))
+        names = [f"1.{number}.0" for number in range(1, 60)]
+        answers = [(name, post(service.address, name).status_code) for name in names]
+        assert {status for _, status in answers} == {201, 507}
+        address = f"{service.address}/api/v1/registry/functions/Shared/versions/1.0.0"
+        assert httpx.get(address, timeout=_WAIT).status_code == 200, "reading works on a full disk"
+        filler.unlink()
+        published = ["1.0.0", *(name for name, status in answers if status == 201)]
+        assert post(service.address, "2.0.0").status_code == 201
+        for name in ("registry.db", "registry.db-wal"):
+            copyfile(filler.with_name(name), tmp_path / name)
+        found = stored(tmp_path / "registry.db")
+        assert sorted(found) == sorted([*published, "2.0.0"])
 
 
 @postgresql
