@@ -55,10 +55,20 @@ def pytest_configure(config: pytest.Config) -> None:
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
-    """The tests of a file share services, so one worker runs them all; those that share the browser are one file to it."""
+    """The tests of a file share services, so one worker runs them all; those that share the browser are one file to it.
+
+    Files with few tests come first: these are the slow ones, and no worker waits for the last of them.
+    """
     from xdist.scheduler import LoadFileScheduling  # type: ignore[import-untyped]
 
     class Scheduling(LoadFileScheduling):  # type: ignore[misc]
+        def schedule(self) -> None:
+            is_first = self.collection is None
+            super().schedule()
+            if is_first:
+                for scope in reversed(tuple(self.workqueue)):
+                    self.workqueue.move_to_end(scope)
+
         def _split_scope(self, nodeid: str) -> str:
             file: str = super()._split_scope(nodeid)
             return IN_BROWSER if file.startswith(IN_BROWSER) else file

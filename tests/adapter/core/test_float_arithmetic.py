@@ -4,15 +4,16 @@ import math
 import random
 import struct
 import subprocess
-from collections.abc import Iterator
 from fractions import Fraction
 from functools import cache
 from itertools import product
+from pathlib import Path
 from typing import NamedTuple
 
 import pytest
 
-from sigcat.adapter.core.c.literals import converted, literal
+from sigcat.adapter.core.c.conversions import converted
+from sigcat.adapter.core.c.literals import literal
 from sigcat.adapter.core.generate import RUNTIME_SOURCE, runtime_files
 from sigcat.adapter.core.numbers import DOUBLE, FLOAT, NumberType, nearest_float, number_type
 from sigcat.adapter.core.plan import Element
@@ -45,8 +46,6 @@ CONVERSIONS = {
     "much larger": Linear(Fraction(10**18), Fraction(1, 3)), "much smaller": Linear(Fraction(3, 10**18), Fraction(10**15)),
     "near a half": Linear(Fraction(16777217, 2**25)), "same scale": IDENTITY, "a long way round": Linear(Fraction(4194301, 2**22), Fraction(-123456789, 1000)),
 }  # fmt: skip
-USUAL = ("km/h to m/s", "fahrenheit to celsius", "a hundredth", "much larger", "same scale")
-"""Conversions of each form; `make real` tries the others."""
 
 
 class Case(NamedTuple):
@@ -62,16 +61,14 @@ class Case(NamedTuple):
         return converted("value", element, literal(7, self.target))
 
 
-def cases() -> Iterator[Case]:
-    types = {name: known for name in FORMATS if (known := number_type(name))}
-    for (name, conversion), source, target in product(CONVERSIONS.items(), NARROW, FORMATS):
-        if conversion != IDENTITY:
-            yield Case(f"{name}: {source} to {target}", types[source], types[target], conversion)
-    for source, target in product(FORMATS, FORMATS):
-        yield Case(f"same scale: {source} to {target}", types[source], types[target], IDENTITY)
-
-
-CASES = tuple(cases())
+def cases(name: str) -> list[Case]:
+    """A conversion between all types that can have it."""
+    types = {known: each for known in FORMATS if (each := number_type(known))}
+    sources = FORMATS if CONVERSIONS[name] == IDENTITY else NARROW
+    return [
+        Case(f"{name}: {source} to {target}", types[source], types[target], CONVERSIONS[name])
+        for source, target in product(sources, FORMATS)
+    ]
 
 
 @cache
@@ -114,26 +111,22 @@ def neighbour(number: float, step: int) -> float:
     return unpacked("f", struct.pack("I", place if place >= 0 else -place | 0x80000000))
 
 
-@pytest.fixture(scope="module")
-def results(tmp_path_factory) -> dict[NumberType, list[list[float]]]:
-    return {each: computed(each, tmp_path_factory.mktemp(each.name)) for each in (DOUBLE, FLOAT)}
-
-
-def computed(arithmetic: NumberType, folder) -> list[list[float]]:
-    """Results of all cases, by the compiled expressions of an arithmetic."""
+def computed(tried: list[Case], arithmetic: NumberType, folder: Path) -> list[tuple[float, ...]]:
+    """Results of cases, by the compiled expressions of an arithmetic."""
+    folder.mkdir()
     for file in runtime_files(arithmetic):
         (folder / file.name).write_bytes(file.data)
-    (folder / "cases.c").write_text(program(arithmetic))
+    (folder / "cases.c").write_text(program(tried, arithmetic))
     strict = STRICT_FLOAT if arithmetic == FLOAT else ("-w",)
     command = [*toolchain().c, "-std=c99", "-O0", *strict, *EXACT, "cases.c", RUNTIME_SOURCE, "-o", "cases", "-lm"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
-    inputs = b"".join(packed(case) for case in CASES)
+    inputs = b"".join(packed(case) for case in tried)
     printed = subprocess.run([folder / "cases"], input=inputs, capture_output=True, check=True).stdout
     found, place = [], 0
-    for case in CASES:
+    for case in tried:
         form = f"={len(values(case.source, case.conversion))}{FORMATS[case.target.name]}"
-        found.append(list(struct.unpack_from(form, printed, place)))
+        found.append(struct.unpack_from(form, printed, place))
         place += struct.calcsize(form)
     return found
 
@@ -143,10 +136,10 @@ def packed(case: Case) -> bytes:
     return struct.pack(f"={len(numbers)}{FORMATS[case.source.name]}", *numbers)
 
 
-def program(arithmetic: NumberType) -> str:
+def program(tried: list[Case], arithmetic: NumberType) -> str:
     lines = ['#include "sigcat_core_functions.h"', "#include <stdio.h>"]
     calls = []
-    for number, case in enumerate(CASES):
+    for number, case in enumerate(tried):
         count = len(values(case.source, case.conversion))
         lines += [f"static {case.target.c} case_{number}({case.source.c} value) {{ return {case.expression(arithmetic)}; }}",
                   f"static void run_{number}(void) {{ {case.source.c} value; int i; for (i = 0; i < {count}; i++) {{",
@@ -157,19 +150,13 @@ def program(arithmetic: NumberType) -> str:
     return "\n".join([*lines, "int main(void) {", *calls, "    return 0;", "}", ""])
 
 
-@pytest.mark.parametrize(
-    "name", [name if name in USUAL else pytest.param(name, marks=pytest.mark.real) for name in CONVERSIONS]
-)
-def test_a_conversion_in_float_is_at_most_one_ulp_away(name, results):
-    found = [each for number, case in enumerate(CASES) if case.name.startswith(f"{name}: ")
-             for each in disagreements(number, results)]  # fmt: skip
-    assert found == []
-
-
-def disagreements(number: int, results: dict[NumberType, list[list[float]]]) -> list[tuple[str, float, float, float]]:
-    case = CASES[number]
-    rows = zip(values(case.source, case.conversion), results[DOUBLE][number], results[FLOAT][number], strict=True)
-    return [(case.name, *row) for row in rows if not agree(case, *row)]
+@pytest.mark.parametrize("name", CONVERSIONS)
+def test_a_conversion_in_float_is_at_most_one_ulp_away(name, tmp_path):
+    tried = cases(name)
+    near, found = (computed(tried, each, tmp_path / each.name) for each in (DOUBLE, FLOAT))
+    for case, *results in zip(tried, near, found, strict=True):
+        rows = zip(values(case.source, case.conversion), *results, strict=True)
+        assert [(case.name, *row) for row in rows if not agree(case, *row)] == []
 
 
 def agree(case: Case, value: float, near: float, found: float) -> bool:
@@ -196,7 +183,7 @@ def saturated(number: float, target: NumberType) -> int:
 
 
 def test_a_product_has_no_second_float_and_an_offset_has():
-    by_name = {case.name: case for case in CASES}
+    by_name = {case.name: case for name in CONVERSIONS for case in cases(name)}
     assert by_name["km/h to m/s: float to float"].expression(FLOAT) == "(value * 0.2777778F)"
     assert "Sigcat_Scaled" in by_name["fahrenheit to celsius: uint8 to float"].expression(FLOAT)
     assert by_name["less forty: uint8 to float"].expression(FLOAT) == "((float)value + -40.0F)"

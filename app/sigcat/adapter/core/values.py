@@ -60,6 +60,8 @@ class Side(NamedTuple):
     scale: Linear
     """From the physical value, in the code's unit, to what is held."""
     is_catalogue: bool = False
+    unit: str = ""
+    """Unit of what is held; empty if it has none, or another factor."""
 
     def of(self, physical: Fraction) -> Fraction:
         """A number of the document on this side. The document has doubles in the code's unit: in the catalogue's unit
@@ -215,6 +217,7 @@ def _leaf(item: Interface, part: Part, arithmetic: NumberType, *, to_code: bool,
         coded=_coded(code),
         is_checked=is_checked and not part.symbols,
         arithmetic=arithmetic,
+        units=(source.unit, target.unit),
         **(_on_source(low, high, source) if is_checked and not part.symbols else {}),
     )
     init, default = _declared_numbers(item, "init", part), _declared_numbers(item, "default", part)
@@ -238,7 +241,8 @@ def _code_side(item: Interface, part: Part, *, is_struct: bool) -> Side:
     scale = (
         Linear(Fraction(1) if factor is None else factor, offset or Fraction(0)).inverse if factor != 0 else IDENTITY
     )
-    return Side(part.type, part.symbols, IDENTITY if is_struct else scale)
+    unit = "" if is_struct or scale != IDENTITY else item.units or ""
+    return Side(part.type, part.symbols, IDENTITY if is_struct else scale, unit=unit)
 
 
 def _wire_side(item: Interface, part: Part, *, is_struct: bool) -> Side:
@@ -251,7 +255,8 @@ def _wire_side(item: Interface, part: Part, *, is_struct: bool) -> Side:
         known = number_type(smallest_integer({each.symbol: each.value for each in numbers}))
     factor, offset = _number(item.conversion_factor), _number(item.conversion_offset)
     scale = Linear(Fraction(1) if factor is None else factor, offset or Fraction(0))
-    return Side(known or part.type, numbers if part.symbols else None, scale, is_catalogue=True)
+    unit = item.vss_unit or item.units or ""
+    return Side(known or part.type, numbers if part.symbols else None, scale, is_catalogue=True, unit=unit)
 
 
 def _number(value: str | float | None) -> Fraction | None:

@@ -25,7 +25,7 @@ from sigcat.integration.ros2.model import (
 )
 from sigcat.integration.ros2.names import shortened, topic_name
 from sigcat.integration.ros2.parameters import parameters_of
-from sigcat.integration.ros2.quality import MODE
+from sigcat.integration.ros2.quality_of_service import MODE
 from sigcat.integration.ros2.settings import SchedulingPolicy
 from sigcat.integration.ros2.signal_uses import CYCLIC, EVENT, INIT, SHUTDOWN, run_kind
 from sigcat.integration.ros2.statuses import (

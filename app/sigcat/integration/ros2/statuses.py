@@ -17,7 +17,7 @@ from sigcat.integration.ros2.messages.common_types import ERROR_STATUS, SAFETY_R
 from sigcat.integration.ros2.messages.field_types import c_definition
 from sigcat.integration.ros2.model import ConditionMonitor, Diagnostic, StatusTopic
 from sigcat.integration.ros2.names import Name, report_renamed, shortened, topic_name
-from sigcat.integration.ros2.quality import STATUS
+from sigcat.integration.ros2.quality_of_service import STATUS
 from sigcat.integration.ros2.topics import PUBLISHER, SUBSCRIPTION
 
 DIAGNOSTICS = "/diagnostics"

@@ -25,7 +25,7 @@ from sigcat.integration.ros2.model import (
     RosTopic,
 )
 from sigcat.integration.ros2.names import Name, field_name, package_name, report_renamed, topic_name
-from sigcat.integration.ros2.quality import quality
+from sigcat.integration.ros2.quality_of_service import quality
 from sigcat.integration.ros2.settings import Ros2Settings
 from sigcat.integration.ros2.signal_uses import asil_of_side, cycle_of, timeout_of
 from sigcat.names import camel_case, last_name, parent_path

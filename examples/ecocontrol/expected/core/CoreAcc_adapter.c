@@ -58,6 +58,18 @@ SIGCAT_NUMBERS(core_outputs.bus_ACCOut.ModeSts, 0, 3);
 #define CORE_ACC_ADAPTER_TIMEOUT_Step_SteerWhlAg UINT64_C(200000000) /* 200 ms */
 #define CORE_ACC_ADAPTER_TIMEOUT_Step_EcoAccProp UINT64_C(1500000000) /* 1500 ms */
 
+/* Limits, factors and offsets */
+#define CORE_ACC_ADAPTER_LEAST_Step_BrkCylP (-30.0) /* bar */
+#define CORE_ACC_ADAPTER_GREATEST_Step_BrkCylP 276.9 /* bar */
+#define CORE_ACC_ADAPTER_LEAST_Step_SteerWhlAg (-16.0) /* radians */
+#define CORE_ACC_ADAPTER_GREATEST_Step_SteerWhlAg 16.766 /* radians */
+#define CORE_ACC_ADAPTER_LEAST_Step_HstVehALgtFild (-20.0F) /* m/s^2 */
+#define CORE_ACC_ADAPTER_GREATEST_Step_HstVehALgtFild 20.94F /* m/s^2 */
+#define CORE_ACC_ADAPTER_FACTOR_Step_EgoVehSpd 0.2777777777777778 /* 5/18, km/h to m/s */
+#define CORE_ACC_ADAPTER_FACTOR_Step_SetSpd 0.2777777777777778 /* 5/18, km/h to m/s */
+#define CORE_ACC_ADAPTER_LEAST_ALatMax 0.5F /* m/s^2 */
+#define CORE_ACC_ADAPTER_GREATEST_ALatMax 8.0F /* m/s^2 */
+
 /* Vehicle.Chassis.Brake.CylP [bar] (line 28, QM, section 2) */
 void CoreAcc_Adapter_Receive_BrkCylP(CoreAcc_Adapter *self, double value, uint64_t t)
 {
@@ -158,7 +170,8 @@ static void CoreAcc_Adapter_Take_Step_BrkCylP(CoreAcc_Adapter *self)
     Sigcat_Origin origin = SIGCAT_INIT;
 
     if (self->received.BrkCylP.reception.is_there) {
-        const bool is_within = (self->received.BrkCylP.value >= -30.0) && (self->received.BrkCylP.value <= 276.9);
+        const bool is_within = (self->received.BrkCylP.value >= CORE_ACC_ADAPTER_LEAST_Step_BrkCylP)
+            && (self->received.BrkCylP.value <= CORE_ACC_ADAPTER_GREATEST_Step_BrkCylP);
         origin = is_within ? SIGCAT_RECEIVED : SIGCAT_REPLACEMENT;
     }
     if (origin == SIGCAT_RECEIVED) {
@@ -174,8 +187,8 @@ static void CoreAcc_Adapter_Take_Step_SteerWhlAg(CoreAcc_Adapter *self)
     Sigcat_Origin origin = SIGCAT_INIT;
 
     if (self->received.SteerWhlAg.reception.is_there) {
-        const bool is_within = (self->received.SteerWhlAg.value >= -16.0)
-            && (self->received.SteerWhlAg.value <= 16.766);
+        const bool is_within = (self->received.SteerWhlAg.value >= CORE_ACC_ADAPTER_LEAST_Step_SteerWhlAg)
+            && (self->received.SteerWhlAg.value <= CORE_ACC_ADAPTER_GREATEST_Step_SteerWhlAg);
         origin = is_within ? SIGCAT_RECEIVED : SIGCAT_REPLACEMENT;
     }
     if (origin == SIGCAT_RECEIVED) {
@@ -235,8 +248,8 @@ static void CoreAcc_Adapter_Take_Step_HstVehALgtFild(CoreAcc_Adapter *self)
     Sigcat_Origin origin = SIGCAT_INIT;
 
     if (self->received.HstVehALgtFild.reception.is_there) {
-        const bool is_within = (self->received.HstVehALgtFild.value >= -20.0F)
-            && (self->received.HstVehALgtFild.value <= 20.94F);
+        const bool is_within = (self->received.HstVehALgtFild.value >= CORE_ACC_ADAPTER_LEAST_Step_HstVehALgtFild)
+            && (self->received.HstVehALgtFild.value <= CORE_ACC_ADAPTER_GREATEST_Step_HstVehALgtFild);
         origin = is_within ? SIGCAT_RECEIVED : SIGCAT_REPLACEMENT;
     }
     if (origin == SIGCAT_RECEIVED) {
@@ -267,7 +280,7 @@ static void CoreAcc_Adapter_Take_Step_EcoAccProp(CoreAcc_Adapter *self)
 /* Vehicle.Function.CoreAcc.Parameter.LargestLateralAcceleration [m/s^2] (line 119, QM, section 11) */
 static bool CoreAcc_Adapter_IsWithin_ALatMax(float value)
 {
-    const bool is_within = (value >= 0.5F) && (value <= 8.0F);
+    const bool is_within = (value >= CORE_ACC_ADAPTER_LEAST_ALatMax) && (value <= CORE_ACC_ADAPTER_GREATEST_ALatMax);
 
     return is_within;
 }
@@ -603,9 +616,11 @@ void CoreAcc_Adapter_SetInput_Step(CoreAcc_Adapter *self, uint64_t t)
     CoreAcc_Adapter_Take_Step_SpdLimUnit(self);
     CoreAcc_Adapter_Take_Step_HstVehALgtFild(self);
     /* Vehicle.Speed [km/h] */
-    core_inputs.bus_ACCIn.Bus_Veh.EgoVehSpd = ((double)self->received.EgoVehSpd.value * 0.2777777777777778);
+    core_inputs.bus_ACCIn.Bus_Veh.EgoVehSpd =
+        ((double)self->received.EgoVehSpd.value * CORE_ACC_ADAPTER_FACTOR_Step_EgoVehSpd);
     /* Vehicle.ADAS.CruiseControl.SpeedSet [km/h] */
-    core_inputs.bus_ACCIn.Bus_Cust.SetSpd = (float)((double)self->received.SetSpd.value * 0.2777777777777778);
+    core_inputs.bus_ACCIn.Bus_Cust.SetSpd =
+        (float)((double)self->received.SetSpd.value * CORE_ACC_ADAPTER_FACTOR_Step_SetSpd);
     /* Vehicle.ADAS.ObstacleDetection.Front.Center.Distance [m] */
     core_inputs.bus_ACCIn.Bus_Obj.ObjDst = self->received.ObjDst.value;
     CoreAcc_Adapter_Take_Step_EcoAccProp(self);

@@ -52,6 +52,18 @@ SIGCAT_NUMBERS(ECO_CONTROL_MPC_ADAPTER_SELF->code.mpc_outputs.ModeSts, 0, 3);
 #define ECO_CONTROL_MPC_ADAPTER_LONGEST_Step UINT64_C(400000000) /* 400 ms */
 #define ECO_CONTROL_MPC_ADAPTER_TIMEOUT_Step_HorizonAlt UINT64_C(2000000000) /* 2000 ms */
 
+/* Limits, factors and offsets */
+#define ECO_CONTROL_MPC_ADAPTER_FACTOR_Step_EgoSpd 0.2777777777777778 /* 5/18, km/h to m/s */
+#define ECO_CONTROL_MPC_ADAPTER_FACTOR_Step_SetSpd 0.2777777777777778 /* 5/18, km/h to m/s */
+#define ECO_CONTROL_MPC_ADAPTER_LEAST_Step_HorizonAlt (-500.0F) /* m */
+#define ECO_CONTROL_MPC_ADAPTER_GREATEST_Step_HorizonAlt 9000.0F /* m */
+#define ECO_CONTROL_MPC_ADAPTER_LEAST_VehM (-3.4028235e+38F) /* kg */
+#define ECO_CONTROL_MPC_ADAPTER_GREATEST_VehM 3.4028235e+38F /* kg */
+#define ECO_CONTROL_MPC_ADAPTER_LEAST_HorizonStep 1.0F /* m */
+#define ECO_CONTROL_MPC_ADAPTER_GREATEST_HorizonStep 200.0F /* m */
+#define ECO_CONTROL_MPC_ADAPTER_LEAST_EnergyWeight 0.0F
+#define ECO_CONTROL_MPC_ADAPTER_GREATEST_EnergyWeight 1.0F
+
 /* Vehicle.ADAS.EcoControl.IsEnabled (line 35, QM, section 2) */
 void EcoControlMpc_Adapter_Receive_EnaMpc(EcoControlMpc_Adapter *self, bool value, uint64_t t)
 {
@@ -96,8 +108,9 @@ static void EcoControlMpc_Adapter_Take_Step_HorizonAlt(EcoControlMpc_Adapter *se
 
     if (self->received.HorizonAlt.reception.is_there) {
         for (i = 0U; i < 50U; i++) {
-            is_within = is_within && ((self->received.HorizonAlt.value[i] >= -500.0F)
-                && (self->received.HorizonAlt.value[i] <= 9000.0F));
+            is_within = is_within
+                && ((self->received.HorizonAlt.value[i] >= ECO_CONTROL_MPC_ADAPTER_LEAST_Step_HorizonAlt)
+                && (self->received.HorizonAlt.value[i] <= ECO_CONTROL_MPC_ADAPTER_GREATEST_Step_HorizonAlt));
         }
         origin = is_within ? SIGCAT_RECEIVED : SIGCAT_REPLACEMENT;
     }
@@ -118,7 +131,8 @@ static void EcoControlMpc_Adapter_Take_Step_HorizonAlt(EcoControlMpc_Adapter *se
 /* Vehicle.Mass [kg] (line 75, QM, section 11) */
 static bool EcoControlMpc_Adapter_IsWithin_VehM(float value)
 {
-    const bool is_within = (value >= -3.4028235e+38F) && (value <= 3.4028235e+38F);
+    const bool is_within = (value >= ECO_CONTROL_MPC_ADAPTER_LEAST_VehM)
+        && (value <= ECO_CONTROL_MPC_ADAPTER_GREATEST_VehM);
 
     return is_within;
 }
@@ -150,7 +164,8 @@ static void EcoControlMpc_Adapter_Write_VehM(EcoControlMpc_Adapter *self)
 /* Vehicle.ADAS.Map.Horizon.Spacing [m] (line 78, QM, section 11) */
 static bool EcoControlMpc_Adapter_IsWithin_HorizonStep(float value)
 {
-    const bool is_within = (value >= 1.0F) && (value <= 200.0F);
+    const bool is_within = (value >= ECO_CONTROL_MPC_ADAPTER_LEAST_HorizonStep)
+        && (value <= ECO_CONTROL_MPC_ADAPTER_GREATEST_HorizonStep);
 
     return is_within;
 }
@@ -182,7 +197,8 @@ static void EcoControlMpc_Adapter_Write_HorizonStep(EcoControlMpc_Adapter *self)
 /* Vehicle.Function.EcoControlMpc.Parameter.EnergyWeight (line 81, QM, section 11) */
 static bool EcoControlMpc_Adapter_IsWithin_EnergyWeight(float value)
 {
-    const bool is_within = (value >= 0.0F) && (value <= 1.0F);
+    const bool is_within = (value >= ECO_CONTROL_MPC_ADAPTER_LEAST_EnergyWeight)
+        && (value <= ECO_CONTROL_MPC_ADAPTER_GREATEST_EnergyWeight);
 
     return is_within;
 }
@@ -470,9 +486,11 @@ void EcoControlMpc_Adapter_SetInput_Step(EcoControlMpc_Adapter *self, uint64_t t
         ECO_CONTROL_MPC_ADAPTER_TIMEOUT_Step_HorizonAlt, 1U, false, now);
     self->code.mpc_inputs.EnaMpc = self->received.EnaMpc.value; /* Vehicle.ADAS.EcoControl.IsEnabled */
     /* Vehicle.Speed [km/h] */
-    self->code.mpc_inputs.EgoSpd = (float)((double)self->received.EgoSpd.value * 0.2777777777777778);
+    self->code.mpc_inputs.EgoSpd =
+        (float)((double)self->received.EgoSpd.value * ECO_CONTROL_MPC_ADAPTER_FACTOR_Step_EgoSpd);
     /* Vehicle.ADAS.CruiseControl.SpeedSet [km/h] */
-    self->code.mpc_inputs.SetSpd = (float)((double)self->received.SetSpd.value * 0.2777777777777778);
+    self->code.mpc_inputs.SetSpd =
+        (float)((double)self->received.SetSpd.value * ECO_CONTROL_MPC_ADAPTER_FACTOR_Step_SetSpd);
     EcoControlMpc_Adapter_Take_Step_HorizonAlt(self);
     EcoControlMpc_Adapter_Write_VehM(self);
     EcoControlMpc_Adapter_Write_HorizonStep(self);

@@ -57,6 +57,32 @@ SIGCAT_NUMBERS(whl_out.ModeSts, 0, 2);
 #define WHEEL_SPEED_CALCULATION_ADAPTER_WINDOW_Step UINT64_C(100000000) /* 100 ms */
 #define WHEEL_SPEED_CALCULATION_ADAPTER_LONGEST_Step UINT64_C(5000000) /* 5 ms */
 
+/* Limits, factors and offsets */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlRotFL 0.017453292519943295 /* degrees/s to rad/s */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlRotFR 0.017453292519943295 /* degrees/s to rad/s */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlRotRL 0.017453292519943295 /* degrees/s to rad/s */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlRotRR 0.017453292519943295 /* degrees/s to rad/s */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_Step_WhlSpdFL 60000U
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlSpdFL 0.01
+#define WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_Step_WhlSpdFL (-100.0)
+#define WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_Step_WhlSpdFR 60000U
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlSpdFR 0.01
+#define WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_Step_WhlSpdFR (-100.0)
+#define WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_Step_WhlSpdRL 60000U
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlSpdRL 0.01
+#define WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_Step_WhlSpdRL (-100.0)
+#define WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_Step_WhlSpdRR 60000U
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlSpdRR 0.01
+#define WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_Step_WhlSpdRR (-100.0)
+#define WHEEL_SPEED_CALCULATION_ADAPTER_LEAST_TireDiaFrnt 11.811024F /* inch */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_TireDiaFrnt 59.05512F /* inch */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_TireDiaFrnt 25.4 /* inch to mm */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_LEAST_TireDiaRear 11.811024F /* inch */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_TireDiaRear 59.05512F /* inch */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_TireDiaRear 25.4 /* inch to mm */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_LEAST_SpdMax 0.0F /* km/h */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_SpdMax 500.0F /* km/h */
+
 /* Vehicle.Chassis.Axle.Row1.Wheel.Left.AngularSpeed [degrees/s] (line 32, ASIL B, section 2) */
 void WheelSpeedCalculation_Adapter_Receive_WhlRotFL(WheelSpeedCalculation_Adapter *self, float value, uint64_t t)
 {
@@ -95,43 +121,48 @@ void WheelSpeedCalculation_Adapter_Receive_Mode_In(WheelSpeedCalculation_Adapter
 /* Vehicle.Chassis.Axle.Row1.Wheel.Left.Speed [km/h] (line 68, ASIL B, sections 4 and 5) */
 static void WheelSpeedCalculation_Adapter_Give_Step_WhlSpdFL(WheelSpeedCalculation_Adapter *self)
 {
-    const bool is_within = (whl_out.WhlSpdFL <= 60000U);
+    const bool is_within = (whl_out.WhlSpdFL <= WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_Step_WhlSpdFL);
 
-    self->out.WhlSpdFL = (float)Sigcat_Scaled((double)whl_out.WhlSpdFL, 0.01, -100.0);
+    self->out.WhlSpdFL = (float)Sigcat_Scaled((double)whl_out.WhlSpdFL,
+        WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlSpdFL, WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_Step_WhlSpdFL);
     self->Step.out.WhlSpdFL.range = is_within ? SIGCAT_ABSENT : SIGCAT_PRESENT;
 }
 
 /* Vehicle.Chassis.Axle.Row1.Wheel.Right.Speed [km/h] (line 80, ASIL B, sections 4 and 5) */
 static void WheelSpeedCalculation_Adapter_Give_Step_WhlSpdFR(WheelSpeedCalculation_Adapter *self)
 {
-    const bool is_within = (whl_out.WhlSpdFR <= 60000U);
+    const bool is_within = (whl_out.WhlSpdFR <= WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_Step_WhlSpdFR);
 
-    self->out.WhlSpdFR = (float)Sigcat_Scaled((double)whl_out.WhlSpdFR, 0.01, -100.0);
+    self->out.WhlSpdFR = (float)Sigcat_Scaled((double)whl_out.WhlSpdFR,
+        WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlSpdFR, WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_Step_WhlSpdFR);
     self->Step.out.WhlSpdFR.range = is_within ? SIGCAT_ABSENT : SIGCAT_PRESENT;
 }
 
 /* Vehicle.Chassis.Axle.Row2.Wheel.Left.Speed [km/h] (line 92, ASIL B, sections 4 and 5) */
 static void WheelSpeedCalculation_Adapter_Give_Step_WhlSpdRL(WheelSpeedCalculation_Adapter *self)
 {
-    const bool is_within = (whl_out.WhlSpdRL <= 60000U);
+    const bool is_within = (whl_out.WhlSpdRL <= WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_Step_WhlSpdRL);
 
-    self->out.WhlSpdRL = (float)Sigcat_Scaled((double)whl_out.WhlSpdRL, 0.01, -100.0);
+    self->out.WhlSpdRL = (float)Sigcat_Scaled((double)whl_out.WhlSpdRL,
+        WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlSpdRL, WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_Step_WhlSpdRL);
     self->Step.out.WhlSpdRL.range = is_within ? SIGCAT_ABSENT : SIGCAT_PRESENT;
 }
 
 /* Vehicle.Chassis.Axle.Row2.Wheel.Right.Speed [km/h] (line 104, ASIL B, sections 4 and 5) */
 static void WheelSpeedCalculation_Adapter_Give_Step_WhlSpdRR(WheelSpeedCalculation_Adapter *self)
 {
-    const bool is_within = (whl_out.WhlSpdRR <= 60000U);
+    const bool is_within = (whl_out.WhlSpdRR <= WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_Step_WhlSpdRR);
 
-    self->out.WhlSpdRR = (float)Sigcat_Scaled((double)whl_out.WhlSpdRR, 0.01, -100.0);
+    self->out.WhlSpdRR = (float)Sigcat_Scaled((double)whl_out.WhlSpdRR,
+        WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlSpdRR, WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_Step_WhlSpdRR);
     self->Step.out.WhlSpdRR.range = is_within ? SIGCAT_ABSENT : SIGCAT_PRESENT;
 }
 
 /* Vehicle.Chassis.Axle.Row1.TireDiameter [inch] (line 117, ASIL B, section 11) */
 static bool WheelSpeedCalculation_Adapter_IsWithin_TireDiaFrnt(float value)
 {
-    const bool is_within = (value >= 11.811024F) && (value <= 59.05512F);
+    const bool is_within = (value >= WHEEL_SPEED_CALCULATION_ADAPTER_LEAST_TireDiaFrnt)
+        && (value <= WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_TireDiaFrnt);
 
     return is_within;
 }
@@ -154,7 +185,8 @@ static void WheelSpeedCalculation_Adapter_Load_TireDiaFrnt(WheelSpeedCalculation
 static void WheelSpeedCalculation_Adapter_Write_TireDiaFrnt(const WheelSpeedCalculation_Adapter *self)
 {
     if (self->parameter.TireDiaFrnt.origin == SIGCAT_RECEIVED) {
-        whl_par.TireDiaFrnt = Sigcat_ToFloat(((double)self->parameter.TireDiaFrnt.value * 25.4));
+        whl_par.TireDiaFrnt = Sigcat_ToFloat(((double)self->parameter.TireDiaFrnt.value
+            * WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_TireDiaFrnt));
     } else {
         whl_par.TireDiaFrnt = 650.0F;
     }
@@ -163,7 +195,8 @@ static void WheelSpeedCalculation_Adapter_Write_TireDiaFrnt(const WheelSpeedCalc
 /* Vehicle.Chassis.Axle.Row2.TireDiameter [inch] (line 125, ASIL B, section 11) */
 static bool WheelSpeedCalculation_Adapter_IsWithin_TireDiaRear(float value)
 {
-    const bool is_within = (value >= 11.811024F) && (value <= 59.05512F);
+    const bool is_within = (value >= WHEEL_SPEED_CALCULATION_ADAPTER_LEAST_TireDiaRear)
+        && (value <= WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_TireDiaRear);
 
     return is_within;
 }
@@ -186,7 +219,8 @@ static void WheelSpeedCalculation_Adapter_Load_TireDiaRear(WheelSpeedCalculation
 static void WheelSpeedCalculation_Adapter_Write_TireDiaRear(const WheelSpeedCalculation_Adapter *self)
 {
     if (self->parameter.TireDiaRear.origin == SIGCAT_RECEIVED) {
-        whl_par.TireDiaRear = Sigcat_ToFloat(((double)self->parameter.TireDiaRear.value * 25.4));
+        whl_par.TireDiaRear = Sigcat_ToFloat(((double)self->parameter.TireDiaRear.value
+            * WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_TireDiaRear));
     } else {
         whl_par.TireDiaRear = 650.0F;
     }
@@ -195,7 +229,8 @@ static void WheelSpeedCalculation_Adapter_Write_TireDiaRear(const WheelSpeedCalc
 /* Vehicle.Function.WheelSpeedCalculation.Parameter.LargestSpeed [km/h] (line 133, ASIL B, section 11) */
 static bool WheelSpeedCalculation_Adapter_IsWithin_SpdMax(float value)
 {
-    const bool is_within = (value >= 0.0F) && (value <= 500.0F);
+    const bool is_within = (value >= WHEEL_SPEED_CALCULATION_ADAPTER_LEAST_SpdMax)
+        && (value <= WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_SpdMax);
 
     return is_within;
 }
@@ -593,13 +628,17 @@ void WheelSpeedCalculation_Adapter_SetInput_Step(WheelSpeedCalculation_Adapter *
     WheelSpeedCalculation_Adapter_Report_Step(self);
     whl_in.ModeReq = self->mode.now; /* Vehicle.Function.WheelSpeedCalculation.Mode.In */
     /* Vehicle.Chassis.Axle.Row1.Wheel.Left.AngularSpeed [degrees/s] */
-    whl_in.WhlRotFL = (float)((double)self->received.WhlRotFL.value * 0.017453292519943295);
+    whl_in.WhlRotFL = (float)((double)self->received.WhlRotFL.value
+        * WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlRotFL);
     /* Vehicle.Chassis.Axle.Row1.Wheel.Right.AngularSpeed [degrees/s] */
-    whl_in.WhlRotFR = (float)((double)self->received.WhlRotFR.value * 0.017453292519943295);
+    whl_in.WhlRotFR = (float)((double)self->received.WhlRotFR.value
+        * WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlRotFR);
     /* Vehicle.Chassis.Axle.Row2.Wheel.Left.AngularSpeed [degrees/s] */
-    whl_in.WhlRotRL = (float)((double)self->received.WhlRotRL.value * 0.017453292519943295);
+    whl_in.WhlRotRL = (float)((double)self->received.WhlRotRL.value
+        * WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlRotRL);
     /* Vehicle.Chassis.Axle.Row2.Wheel.Right.AngularSpeed [degrees/s] */
-    whl_in.WhlRotRR = (float)((double)self->received.WhlRotRR.value * 0.017453292519943295);
+    whl_in.WhlRotRR = (float)((double)self->received.WhlRotRR.value
+        * WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlRotRR);
     WheelSpeedCalculation_Adapter_Write_TireDiaFrnt(self);
     WheelSpeedCalculation_Adapter_Write_TireDiaRear(self);
     WheelSpeedCalculation_Adapter_Write_SpdMax(self);

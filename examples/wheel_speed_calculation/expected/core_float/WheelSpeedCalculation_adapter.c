@@ -57,6 +57,40 @@ SIGCAT_NUMBERS(whl_out.ModeSts, 0, 2);
 #define WHEEL_SPEED_CALCULATION_ADAPTER_WINDOW_Step UINT64_C(100000000) /* 100 ms */
 #define WHEEL_SPEED_CALCULATION_ADAPTER_LONGEST_Step UINT64_C(5000000) /* 5 ms */
 
+/* Limits, factors and offsets */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlRotFL 0.017453292F /* degrees/s to rad/s */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlRotFR 0.017453292F /* degrees/s to rad/s */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlRotRL 0.017453292F /* degrees/s to rad/s */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlRotRR 0.017453292F /* degrees/s to rad/s */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_Step_WhlSpdFL 60000U
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlSpdFL 0.01F
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_REST_Step_WhlSpdFL 2.2351741e-10F
+#define WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_Step_WhlSpdFL (-100.0F)
+#define WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_REST_Step_WhlSpdFL 0.0F
+#define WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_Step_WhlSpdFR 60000U
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlSpdFR 0.01F
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_REST_Step_WhlSpdFR 2.2351741e-10F
+#define WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_Step_WhlSpdFR (-100.0F)
+#define WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_REST_Step_WhlSpdFR 0.0F
+#define WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_Step_WhlSpdRL 60000U
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlSpdRL 0.01F
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_REST_Step_WhlSpdRL 2.2351741e-10F
+#define WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_Step_WhlSpdRL (-100.0F)
+#define WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_REST_Step_WhlSpdRL 0.0F
+#define WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_Step_WhlSpdRR 60000U
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlSpdRR 0.01F
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_REST_Step_WhlSpdRR 2.2351741e-10F
+#define WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_Step_WhlSpdRR (-100.0F)
+#define WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_REST_Step_WhlSpdRR 0.0F
+#define WHEEL_SPEED_CALCULATION_ADAPTER_LEAST_TireDiaFrnt 11.811024F /* inch */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_TireDiaFrnt 59.05512F /* inch */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_TireDiaFrnt 25.4F /* inch to mm */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_LEAST_TireDiaRear 11.811024F /* inch */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_TireDiaRear 59.05512F /* inch */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_TireDiaRear 25.4F /* inch to mm */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_LEAST_SpdMax 0.0F /* km/h */
+#define WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_SpdMax 500.0F /* km/h */
+
 /* Vehicle.Chassis.Axle.Row1.Wheel.Left.AngularSpeed [degrees/s] (line 32, ASIL B, section 2) */
 void WheelSpeedCalculation_Adapter_Receive_WhlRotFL(WheelSpeedCalculation_Adapter *self, float value, uint64_t t)
 {
@@ -95,43 +129,60 @@ void WheelSpeedCalculation_Adapter_Receive_Mode_In(WheelSpeedCalculation_Adapter
 /* Vehicle.Chassis.Axle.Row1.Wheel.Left.Speed [km/h] (line 68, ASIL B, sections 4 and 5) */
 static void WheelSpeedCalculation_Adapter_Give_Step_WhlSpdFL(WheelSpeedCalculation_Adapter *self)
 {
-    const bool is_within = (whl_out.WhlSpdFL <= 60000U);
+    const bool is_within = (whl_out.WhlSpdFL <= WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_Step_WhlSpdFL);
 
-    self->out.WhlSpdFL = Sigcat_Scaled((float)whl_out.WhlSpdFL, 0.0F, 0.01F, 2.2351741e-10F, -100.0F, 0.0F);
+    self->out.WhlSpdFL = Sigcat_Scaled((float)whl_out.WhlSpdFL, 0.0F,
+        WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlSpdFL,
+        WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_REST_Step_WhlSpdFL,
+        WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_Step_WhlSpdFL,
+        WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_REST_Step_WhlSpdFL);
     self->Step.out.WhlSpdFL.range = is_within ? SIGCAT_ABSENT : SIGCAT_PRESENT;
 }
 
 /* Vehicle.Chassis.Axle.Row1.Wheel.Right.Speed [km/h] (line 80, ASIL B, sections 4 and 5) */
 static void WheelSpeedCalculation_Adapter_Give_Step_WhlSpdFR(WheelSpeedCalculation_Adapter *self)
 {
-    const bool is_within = (whl_out.WhlSpdFR <= 60000U);
+    const bool is_within = (whl_out.WhlSpdFR <= WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_Step_WhlSpdFR);
 
-    self->out.WhlSpdFR = Sigcat_Scaled((float)whl_out.WhlSpdFR, 0.0F, 0.01F, 2.2351741e-10F, -100.0F, 0.0F);
+    self->out.WhlSpdFR = Sigcat_Scaled((float)whl_out.WhlSpdFR, 0.0F,
+        WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlSpdFR,
+        WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_REST_Step_WhlSpdFR,
+        WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_Step_WhlSpdFR,
+        WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_REST_Step_WhlSpdFR);
     self->Step.out.WhlSpdFR.range = is_within ? SIGCAT_ABSENT : SIGCAT_PRESENT;
 }
 
 /* Vehicle.Chassis.Axle.Row2.Wheel.Left.Speed [km/h] (line 92, ASIL B, sections 4 and 5) */
 static void WheelSpeedCalculation_Adapter_Give_Step_WhlSpdRL(WheelSpeedCalculation_Adapter *self)
 {
-    const bool is_within = (whl_out.WhlSpdRL <= 60000U);
+    const bool is_within = (whl_out.WhlSpdRL <= WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_Step_WhlSpdRL);
 
-    self->out.WhlSpdRL = Sigcat_Scaled((float)whl_out.WhlSpdRL, 0.0F, 0.01F, 2.2351741e-10F, -100.0F, 0.0F);
+    self->out.WhlSpdRL = Sigcat_Scaled((float)whl_out.WhlSpdRL, 0.0F,
+        WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlSpdRL,
+        WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_REST_Step_WhlSpdRL,
+        WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_Step_WhlSpdRL,
+        WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_REST_Step_WhlSpdRL);
     self->Step.out.WhlSpdRL.range = is_within ? SIGCAT_ABSENT : SIGCAT_PRESENT;
 }
 
 /* Vehicle.Chassis.Axle.Row2.Wheel.Right.Speed [km/h] (line 104, ASIL B, sections 4 and 5) */
 static void WheelSpeedCalculation_Adapter_Give_Step_WhlSpdRR(WheelSpeedCalculation_Adapter *self)
 {
-    const bool is_within = (whl_out.WhlSpdRR <= 60000U);
+    const bool is_within = (whl_out.WhlSpdRR <= WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_Step_WhlSpdRR);
 
-    self->out.WhlSpdRR = Sigcat_Scaled((float)whl_out.WhlSpdRR, 0.0F, 0.01F, 2.2351741e-10F, -100.0F, 0.0F);
+    self->out.WhlSpdRR = Sigcat_Scaled((float)whl_out.WhlSpdRR, 0.0F,
+        WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlSpdRR,
+        WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_REST_Step_WhlSpdRR,
+        WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_Step_WhlSpdRR,
+        WHEEL_SPEED_CALCULATION_ADAPTER_OFFSET_REST_Step_WhlSpdRR);
     self->Step.out.WhlSpdRR.range = is_within ? SIGCAT_ABSENT : SIGCAT_PRESENT;
 }
 
 /* Vehicle.Chassis.Axle.Row1.TireDiameter [inch] (line 117, ASIL B, section 11) */
 static bool WheelSpeedCalculation_Adapter_IsWithin_TireDiaFrnt(float value)
 {
-    const bool is_within = (value >= 11.811024F) && (value <= 59.05512F);
+    const bool is_within = (value >= WHEEL_SPEED_CALCULATION_ADAPTER_LEAST_TireDiaFrnt)
+        && (value <= WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_TireDiaFrnt);
 
     return is_within;
 }
@@ -154,8 +205,8 @@ static void WheelSpeedCalculation_Adapter_Load_TireDiaFrnt(WheelSpeedCalculation
 static void WheelSpeedCalculation_Adapter_Write_TireDiaFrnt(const WheelSpeedCalculation_Adapter *self)
 {
     if (self->parameter.TireDiaFrnt.origin == SIGCAT_RECEIVED) {
-        whl_par.TireDiaFrnt = Sigcat_ToFloat((self->parameter.TireDiaFrnt.value * 25.4F),
-            self->parameter.TireDiaFrnt.value);
+        whl_par.TireDiaFrnt = Sigcat_ToFloat((self->parameter.TireDiaFrnt.value
+            * WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_TireDiaFrnt), self->parameter.TireDiaFrnt.value);
     } else {
         whl_par.TireDiaFrnt = 650.0F;
     }
@@ -164,7 +215,8 @@ static void WheelSpeedCalculation_Adapter_Write_TireDiaFrnt(const WheelSpeedCalc
 /* Vehicle.Chassis.Axle.Row2.TireDiameter [inch] (line 125, ASIL B, section 11) */
 static bool WheelSpeedCalculation_Adapter_IsWithin_TireDiaRear(float value)
 {
-    const bool is_within = (value >= 11.811024F) && (value <= 59.05512F);
+    const bool is_within = (value >= WHEEL_SPEED_CALCULATION_ADAPTER_LEAST_TireDiaRear)
+        && (value <= WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_TireDiaRear);
 
     return is_within;
 }
@@ -187,8 +239,8 @@ static void WheelSpeedCalculation_Adapter_Load_TireDiaRear(WheelSpeedCalculation
 static void WheelSpeedCalculation_Adapter_Write_TireDiaRear(const WheelSpeedCalculation_Adapter *self)
 {
     if (self->parameter.TireDiaRear.origin == SIGCAT_RECEIVED) {
-        whl_par.TireDiaRear = Sigcat_ToFloat((self->parameter.TireDiaRear.value * 25.4F),
-            self->parameter.TireDiaRear.value);
+        whl_par.TireDiaRear = Sigcat_ToFloat((self->parameter.TireDiaRear.value
+            * WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_TireDiaRear), self->parameter.TireDiaRear.value);
     } else {
         whl_par.TireDiaRear = 650.0F;
     }
@@ -197,7 +249,8 @@ static void WheelSpeedCalculation_Adapter_Write_TireDiaRear(const WheelSpeedCalc
 /* Vehicle.Function.WheelSpeedCalculation.Parameter.LargestSpeed [km/h] (line 133, ASIL B, section 11) */
 static bool WheelSpeedCalculation_Adapter_IsWithin_SpdMax(float value)
 {
-    const bool is_within = (value >= 0.0F) && (value <= 500.0F);
+    const bool is_within = (value >= WHEEL_SPEED_CALCULATION_ADAPTER_LEAST_SpdMax)
+        && (value <= WHEEL_SPEED_CALCULATION_ADAPTER_GREATEST_SpdMax);
 
     return is_within;
 }
@@ -595,13 +648,13 @@ void WheelSpeedCalculation_Adapter_SetInput_Step(WheelSpeedCalculation_Adapter *
     WheelSpeedCalculation_Adapter_Report_Step(self);
     whl_in.ModeReq = self->mode.now; /* Vehicle.Function.WheelSpeedCalculation.Mode.In */
     /* Vehicle.Chassis.Axle.Row1.Wheel.Left.AngularSpeed [degrees/s] */
-    whl_in.WhlRotFL = (self->received.WhlRotFL.value * 0.017453292F);
+    whl_in.WhlRotFL = (self->received.WhlRotFL.value * WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlRotFL);
     /* Vehicle.Chassis.Axle.Row1.Wheel.Right.AngularSpeed [degrees/s] */
-    whl_in.WhlRotFR = (self->received.WhlRotFR.value * 0.017453292F);
+    whl_in.WhlRotFR = (self->received.WhlRotFR.value * WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlRotFR);
     /* Vehicle.Chassis.Axle.Row2.Wheel.Left.AngularSpeed [degrees/s] */
-    whl_in.WhlRotRL = (self->received.WhlRotRL.value * 0.017453292F);
+    whl_in.WhlRotRL = (self->received.WhlRotRL.value * WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlRotRL);
     /* Vehicle.Chassis.Axle.Row2.Wheel.Right.AngularSpeed [degrees/s] */
-    whl_in.WhlRotRR = (self->received.WhlRotRR.value * 0.017453292F);
+    whl_in.WhlRotRR = (self->received.WhlRotRR.value * WHEEL_SPEED_CALCULATION_ADAPTER_FACTOR_Step_WhlRotRR);
     WheelSpeedCalculation_Adapter_Write_TireDiaFrnt(self);
     WheelSpeedCalculation_Adapter_Write_TireDiaRear(self);
     WheelSpeedCalculation_Adapter_Write_SpdMax(self);

@@ -248,7 +248,7 @@ uint64_t Sigcat_ToUint64(Sigcat_Real value, uint64_t instead_of_nan)
     return rounded;
 }
 
-/* -- errors (section 6) -- */
+/* -- errors: debounce by maturation and reset times, and confirmation (section 6) -- */
 
 /* The table of states. */
 static Sigcat_ErrorState NextState(const Sigcat_Error *error, Sigcat_Verdict verdict, bool may_heal)

@@ -68,7 +68,7 @@ typedef struct {
     bool is_tested;
 } Sigcat_Counts;
 
-/* When an error fails, heals and is confirmed. */
+/* Times that debounce an error, in nanoseconds, and counts that confirm it. */
 typedef struct {
     uint64_t maturation;
     uint64_t reset;

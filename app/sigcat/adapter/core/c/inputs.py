@@ -51,7 +51,8 @@ def input_plan(call: Call, item: Input, scope: Scope) -> InputPlan:
     received = Ends(
         source=f"{place}.values[{place}.queue.first]" if item.queue else value,
         target=f"{item.variable}[place]" if many else item.variable,
-        names=f"{scope.prefix}_{name}",
+        prefix=scope.prefix,
+        name=name,
         pointer=item.named.pointer,
         put=scope.put,
     )

@@ -46,7 +46,9 @@ def c_file(name: str, part: Lines) -> GeneratedFile:
 
 
 WIDEST = 120
-_BREAKS = (" || ", " && ", " ? ", " : ", ", ", " = ", "(")
+_OPERATORS = (" || ", " && ", " ? ", " : ", " * ")
+"""Signs that begin the next line."""
+_BREAKS = (" || ", " && ", " ? ", " : ", ", ", " = ", " * ", "(")
 
 
 def wrapped(part: Lines) -> Lines:
@@ -82,7 +84,8 @@ def _wrapped(line: Line) -> Lines:
 
 def _outside_of_strings(code: str, sign: str, start: int) -> int:
     """Index of the last sign within the width of a line. A string has no quotation mark inside."""
-    at = code.rfind(sign, start, WIDEST - len(sign.rstrip()))
+    end = WIDEST + len(sign) if sign in _OPERATORS else WIDEST - len(sign.rstrip())
+    at = code.rfind(sign, start, end)
     while at >= 0 and code.count('"', 0, at) % 2:
         at = code.rfind(sign, start, at)
     return at

@@ -81,8 +81,7 @@ def _given(argument: Argument, method: Method, target: str, scope: Scope) -> Arg
 
 
 def _ends(argument: Argument, method: Method, scope: Scope) -> Ends:
-    names = f"{scope.prefix}_{method.named.name}_{argument.name}"
-    return Ends("", "", names, method.named.pointer)
+    return Ends("", "", scope.prefix, f"{method.named.name}_{argument.name}", method.named.pointer)
 
 
 def _plan(argument: Argument, method: Method, ends: Ends) -> ArgumentPlan:

@@ -28,7 +28,8 @@ def output_plan(call: Call, output: Output, scope: Scope) -> OutputPlan:
     ends = Ends(
         source=f"{output.variable}[given]" if queue and queue.count_variable else output.variable,
         target=f"{sent}.values[given]" if queue else sent,
-        names=f"{scope.prefix}_{name}",
+        prefix=scope.prefix,
+        name=name,
         pointer=output.named.pointer,
         is_read=scope.is_cpp,
         is_quiet=True,

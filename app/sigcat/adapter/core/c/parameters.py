@@ -30,7 +30,8 @@ def parameter_plan(parameter: Parameter, scope: Scope) -> ParameterPlan:
     ends = Ends(
         source=f"self->parameter.{name}.value",
         target=parameter.variable,
-        names=f"{scope.prefix}_{name}",
+        prefix=scope.prefix,
+        name=name,
         pointer=parameter.named.pointer,
         put=scope.put,
     )
@@ -56,7 +57,7 @@ def _learned(parameter: Parameter, ends: Ends, scope: Scope) -> Transfer | None:
     back = ends._replace(
         source=parameter.variable,
         target=f"self->stored.{parameter.named.name}.value",
-        names=f"{ends.names}_Learned",
+        name=f"{ends.name}_Learned",
         put="",
         is_read=scope.is_cpp,
         is_quiet=True,

@@ -1,6 +1,6 @@
 """The source: every function in the order of a reader."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.core.c.calls import CallPlan, call_plan
@@ -14,6 +14,7 @@ from sigcat.adapter.core.c.methods import STATUS, MethodPlan, method_plan
 from sigcat.adapter.core.c.parameters import ParameterPlan, parameter_plan
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.c.sizes import Check, checks, needs_self
+from sigcat.adapter.core.c.values import Constant, Transfer
 from sigcat.adapter.core.plan import Call, CorePlan
 from sigcat.function.document.text import Text
 
@@ -37,6 +38,8 @@ class _Functions(NamedTuple):
     methods: Sequence[MethodPlan]
     status: Mapping[str, int]
     """Results of requests."""
+    constants: Sequence[Constant]
+    """Limits, factors and offsets of values."""
     errors: Sequence[ErrorPlan]
     reactions: Sequence[ReactionPlan]
     received_inits: Mapping[str, str | None]
@@ -84,7 +87,10 @@ def _functions(scope: Scope) -> _Functions:
     inits, calls, terminates = (
         [call_plan(call, scope) for call in each] for each in (plan.inits, plan.steps, plan.terminates)
     )
+    parameters = [parameter_plan(each, scope) for each in plan.parameters]
+    methods = [method_plan(each, scope) for each in plan.methods]
     received = {port.name: received_init(port) for port in plan.ports}
+    values = _transfers([*inits, *calls, *terminates], parameters, methods)
     return _Functions(
         p=scope.prefix,
         m=scope.macro,
@@ -95,9 +101,10 @@ def _functions(scope: Scope) -> _Functions:
         calls=calls,
         due=[each for call in plan.due for each in calls if each.call.name == call.name],
         terminates=terminates,
-        parameters=[parameter_plan(each, scope) for each in plan.parameters],
-        methods=[method_plan(each, scope) for each in plan.methods],
+        parameters=parameters,
+        methods=methods,
         status=STATUS,
+        constants=[*dict.fromkeys(each for value in values for each in value.constants)],
         errors=[error_plan(each) for each in plan.errors if each.call],
         reactions=[reaction_plan(each) for each in plan.reactions],
         received_inits=received,
@@ -106,3 +113,15 @@ def _functions(scope: Scope) -> _Functions:
         class_name=(plan.code.class_name or "").rpartition("::")[2],
         can_fail=any(init.success is not None for init in plan.inits),
     )
+
+
+def _transfers(
+    calls: Iterable[CallPlan], parameters: Iterable[ParameterPlan], methods: Iterable[MethodPlan]
+) -> Iterator[Transfer]:
+    for call in calls:
+        yield from (value for each in call.inputs for value in (each.received, each.taken))
+        yield from (each.given for each in call.outputs)
+    for parameter in parameters:
+        yield from (value for value in (parameter.checked, parameter.written, parameter.learned) if value)
+    for method in methods:
+        yield from (each.value for each in (*method.received, *method.given))

@@ -1,13 +1,16 @@
 """Values between the catalogue and the code, as C writes them: `values.c.j2` checks and converts them."""
 
 from collections.abc import Collection, Iterator, Sequence
+from fractions import Fraction
 from typing import NamedTuple
 
-from sigcat.adapter.core.c.literals import converted, is_beyond_float, literal, within
+from sigcat.adapter.core.c.conversions import converted, is_beyond_float, limits, scaling, within
+from sigcat.adapter.core.c.literals import literal
 from sigcat.adapter.core.numbers import Number
 from sigcat.adapter.core.plan import Element, Leaf, Value
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.conversion import IDENTITY
+from sigcat.names import screaming_snake_case
 
 
 class Ends(NamedTuple):
@@ -15,8 +18,10 @@ class Ends(NamedTuple):
 
     source: str
     target: str
-    names: str
-    """Prefix of its functions and tables: `CoreAcc_Adapter_Step_SpdLimUnit`."""
+    prefix: str
+    """Prefix of all functions: `CoreAcc_Adapter`."""
+    name: str
+    """Ending of the names of its functions, tables and constants: `Step_SpdLimUnit`."""
     pointer: Pointer
     put: str = ""
     """Function that puts a number into an enumeration of C++, where the target is one."""
@@ -24,6 +29,15 @@ class Ends(NamedTuple):
     """Whether the source is a variable of C++, which may be an enumeration."""
     is_quiet: bool = False
     """Whether a NaN gets the usual bits."""
+
+    @property
+    def names(self) -> str:
+        """Prefix of its functions and tables: `CoreAcc_Adapter_Step_SpdLimUnit`."""
+        return f"{self.prefix}_{self.name}"
+
+    def constant(self, kind: str, leaf: int) -> str:
+        """Name of a constant: `CORE_ACC_ADAPTER_FACTOR_Step_SpdLim`; of a later leaf with its number behind the kind."""
+        return f"{screaming_snake_case(self.prefix)}_{kind}{leaf or ''}_{self.name}"
 
 
 class Part(NamedTuple):
@@ -64,6 +78,15 @@ class Case(NamedTuple):
     target: str
 
 
+class Constant(NamedTuple):
+    """A number that has a name."""
+
+    name: str
+    number: str
+    comment: str
+    """Its exact value where the number is rounded, and its units; empty if there is none of them."""
+
+
 class Lookup(NamedTuple):
     """A function that converts an enumeration by name."""
 
@@ -92,6 +115,8 @@ class Transfer(NamedTuple):
     is_checked: bool
     is_mixed: bool
     """Whether nothing replaces it, and of its numbers some may pass out of range and others may not."""
+    constants: Sequence[Constant]
+    """Its limits, factors and offsets."""
     lookups: Sequence[Lookup]
     tables: Sequence[Table]
 
@@ -134,9 +159,33 @@ def transfer(value: Value, ends: Ends, kinds: Collection[str] = ()) -> Transfer:
         is_bare=value.is_bare,
         is_checked=value.is_checked,
         is_mixed=is_mixed,
+        constants=[each for number, leaf in enumerate(value.leaves) for each in _constants(number, leaf.element, ends)],
         lookups=[*_lookups(value, ends)],
         tables=[*_tables(value, parts, ends, kinds)],
     )
+
+
+_LARGEST_DENOMINATOR = 10_000
+"""Of a fraction that says more than its decimal number."""
+
+
+def _constants(number: int, element: Element, ends: Ends) -> Iterator[Constant]:
+    if element.names is not None:
+        return
+    for kind, text in limits(element).items():
+        yield Constant(ends.constant(kind, number), _grouped(text), element.units[0])
+    if element.conversion != IDENTITY:
+        units = " to ".join(element.units) if all(element.units) else ""
+        for kind, text in scaling(element).items():
+            exact = element.conversion.factor if kind.startswith("FACTOR") else element.conversion.offset
+            is_rounded = Fraction(text.rstrip("F")) != exact and not kind.endswith("REST")
+            is_short = exact.denominator <= _LARGEST_DENOMINATOR
+            comment = ", ".join(part for part in (str(exact) if is_rounded and is_short else "", units) if part)
+            yield Constant(ends.constant(kind, number), _grouped(text), comment)
+
+
+def _grouped(text: str) -> str:
+    return f"({text})" if text.startswith("-") else text
 
 
 def _may_be_outside(leaf: Leaf) -> bool:
@@ -149,7 +198,7 @@ def _part(number: int, leaf: Leaf, ends: Ends, *, is_mixed: bool, is_bare: bool)
     if element.names is not None:
         whole = f"({_widest(element)}){source}" if ends.is_read else source
         lookup = f"{_lookup_name(number, ends)}({whole}, &{known})"
-    condition = lookup or within(source, element) or ""
+    condition = lookup or within(source, element, lambda kind, _: ends.constant(kind, number)) or ""
     init, default, replacement = (_constant(leaf, kind, number, ends) for kind in ("init", "default", "replacement"))
     return Part(
         target=f"{ends.target}{leaf.target}",
@@ -161,7 +210,7 @@ def _part(number: int, leaf: Leaf, ends: Ends, *, is_mixed: bool, is_bare: bool)
         lookup=lookup,
         known=known,
         known_first=literal(leaf.default[0], element.target),
-        converted=known if lookup else _converted(source, element, default, ends),
+        converted=known if lookup else _converted(number, source, element, default, ends),
         init=init,
         default=default,
         replacement=replacement,
@@ -177,9 +226,10 @@ def _lookup_name(number: int, ends: Ends) -> str:
     return f"{ends.names}_Named{number or ''}"
 
 
-def _converted(source: str, element: Element, default: str, ends: Ends) -> str:
+def _converted(leaf: int, source: str, element: Element, default: str, ends: Ends) -> str:
     cast = f"({element.source.c}){source}" if ends.is_read and element.is_enumeration else source
-    number, target = converted(cast, element, default), element.target
+    number = converted(cast, element, default, lambda kind, _: ends.constant(kind, leaf))
+    target = element.target
     is_copied = element.source == target and element.conversion == IDENTITY
     is_quiet = is_beyond_float(element) and not is_copied  # the conversion has seen to it
     can_be_nan = ends.is_quiet and target.is_floating and element.source.is_floating and not is_quiet

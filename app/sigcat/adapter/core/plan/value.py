@@ -27,6 +27,8 @@ class Element(NamedTuple):
     """Whether there is a check of the range, so that NaN and infinities are outside of it."""
     arithmetic: NumberType = DOUBLE
     """Type in which it is converted: double, or float for a controller without doubles."""
+    units: tuple[str, str] = ("", "")
+    """Units of source and target; empty where there is none, or the code has another factor."""
 
     @property
     def is_enumeration(self) -> bool:

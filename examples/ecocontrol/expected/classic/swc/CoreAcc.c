@@ -290,8 +290,7 @@ static void CoreAcc_Swc_Tell_AliveError(void)
         Rte_Enter_Core();
         const boolean has_failed = (CoreAcc_Adapter_Instance.out.AliveError == 1U) ? TRUE : FALSE;
         Rte_Exit_Core();
-        const Std_ReturnType status =
-            Rte_Call_Event_CoreAcc_AliveError_ErrorSts_SetEventStatus((has_failed != FALSE)
+        const Std_ReturnType status = Rte_Call_Event_CoreAcc_AliveError_ErrorSts_SetEventStatus((has_failed != FALSE)
             ? DEM_EVENT_STATUS_FAILED : DEM_EVENT_STATUS_PASSED);
 
         Rte_Enter_Core();
