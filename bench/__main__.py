@@ -24,12 +24,13 @@ from bench import (
     simulation,
     stored_run,
     transport,
+    vehicles,
     wall_clock,
 )
 from bench.rows import Bench, Missing, Row
 
 ROWS = {
-    **rows.ROWS, **lint.ROWS, **language_server.ROWS, **core.ROWS, **stored_run.ROWS, **simulation.ROWS, **gateway.ROWS, **comparison.ROWS, **transport.ROWS, **cycles.ROWS, **ros2.ROWS, **registry.ROWS,
+    **rows.ROWS, **vehicles.ROWS, **lint.ROWS, **language_server.ROWS, **core.ROWS, **stored_run.ROWS, **simulation.ROWS, **gateway.ROWS, **comparison.ROWS, **transport.ROWS, **cycles.ROWS, **ros2.ROWS, **registry.ROWS,
     **browser.ROWS,
 }  # fmt: skip
 SERVICE = {"service"}

@@ -9,7 +9,7 @@ import sys
 import tracemalloc
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from time import perf_counter
+from time import perf_counter, process_time
 
 
 def get_trees(tree: Path) -> float:
@@ -61,8 +61,36 @@ def memory(tree: Path) -> float:
     return held
 
 
+def vehicles(project_file: Path) -> float:
+    """Processor time to compose all vehicles of a project."""
+    from sigcat.project.read_project import read_project
+    from sigcat.project.vehicles import each_composed
+
+    project = read_project(project_file)
+    start = process_time()
+    assert list(each_composed(project, project.vehicles))
+    return process_time() - start
+
+
+def vehicles_memory(project_file: Path) -> float:
+    """Bytes that all vehicles of a project hold, with the catalogue that they share."""
+    from sigcat.project.read_project import read_project
+    from sigcat.project.vehicles import each_composed
+
+    small, project = read_project(project_file.with_name("small.toml")), read_project(project_file)
+    assert list(each_composed(small, small.vehicles))  # loads the modules
+    gc.collect()
+    tracemalloc.start()
+    composed = list(each_composed(project, project.vehicles))
+    gc.collect()
+    held, _ = tracemalloc.get_traced_memory()
+    assert len(composed) == len(project.vehicles)
+    return held
+
+
 PROBES: Mapping[str, Callable[[Path], float]] = {
     "get_trees": get_trees, "compose": compose, "floor": floor, "memory": memory,
+    "vehicles": vehicles, "vehicles-memory": vehicles_memory,
 }  # fmt: skip
 
 if __name__ == "__main__":

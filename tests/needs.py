@@ -5,6 +5,7 @@ those that `sigcat pull` downloaded are used. ELIV_PRESENTATION names a checkout
 """
 
 import os
+import subprocess
 import sys
 from collections.abc import Container, Iterable
 from importlib.util import find_spec
@@ -64,9 +65,17 @@ cmake = pytest.mark.skipif(
 own_network = pytest.mark.skipif(
     has_own_network() is None, reason="a network of a test's own: let users make namespaces (`unshare -Urn`)"
 )
+own_disk = pytest.mark.skipif(
+    subprocess.run(["unshare", "-Urm", "true"], capture_output=True, check=False).returncode != 0
+    if which("unshare")
+    else True,
+    reason="a disk of a test's own: let users make namespaces (`unshare -Urm`)",
+)
 object_reader = pytest.mark.skipif(not which("nm"), reason="nm, which reads object files: install binutils")
 BUF = which("buf", path=os.pathsep.join((str(Path(sys.executable).parent), os.environ.get("PATH", ""))))
 buf = pytest.mark.skipif(not BUF, reason="buf, which compares Protocol Buffers: `pip install buf-bin`")
+IDLC = which("idlc")
+idlc = pytest.mark.skipif(not IDLC, reason="idlc, the compiler of DDS IDL: install cyclonedds-tools")
 ros2 = pytest.mark.skipif(not ros2_environment.is_made(), reason="ROS 2: `make ros2`, which needs Python 3.11")
 
 HAS_POSTGRESQL = bool(which("postgres") or list(Path("/usr/lib/postgresql").glob("*/bin/initdb"))) and bool(

@@ -3,11 +3,12 @@
 import os
 import pwd
 import shutil
+import signal
 import subprocess
 import tempfile
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from itertools import count
 from pathlib import Path
 from typing import Any
@@ -72,9 +73,22 @@ class Server:
     def stop(self) -> None:
         """Stop it at once, as a crash does."""
         if self._process is not None:
-            self._process.send_signal(3)  # SIGQUIT: an immediate shutdown
+            self._process.send_signal(signal.SIGQUIT)  # an immediate shutdown
             self._process.wait(60)
             self._process = None
+
+    def kill(self) -> None:
+        """Kill it and its processes, which have no time to write anything."""
+        assert self._process is not None
+        number = self._process.pid
+        children = Path(f"/proc/{number}/task/{number}/children").read_text(encoding="ascii").split()
+        for each in (number, *map(int, children)):
+            with suppress(ProcessLookupError):
+                os.kill(each, signal.SIGKILL)
+        self._process.wait(60)
+        while any(Path(f"/proc/{each}").exists() for each in children):
+            time.sleep(0.01)
+        self._process = None
 
     def new_database(self) -> ServerUrl:
         """The URL of a new, empty database."""

@@ -2,6 +2,7 @@
 
 import random
 from collections.abc import Mapping, Sequence
+from functools import partial
 from itertools import product
 
 import pytest
@@ -9,11 +10,13 @@ import pytest
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.function.function_file import CheckedFunction
 from sigcat.function.sets.check_set import check_set
+from sigcat.registry import published
 from sigcat.registry.candidate import Candidate
 from sigcat.registry.compatibility.breaking import broken_by_catalogue
 from sigcat.registry.compatibility.deploying import can_deploy
 from sigcat.registry.reference import Reference
 from sigcat.registry.storing.database import in_memory
+from sigcat.registry.storing.ledger import Ledger
 from sigcat.registry.users import users_of
 from tests.catalogue.trees import ROOT, catalogue_of
 from tests.needs import IS_SLOW_RUN
@@ -193,6 +196,24 @@ def test_a_lost_provider_of_an_optional_signal_is_a_warning(more: str, decision:
         deploy(connection, "SUV-2025", [Reference("Alpha", "1.0.0"), Reference("Beta", "1.0.0")])
         answer = can_deploy(connection, [Reference("Alpha", "2.0.0")], "SUV-2025")
     assert (answer.decision, [each.severity for each in answer.conflicts]) == (decision, severities)
+
+
+def test_a_version_whose_support_has_ended_is_a_warning(monkeypatch: pytest.MonkeyPatch) -> None:
+    state = {"kind": "function", "name": "Alpha", "version": "1.0.0", "state": "deprecated"}
+    with in_memory() as connection:
+        add(connection, candidate(declaration("Alpha", ["S0"]), catalogue()))
+        deploy(connection, "SUV-2025", [Reference("Alpha", "1.0.0")])
+        Ledger(connection, None).append("state", {**state, "until": "2040-12-31", "successor": "2.0.0"})
+        asked = partial(can_deploy, connection, [Reference("Alpha", "1.0.0")], "SUV-2025")
+        for day, ended in (("2040-12-31", []), ("2041-01-01", [("E009", "warning", "Deploy its successor 2.0.0.")])):
+            monkeypatch.setattr(published, "now", lambda day=day: f"{day}T00:00:00.000+00:00")
+            answer = asked()
+            assert (answer.decision, [(each.rule, each.severity, each.fix) for each in answer.conflicts]) == (
+                "yes",
+                ended,
+            )
+            (version,) = published.all_versions(connection)
+            assert version.end == f"{', support ended on' if ended else ' until'} 2040-12-31, successor 2.0.0"
 
 
 def test_a_signal_that_the_catalogue_lacks_has_its_users() -> None:

@@ -9,7 +9,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from http.server import BaseHTTPRequestHandler, HTTPServer
 from pathlib import Path
@@ -113,9 +113,9 @@ def write(folder: Path, project: str) -> None:
 
 
 @contextmanager
-def serving(folder: Path, port: str = "0") -> Iterator[Served]:
-    """A service of the project in a folder."""
-    command = [sys.executable, "-m", "sigcat.cli", "serve", "--port", port]
+def serving(folder: Path, port: str = "0", before: Sequence[str] = ()) -> Iterator[Served]:
+    """A service of the project in a folder, started by words `before` its command."""
+    command = [*before, sys.executable, "-m", "sigcat.cli", "serve", "--port", port]
     with subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as process:
         assert process.stdout is not None
         try:

@@ -179,6 +179,27 @@ def test_a_name_in_another_case_is_refused(registry: Registry) -> None:
     assert outcome(registry, plain_candidate("body", "1.0.0")) == ["E002"]
 
 
+@pytest.mark.parametrize(
+    ("owner", "rules"),
+    [
+        ("Team Alpha", ["published"]),
+        ("Team Beta", ["published"]),
+        ("\u0422eam Alpha", ["E002"]),
+        ("Te\u0430m \u0391lpha", ["E002"]),
+        ("TEAM ALPHA", ["E002"]),
+        ("Team\u00a0Alpha ", ["E002"]),
+        ("Team\u200b Alpha", ["E002"]),
+        ("\uff34eam Alpha", ["E002"]),
+        ("\u041a\u043e\u043c\u0430\u043d\u0434\u0430", ["published"]),
+    ],
+)
+def test_an_owner_that_looks_like_another_one_is_refused(registry: Registry, owner: str, rules: list[str]) -> None:
+    first = plain_candidate("Body", "1.0.0")._replace(owner="Team Alpha")
+    assert outcome(registry, first) == ["published"]
+    assert outcome(registry, plain_candidate("Light", "1.0.0")._replace(owner=owner)) == rules
+    assert outcome(registry, first._replace(version="1.1.0", owner=owner)) == rules
+
+
 def test_versions_are_in_the_order_of_semver() -> None:
     ordered = "1.0.0-alpha 1.0.0-alpha.1 1.0.0-alpha.beta 1.0.0-beta.2 1.0.0-beta.11 1.0.0-rc.1 1.0.0 1.0.1 1.2.0 1.10.0 2.0.0"
     versions = [version for text in ordered.split() if (version := version_of(text)) is not None]

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
-from urllib.parse import parse_qs, urlsplit
+from urllib.parse import parse_qs, urlencode, urlsplit
 
 import httpx
 import pytest
@@ -38,6 +38,8 @@ class Provider:
         self.algorithm = "RS256"
         self.metadata: Claims = {}
         self.status = 200
+        self.client = "https://signals.example"
+        """Address of the service."""
         self.codes: dict[str, dict[str, str]] = {}
         self._server = ThreadingHTTPServer(("127.0.0.1", 0), self._handler())
         self.issuer = f"http://127.0.0.1:{self._server.server_port}"
@@ -52,7 +54,7 @@ class Provider:
         asked = {name: values[0] for name, values in parse_qs(urlsplit(address).query).items()}
         assert address.startswith(f"{self.issuer}/authorize?")
         assert (asked["response_type"], asked["code_challenge_method"]) == ("code", "S256")
-        assert asked["redirect_uri"] == "https://signals.example/registry/openid/return"
+        assert asked["redirect_uri"] == f"{self.client}/registry/openid/return"
         code = secrets.token_urlsafe(8)
         self.codes[code] = asked
         return {"code": code, "state": asked["state"], "iss": self.issuer, "session_state": "x"}
@@ -87,6 +89,9 @@ class Provider:
     def _handler(provider) -> type[BaseHTTPRequestHandler]:  # noqa: N805 — the handler has the other `self`
         class Handler(BaseHTTPRequestHandler):
             def do_GET(self) -> None:
+                if self.path.startswith("/authorize?"):
+                    self._ask_person()
+                    return
                 known = {
                     "/.well-known/openid-configuration": provider.document(),
                     "/keys": {"keys": [KEY.as_dict(private=False)]},
@@ -97,6 +102,13 @@ class Provider:
                 body = self.rfile.read(int(self.headers["Content-Length"])).decode()
                 form = {name: values[0] for name, values in parse_qs(body).items()}
                 self._send(provider.token(form, self.headers.get("Authorization", "")))
+
+            def _ask_person(self) -> None:
+                query = urlencode(provider.authorize(f"{provider.issuer}{self.path}"))
+                self.send_response(200)
+                self.send_header("Content-Type", "text/html")
+                self.end_headers()
+                self.wfile.write(f'<a href="{provider.client}/registry/openid/return?{query}">Agree</a>'.encode())
 
             def _send(self, answer: Claims | None) -> None:
                 self.send_response(provider.status if answer and "error" not in answer else 400)

@@ -203,6 +203,11 @@ def test_a_version_is_deprecated_and_retired(person: Person) -> None:
     assert "until 2040-12-31, successor 1.0.0" in page
     asked = page.partition("<summary>Retire the version</summary>")[2].partition("</details>")[0]
     assert 'value="retire"' in asked, "the button is behind a question"
+    assert "<td>deprecated</td>" in person.get("/registry").text
+    page = person.get("/registry/functions/Alpha?end=1.0.0").text
+    assert 'value="Alpha@1.0.0"' in page
+    offered = page.partition('<select name="successor">')[2].partition("</select>")[0]
+    assert offered == "<option></option>", "neither the version itself nor a deprecated one"
     assert person.send("/registry/end", action="retire", **fields).status_code == 303
     running = person.send("/registry/end", action="retire", group="functions", reference="Alpha@1.0.0")
     assert (running.status_code, "E009" in running.text) == (422, True)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from sigcat.catalogue.hosting.library import Library
+from sigcat.catalogue.hosting.library import Library, tell_errors
 from sigcat.web.site import create_site
 from tests.api.conftest import SOURCES, Ask, asker
 from tests.web.fleet import FLEET
@@ -27,6 +27,23 @@ def test_the_matrix_has_a_row_where_vehicles_differ_and_a_column_for_each_state(
     assert "Node Signals coupe@sop coupe@ota2 truck" in page
     assert "Vehicle. Speed 1 ✓ yes ✓ yes – no" in page
     assert re.search(r"Vehicle\. Door \d+ – no ✓ yes ✓ yes", page)
+
+
+def test_errors_of_a_vehicle_are_on_the_page_and_in_the_log(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    overlay = tmp_path / "wrong.vspec"
+    overlay.write_text("Vehicle.Speed:\n  unit: furlong\n", encoding="utf-8")
+    wrong = FLEET._replace(vehicles=(FLEET.vehicles[0]._replace(overlays=(overlay,)), *FLEET.vehicles[1:]))
+    library = Library([wrong])
+    page = text_of(asker(create_site(library))("/vehicles/fleet").text)
+    assert "The description of a vehicle has errors." in page
+    assert page.count("Unknown unit 'furlong'") == 1
+    assert "has errors" not in text_of(asker(create_site(Library([FLEET])))("/vehicles/fleet").text)
+    tell_errors(library)
+    messages = [record.getMessage() for record in caplog.records]
+    (index,) = [
+        number for number, each in enumerate(messages) if each.startswith("vehicle:coupe@sop of catalogue fleet")
+    ]
+    assert f"{overlay}:2:9: error V006" in messages[index + 1]
 
 
 def test_filters_choose_nodes_and_vehicles(site: Ask) -> None:

@@ -12,6 +12,7 @@ from typing import BinaryIO
 from sigcat.cli.ended_by_signals import ended_by_signals
 from sigcat.errors import InputRefused, UsageError, must_be_a_file
 from sigcat.findings import Finding
+from sigcat.text_lines import lines_of
 
 _WRITABLE = 0o222
 _MOST_BYTES = 10_000_000
@@ -189,7 +190,7 @@ def _sources_of_errors(findings: Iterable[Finding]) -> Mapping[str, Sequence[str
         return {}
     from sigcat.rules.report import sources_of
 
-    return {name: text.splitlines() for name, text in sources_of(errors).items()}
+    return {name: lines_of(text) for name, text in sources_of(errors).items()}
 
 
 def _is_small_file(name: str) -> bool:

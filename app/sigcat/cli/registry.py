@@ -119,11 +119,9 @@ def list_versions(arguments: argparse.Namespace) -> int:
     print_more(len(listed))
     for published, lines in listed[:REGISTRY_ROWS]:
         owner = f", owner {published.owner}" if published.owner else ""
-        until = f" until {published.until}" if published.until else ""
-        successor = f", successor {published.successor}" if published.successor else ""
         where = f", in line {', '.join(lines)}" if lines else ""
         named = f"{published.kind} {published.reference}"
-        print(printable(f"{named}: {published.state}{until}{successor}{owner}{where}"))
+        print(printable(f"{named}: {published.state}{published.end}{owner}{where}"))
     return 0
 
 

@@ -34,9 +34,7 @@ def deprecations(arguments: argparse.Namespace) -> int:
     print_more(len(listed))
     for each in listed[:REGISTRY_ROWS]:
         version = each.published
-        until = f" until {version.until}" if version.until else ""
-        successor = f", successor {version.successor}" if version.successor else ""
-        print(printable(f"{version.kind} {version.reference}: deprecated{until}{successor}"))
+        print(printable(f"{version.kind} {version.reference}: deprecated{version.end}"))
         for one in each.acknowledgements:
             print(f"  {printable(one.sentence)}")
     return 0

@@ -23,6 +23,7 @@ from sigcat.project.find_project import FILES
 from sigcat.rules.checks.attributes import extended_attributes
 from sigcat.rules.linting.selection import rules_for
 from sigcat.rules.tree import Tree
+from sigcat.text_lines import lines_of
 
 Kind = Literal["branch", "signal", "attribute", "unit", "datatype", "value", "rule", "variable"]
 _MOST = 200
@@ -109,7 +110,7 @@ def _prefix_of(tree: Tree, path: Path) -> str:
     statement = statement_at(tree.catalogue, path, 1 << 30)
     if statement is None:
         return ""
-    lines = read_bytes(path).decode("utf-8-sig", "replace").splitlines()
+    lines = lines_of(read_bytes(path).decode("utf-8-sig", "replace"))
     written = key_of(lines[statement.origin().line - 1])
     return statement.path.removesuffix(written) if statement.path.endswith(written) else ""
 
@@ -187,6 +188,6 @@ def _plain(texts: Iterable[str], kind: Kind) -> list[Proposal]:
 
 
 def _variables(files: Iterable[Path]) -> list[str]:
-    lines = (line for file in files for line in read_bytes(file).decode("utf-8", "replace").splitlines())
+    lines = (line for file in files for line in lines_of(read_bytes(file).decode("utf-8", "replace")))
     found = (match for line in lines if (match := _C_VARIABLE.match(line)) and line.split()[0] not in _NO_TYPES)
     return list(dict.fromkeys(match["name"] for match in found))

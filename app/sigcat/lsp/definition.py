@@ -18,6 +18,7 @@ from sigcat.lsp.places import (
 )
 from sigcat.lsp.warm_project import WarmProject, is_function
 from sigcat.open_files import read_bytes
+from sigcat.text_lines import lines_of
 
 _CODE_KEYS = ("variable", "symbol")
 
@@ -83,7 +84,7 @@ def _in_code(path: Path, word: Word, line: str) -> list[Place]:
 
 def _matches(files: list[Path], pattern: re.Pattern[str]) -> Iterator[Place]:
     for file in files:
-        for number, line in enumerate(read_bytes(file).decode("utf-8", "replace").splitlines()):
+        for number, line in enumerate(lines_of(read_bytes(file).decode("utf-8", "replace"))):
             match = pattern.match(line)
             if match is not None and "return " not in line:
                 yield Place(file, number, *match.span("name"))

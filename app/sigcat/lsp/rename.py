@@ -16,6 +16,7 @@ from sigcat.names import last_name, parent_path
 from sigcat.open_files import read_bytes
 from sigcat.real_path import real_path
 from sigcat.rules.tree import Tree
+from sigcat.text_lines import lines_of
 
 
 class Change(NamedTuple):
@@ -152,7 +153,7 @@ def _place(origin: Origin, text: str) -> Place:
 
 
 def _line(place: Place) -> str:
-    lines = read_bytes(place.file).decode("utf-8-sig", "replace").splitlines()
+    lines = lines_of(read_bytes(place.file).decode("utf-8-sig", "replace"))
     return lines[place.line] if 0 <= place.line < len(lines) else ""
 
 

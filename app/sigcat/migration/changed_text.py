@@ -11,6 +11,7 @@ from sigcat.findings import Finding
 from sigcat.function.importing.yaml_edits import Edit, Text, edited
 from sigcat.function.importing.yaml_text import scalar
 from sigcat.migration.migration import Fate, Migration
+from sigcat.text_lines import lines_of
 
 
 class Replacement(NamedTuple):
@@ -44,9 +45,7 @@ class Migrated(NamedTuple):
     @property
     def diff(self) -> str:
         """The change as a unified diff."""
-        before, after = (
-            text.decode("utf-8", "replace").splitlines(keepends=True) for text in (self.before, self.after)
-        )
+        before, after = (lines_of(text.decode("utf-8", "replace"), keepends=True) for text in (self.before, self.after))
         lines = difflib.unified_diff(before, after, self.file, self.file)
         return "".join(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines)
 

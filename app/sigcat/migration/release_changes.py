@@ -10,6 +10,7 @@ from sigcat.migration.changed_text import Outcome, Place, Replacement, not_conve
 from sigcat.migration.migration import Migration
 from sigcat.migration.numbers import converted
 from sigcat.migration.overlay_changes import fate_of
+from sigcat.text_lines import lines_of
 
 _NODE = re.compile(
     r"""(?P<quote>["'])(?P<path>[A-Za-z]\w*(?:\.[\w*?]+)+)(?P=quote)(?:[ \t]*=[ \t]*(?P<value>[-+]?\d[\d_]*(?:\.\d+)?(?:[eE][-+]?\d+)?)(?![\w.]))?"""
@@ -65,7 +66,7 @@ def _number(
 def pipeline_changes(file: str, text: str, old: str, new: str, *, accepts_guesses: bool) -> Iterator[Outcome]:
     """Yield the changes of lines that call sigcat with the old release. Other lines about VSS are guesses."""
     start = 0
-    for number, line in enumerate(text.splitlines(keepends=True), 1):
+    for number, line in enumerate(lines_of(text, keepends=True), 1):
         for match in re.finditer(_WORD.format(re.escape(old)), line):
             if _OWN.search(line) or (accepts_guesses and _OF_VSS.search(line)):
                 edit = Edit(start + match.start(), start + match.end(), new)

@@ -17,6 +17,7 @@ from sigcat.findings import Finding
 from sigcat.function.importing.yaml_text import scalar
 from sigcat.migration.labelled_path import LabelledPath, bracketed, moved, parsed, plain, template
 from sigcat.open_files import read_bytes
+from sigcat.text_lines import lines_of
 
 _TABLES = Path(__file__).parent / "tables"
 _KEYS = ("from", "to", "moves", "labels", "values")
@@ -284,7 +285,7 @@ def _unfit(file: str, line: int, message: str) -> Finding:
 
 def _line(text: str, key: str) -> int:
     """Return the line that begins with a key; 1 if there is none."""
-    lines = (n for n, line in enumerate(text.splitlines(), 1) if line.lstrip().strip("'\"").startswith(key))
+    lines = (n for n, line in enumerate(lines_of(text), 1) if line.lstrip().strip("'\"").startswith(key))
     return next(lines, 1) if key else 1
 
 

@@ -39,6 +39,7 @@ from sigcat.project.read_vehicles import VEHICLE_KEYS, read_vehicles
 from sigcat.rules.linting.configuration import FIELDS as LINT_KEYS
 from sigcat.rules.linting.configuration import options_of
 from sigcat.rules.linting.options import LintOptions
+from sigcat.text_lines import lines_of
 
 _OF_CATALOGUES = ("units", "quantities", "types", "include-dirs")
 """Lists that a catalogue may have, and the project for all of its catalogues."""
@@ -193,7 +194,7 @@ def _syntax_error(error: Exception, file: Path, text: str) -> Finding:
         return codes.NOT_TOML.finding("Values are nested too deeply.", str(file), 1)
     assert isinstance(error, tomllib.TOMLDecodeError)
     message, line, column = _message_and_position(error, text)
-    again = _given_before(text.splitlines()[:line])
+    again = _given_before(lines_of(text)[:line])
     if message == _GIVEN_TWICE and again is not None:
         key, first = again
         message = f"`{key}` is given twice, {first_at(str(file), first)}"

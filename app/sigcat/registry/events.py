@@ -48,8 +48,12 @@ def event_of(link: Link, source: str) -> Event:
 
 def type_of(entry: Entry) -> str:
     """The type of the event of an entry."""
-    name = _BY_STATE[entry.data["state"]] if entry.action in ("publish", "state") else _BY_ACTION[entry.action]
-    return f"{_PREFIX}{name}"
+    return f"{_PREFIX}{event_name(entry)}"
+
+
+def event_name(entry: Entry) -> str:
+    """The end of the type of the event of an entry, such as `published`."""
+    return _BY_STATE[entry.data["state"]] if entry.action in ("publish", "state") else _BY_ACTION[entry.action]
 
 
 def _subject(data: Mapping[str, Any]) -> str:

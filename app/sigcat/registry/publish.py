@@ -14,6 +14,7 @@ from sigcat.registry.approvals import Approval, approvals_of, approving
 from sigcat.registry.candidate import Candidate
 from sigcat.registry.changes import UseChange, function_changes, node_changes
 from sigcat.registry.compatibility.affected import Affected, affected_owners
+from sigcat.registry.owners import alike_problem
 from sigcat.registry.published import PUBLISHED, Published, all_versions, version_named
 from sigcat.registry.reference import CHANGEABLE, DEPLOYABLE, Kind, Reference, Rule, name_problem, refused
 from sigcat.registry.storing.content import content_of
@@ -128,6 +129,7 @@ def _asked(connection: Connection, version: Published) -> Mapping[str, str]:
 def _problems(ledger: Ledger, candidate: Candidate, known: Published | None, *, is_draft: bool) -> Iterator[Finding]:
     connection = ledger.connection
     yield from _other_spelling(connection, candidate)
+    yield from _other_owner(connection, candidate)
     if ledger.author.owner:
         owners = [each.owner for each in all_versions(connection, candidate.kind, candidate.name)]
         for problem in ledger.author.refusals(candidate.name, [*owners[-1:], candidate.owner]):
@@ -150,6 +152,16 @@ def _other_spelling(connection: Connection, candidate: Candidate) -> Iterator[Fi
         yield codes.PUBLISHED_NAME_UNFIT.finding(message, candidate.file, fix="Use the same case.")
 
 
+def _other_owner(connection: Connection, candidate: Candidate) -> Iterator[Finding]:
+    """Report an owner whose name looks like that of another one."""
+    if connection.execute(_OWNED_ALREADY, {**_key(candidate), "of_owner": candidate.owner}).scalar() is not None:
+        return
+    message = alike_problem(connection, candidate.owner)
+    if message:
+        fix = "Use the same spelling."
+        yield codes.PUBLISHED_NAME_UNFIT.finding(message, candidate.file, path=candidate.name, fix=fix)
+
+
 def _same_release(connection: Connection, candidate: Candidate) -> Published | None:
     """The published version that differs at most in build metadata."""
     row = connection.execute(_OF_RELEASE, _key(candidate)).first()
@@ -169,6 +181,7 @@ _OF_NAME = PUBLISHED.where(
     NAMES.c.kind == bindparam("of_kind"), NAMES.c.folded == bindparam("of_folded"), NAMES.c.name == bindparam("of_name")
 )
 _RULE = select(NAMES.c.rule).where(NAMES.c.kind == bindparam("of_kind"), NAMES.c.folded == bindparam("of_folded"))
+_OWNED_ALREADY = _OF_NAME.where(VERSIONS.c.owner == bindparam("of_owner")).limit(1)
 _OF_RELEASE = _OF_NAME.where(VERSIONS.c.release == bindparam("is_release"))
 _RELEASES_BEFORE = (
     _OF_NAME.where(VERSIONS.c.state.in_(sorted(DEPLOYABLE)), VERSIONS.c.precedence < bindparam("before"))

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 from sqlalchemy import Connection, bindparam, exists, select
 
 from sigcat.registry.reference import Kind, Reference, Rule, State, unknown
+from sigcat.registry.storing.entry import now
 from sigcat.registry.storing.replay import portions
 from sigcat.registry.storing.tables import DEPLOYMENTS, NAMES, VERSIONS
 from sigcat.registry.version import Version, version_of
@@ -29,7 +30,7 @@ class Published(NamedTuple):
     """Digest of the uses."""
     at: str
     until: str
-    """Date after which a deprecated version may be retired."""
+    """Last day of the support of a deprecated version."""
     successor: str
 
     @property
@@ -43,6 +44,19 @@ class Published(NamedTuple):
         found = version_of(self.version)
         assert found is not None
         return found
+
+    @property
+    def is_unsupported(self) -> bool:
+        """Whether the support of a deprecated version has ended."""
+        return self.state == "deprecated" and bool(self.until) and self.until < now()[:10]
+
+    @property
+    def end(self) -> str:
+        """The end of the support and the successor, as they follow the state in a sentence."""
+        until = (
+            f", support ended on {self.until}" if self.is_unsupported else f" until {self.until}" if self.until else ""
+        )
+        return until + (f", successor {self.successor}" if self.successor else "")
 
 
 class Running(NamedTuple):

@@ -48,6 +48,16 @@ def test_an_fmu_sends_what_a_simulation_sends(name, tmp_path):
         assert played(made, trace, step * MILLISECOND, 350 * MILLISECOND, tmp_path)
 
 
+def test_headers_in_folders_of_the_code_are_packed(tmp_path):
+    (tmp_path / "code").mkdir()
+    for name in ("averaging.c", "averaging.h"):
+        shutil.copy(AVERAGING.parent / name, tmp_path / "code")
+    text = AVERAGING.read_text().replace("[averaging.", "[code/averaging.")
+    (tmp_path / "function.yaml").write_text(text)
+    with zipfile.ZipFile(built([tmp_path / "function.yaml"], tmp_path).file) as file:
+        assert "sources/code/averaging.h" in file.namelist()
+
+
 @pytest.fixture(scope="module")
 def ecocontrol(tmp_path_factory):
     return built(

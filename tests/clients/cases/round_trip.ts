@@ -58,3 +58,17 @@ assert.equal((await classicArxml.text()).slice(0, 2), 'PK');
 const forRos = answered(await sigcat.integrateFunctions({ path: { platform: 'ros2' }, body: text }));
 const packages = answered(await sigcat.generateRos2({ body: file(JSON.stringify(forRos)), query: { distribution: 'humble' } }));
 assert.equal((await packages.text()).slice(0, 2), 'PK');
+
+const receipt = answered(await sigcat.publishVersions({ body: text, query: { catalogue } }));
+const { name, versionid } = receipt.versions_posted[0]!;
+const of = { group: 'functions', name, version: versionid } as const;
+const content = answered(await sigcat.getVersionContent({ path: of, parseAs: 'text' }));
+assert.equal(content as unknown, readFileSync(declaration, 'utf-8'));
+const version = answered(await sigcat.getRegistryVersion({ path: of, query: { inline: 'uses' } }));
+assert.equal(answered(await sigcat.listRegistryNames({ path: { group: 'functions' } })).total, 1);
+const users = answered(await sigcat.listRegistryUsers({ query: { path: version.uses![0]!.element } }));
+assert.equal(users.users[0]!.name, name);
+const asked = { function: `${name}@${versionid}`, line: 'SUV-2025' };
+assert(answered(await sigcat.recordDeployment({ query: asked })));
+assert.equal(answered(await sigcat.canDeploy({ query: asked })).decision, 'yes');
+assert(answered(await sigcat.checkVersions({ body: text, query: { catalogue } })).ok);

@@ -313,12 +313,15 @@ def _sizes(unit: Unit) -> Iterator[int]:
 def _source(plan: CorePlan, *, is_alone: bool) -> _Source:
     root = () if is_alone else ("code", plan.function)
     code = [(each, _inside(each, root)) for each in plan.code.sources]
+    around = (str(PurePosixPath(each).parent) for each in (*plan.code.sources, *plan.code.headers))
     return _Source(
         name=plan.function,
         origin=plan.provenance.text,
         setting=plan.code_setting,
         code=tuple((each, inside, str(PurePosixPath(inside).parent)) for each, inside in code),
-        folders=tuple((each, _inside(each, root)) for each in dict.fromkeys((".", *plan.code.include_folders))),
+        folders=tuple(
+            (each, _inside(each, root)) for each in dict.fromkeys((".", *plan.code.include_folders, *around))
+        ),
         definitions=plan.code.definitions,
         generated=(plan.source_file, f"{plan.function}_driver.{plan.code.ending}"),
     )

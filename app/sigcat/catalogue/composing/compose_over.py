@@ -1,7 +1,6 @@
 """Compose one more layer over a catalogue: what it does not reach is shared, so that many vehicles take little."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from sys import intern
 
 from sigcat.catalogue.composing.add_overlays import with_overlays
 from sigcat.catalogue.composing.build_tree import draft_tree, frozen_tree
@@ -16,7 +15,7 @@ from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.names import parent_path
 
 Known = dict[tuple[object, ...], Node]
-"""Nodes that several catalogues share, by what they are made of."""
+"""Nodes that several catalogues share, by what they are made of. A path alone has a node whose text of the path is shared."""
 
 
 def compose_over(
@@ -111,14 +110,14 @@ def shared_nodes(catalogue: Catalogue) -> Known:
     known: Known = {}
     for root in catalogue.roots[:1]:
         for node in root.walk():
-            known[_made_of(node)] = node
+            known[_made_of(node)] = known[(node.path,)] = node
     return known
 
 
 def _shared(node: Node, known: Known) -> Node:
     """Return the node that is known already and made of the same, or this one, which is known from now on."""
     children = tuple(_shared(child, known) for child in node.children)
-    unique = Node(intern(node.path), node.definition, children)
+    unique = Node(known.setdefault((node.path,), node).path, node.definition, children)
     return known.setdefault(_made_of(unique), unique)
 
 

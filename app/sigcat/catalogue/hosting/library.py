@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, Protocol, Self
 from sigcat.catalogue.hosting.file_marks import Marks, marks_of
 from sigcat.catalogue.hosting.source import Source, load
 from sigcat.catalogue.hosting.sources import shipped_sources
+from sigcat.catalogue.hosting.vehicles import composed_vehicles
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.search import SearchIndex, index_of
 from sigcat.errors import NotFound
@@ -199,11 +200,21 @@ def tell_errors(library: Library) -> None:
                 "Catalogue %s has errors and no earlier valid version; it is served incomplete", hosted.source.id
             )
             log_findings(errors)
+        _log_vehicles(hosted)
+
+
+def _log_vehicles(hosted: Hosted) -> None:
+    """Log the errors of the vehicles, which requests compose."""
+    composed = composed_vehicles(hosted.catalogue, hosted.source, hosted.source.vehicles)
+    for vehicle, errors in [(each.vehicle, each.errors) for each in composed if each.errors]:
+        _log.warning("%s of catalogue %s has errors; it is served incomplete", vehicle.label, hosted.source.id)
+        log_findings(errors)
 
 
 def _log_state(hosted: Hosted) -> None:
     if not hosted.rejected:
         _log.info("%s: read again, %d nodes", hosted.source.id, len(hosted.catalogue.nodes))
+        _log_vehicles(hosted)
         return
     _log.warning("%s: the files have errors; the last good state stays", hosted.source.id)
     log_findings(hosted.rejected)

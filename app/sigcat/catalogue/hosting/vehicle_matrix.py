@@ -8,6 +8,7 @@ from typing import NamedTuple
 from sigcat.catalogue.hosting.vehicles import Composed
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.vehicle import Vehicle
+from sigcat.findings import Finding
 
 
 class Row(NamedTuple):
@@ -28,6 +29,8 @@ class Matrix(NamedTuple):
 
     vehicles: tuple[Vehicle, ...]
     rows: tuple[Row, ...]
+    errors: tuple[Finding, ...] = ()
+    """Errors of the vehicles, once each."""
 
 
 class Filters(NamedTuple):
@@ -51,7 +54,8 @@ def matrix_of(composed: Sequence[Composed]) -> Matrix:
     for path in dict.fromkeys(root.path for root in roots if root is not None):
         family = _family([root if root is not None and root.path == path else None for root in roots], len(bases))
         rows.extend(_rows(family, family.has))
-    return Matrix(tuple(each.vehicle for each in composed), tuple(rows))
+    errors = dict.fromkeys(error for each in composed for error in each.errors)
+    return Matrix(tuple(each.vehicle for each in composed), tuple(rows), tuple(errors))
 
 
 def _root(catalogue: Catalogue) -> Node | None:
@@ -104,7 +108,8 @@ def filtered(matrix: Matrix, filters: Filters) -> Matrix:
     vehicles = tuple(matrix.vehicles[number] for number in kept)
     rows = (row._replace(has=tuple(row.has[number] for number in kept)) for row in matrix.rows)
     shown = (row for row in rows if filters.is_all or (row.is_cause and not all(row.has)))
-    return Matrix(vehicles, tuple(row for row in shown if all(word in row.path.lower() for word in words)))
+    found = tuple(row for row in shown if all(word in row.path.lower() for word in words))
+    return Matrix(vehicles, found, matrix.errors)
 
 
 def _is_chosen(vehicle: Vehicle, filters: Filters) -> bool:

@@ -12,6 +12,7 @@ from sigcat.catalogue.model.vehicle import Vehicle
 from sigcat.catalogue.model.vocabulary import files_beside
 from sigcat.catalogue.reading.layers import Layer, read_layer
 from sigcat.file_kind import QUANTITY_NAMES, UNIT_NAMES
+from sigcat.findings import Finding
 from sigcat.limits import DEFAULT_LIMITS, Limits
 
 
@@ -22,6 +23,12 @@ class Composed(NamedTuple):
     catalogue: Catalogue
     below: Catalogue
     """The catalogue without the vehicle."""
+
+    @property
+    def errors(self) -> tuple[Finding, ...]:
+        """Errors that only the vehicle has."""
+        known = frozenset(self.below.findings)
+        return tuple(each for each in self.catalogue.findings if each.severity == "error" and each not in known)
 
 
 def composed_vehicles(

@@ -3,6 +3,8 @@
 import re
 from collections.abc import Iterator, Mapping
 
+from sigcat.text_lines import lines_of
+
 _HEADER = re.compile(r"\s*(\[\[?)\s*([^\[\]]+?)\s*\]")
 _KEY = re.compile(r"\s*((?:\"[^\"]*\"|'[^']*'|[A-Za-z0-9_.-])+)\s*=")
 _QUOTES = str.maketrans("", "", "\"'")
@@ -17,7 +19,7 @@ class Lines:
 
     def __init__(self, text: str) -> None:
         self._positions: dict[tuple[str, int, str], Position] = {}
-        self._texts = text.splitlines()
+        self._texts = lines_of(text)
         table, number = "", 0
         seen: dict[str, int] = {}
         arrays: dict[str, int] = {}

@@ -8,9 +8,11 @@ files that cannot nest deeply. Values are built here, with the meaning of `yaml.
 import gc
 import re
 import sys
-from collections.abc import Callable, Iterator
+from bisect import bisect_right
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import lru_cache
+from itertools import accumulate
 from typing import Any, NamedTuple
 
 import yaml
@@ -22,6 +24,7 @@ from sigcat.catalogue.reading.whole_numbers import held_as_double
 from sigcat.catalogue.reading.yaml_syntax import syntax_advice
 from sigcat.findings import Finding, RuleCode
 from sigcat.limits import DEFAULT_LIMITS, NUMBER_CHARACTERS, Limits
+from sigcat.text_lines import line_and_column, lines_of
 
 _LIBYAML: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
@@ -79,7 +82,8 @@ def _tag_of_plain(value: str) -> str:
 
 _RESOLVER = yaml.resolver.Resolver()
 _DIRECTIVES = 100
-_BREAKS = "\n\r\x85\u2028\u2029"
+_OTHER_BREAKS = "\x85\u2028\u2029"
+_BREAKS = f"\n\r{_OTHER_BREAKS}"
 """Whatever ends a line in YAML 1.1."""
 _SHORT = 32
 """Plain texts of this length or more that begin with a letter are texts: no other value of YAML is so long and does."""
@@ -130,6 +134,8 @@ def read_document(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Do
         _refuse_deep_nesting(text, limits)
         with collector_paused():
             root = _Loader(text, limits.values).get_single_node()
+            if root is not None and _has_other_breaks(text):
+                _count_lines_as_editors(root, text)
     except _BeyondLimit as error:
         return _refused(text, name, error.rule, str(error), error.line, error.column)
     except yaml.MarkedYAMLError as error:
@@ -139,6 +145,34 @@ def read_document(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Do
         message = f"Character U+{_code_point(error):04X} is not allowed in YAML."
         return _refused(text, name, codes.NOT_YAML, message, line, 1, "Remove the character.")
     return Document(text, root, ())
+
+
+def _has_other_breaks(text: str) -> bool:
+    return not text.isascii() and any(ending in text for ending in _OTHER_BREAKS)
+
+
+def _count_lines_as_editors(root: Node, text: str) -> None:
+    """Replace the marks of all nodes: libyaml counts more ends of lines."""
+    starts, done, waiting = _starts_of_lines(text), set[int](), [root]
+    while waiting:
+        node = waiting.pop()
+        if id(node) in done:
+            continue
+        done.add(id(node))
+        node.start_mark, node.end_mark = _mark_at(node.start_mark, starts), _mark_at(node.end_mark, starts)
+        if isinstance(node, MappingNode):
+            waiting += (each for pair in node.value for each in pair)
+        elif isinstance(node, SequenceNode):
+            waiting += node.value
+
+
+def _starts_of_lines(text: str) -> Sequence[int]:
+    return [0, *accumulate(map(len, lines_of(text, keepends=True)))]
+
+
+def _mark_at(mark: Any, starts: Sequence[int]) -> yaml.Mark:
+    line = bisect_right(starts, mark.index) - 1
+    return yaml.Mark(mark.name, mark.index, line, mark.index - starts[line], None, 0)
 
 
 def _undecodable(data: bytes, name: str, at: int) -> Document:
@@ -364,7 +398,8 @@ def _refuse_deep_nesting(text: str, limits: Limits) -> None:
             if depth > limits.nesting:
                 mark: Any = event.start_mark
                 message = f"Collections nest deeper than {limits.nesting} levels."
-                raise _BeyondLimit(codes.NESTING_TOO_DEEP, message, mark.line + 1, mark.column + 1)
+                line, column = line_and_column(text, mark.index)
+                raise _BeyondLimit(codes.NESTING_TOO_DEEP, message, line + 1, column + 1)
         elif isinstance(event, yaml.CollectionEndEvent):
             depth -= 1
 
@@ -377,7 +412,7 @@ def _refused(
 
 def _syntax_error(text: str, name: str, error: yaml.MarkedYAMLError) -> Document:
     mark = error.problem_mark or error.context_mark
-    line, column = (mark.line + 1, mark.column + 1) if mark else (0, 0)
+    line, column = (each + 1 for each in line_and_column(text, mark.index)) if mark else (0, 0)
     message = ", ".join(part for part in (error.context, error.problem) if part)
     fix = syntax_advice(text, error, message)
     return _refused(text, name, codes.NOT_YAML, f"Not valid YAML: {message}.", line, column, fix)

@@ -10,7 +10,8 @@ from typing import Literal, NamedTuple
 
 import yaml
 
-_BREAK = re.compile("\r\n|[\n\r\x85\u2028\u2029]")
+from sigcat.text_lines import line_and_column, lines_of
+
 _KEY = re.compile(r"""(?P<items>(?:- +)*)(?:"[^"]*"|'[^']*'|[^\s"'#][^#]*?):(?:\s|$)""")
 _LONGEST_KEY = 1024
 """Characters of a simple key (YAML 1.1, section 7.4.2)."""
@@ -39,8 +40,9 @@ def syntax_advice(text: str, error: yaml.MarkedYAMLError, message: str) -> str:
     if mark is None:
         return ""
     context = error.context_mark or mark
-    lines = _BREAK.split(text)
-    found = _Error(lines, mark.line, mark.column, context.line + 1)
+    line, column = line_and_column(text, mark.index)
+    opened, _ = line_and_column(text, context.index)
+    found = _Error(lines_of(text), line, column, opened + 1)
     return next((advice(found) for words, advice in _ADVICE.items() if words in message), "")
 
 

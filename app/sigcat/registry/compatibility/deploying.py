@@ -10,7 +10,7 @@ from sigcat import codes
 from sigcat.findings import Finding
 from sigcat.names import did_you_mean
 from sigcat.registry.compatibility.concerned import concerned
-from sigcat.registry.compatibility.conflicts import Conflict, conflicts
+from sigcat.registry.compatibility.conflicts import Conflict, Side, conflicts
 from sigcat.registry.compatibility.member import Member, published_member
 from sigcat.registry.published import Published, names_of, running, version_named
 from sigcat.registry.reference import DEPLOYABLE, Reference, refused
@@ -51,8 +51,9 @@ def can_deploy(
     rest = [each for each in field if each.name not in names]
     others = [member(each) for each in concerned(connection, members, replaced, rest)]
     found = tuple(each._replace(lines=(line,)) for each in conflicts(members, others, replaced))
+    ended = tuple(_support_ended(each, line) for each in deployed if each.is_unsupported)
     decision: Decision = "no" if any(each.severity == "error" for each in found) else "yes"
-    return Answer(decision, line, asked, tuple(each.reference for each in rest), found)
+    return Answer(decision, line, asked, tuple(each.reference for each in rest), (*found, *ended))
 
 
 def _member(connection: Connection, known: dict[int, Member], published: Published) -> Member:
@@ -68,6 +69,15 @@ def deployable(connection: Connection, reference: Reference) -> Published:
         message = f"{reference} must be published to be deployed; it is {published.state}."
         raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message, path=reference.name))
     return published
+
+
+def _support_ended(published: Published, line: str) -> Conflict:
+    """The warning about a version whose support has ended. It may be deployed: a vehicle keeps it longer than its team."""
+    rule = codes.VERSION_NOT_DEPLOYABLE.graded("warning")
+    message = f"The support of {published.reference} ended on {published.until}."
+    fix = f"Deploy its successor {published.successor}." if published.successor else "Deploy a supported version."
+    sides = (Side(published.name, published.version, published.owner, ()),)
+    return Conflict(rule.id, rule.severity, message, "", "", sides, fix, lines=(line,))
 
 
 def _check_once(deployed: Sequence[Published]) -> None:

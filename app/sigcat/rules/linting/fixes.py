@@ -17,6 +17,7 @@ from sigcat.rules.linting.line_breaks import Edit, Settling, broken_lines, scala
 from sigcat.rules.linting.options import Identity, identity_of
 from sigcat.rules.linting.suppression import without_codes
 from sigcat.rules.problem import Repair
+from sigcat.text_lines import lines_of
 
 _NOT_OF_VALUES = ("remove suppression", "break line")
 _PLAIN_ENDINGS = ("'", '"')
@@ -35,7 +36,7 @@ class Fixed(NamedTuple):
     def diff(self) -> str:
         """The change as a unified diff."""
         lines = difflib.unified_diff(
-            self.before.splitlines(keepends=True), self.after.splitlines(keepends=True), self.file, self.file
+            lines_of(self.before, keepends=True), lines_of(self.after, keepends=True), self.file, self.file
         )
         return "".join(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines)
 
@@ -84,7 +85,7 @@ def _comment_edits(text: str, pairs: Iterable[tuple[Finding, Repair]]) -> Iterat
     for finding, repair in pairs:
         if repair.kind == "remove suppression":
             comments.setdefault((finding.line, finding.column), []).append((finding, repair))
-    lines = text.splitlines(keepends=True)
+    lines = lines_of(text, keepends=True)
     for (number, column), unused in comments.items():
         line = lines[number - 1]
         start = sum(map(len, lines[: number - 1]))

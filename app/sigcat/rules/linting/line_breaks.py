@@ -7,6 +7,7 @@ from yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from sigcat.findings import Finding
 from sigcat.rules.problem import Repair
+from sigcat.text_lines import lines_of
 
 
 class Edit(NamedTuple):
@@ -26,7 +27,7 @@ def broken_lines(text: str, root: Node, pairs: Iterable[tuple[Finding, Repair]])
     too_long = {finding.line - 1: finding for finding, repair in pairs if repair.kind == "break line"}
     if not too_long:
         return
-    lines = text.splitlines(keepends=True)
+    lines = lines_of(text, keepends=True)
     for node, above in scalars_of(root):
         if above is None or above.flow_style or node.style == "|":
             continue

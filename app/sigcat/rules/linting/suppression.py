@@ -14,6 +14,7 @@ from sigcat import codes
 from sigcat.findings import Finding
 from sigcat.names import did_you_mean
 from sigcat.rules.problem import Repair
+from sigcat.text_lines import lines_of
 
 MARK = b"sigcat:"
 
@@ -53,7 +54,7 @@ def read_suppressions(text: str, file: str, known: Sequence[str]) -> Suppression
     """The suppressions in the text of a file. `known` are the codes of all rules."""
     if MARK.decode() not in text:
         return Suppressions(file, (), ())
-    lines = text.splitlines()
+    lines = lines_of(text)
     blocks = _blocks_of(lines)
     codes_of = lru_cache(partial(_codes, known=known))
     entries: list[Suppression] = []

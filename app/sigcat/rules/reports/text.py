@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from sigcat.findings import SEVERITIES, Finding
 from sigcat.rules.record import Rule
 from sigcat.terminal_text import printable
+from sigcat.text_lines import lines_of
 
 _WORD = r"[\w.\[\]/%-]+"
 _MOST = 160
@@ -22,7 +23,7 @@ def report(
     parts = []
     for finding in findings:
         if finding.file not in lines:
-            lines[finding.file] = sources.get(finding.file, "").splitlines()
+            lines[finding.file] = lines_of(sources.get(finding.file, ""))
         parts.append(_finding(finding, lines[finding.file], colour))
     return "".join(parts) + count(findings) + "\n"
 

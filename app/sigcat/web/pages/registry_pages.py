@@ -63,9 +63,10 @@ async def show_name(
     name: str,
     old: Version = "",
     new: Version = "",
+    end: Version = "",
 ) -> Response:
-    """The versions of a name, and the changes between two of them."""
-    return await queue.run(_name, visit, registry, group, name, old, new)
+    """The versions of a name, the changes between two of them, and the form that ends one."""
+    return await queue.run(_name, visit, registry, group, name, (old, new), end)
 
 
 def _registry(visit: Visit, registry: HostedRegistry, start: int) -> Response:
@@ -105,9 +106,11 @@ def _deliveries(visit: Visit, registry: HostedRegistry, state: str) -> Response:
     return page_for(visit, "registry_deliveries.html", view=view, state=state)
 
 
-def _name(visit: Visit, registry: HostedRegistry, group: str, name: str, old: str, new: str) -> Response:
+def _name(
+    visit: Visit, registry: HostedRegistry, group: str, name: str, compared: tuple[str, str], end: str
+) -> Response:
     from sigcat.web.views.registry_view import name_view
 
     with registry.reading() as connection:
-        view = name_view(connection, group, name, old, new)
-        return page_for(visit, "registry_name.html", group=group, name=name, view=view)
+        view = name_view(connection, group, name, *compared)
+        return page_for(visit, "registry_name.html", group=group, name=name, view=view, end=end)

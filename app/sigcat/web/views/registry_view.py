@@ -15,6 +15,7 @@ from sigcat.registry.changes import UseChange, function_changes
 from sigcat.registry.compatibility.conflicts import Conflict
 from sigcat.registry.compatibility.deploying import Decision, can_deploy
 from sigcat.registry.compatibility.member import Member
+from sigcat.registry.events import event_name
 from sigcat.registry.published import Published, all_versions, lines_by_version, names_of, running
 from sigcat.registry.reference import DEPLOYABLE, Kind
 from sigcat.registry.storing.content import content_of
@@ -54,8 +55,8 @@ class RegistryView(NamedTuple):
     following: int
     """First name of the next page; 0 on the last."""
     name_total: int
-    entries: tuple[Entry, ...]
-    """The last entries of the log, the newest first."""
+    entries: tuple[tuple[Entry, str], ...]
+    """The last entries of the log with the names of their events, the newest first."""
     entry_total: int
     lines: tuple[str, ...]
     pending: tuple[Pending, ...]
@@ -162,7 +163,9 @@ def registry_view(connection: Snapshot, start: int) -> RegistryView:
     rows = tuple(_name_rows(versions, lines))
     last = head(connection)
     number = last.number if last else 0
-    entries = tuple(each.entry for each in log_page(connection, max(0, number - ENTRIES), ENTRIES))
+    entries = tuple(
+        (each.entry, event_name(each.entry)) for each in log_page(connection, max(0, number - ENTRIES), ENTRIES)
+    )
     following = start + _NAMES if start + _NAMES < len(rows) else 0
     shown = rows[start : start + _NAMES]
     lines_of_vehicles = names_of(connection, "line")

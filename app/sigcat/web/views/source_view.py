@@ -7,6 +7,7 @@ from sigcat.api.answers.schemas import Finding as ShownFinding
 from sigcat.api.answers.serializers import finding_schema
 from sigcat.findings import SEVERITIES, Finding
 from sigcat.limits import PAGE_FINDINGS, PAGE_LINES, PAGE_TEXT_CHARACTERS
+from sigcat.text_lines import lines_of
 
 _LINE_CHARACTERS = 500
 """Characters of a line of a text that is not shown whole."""
@@ -42,7 +43,7 @@ def is_shown_whole(text: str) -> bool:
 
 def source_view(text: str, findings: Iterable[Finding]) -> SourceView:
     """The lines of a text with their findings. A finding without a line, or beyond the last one, is a general one."""
-    texts = text.splitlines() or [""]
+    texts = lines_of(text) or [""]
     by_line: dict[int, list[ShownFinding]] = {}
     for finding in findings:
         line = finding.line if finding.line <= len(texts) else 0

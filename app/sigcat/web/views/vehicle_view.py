@@ -4,10 +4,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
+from sigcat.api.answers.schemas import Finding as ShownFinding
+from sigcat.api.answers.serializers import finding_schema
 from sigcat.catalogue.hosting.library import Hosted, Library
 from sigcat.catalogue.hosting.variants import Choice, choice_of, vehicle_matrix
 from sigcat.catalogue.hosting.vehicle_matrix import Filters, Matrix, Row, filtered, label_values
 from sigcat.catalogue.model.vehicle import Vehicle
+from sigcat.limits import PAGE_FINDINGS
 
 _ROWS = 150
 """Nodes on one page."""
@@ -47,6 +50,8 @@ class VehicleView(NamedTuple):
     start: int
     following: int
     """First row of the next page; 0 on the last."""
+    errors: tuple[ShownFinding, ...]
+    """Errors of the vehicles."""
 
     @property
     def previous(self) -> int:
@@ -78,7 +83,8 @@ def vehicle_view(base: Hosted, filters: Filters, start: int) -> VehicleView:
     following = start + _ROWS if start + _ROWS < len(matrix.rows) else 0
     chosen = dict(filters.labels)
     facts = tuple(Fact(*fact, chosen.get(fact[0], "")) for fact in _telling_facts(base.source.vehicles))
-    return VehicleView(columns, rows, len(matrix.rows), len(matrix.vehicles), facts, start, following)
+    errors = tuple(map(finding_schema, matrix.errors[:PAGE_FINDINGS]))
+    return VehicleView(columns, rows, len(matrix.rows), len(matrix.vehicles), facts, start, following, errors)
 
 
 def vehicles_of(base: Hosted, path: str) -> tuple[InVehicle, ...]:

@@ -82,7 +82,9 @@ class Drawer:
     def _add_branch(self, tree: Tree) -> None:
         name = self._random.choice((self._name("Part"), self._name("Part"), "Door"))
         path = f"{self._random.choice(self._branches(tree))}.{name}"
-        if path not in tree:
+        if path not in tree and not path.endswith(
+            ".Door.Door"
+        ):  # IDL takes no module with the name of the one around it
             self._insert(tree, path, {"type": "branch", "description": "A part."})
             self._insert(
                 tree,
@@ -92,7 +94,9 @@ class Drawer:
 
     def _remove(self, tree: Tree) -> None:
         path = self._any(tree, lambda values: True)
-        if path and len(tree) > 6:  # a schema of an empty vehicle has no type for it
+        parents = [each.rpartition(".")[0] for each in tree]
+        is_only = path is not None and parents.count(path.rpartition(".")[0]) == 1  # IDL takes no empty module
+        if path and len(tree) > 6 and not is_only:  # a schema of an empty vehicle has no type for it
             for each in [each for each in tree if f"{each}.".startswith(f"{path}.")]:
                 del tree[each]
 

@@ -14,8 +14,16 @@ from sigcat.catalogue.comparing.sides import read_side
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import NotFound
 from tests.catalogue.comparing.witnesses.drawn_trees import Drawer
-from tests.catalogue.comparing.witnesses.tools import VERDICTS, exported, hashes, messages_break, protobuf_breaks
-from tests.needs import buf, ros2
+from tests.catalogue.comparing.witnesses.tools import (
+    EACH_BINDING,
+    VERDICTS,
+    exported,
+    hashes,
+    messages_break,
+    protobuf_breaks,
+    schemas_break,
+)
+from tests.needs import buf, ros2, sampled
 
 LENGTH = 26
 """Trees of a chain; its neighbours are pairs."""
@@ -52,7 +60,7 @@ def disagreements(catalogues: Sequence[Catalogue], binding: Binding, verdicts: S
 
 
 @pytest.mark.parametrize("seed", CHAINS)
-@pytest.mark.parametrize("binding", [pytest.param(name, marks=buf if name == "protobuf" else ()) for name in VERDICTS])
+@pytest.mark.parametrize("binding", EACH_BINDING)
 def test_table_and_tool_agree(binding, seed, tmp_path):
     catalogues = chain(seed, tmp_path)
     format_name, breaks = VERDICTS[binding]
@@ -60,6 +68,15 @@ def test_table_and_tool_agree(binding, seed, tmp_path):
     verdicts = [breaks(old, new, tmp_path / str(number)) for number, (old, new) in enumerate(pairwise(exports))]
     assert True in verdicts
     assert not disagreements(catalogues, binding, verdicts)
+
+
+@pytest.mark.real
+@pytest.mark.parametrize("seed", sampled(CHAINS, {0}))
+def test_table_and_graphql_inspector_agree(seed, tmp_path):
+    catalogues = chain(seed, tmp_path)
+    verdicts = schemas_break([exported(each, "s2dm")["tree.graphql"].decode() for each in catalogues], tmp_path)
+    assert set(verdicts) == {True, False}
+    assert not disagreements(catalogues, "graphql", verdicts)
 
 
 PLACES = frozenset(("added-before", "reordered", "label-renumbered", "label-removed"))

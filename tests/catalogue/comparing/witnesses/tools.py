@@ -3,18 +3,23 @@
 import json
 import os
 import re
+import shutil
 import subprocess
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
+import pytest
 import yaml
 from graphql import build_schema, find_breaking_changes
+from jsonschema import Draft202012Validator
 
 from scripts import ros2_environment
 from sigcat.catalogue.comparing.bindings import Binding
 from sigcat.catalogue.exporting.export import export
 from sigcat.catalogue.model.catalogue import Catalogue
-from tests.needs import BUF
+from tests.needs import BUF, C_COMPILERS, IDLC, buf, c_compiler, idlc
 
 Files = Mapping[str, bytes]
 Verdict = Callable[[Files, Files, Path], bool]
@@ -62,35 +67,116 @@ def graphql_breaks(old: Files, new: Files, _: Path) -> bool:
     return bool(find_breaking_changes(*schemas))
 
 
+_INSPECTOR = ("@graphql-inspector/core@8.0.0", "graphql@16")
+_INSPECT = """
+const { diff } = require('@graphql-inspector/core'), { buildSchema } = require('graphql');
+(async () => {
+  const pairs = JSON.parse(require('fs').readFileSync(0, 'utf8'));
+  const changes = await Promise.all(pairs.map(pair => diff(...pair.map(each => buildSchema(each)))));
+  console.log(JSON.stringify(changes.map(each => each.some(one => one.criticality.level === 'BREAKING'))));
+})();
+"""
+
+
+def schemas_break(schemas: Sequence[str], folder: Path) -> Sequence[bool]:
+    """GraphQL Inspector on neighbouring schemas."""
+    node, npm = shutil.which("node"), shutil.which("npm")
+    if node is None or npm is None:
+        pytest.skip("Node: install it with npm")
+    install = [npm, "install", "--no-audit", "--no-fund", "--ignore-scripts", *_INSPECTOR]
+    if subprocess.run(install, cwd=folder, capture_output=True, check=False, timeout=300).returncode:
+        pytest.skip(f"{_INSPECTOR[0]}: npm could not install it")
+    pairs = json.dumps(list(pairwise(schemas)))
+    done = subprocess.run([node, "-e", _INSPECT], cwd=folder, input=pairs, capture_output=True, text=True, check=True)
+    return list(json.loads(done.stdout))
+
+
 def ids_break(old: Files, new: Files, _: Path) -> bool:
     """Lookups by static id."""
     ids = [{n["staticUID"] for data in files.values() for n in yaml.safe_load(data).values()} for files in (old, new)]
     return not ids[0] <= ids[1]
 
 
-def dds_breaks(old: Files, new: Files, _: Path) -> bool:
-    """Declarations of the IDL: each type still has its members, and an enumeration its values at their places."""
-    before, after = (declarations(files["tree"].decode()) for files in (old, new))
-    return any(name not in after or not _reads(body, after[name]) for name, body in before.items())
+def path_breaks(old: Files, new: Files, _: Path) -> bool:
+    """Lookups of signals by path, which take the datatype of the value."""
+    return not _has(_signals(new), {path: {"datatype": node["datatype"]} for path, node in _signals(old).items()})
 
 
-def _reads(old: Sequence[str], new: Sequence[str]) -> bool:
-    return list(new[: len(old)]) == list(old) if old[0] == "enum" else new == old
+def json_breaks(old: Files, new: Files, _: Path) -> bool:
+    """A reader of the exported JSON that expects nodes with their datatypes and identifiers."""
+    kept = {
+        path: {key: node[key] for key in ("datatype", "constUID") if key in node} for path, node in _nodes(old).items()
+    }
+    return not _has(_nodes(new), kept)
 
 
-def declarations(idl: str) -> Mapping[str, Sequence[str]]:
-    """Bodies of structs and enumerations by their scoped name."""
-    found: dict[str, Sequence[str]] = {}
-    scope: list[str] = []
-    text = re.sub(r"//[^\n]*", "", idl)
-    for kind, name, body in re.findall(r"(module|struct|enum)\s+(\w+)\s*(\{[^{}]*\};|\{)|\};", text):
-        if kind in ("struct", "enum"):
-            found["::".join((*scope, name))] = [kind, *re.findall(r"[^\s{},;]+", body)]
-        elif kind:
-            scope.append(name)
-        else:
-            scope.pop()
+def _has(document: Mapping[str, object], expected: Mapping[str, Mapping[str, object]]) -> bool:
+    """Whether a validator of JSON Schema finds the expected members."""
+    properties = {
+        path: {"required": list(members), "properties": {key: {"const": value} for key, value in members.items()}}
+        for path, members in expected.items()
+    }
+    return bool(Draft202012Validator({"required": list(expected), "properties": properties}).is_valid(document))
+
+
+def _signals(files: Files) -> Mapping[str, Mapping[str, Any]]:
+    return {path: node for path, node in _nodes(files).items() if "datatype" in node}
+
+
+def _nodes(files: Files) -> Mapping[str, Mapping[str, Any]]:
+    """Nodes of an exported JSON by path."""
+    found, waiting = (
+        dict[str, Mapping[str, Any]](),
+        [each for data in files.values() for each in json.loads(data).items()],
+    )
+    while waiting:
+        path, node = waiting.pop()
+        found[path] = node
+        waiting += [(f"{path}.{name}", child) for name, child in node.get("children", {}).items()]
     return found
+
+
+def dds_breaks(old: Files, new: Files, folder: Path) -> bool:
+    """A program in C with the types that `idlc` makes of the old IDL, compiled with those of the new one."""
+    headers = [_idlc(files["tree"], folder / name) for name, files in (("old", old), ("new", new))]
+    consumer = folder / "consumer.c"
+    consumer.write_text("\n".join([f'#include "{headers[1]}"', *_uses_of_types(headers[0].read_text()), ""]))
+    command = [*C_COMPILERS[0], "-fsyntax-only", str(consumer)]
+    return subprocess.run(command, capture_output=True, check=False).returncode != 0
+
+
+def _idlc(idl: bytes, folder: Path) -> Path:
+    """The header that Cyclone DDS generates, without that of its library."""
+    folder.mkdir(parents=True)
+    (folder / "tree.idl").write_bytes(idl)
+    subprocess.run([str(IDLC), "-l", "c", "tree.idl"], cwd=folder, capture_output=True, check=True)
+    header = folder / "tree.h"
+    library = "#include <stdbool.h>\n#include <stdint.h>\ntypedef struct dds_topic_descriptor dds_topic_descriptor_t;"
+    header.write_text(header.read_text().replace('#include "dds/ddsc/dds_public_impl.h"', library))
+    return header
+
+
+_OFFSET = "__builtin_offsetof"
+
+
+def _uses_of_types(header: str) -> Iterator[str]:
+    """Declarations that agree with a header in which each struct has these members, and each enumeration these values."""
+    types = re.findall(r"^typedef (?:struct|enum) \w+\s*\{([^}]*)\} (\w+);", header, re.MULTILINE)
+    for body, name in dict.fromkeys(types):  # a header repeats types of sequences
+        members = [each.strip() for each in body.split(";") if each.strip()]
+        if ";" not in body:
+            yield from (
+                f'_Static_assert({value} == {number}, "");' for number, value in enumerate(re.findall(r"\w+", body))
+            )
+            continue
+        yield f"typedef struct {{{body}}} Old_{name};"
+        for member in members:
+            found = re.fullmatch(r"(.*?)(\w+)((?:\[\d+\])*)", member, re.DOTALL)
+            assert found is not None, member
+            kind, called, size = found.groups()
+            yield f"extern {kind} {name}_{called}{size}; extern __typeof__((({name} *)0)->{called}) {name}_{called};"
+            yield f'_Static_assert({_OFFSET}({name}, {called}) == {_OFFSET}(Old_{name}, {called}), "");'
+        yield f'_Static_assert(sizeof({name}) == sizeof(Old_{name}), "");'
 
 
 def hashes(folders: Sequence[Path]) -> Sequence[Mapping[str, str]]:
@@ -109,9 +195,14 @@ def messages_break(old: Mapping[str, str], new: Mapping[str, str]) -> bool:
 
 
 VERDICTS: Mapping[Binding, tuple[str, Verdict]] = {
+    "path": ("json", path_breaks),
+    "json": ("json", json_breaks),
     "protobuf": ("protobuf", protobuf_breaks),
     "graphql": ("s2dm", graphql_breaks),
     "ids": ("id", ids_break),
     "dds": ("ddsidl", dds_breaks),
 }
 """By binding, the export and its tool."""
+NEEDS: Mapping[Binding, Sequence[pytest.MarkDecorator]] = {"protobuf": [buf], "dds": [idlc, c_compiler]}
+EACH_BINDING = [pytest.param(name, marks=NEEDS.get(name, ())) for name in VERDICTS]
+"""The bindings for `parametrize`."""

@@ -1,0 +1,29 @@
+"""Names of owners: two that look alike would be two teams, of which people see one."""
+
+import unicodedata
+
+from sqlalchemy import Connection, select
+
+from sigcat.findings import shown
+from sigcat.registry.storing.tables import VERSIONS
+
+_CYRILLIC = "\u0410\u0412\u0415\u041a\u041c\u041d\u041e\u0420\u0421\u0422\u0423\u0425\u0405\u0406\u0408\u0430\u0435\u043a\u043e\u0440\u0441\u0443\u0445\u0455\u0456\u0458"
+_GREEK = "\u0391\u0392\u0395\u0396\u0397\u0399\u039a\u039c\u039d\u039f\u03a1\u03a4\u03a5\u03a7\u03b1\u03b9\u03ba\u03bd\u03bf\u03c1\u03c5\u03c7"
+_LATIN = str.maketrans(_CYRILLIC + _GREEK, "ABEKMHOPCTYXSIJaekopcyxsijABEZHIKMNOPTYXaikvopux")
+"""Letters of other scripts that look like Latin ones."""
+
+
+def alike_problem(connection: Connection, owner: str) -> str:
+    """Return how an owner must be written that looks like a published one; empty if none does, or it is that one."""
+    known = set(connection.execute(select(VERSIONS.c.owner).distinct()).scalars())
+    if owner in known:
+        return ""
+    appearance = _appearance(owner)
+    alike = next((each for each in sorted(known) if _appearance(each) == appearance), "")
+    return f"The owner must be {shown(alike)}, as it is published, not {owner[:100]!a}." if alike else ""
+
+
+def _appearance(name: str) -> str:
+    """A name without what readers do not see: script, case, width, spaces, and characters without a form."""
+    visible = "".join(each for each in unicodedata.normalize("NFKC", name) if unicodedata.category(each) != "Cf")
+    return " ".join(visible.translate(_LATIN).casefold().split())
