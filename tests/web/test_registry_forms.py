@@ -203,7 +203,7 @@ def test_a_version_is_deprecated_and_retired(person: Person) -> None:
     assert "until 2040-12-31, successor 1.0.0" in page
     asked = page.partition("<summary>Retire the version</summary>")[2].partition("</details>")[0]
     assert 'value="retire"' in asked, "the button is behind a question"
-    assert "<td>deprecated</td>" in person.get("/registry").text
+    assert '<td data-label="Event">deprecated</td>' in person.get("/registry").text
     page = person.get("/registry/functions/Alpha?end=1.0.0").text
     assert 'value="Alpha@1.0.0"' in page
     offered = page.partition('<select name="successor">')[2].partition("</select>")[0]
