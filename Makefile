@@ -4,6 +4,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 HOST ?= 127.0.0.1
 PORT ?= 8000
+RUNS ?= 3
 
 .PHONY: help serve test real format lint types imports tests bench generate pictures kpi clients fuzz slow trust sbom audit package lock clean run-autosar run-ros2 ros2
 
@@ -51,7 +52,7 @@ run-ros2: .venv/dev ros2  ## EcoControl as ROS 2 nodes in C++ and Python: genera
 
 kpi: .venv/dev ros2  ## EcoControl on every platform: behaviour, timing, load and effort next to the paper's; the report is in build/kpi
 	@mkdir -p build
-	$(BIN)/sigcat compare examples/ecocontrol -o examples/ecocontrol/comparison.json -o build/kpi
+	$(BIN)/sigcat compare examples/ecocontrol --runs $(RUNS) -o examples/ecocontrol/comparison.json -o build/kpi
 
 pictures: .venv/dev  ## take pictures of every page into docs/pictures
 	$(BIN)/python -m scripts.pictures

@@ -62,11 +62,17 @@ def test_a_port_is_a_number_of_tcp(capsys, port):
     assert f"argument --port: must be a port from 0 to 65535, not {port!r}" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("asked", ["Vehicle.Sped", "vehicle.speed", "speed", "how fast"])
+@pytest.mark.parametrize("asked", ["Vehicle.Sped", "vehicle.speed", "speed", "Sped", "how fast"])
 def test_a_path_that_does_not_exist_is_answered_with_what_may_have_been_meant(tree, asked, capsys):
     tree.write_text(ROOT + SPEED.replace("Speed.\n", "How fast it drives.\n"))
     assert main(["show", asked, "-s", "tree.vspec"]) == 2
     assert "Did you mean Vehicle.Speed?" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("asked", ["CO2x", "xyz", "Foo.Bar"])
+def test_a_path_that_is_not_near_has_no_proposal(asked, capsys):
+    assert main(["show", asked]) == 2
+    assert capsys.readouterr().err == f"sigcat: unknown node {asked!r}.\n"
 
 
 def test_a_definition_is_shown_with_its_instances(capsys):

@@ -68,6 +68,14 @@ def test_the_first_value_of_a_field_may_be_there_earlier_and_no_other_one():
         assert in_lock_step(status, {"A_ErrorSts": wrong}, fields=name).wrong
 
 
+@pytest.mark.parametrize("status", [[], [(0, "FAILED")], [(100, "FAILED"), (200, "PASSED")]])
+def test_a_field_that_is_sent_before_its_first_verdict_has_the_same_verdicts(status):
+    found = {"A_ErrorSts": [(0, "PASSED"), *status]}
+    (output,) = in_lock_step({"A_ErrorSts": status}, found, fields=("A_ErrorSts",)).outputs
+    assert (output.wrong, output.early) == (0, 1)
+    assert in_lock_step({"A_ErrorSts": status}, found).wrong
+
+
 @pytest.mark.parametrize(("one", "other"), [("1", "1.0"), ("1e3", "1000"), ("[1, 2.5]", "[1.0,2.5]"), ("nan", "NaN")])
 def test_spellings_of_the_same_bits_are_equal(one, other):
     assert bits_of(one) == bits_of(other)

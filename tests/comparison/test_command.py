@@ -17,8 +17,9 @@ SET = str(EXAMPLES / "ecocontrol")
 QUICK = ("--platforms", "simulate", "--duration", "8", "--no-faults")
 
 
-def test_a_folder_has_the_report_in_every_form(tmp_path: Path):
+def test_a_folder_has_the_report_in_every_form(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
     assert main(["compare", SET, *QUICK, "-o", str(tmp_path / "report")]) == 0
+    assert "\nlines written by hand for a platform: pass. 0\n" in capsys.readouterr().err
     assert {each.name for each in (tmp_path / "report").iterdir()} == {
         f"comparison.{form}" for form in ("md", "json", "html")
     }

@@ -461,6 +461,8 @@ def test_steps_of_a_free_run_are_fewer_or_more(steps, said):
 def test_a_criterion_with_too_few_figures_is_inconclusive_and_one_without_is_not_measured():
     short = report_of(material(played("ros2-cpp"))._replace(end_ns=END // 100))
     assert target(short, "outputs equal").measured
+    assert target(short, "outputs equal").verdict == "inconclusive"
     assert re.search(r"outputs equal on all platforms.*\| inconclusive \|", markdown(short))
     missing = told(Played("ros2-cpp", "ROS 2, C++", left_out="get it"))
+    assert target(missing, "outputs equal").verdict == "not measured"
     assert re.search(r"outputs equal on all platforms.*\| not measured \|", markdown(missing))

@@ -35,6 +35,12 @@ typedef enum { M_OFF, M_ON } md_t;
 extern md_t mode;
 extern struct Bus { short a; unsigned b : 3; } bus;
 extern char letter;
+extern const float fixed;
+extern struct Const { const float a; float *at; } rest;
+extern const float *behind;
+extern void *whatever;
+float computed(void);
+#define LIMIT 3.0f
 """
 CASES = {
     "the same": ("uint32", "consumed", "count", "", ""),
@@ -52,6 +58,19 @@ CASES = {
     "defined with its type": ("uint8", "consumed", "level", ", definedBy: adapter, cType: volatile unsigned char", ""),
     "defined without its qualifier": ("uint8", "consumed", "level", ", definedBy: adapter, cType: unsigned char", "clang says"),
     "defined with another type": ("boolean", "consumed", "flag", ", definedBy: adapter", "Give the type of the header as `cType`"),
+    "a constant": ("float", "consumed", "fixed", "", "'fixed' must be a variable that the adapter can write; clang says: "),
+    "a constant that is read": ("float", "provided", "fixed", "", ""),
+    "a constant member": ("float", "consumed", "rest.a", "", "'rest.a' must be a variable that the adapter can write"),
+    "behind a pointer that only reads": ("float", "consumed", "'*behind'", "", "'*behind' must be a variable that the adapter can write"),
+    "a number of a macro": ("float", "consumed", "LIMIT", "", "'LIMIT' must be a variable that the adapter can write"),
+    "a cast": ("float", "consumed", "(float)sum", "", "'(float)sum' must be a variable that the adapter can write"),
+    "a cast that is read": ("float", "provided", "(float)sum", "", ""),
+    "a pointer": ("float", "provided", "behind", "", "'behind' must be one value; the header has a pointer."),
+    "a pointer of a struct": ("float", "consumed", "rest.at", "", "'rest.at' must be one value; the header has a pointer."),
+    "a pointer to anything": ("float", "consumed", "whatever", "", "'whatever' must be one value; the header has a pointer."),
+    "an address": ("float", "provided", "'&ratio'", "", "'&ratio' must be one value; the header has a pointer."),
+    "a function": ("float", "provided", "computed", "", "'computed' must be one value; the header has a function."),
+    "a bit field for a float": ("float", "consumed", "bus.b", "", "'bus.b' must be float; the header has a bit field."),
     "a type that is not there": ("boolean", "consumed", "flag", ", definedBy: adapter, cType: bolean_T", "unknown type name 'bolean_T'"),
 }  # fmt: skip
 

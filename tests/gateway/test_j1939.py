@@ -61,6 +61,17 @@ def test_without_j1939_the_identifier_counts(run):
     assert "1 with an identifier that the database does not have" in told
 
 
+def test_messages_of_one_pgn_are_found_by_their_identifiers(run):
+    """The database has one for each source, with other signals."""
+    other = f'BO_ {OTHER | 1 << 31} EEC1b: 8 Engine\n SG_ Last : 24|8@1+ (1,0) [0|250] "" Engine\n'
+    third = OTHER + 1
+    rows, told = run(
+        [(IDENTIFIER, SPEED), (OTHER, SPEED), (third, SPEED)], "--j1939", dbc=DBC.partition("BO_ 2566843134")[0] + other
+    )
+    assert [row.split(",")[1:] for row in rows] == [["621.0", ""], ["", "104"]]
+    assert "1 with an identifier that the database does not have" in told
+
+
 def test_a_message_of_a_destination_has_the_same_pgn_for_all():
     assert {pgn(0x18EAFF00), pgn(0x0CEA2100)} == {0xEA00}
     assert pgn(0x0CF00400) == 0xF004

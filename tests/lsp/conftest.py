@@ -1,4 +1,4 @@
-"""A project of 1,000 signals with overlays that stack and a function, and an editor in it."""
+"""A project of 5,000 signals with overlays that stack and a function, and an editor in it."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -74,7 +74,7 @@ HEADER = "#include <stdbool.h>\n\nextern float input_gas;\nextern bool input_doo
 SOURCE = '#include "CabinAir.h"\n\nfloat input_gas;\nbool input_door;\n\nvoid CabinAir_step(void) {}\n'
 
 
-def tree_text(signals: int = 1_000) -> str:
+def tree_text(signals: int = 5_000) -> str:
     """A tree in one file: a cabin with doors, and many more signals."""
     parts = [
         "Vehicle:\n  type: branch\n  description: A vehicle.\n",

@@ -210,6 +210,10 @@ def test_a_damaged_bag_is_reported_and_nothing_is_written(drive, tmp_path, cut, 
             "rosbag2_bagfile_information: {storage_identifier: mcap, relative_file_paths: [], compression_format: lz4}",
             2, "by zstd, not 'lz4'",
         ),
+        (
+            "rosbag2_bagfile_information: {storage_identifier: mcap, relative_file_paths: [], topics_with_message_count: [3]}",
+            1, "must be that of a bag",
+        ),
         ("rosbag2_bagfile_information: {storage_identifier: mcap, relative_file_paths: [x]}", 2, "must be in the folder"),
         ("rosbag2_bagfile_information: {storage_identifier: mcap, relative_file_paths: [/etc/passwd]}", 2, "/etc/passwd"),
     ],
@@ -357,6 +361,40 @@ def test_each_storage_and_compression_gives_the_same_trace(recorded, tmp_path, s
     assert rows(folder, tmp_path) == expected
     assert is_bag(file)
     assert rows(file, tmp_path) == expected
+
+
+@pytest.mark.parametrize("storage", ["mcap", "sqlite3"])
+def test_a_topic_that_is_counted_and_absent_is_reported(recorded, tmp_path, storage):
+    source, expected = recorded
+    folder = tmp_path / "bag"
+    folder.mkdir()
+    file = folder / {"mcap": "bag_0.mcap", "sqlite3": "bag_0.db3"}[storage]
+    file.write_bytes(source.read_bytes()) if storage == "mcap" else in_sqlite(source, file)
+    counts = {"/speed": 2, "/hmi/lamp_fault": 1, "/never_sent": 0, "/lost": 3}
+    topics = [
+        {"topic_metadata": {"name": name, "type": "x/msg/Y", "serialization_format": "cdr"}, "message_count": count}
+        for name, count in counts.items()
+    ]
+    described(folder, storage, file.name, topics_with_message_count=topics)
+    with pytest.raises(InputRefused) as refused:
+        rows(folder, tmp_path)
+    (finding,) = refused.value.findings
+    assert (finding.message, finding.file) == (
+        "metadata.yaml counts messages of '/lost', and no file of the bag has this topic.", str(folder / "metadata.yaml")
+    )  # fmt: skip
+    described(folder, storage, file.name, topics_with_message_count=topics[:3])
+    assert rows(folder, tmp_path) == expected
+
+
+@pytest.mark.parametrize("cut", [1, 8, 20])
+def test_a_bag_without_its_last_bytes_is_reported_as_cut(recorded, tmp_path, cut):
+    cut_bag = tmp_path / "cut.mcap"
+    cut_bag.write_bytes(recorded[0].read_bytes()[:-cut])
+    with pytest.raises(InputRefused) as refused:
+        open_trace(cut_bag, KNOWN)
+    assert [each.message for each in refused.value.findings] == [
+        "The file must be in MCAP: it ends in the middle, or is damaged."
+    ]
 
 
 def test_a_file_without_chunks_is_read(recorded, tmp_path):

@@ -29,6 +29,7 @@ def test_links_of_a_chapter_lead_to_pages_and_their_headings(site: Ask, chapter:
     assert page.status_code == 200
     assert len(page.content) < 500_000
     content = page.text.partition('id="content"')[2]
+    assert "&lt;!--" not in re.sub("<pre.*?</pre>", "", content, flags=re.DOTALL)
     for address, anchor in set(re.findall(r'href="(/docs/[^"#]*)#?([^"]*)"', content)):
         assert address.removeprefix("/docs/") in documentation.files()
         if anchor:
@@ -80,6 +81,13 @@ def test_every_page_links_to_its_chapter(site: Ask) -> None:
         ("/functions", "reference/functions.md"), ("/functions/sets/ecocontrol/compare", "how-to/compare.md"),
     ):  # fmt: skip
         assert f'<a href="/docs/{chapter}" title="The chapter about this page"' in site(address).text
+
+
+def test_sections_of_a_long_chapter_are_folded_and_a_link_opens_them(site: Ask) -> None:
+    text = site("/docs/reference/functions.md").text
+    assert '<summary><h2>The code</h2>\n</summary><div id="the-code">' in text
+    assert text.count('<details class="section">') == text.count("</div></details>") == text.count("<summary><h2>") == 7
+    assert '<details class="section">' not in site("/docs/how-to/simulate.md").text
 
 
 def test_the_search_finds_chapters(site: Ask) -> None:

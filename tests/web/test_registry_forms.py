@@ -203,7 +203,7 @@ def test_a_version_is_deprecated_and_retired(person: Person) -> None:
     assert "until 2040-12-31, successor 1.0.0" in page
     asked = page.partition("<summary>Retire the version</summary>")[2].partition("</details>")[0]
     assert 'value="retire"' in asked, "the button is behind a question"
-    assert "<td>deprecated</td>" in person.get("/registry").text
+    assert '<td data-label="Event">deprecated</td>' in person.get("/registry").text
     page = person.get("/registry/functions/Alpha?end=1.0.0").text
     assert 'value="Alpha@1.0.0"' in page
     offered = page.partition('<select name="successor">')[2].partition("</select>")[0]
@@ -225,6 +225,17 @@ def test_a_failed_delivery_is_sent_again(person: Person) -> None:
     assert failed_delivery(person) == ""
     unknown = person.send("/registry/redeliver", delivery="msg_0")
     assert (unknown.status_code, "E005" in unknown.text) == (422, True)
+
+
+def test_a_refused_form_of_files_keeps_its_values(person: Person) -> None:
+    person.sign_in("publish")
+    data = {"form": person.form, "version": "1.x", "owner": "Team <Z>", "draft": "yes"}
+    answer = person.post("/registry/publish", data=data, files={"file": ("own.vspec", OVERLAY)})
+    assert answer.status_code == 422
+    for kept in ('name="version" value="1.x"', 'name="owner" value="Team &lt;Z&gt;"', 'value="yes" checked'):
+        assert kept in answer.text
+    assert "Nothing was published." in answer.text
+    assert 'class="findings' in answer.text
 
 
 def test_who_may_not_administer_sends_no_delivery_again(person: Person) -> None:

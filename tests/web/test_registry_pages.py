@@ -41,7 +41,7 @@ def test_names_have_their_newest_version_owner_and_lines(site):
     assert "4 published names, 2 vehicle lines." in page
     assert "Alpha function 2.0.0 published Team Alpha 2 SUV-2025, VAN-2026" in page
     assert "Gamma function 1.0.0 deprecated Team Gamma 1" in page
-    assert "publish function Alpha 2.0.0" in page
+    assert "published function Alpha 2.0.0" in page
 
 
 def test_a_pending_version_has_the_owners_that_must_approve_it(site):

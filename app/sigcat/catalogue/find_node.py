@@ -8,6 +8,8 @@ from sigcat.catalogue.search import index_of
 from sigcat.errors import NotFound
 from sigcat.names import nearest
 
+_LETTERS_OF_A_PART = 2
+
 
 class Found(NamedTuple):
     """A node, the catalogue that has it, and its instances where it is their definition."""
@@ -37,6 +39,18 @@ def find_node(text: str, catalogue: Catalogue) -> Found:
 
 
 def _near(path: str, catalogue: Catalogue) -> tuple[str, ...]:
-    """Return the nearest paths, or else nodes that have the words."""
+    """Return the nearest paths, or else nodes that have the words, or words that are near."""
     near = nearest(path, dict.fromkeys((*catalogue.nodes, *catalogue.definitions)))
-    return near or tuple(node.path for node in index_of(catalogue).search(path, limit=3).nodes if path.strip())
+    if near or not path.strip():
+        return near
+    index = index_of(catalogue)
+    found = index.search(path, limit=3)
+    corrected = [text for text in found.instead if len(text.split()) == len(found.words)]
+    if corrected:
+        found = index.search(corrected[0], limit=3)
+    return tuple(node.path for node in found.nodes if all(_is_near(word, node.path) for word in found.words))
+
+
+def _is_near(word: str, path: str) -> bool:
+    """Whether a word that was found says anything: parts of a code, such as `co`, `2` and `x`, are in many texts."""
+    return len(word) > _LETTERS_OF_A_PART or word in path.lower()

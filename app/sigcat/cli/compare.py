@@ -117,9 +117,8 @@ def compare(arguments: argparse.Namespace) -> int:
         write_text(markdown(report), None)
     else:
         for target in report.targets:
-            word = {True: "holds", False: "does not hold", None: "not measured"}[target.holds]
             told = "; ".join(each for each in (target.measured, target.note * (not target.holds)) if each)
-            print(f"{target.what}: {word}. {told}".rstrip(". "), file=sys.stderr)
+            print(f"{target.what}: {target.verdict}. {told}".rstrip(". "), file=sys.stderr)
     if not report.behaviour and set(_platforms(arguments.platforms)) != {report.reference}:
         _tell("Nothing was compared: no platform but the simulation was played to.")
         return 2

@@ -10,7 +10,7 @@ from sigcat.catalogue.model.vehicle import Setting, Vehicle
 from sigcat.catalogue.model.vocabulary import STANDARD_UNITS, files_beside
 from sigcat.file_kind import QUANTITY_NAMES
 from sigcat.project.chosen_tree import TreeOptions, chosen_tree
-from sigcat.project.project import Project
+from sigcat.project.project import Project, ServerUrl
 from sigcat.real_path import each_once, near_path
 from sigcat.rules.linting.configuration import FIELDS
 from sigcat.rules.linting.options import LintOptions
@@ -54,7 +54,7 @@ def _registry(project: Project) -> Iterator[Shown]:
         yield Shown("registry.server", project.registry_server, project.line("registry", 0, "server"))
     if project.registry is not None:
         for name, value in zip(project.registry._fields, project.registry, strict=True):
-            for each in value if isinstance(value, tuple) else (value,):
+            for each in value if isinstance(value, tuple) and not isinstance(value, ServerUrl) else (value,):
                 if each is not None:
                     yield Shown(f"registry.{_key(name)}", str(each), project.line("registry", 0, _key(name)))
 

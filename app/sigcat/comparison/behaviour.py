@@ -51,6 +51,9 @@ def _output(name: str, expected: Sequence[tuple[int, str]], found: Sequence[tupl
     if is_field and _is_early(expected, found):
         later = _output(name, expected, [expected[0], *found[1:]], False)
         return later.model_copy(update={"early": 1})
+    if is_field and _is_beginning(expected, found):
+        later = _output(name, expected, found[1:], False)
+        return later.model_copy(update={"early": 1})
     if list(expected) == list(found):
         return Output(name=name, values=len(expected), wrong=0)
     differences = list(_differences(expected, found))
@@ -61,6 +64,11 @@ def _output(name: str, expected: Sequence[tuple[int, str]], found: Sequence[tupl
 def _is_early(expected: Sequence[tuple[int, str]], found: Sequence[tuple[int, str]]) -> bool:
     """Whether the first value is the same, and was there before its time."""
     return bool(expected and found) and found[0][0] < expected[0][0] and found[0][1] == expected[0][1]
+
+
+def _is_beginning(expected: Sequence[tuple[int, str]], found: Sequence[tuple[int, str]]) -> bool:
+    """Whether the first value is that of a field before its first verdict: a protected field is sent from the beginning."""
+    return bool(found) and (not expected or (found[0][0] <= expected[0][0] and found[0][1] != expected[0][1]))
 
 
 def _differences(expected: Sequence[tuple[int, str]], found: Sequence[tuple[int, str]]) -> Iterator[Difference]:

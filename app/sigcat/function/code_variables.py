@@ -19,7 +19,7 @@ from sigcat.function.function_json.datatype import Datatype, innermost
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.variables import CodeVariable, variables
-from sigcat.function.function_json.walk import data
+from sigcat.function.function_json.walk import data, declared_data, parameters
 from sigcat.names import did_you_mean
 
 _ADAPTER = "Adapter"
@@ -57,6 +57,8 @@ class _Question(NamedTuple):
     is_definition: bool = False
     element: int | None = None
     """Index of an element; the line has the type of its array."""
+    is_assigned: bool = False
+    """Whether the line assigns to the variable, and has no type."""
 
 
 def unfit_variables(function: ResolvedFunction) -> Iterator[Finding]:
@@ -102,6 +104,7 @@ def _answers(code: CodeInterface, texts: Mapping[str, str], questions: tuple[_Qu
 def _questions(function: ResolvedFunction, code: CodeInterface) -> Iterator[_Question]:
     """A line that has the type of each variable, and one that declares again what the adapter defines."""
     datatypes = {each.reference: each for each in function.function.datatypes}
+    written = set(_written(function))
     for index, each in enumerate(code.objects or ()):
         if code.signature == GLOBALS and each.defined_by == _ADAPTER and each.has_valid_length:
             yield _Question(f"extern {each.declaration};", ("Code", "Objects", index, "Type"), is_definition=True)
@@ -112,10 +115,31 @@ def _questions(function: ResolvedFunction, code: CodeInterface) -> Iterator[_Que
         seen = _seen(variable.expression, code)
         yield _Question(f"extern {word}({seen}) {_PROBE}{number};", variable.pointer, variable)
         yield _Question(f"extern {word}(((void)0, {seen})) {_PROBE}{number}_value;", variable.pointer)
+        target = _target(seen, datatypes.get(variable.datatype or ""), datatypes, variable)
+        if target and variable.pointer[:-1] in written:
+            text = f"extern {word}(((void)({target} = {target}), 0)) {_PROBE}{number}_assigned;"
+            yield _Question(text, variable.pointer, variable, is_assigned=True)
         for place, match in enumerate(_INDEX.finditer(variable.expression)):
             array = _seen(variable.expression[: match.start()], code)
             text = f"extern {word}({array}) {_PROBE}{number}_array_{place};"
             yield _Question(text, variable.pointer, variable, element=int(match[1]))
+
+
+def _written(function: ResolvedFunction) -> Iterator[Pointer]:
+    """Interfaces whose variables the adapter writes."""
+    yield from (pointer for pointer, _, item in declared_data(function.function) if item.role != PROVIDER)
+    yield from (pointer for pointer, _, _ in parameters(function.function))
+
+
+def _target(
+    seen: str, datatype: Datatype | None, datatypes: Mapping[str, Datatype], variable: CodeVariable
+) -> str | None:
+    """The first number that the adapter writes; None of a struct, whose members may have other names."""
+    element = innermost(variable.datatype or "", datatypes)
+    if datatype is None or element is None or element.kind is not None:
+        return None
+    is_array = datatype.kind == "array"
+    return f"({seen}){'[0]' * (is_array + bool(variable.elements))}"
 
 
 def _definition(variable: CodeVariable, datatypes: Mapping[str, Datatype]) -> Iterator[_Question]:
@@ -144,37 +168,80 @@ def _seen(expression: str, code: CodeInterface) -> str:
 # -- answers ------------------------------------------------------------------------------------------------------
 
 
+class _Seen(NamedTuple):
+    """Answers of clang by line, and what they are compared with."""
+
+    wrong: Mapping[int, str]
+    types: Mapping[int, CType]
+    is_complete: bool
+    """Whether all headers of the system are there."""
+    records: Mapping[str, Record]
+    datatypes: Mapping[str, Datatype]
+    provided: frozenset[Pointer]
+    """Interfaces whose variables the adapter reads: these may be narrower than declared."""
+    is_cpp: bool
+    """Whether a reference looks like a pointer."""
+
+
 def _compared(
     function: ResolvedFunction, questions: tuple[_Question, ...], answers: Declarations, before: int
 ) -> Iterator[Finding]:
-    wrong = {error.place.line: error.message for error in answers.errors}
-    types = {each.place.line: each.type for each in answers.variables if each.name.startswith(_PROBE)}
-    provided = {pointer for pointer, _, item in data(function.function) if item.role == PROVIDER}
-    datatypes = {each.reference: each for each in function.function.datatypes}
-    is_complete = not any(map(lacks_system_header, answers.errors))
+    code = function.function.code
+    seen = _Seen(
+        wrong={error.place.line: error.message for error in answers.errors},
+        types={each.place.line: each.type for each in answers.variables if each.name.startswith(_PROBE)},
+        is_complete=not any(map(lacks_system_header, answers.errors)),
+        records=answers.records,
+        datatypes={each.reference: each for each in function.function.datatypes},
+        provided=frozenset(pointer for pointer, _, item in data(function.function) if item.role == PROVIDER),
+        is_cpp=code is not None and code.signature == CLASS,
+    )
+    unfit: set[Pointer] = set()
     for line, question in enumerate(questions, before + 1):
-        if question.is_definition:
-            if line in wrong:
-                yield _not_definable(function, question, wrong[line])
-        elif question.element is not None and question.variable:
-            if line in types and (message := _outside(question.variable, question.element, types[line])):
-                yield function.finding(codes.VARIABLE_TYPE_UNFIT, question.pointer, message, "Correct the index.")
-        elif question.variable and line in wrong:
-            # of a bit field only the value has a type, which is in the next line
-            if line + 1 in wrong and is_complete and question.variable.defined_by != _ADAPTER:
-                yield _not_declared(function, question, question.variable, wrong[line])
-        elif question.variable and line in types:
-            is_read = question.pointer[:-1] in provided
-            compared = _Types(datatypes, answers.records, dict(question.variable.members), is_read)
-            for message, fix in _misfits(question.variable, types[line], compared):
-                yield function.finding(codes.VARIABLE_TYPE_UNFIT, question.pointer, message, fix)
+        if question.is_assigned and question.pointer in unfit:
+            continue
+        for finding in _of_question(function, question, line, seen):
+            unfit.add(question.pointer)
+            yield finding
 
 
-def _outside(variable: CodeVariable, index: int, array: CType) -> str:
-    """Say that an element is outside of its array; empty if it is not, or the header does not say."""
-    if array.kind != "array" or not array.length or 0 <= index < array.length:
-        return ""
-    return f"{variable.expression!r} must be within its array; the header has {array.length} elements, and {index} is the index."
+def _of_question(function: ResolvedFunction, question: _Question, line: int, seen: _Seen) -> Iterator[Finding]:
+    variable = question.variable
+    if question.is_definition:
+        if line in seen.wrong:
+            yield _not_definable(function, question, seen.wrong[line])
+    elif variable is None:
+        return
+    elif question.is_assigned:
+        if line in seen.wrong and line - 2 not in seen.wrong:
+            yield _not_assignable(function, question, variable, seen.wrong[line])
+    elif question.element is not None:
+        for message in _outside(variable, question.element, seen.types.get(line)):
+            yield function.finding(codes.VARIABLE_TYPE_UNFIT, question.pointer, message, "Correct the index.")
+    else:
+        yield from _of_variable(function, question, variable, line, seen)
+
+
+def _of_variable(
+    function: ResolvedFunction, question: _Question, variable: CodeVariable, line: int, seen: _Seen
+) -> Iterator[Finding]:
+    if line in seen.wrong and line + 1 in seen.wrong:
+        if seen.is_complete and variable.defined_by != _ADAPTER:
+            yield _not_declared(function, question, variable, seen.wrong[line])
+    else:
+        for message, fix in _misfits(variable, line, seen, is_read=question.pointer[:-1] in seen.provided):
+            yield function.finding(codes.VARIABLE_TYPE_UNFIT, question.pointer, message, fix)
+
+
+def _outside(variable: CodeVariable, index: int, array: CType | None) -> Iterator[str]:
+    """Say that an element is outside of its array, if the header says so."""
+    if array is not None and array.kind == "array" and array.length and not 0 <= index < array.length:
+        yield f"{variable.expression!r} must be within its array; the header has {array.length} elements, and {index} is the index."
+
+
+def _not_assignable(function: ResolvedFunction, question: _Question, variable: CodeVariable, said: str) -> Finding:
+    message = f"{variable.expression!r} must be a variable that the adapter can write; clang says: {said}."
+    return function.finding(codes.VARIABLE_TYPE_UNFIT, question.pointer, message, "Correct this line, or the code.")
 
 
 def _not_declared(function: ResolvedFunction, question: _Question, variable: CodeVariable, said: str) -> Finding:
@@ -206,18 +273,41 @@ class _Misfit(NamedTuple):
     fix: str = "Correct the code, or the datatype."
 
 
-def _misfits(variable: CodeVariable, found: CType, types: _Types) -> Iterator[_Misfit]:
+def _misfits(variable: CodeVariable, line: int, seen: _Seen, *, is_read: bool) -> Iterator[_Misfit]:
     """Yield the differences of a variable. A queue needs an array with room for its values."""
+    datatype = seen.datatypes.get(variable.datatype or "")
+    found = None if line in seen.wrong else seen.types.get(line)
+    if found is None:
+        yield from _of_value(variable, datatype, seen.types.get(line + 1), is_bit_field=line in seen.wrong)
+        return
     kind, count = found.target, variable.elements
     if count and kind.kind == "array" and kind.of:
         if kind.length and kind.length < count:
             yield _Misfit(f"{variable.expression!r} must have at least {count} elements; the header has {kind.length}.")
         kind = kind.of
-    datatype = types.datatypes.get(variable.datatype or "")
-    if found.kind == "pointer" and datatype is not None and datatype.kind == "array":
-        yield _Misfit(f"{variable.expression!r} must be an array{_of_length(datatype)}; the header has a pointer.")
+    is_one = datatype is not None and _is_number(datatype) and not count and not seen.is_cpp
+    if found.kind == "pointer" and datatype is not None and (is_one or datatype.kind == "array"):
+        wanted = f"an array{_of_length(datatype)}" if datatype.kind == "array" else "one value"
+        yield _Misfit(f"{variable.expression!r} must be {wanted}; the header has a pointer.")
         return
-    yield from _differences(variable.expression, (), kind, datatype, types)
+    compared = _Types(seen.datatypes, seen.records, dict(variable.members), is_read)
+    yield from _differences(variable.expression, (), kind, datatype, compared)
+
+
+def _of_value(
+    variable: CodeVariable, datatype: Datatype | None, value: CType | None, *, is_bit_field: bool
+) -> Iterator[_Misfit]:
+    """Yield the difference of an expression without a type of a variable: a bit field, or a function."""
+    if datatype is None or value is None:
+        return
+    if is_bit_field and datatype.c_definition in _FLOATING:
+        yield _Misfit(f"{variable.expression!r} must be {datatype.c_definition}; the header has a bit field.")
+    elif not is_bit_field and value.kind == "pointer" and _is_number(datatype):
+        yield _Misfit(f"{variable.expression!r} must be one value; the header has a function.")
+
+
+def _is_number(datatype: Datatype) -> bool:
+    return datatype.kind is None and datatype.vss_datatype != "string"
 
 
 def _differences(

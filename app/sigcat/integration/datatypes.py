@@ -4,8 +4,11 @@ VSS, reference and C come from the function room; the rest is what C++, AUTOSAR,
 schemas and ROS 2 call the same thing.
 """
 
+from collections.abc import Mapping
 from typing import NamedTuple
 
+from sigcat.catalogue.model.datatypes import element_of
+from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.primitive_types import BY_REFERENCE, PRIMITIVES, agree, c_type, reference_type
 
 
@@ -67,3 +70,15 @@ def of_reference(reference: str, c_definition: str = "") -> Spelling | None:
         return BY_VSS[BY_REFERENCE[reference].vss]
     vss = _BY_KIND.get((meant.kind, meant.bits)) if meant else None
     return BY_VSS[vss] if vss else None
+
+
+def with_catalogue_elements(datatype: Datatype, vss_datatype: str | None, known: Mapping[str, Datatype]) -> Datatype:
+    """An array of numbers as it is sent: its elements are those of the catalogue, whatever the code has."""
+    sent = BY_VSS.get(element_of(vss_datatype or ""))
+    element = known.get(datatype.element or "")
+    if datatype.kind != "array" or sent is None or (element is not None and element.kind):
+        return datatype
+    if of_reference(datatype.element or "", element.c_definition if element else "") == sent:
+        return datatype
+    reference = f"{sent.reference}Array{'' if datatype.length is None else datatype.length}"
+    return datatype.model_copy(update={"reference": reference, "element": sent.reference, "vss_datatype": vss_datatype})

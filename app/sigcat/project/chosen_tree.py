@@ -1,6 +1,5 @@
 """The tree of a command: that of the options, else that of the project, else the one near its overlays, else the shipped one."""
 
-from filecmp import cmp
 from pathlib import Path
 from typing import NamedTuple
 
@@ -98,8 +97,14 @@ def _tree_near_overlay(project: Project, options: TreeOptions) -> Source | None:
 
 def _is_shipped(tree: Path) -> bool:
     """Return whether a tree is the shipped one, or a copy of it, as in a checkout of sigcat."""
-    copies = ((file, tree.parent / file.relative_to(VSPEC)) for file in VSPEC.rglob("*.vspec"))
-    return tree == ROOT_FILE or all(copy.is_file() and cmp(file, copy, shallow=False) for file, copy in copies)
+    return tree == ROOT_FILE or _is_copy(tree.parent)
+
+
+def _is_copy(folder: Path) -> bool:
+    from filecmp import cmp
+
+    copies = ((file, folder / file.relative_to(VSPEC)) for file in VSPEC.rglob("*.vspec"))
+    return all(copy.is_file() and cmp(file, copy, shallow=False) for file, copy in copies)
 
 
 def with_additions(source: Source, project: Project) -> Source:

@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -17,8 +16,7 @@ POSTGRESQL = "postgresql://"
 """The begin of the URL of a PostgreSQL database."""
 
 
-@dataclass(frozen=True)
-class ServerUrl:
+class ServerUrl(NamedTuple):
     """The URL of a database on a server. It is shown without its password."""
 
     text: str

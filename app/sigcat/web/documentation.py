@@ -17,8 +17,12 @@ from sigcat.data import DOCUMENTATION
 INDEX = "README.md"
 _PARTS = {"tutorial": "Learn", "how-to": "Do", "reference": "Look up", "explanation": "Understand"}
 _OF_RULES = "reference/rules/"
+_MARK = re.compile(r"^<!-- .* -->$", re.MULTILINE)
+"""Marks around generated parts of a file."""
 _TITLE = re.compile(r'title="([^"]*)"')
 _MOST_HITS = 5
+_LONG = 19_000
+"""Characters of a chapter whose sections are folded: it would be taller than one reads at once."""
 
 
 class Section(NamedTuple):
@@ -78,7 +82,11 @@ def _every_section() -> tuple[Section, ...]:
 
 @lru_cache(maxsize=1_000)
 def _sections(name: str) -> tuple[Section, ...]:
-    return tuple(_sections_of(name, _markdown().parse((DOCUMENTATION / name).read_text("utf-8"))))
+    return tuple(_sections_of(name, _markdown().parse(_text_of(name))))
+
+
+def _text_of(name: str) -> str:
+    return _MARK.sub("", (DOCUMENTATION / name).read_text("utf-8"))
 
 
 def _sections_of(name: str, tokens: Sequence[Token]) -> Iterator[Section]:
@@ -102,16 +110,39 @@ def _anchor(title: str) -> str:
 @lru_cache(maxsize=32)
 def chapter_at(name: str, base: str) -> Chapter:
     """A chapter of `files()`; its links lead to pages below `base`."""
-    markdown = _markdown()
-    tokens = markdown.parse((DOCUMENTATION / name).read_text("utf-8"))
+    markdown, text = _markdown(), _text_of(name)
+    tokens = markdown.parse(text)
     sections = tuple(_sections_of(name, tokens))
     headings = (token for token in tokens if token.type == "heading_open")
     for heading, section in zip(headings, sections, strict=True):
         heading.attrSet("id", section.anchor)
     for token in tokens:
         _lead_on(token.children or [], name, base)
-    body = Markup(markdown.renderer.render(tokens, markdown.options, {}))  # noqa: S704 - HTML in Markdown is escaped
+    shown = list(_folded(tokens)) if len(text) > _LONG else tokens
+    body = Markup(markdown.renderer.render(shown, markdown.options, {}))  # noqa: S704 - HTML in Markdown is escaped
     return Chapter(sections[0].title if sections else name, sections, body)
+
+
+def _folded(tokens: Sequence[Token]) -> Iterator[Token]:
+    """Yield the tokens with each section folded. Its anchor is within: a link to it, or to a part of it, opens it."""
+    is_open, anchor = False, ""
+    for token in tokens:
+        if token.type == "heading_open" and token.tag == "h2":
+            anchor = str(token.attrs.pop("id"))
+            yield _html(f'{_END if is_open else ""}<details class="section"><summary>')
+            is_open = True
+        yield token
+        if token.type == "heading_close" and token.tag == "h2":
+            yield _html(f'</summary><div id="{escape(anchor)}">')
+    if is_open:
+        yield _html(_END)
+
+
+_END = "</div></details>"
+
+
+def _html(text: str) -> Token:
+    return Token("html_block", "", 0, content=text)
 
 
 def _lead_on(children: Sequence[Token], name: str, base: str) -> None:

@@ -1,7 +1,6 @@
 """FMUs in an importer of others (FMPy): what they send is what a simulation sends, bit for bit."""
 
 import csv
-import json
 import shlex
 import shutil
 import sys
@@ -11,7 +10,6 @@ from pathlib import Path
 import pytest
 
 from scripts.cases import ROOT, RUNS
-from sigcat.cli import main
 from sigcat.data import EXAMPLES
 from sigcat.runs.recording.cells import cell_of
 from tests.adapter.fmi.fmus import built, compare, differences, leaves_of, sampled, simulated, write_trace
@@ -50,6 +48,16 @@ def test_an_fmu_sends_what_a_simulation_sends(name, tmp_path):
         assert played(made, trace, step * MILLISECOND, 350 * MILLISECOND, tmp_path)
 
 
+def test_headers_in_folders_of_the_code_are_packed(tmp_path):
+    (tmp_path / "code").mkdir()
+    for name in ("averaging.c", "averaging.h"):
+        shutil.copy(AVERAGING.parent / name, tmp_path / "code")
+    text = AVERAGING.read_text().replace("[averaging.", "[code/averaging.")
+    (tmp_path / "function.yaml").write_text(text)
+    with zipfile.ZipFile(built([tmp_path / "function.yaml"], tmp_path).file) as file:
+        assert "sources/code/averaging.h" in file.namelist()
+
+
 @pytest.fixture(scope="module")
 def ecocontrol(tmp_path_factory):
     return built(
@@ -61,23 +69,6 @@ def ecocontrol(tmp_path_factory):
 def test_ecocontrol_at_each_step(ecocontrol, step, tmp_path):
     seconds = 7 if step == 1 else 70
     assert played(ecocontrol, EXAMPLES / "ecocontrol/drive.csv", step * MILLISECOND, seconds * 10**9, tmp_path) > 1000
-
-
-def test_each_function_has_an_fmu_and_the_system_connects_them(tmp_path):
-    paths = [str(EXAMPLES / name / "function.yaml") for name in ("core_acc", "eco_control_mpc")]
-    assert main(["integrate", "fmi", *paths, "-o", str(tmp_path / "fmi.json")]) == 0
-    document = json.loads((tmp_path / "fmi.json").read_text())
-    assert [each["Name"] for each in document["FmuList"]] == ["CoreAcc", "EcoControlMpc"]
-    connected = {(each["StartFmu"], each["EndFmu"], each["EndVariable"]) for each in document["ConnectionList"]}
-    assert ("EcoControlMpc", "CoreAcc", "Vehicle.ADAS.EcoControl.AccelerationProposal") in connected
-    assert main(["generate", "fmi", str(tmp_path / "fmi.json"), "-o", str(tmp_path / "made")]) == 0
-    system = tmp_path / "EcoControl.ssp"
-    with zipfile.ZipFile(system, "w") as file:
-        file.write(tmp_path / "made/SystemStructure.ssd", "SystemStructure.ssd")
-    from fmpy.ssp.ssd import read_ssd
-
-    read = read_ssd(str(system))
-    assert len(read.system.connections) == len(document["ConnectionList"])
 
 
 def test_an_fmu_without_sources_has_its_binary(tmp_path):

@@ -15,18 +15,22 @@ HERE = Path(__file__).parent
 CALLS = 1_000_000 if IS_SLOW_RUN else 100_000
 
 
-@pytest.fixture(scope="module", params=["steps", "clocks"])
+@pytest.fixture(scope="module", params=["steps", "clocks", "fmi2"])
 def fuzzed(request, tmp_path_factory):
     """A program with an FMU in it, the token of the FMU, and how it is used."""
     folder = tmp_path_factory.mktemp("fuzz")
-    interface = {"steps": "coSimulation", "clocks": "scheduledExecution"}[request.param]
-    (folder / "deployment.yaml").write_text(f"name: Fuzzed\nfmi: {{interface: {interface}}}\n")
+    settings = {"steps": "{}", "clocks": "{interface: scheduledExecution}", "fmi2": "{version: '2.0'}"}[request.param]
+    (folder / "deployment.yaml").write_text(f"name: Fuzzed\nfmi: {settings}\n")
     options = ["--deployment", str(folder / "deployment.yaml"), "-o", str(folder / "fmi.json")]
     assert main(["integrate", "fmi", str(HERE / "averaging/function.yaml"), *options]) == 0
     assert main(["generate", "fmi", str(folder / "fmi.json"), "-o", str(folder)]) == 0
     (fmu,) = json.loads((folder / "fmi.json").read_text())["FmuList"]
     sources = folder / fmu["Name"] / "sources"
-    files = [*sorted(sources.glob("*.c")), HERE / "averaging/averaging.c", HERE / "fuzz.c"]
+    files = [
+        *sorted(sources.glob("*.c")),
+        HERE / "averaging/averaging.c",
+        HERE / ("fuzz2.c" if request.param == "fmi2" else "fuzz.c"),
+    ]
     command = [
         "gcc",
         *SANITIZED,

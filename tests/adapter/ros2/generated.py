@@ -39,6 +39,12 @@ def full():
 
 
 @cache
+def bonded():
+    """The same with bonds."""
+    return files(integration(FULL / "function.yaml", deployment={"ros2": {"bond": True}}))
+
+
+@cache
 def small():
     """The workspace of functions that leave out almost everything, or have names that are easily taken."""
     return files(integration(*sorted(SMALL.glob("*.yaml")), deployment={"name": "Small"}))

@@ -2,14 +2,17 @@
 
 import importlib
 import json
+import subprocess
 import sys
 from types import ModuleType
 
 import pytest
 
 from sigcat.adapter.ros2.python.generate import SUPPORT
+from sigcat.adapter.toolchain import toolchain
 from tests.adapter.autosar_adaptive.application.generated import FULL
 from tests.adapter.ros2 import generated
+from tests.needs import c_compiler
 
 BONDED = {"ros2": {"bond": True}}
 
@@ -52,6 +55,74 @@ def test_the_manager_waits_for_bonds_of_nodes_that_were_built_with_them():
     assert "'bond_timeout': ParameterValue(LaunchConfiguration('bond_timeout'), value_type=float)" in launch
 
 
+HEADERS = {
+    "bondcpp/bond.hpp": """
+#include <cstdio>
+#include <memory>
+#include "rclcpp_lifecycle/lifecycle_node.hpp"
+namespace bond {
+namespace msg { struct Constants { static inline const std::string DISABLE_HEARTBEAT_TIMEOUT_PARAM = "disabled"; }; }
+struct Bond {
+  Bond(const char *, const char * name, rclcpp_lifecycle::LifecycleNode::SharedPtr) { std::printf("bond %s\\n", name); }
+  ~Bond() { std::puts("gone"); }
+  void setHeartbeatPeriod(double) {}
+  void setHeartbeatTimeout(double) {}
+  void start() {}
+  void breakBond() { std::puts("broken"); }
+};
+}
+""",
+    "rclcpp_lifecycle/lifecycle_node.hpp": """
+#pragma once
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+struct Context {
+  std::map<int, std::function<void()>> callbacks;
+  int add_pre_shutdown_callback(std::function<void()> callback) { callbacks[1] = callback; return 1; }
+  bool remove_pre_shutdown_callback(int handle) { return callbacks.erase(handle) > 0; }
+};
+namespace rclcpp_lifecycle {
+struct LifecycleNode {
+  using SharedPtr = std::shared_ptr<LifecycleNode>;
+  std::shared_ptr<Context> context = std::make_shared<Context>();
+  LifecycleNode * get_node_base_interface() { return this; }
+  std::shared_ptr<Context> get_context() { return context; }
+  bool has_parameter(const std::string &) { return false; }
+  void declare_parameter(const std::string &, bool) {}
+  const char * get_name() { return "full"; }
+};
+}
+""",
+}
+"""The parts of bondcpp and rclcpp that the source of bonds uses."""
+
+PROGRAM = """
+#include <cstdio>
+#include "full/bond.hpp"
+int main() {
+  const auto node = std::make_shared<rclcpp_lifecycle::LifecycleNode>();
+  auto bond = full::bond_with_manager(node);
+  node->context->callbacks.at(1)();
+  bond.reset();
+  std::printf("%zu\\n", node->context->callbacks.size());
+}
+"""
+
+
+@c_compiler
+def test_a_node_in_cpp_breaks_its_bond_before_its_context_ends(tmp_path):
+    made = generated.files(document(BONDED))
+    headers = {**HEADERS, "full/bond.hpp": made["full/include/full/bond.hpp"]}
+    sources = {"bond.cpp": made["full/src/bond.cpp"], "main.cpp": PROGRAM}
+    generated.write({**headers, **sources}, tmp_path)
+    command = [*toolchain().cpp, "-std=c++17", "-DHAS_BONDCPP", f"-I{tmp_path}", *(tmp_path / each for each in sources)]
+    subprocess.run([*command, "-o", tmp_path / "program"], check=True)
+    done = subprocess.run([tmp_path / "program"], check=True, capture_output=True, text=True)
+    assert done.stdout.split("\n") == ["bond full", "broken", "gone", "0", ""]
+
+
 @pytest.mark.parametrize(("release", "is_there"), [("jazzy", True), ("humble", False)])
 def test_the_python_package_depends_on_bondpy_where_a_release_has_it(release, is_there):
     made = generated.files(document(BONDED), release)
@@ -63,6 +134,11 @@ class Node:
 
     def __init__(self):
         self.done = []
+        self.context = self
+        self.is_ok = True
+
+    def ok(self):
+        return self.is_ok
 
     def get_name(self):
         return "full"
@@ -85,6 +161,7 @@ class Bond:
 
     sub, pub = "subscription", "publisher"
     heartbeat_period = 0.0
+    is_shutdown = False
 
     def __init__(self, node, topic, name):
         self.node, self.names = node, (topic, name)
@@ -95,10 +172,18 @@ class Bond:
     def shutdown(self):
         self.node.done.append("no bond")
 
+    def break_bond(self):
+        self.node.done.append("broken")
+
+    def wait_until_broken(self, timeout):
+        self.node.done.append(timeout)
+
 
 def bonded_node(monkeypatch, bondpy):
     """The class of the shipped module, over a node and a bondpy that need no ROS 2."""
-    monkeypatch.setitem(sys.modules, "bondpy", ModuleType("bondpy"))
+    for name in ("bondpy", "rclpy", "rclpy.duration"):
+        monkeypatch.setitem(sys.modules, name, ModuleType(name))
+    monkeypatch.setattr(sys.modules["rclpy.duration"], "Duration", lambda seconds: seconds, raising=False)
     monkeypatch.setitem(sys.modules, "bondpy.bondpy", bondpy)
     support, base = ModuleType("support"), ModuleType("support.function_node")
     support.__path__ = [str(SUPPORT)]
@@ -119,6 +204,31 @@ def test_a_node_in_python_has_a_bond_while_its_calls_run(monkeypatch):
     node._stop()
     end = ["no bond", "no subscription", "no publisher", "no calls", "no calls"]
     assert node.done == ["calls", ("bond", "full", 0.1), *end]
+
+
+def test_a_node_in_python_breaks_its_bond_before_its_context_ends(monkeypatch):
+    bondpy = ModuleType("bondpy.bondpy")
+    monkeypatch.setattr(bondpy, "Bond", Bond, raising=False)
+    node = bonded_node(monkeypatch, bondpy)
+    node.prepare_end()
+    node._start_calls()
+    bond = node._bond
+    node.prepare_end()
+    node.is_ok = False
+    node._stop()
+    assert node.done == ["calls", ("bond", "full", 0.1), "broken", 0.1, "no calls"]
+    assert bond.is_shutdown
+
+
+def test_a_node_in_python_ends_without_a_message_if_its_context_has_ended(monkeypatch):
+    bondpy = ModuleType("bondpy.bondpy")
+    monkeypatch.setattr(bondpy, "Bond", Bond, raising=False)
+    node = bonded_node(monkeypatch, bondpy)
+    node._start_calls()
+    bond, node.is_ok = node._bond, False
+    node._stop()
+    assert node.done == ["calls", ("bond", "full", 0.1), "no calls"]
+    assert bond.is_shutdown
 
 
 def test_a_node_in_python_runs_without_bondpy(monkeypatch):

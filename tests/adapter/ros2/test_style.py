@@ -5,7 +5,7 @@ import subprocess
 import pytest
 
 from scripts import ros2_environment
-from tests.adapter.ros2.generated import ecocontrol, full, small, storing, write
+from tests.adapter.ros2.generated import bonded, ecocontrol, full, small, storing, write
 from tests.needs import ros2, sampled
 from tests.reference_tools import checked_with
 
@@ -23,7 +23,7 @@ LINTERS = {
 
 @checked_with("ament", "Packages have no findings of the linters of ROS 2")
 @pytest.mark.parametrize("linter", LINTERS)
-@pytest.mark.parametrize("workspace", sampled([ecocontrol, full, small, storing], usual=[ecocontrol]))
+@pytest.mark.parametrize("workspace", sampled([ecocontrol, full, small, storing, bonded], usual=[ecocontrol, bonded]))
 def test_a_linter_has_nothing_to_say(linter, workspace, tmp_path):
     write(workspace(), tmp_path)
     patterns = LINTERS[linter].split()

@@ -77,3 +77,15 @@ def parameter(**more):
         "Default": 0, "InitValue": 0, "RangeErrorAction": "Default", "Interfacetype": "Calibration",
         "Attribute": "Normal", "Units": "", **more,
     }  # fmt: skip
+
+
+def scaled_array() -> FunctionJson:
+    """A function whose code takes an array of the catalogue's floats as scaled integers."""
+    numbers = {"typeRef": "DT_UInt16", "category": "primitive", "cDef": "uint16_t"}
+    array = {
+        "typeRef": "DT_UInt16Array4", "category": "userdefined", "cDef": "uint16_t[4]", "Kind": "array",
+        "ElementType": "DT_UInt16", "Length": 4,
+    }  # fmt: skip
+    cells = signal("Cells", Datatype="DT_UInt16Array4", Factor="0.001", VssPath="Vehicle.Cells", VssDatatype="float[]")
+    made: FunctionJson = function(signals=[cells], datatypes=[numbers, array])
+    return made

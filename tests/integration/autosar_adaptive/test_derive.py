@@ -10,7 +10,16 @@ from sigcat.function.document.text import Text
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import integration_schema, to_json
 from tests.integration.autosar_adaptive.derived import events, rules, services
-from tests.integration.autosar_adaptive.sets import at, deployed, derive, example, examples, function, signal
+from tests.integration.autosar_adaptive.sets import (
+    at,
+    deployed,
+    derive,
+    example,
+    examples,
+    function,
+    scaled_array,
+    signal,
+)
 from tests.published.schemas import schema
 from tests.reference_tools import checked_with
 
@@ -230,3 +239,12 @@ def test_arrays_of_texts_and_structs_validate_under_the_published_schema():
     entry = model.datatypes[0]
     assert (entry.kind, entry.dimension, entry.element) == ("array", "dynamic", "string")
     jsonschema.Draft202012Validator(schema("autosar_adaptive")).validate(json.loads(to_json(model)))
+
+
+def test_an_array_is_sent_with_the_elements_of_the_catalogue():
+    model = derive([scaled_array()]).model
+    (event,) = events(model).values()
+    assert event.datatype == "DT_Float32Array4"
+    assert model.datatypes is not None
+    (entry,) = (each for each in model.datatypes if each.name == event.datatype)
+    assert (entry.kind, entry.dimension, entry.element, entry.vss_datatype) == ("array", 4, "float", "float[]")

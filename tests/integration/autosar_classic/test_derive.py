@@ -16,7 +16,7 @@ from sigcat.integration.autosar_classic.model import integration_schema, to_json
 from sigcat.integration.report import NOT_CARRIED
 from sigcat.platforms.deployment_file import read_deployment
 from tests.growth import LINEAR, growth
-from tests.integration.autosar_adaptive.sets import at, deployed, examples, function, parameter, signal
+from tests.integration.autosar_adaptive.sets import at, deployed, examples, function, parameter, scaled_array, signal
 from tests.integration.autosar_classic.classic import (
     accesses,
     component,
@@ -55,6 +55,11 @@ def test_what_is_written_is_read_again_and_fits_its_schema(whole):
 
 def test_each_function_is_carried_whole(whole):
     assert whole.functions == tuple(examples())
+
+
+def test_an_array_is_sent_with_the_elements_of_the_catalogue():
+    types = {each.name: each for each in derive([scaled_array()]).model.implementation_types}
+    assert (types["DT_Float32Array4"].element, types["DT_Float32Array4"].length) == ("float32", 4)
 
 
 def test_ten_times_the_signals_take_about_ten_times_as_long():

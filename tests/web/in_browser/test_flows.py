@@ -196,6 +196,14 @@ def test_a_link_to_a_schema_opens_it(open_page: Opener, use: Use) -> None:
     expect(page.locator("#schema-Catalogue")).to_be_hidden()
 
 
+@pytest.mark.parametrize("has_scripts", [True, False])
+def test_a_link_to_a_section_of_a_long_chapter_opens_it(open_page: Opener, *, has_scripts: bool) -> None:
+    page = open_page("/docs/reference/command-line.md", java_script_enabled=has_scripts)
+    expect(page.locator("details.section[open]")).to_have_count(0)
+    page.get_by_role("link", name="sigcat diff").first.click()
+    expect(page.locator("details.section[open] > div")).to_have_id("sigcat-diff")
+
+
 def test_a_signal_in_a_diagram_leads_to_its_node(open_page: Opener) -> None:
     page = open_page("/functions/core_acc?catalogue=interfaces")
     page.locator(".picture").get_by_role("link", name="Chassis.Brake.CylP").click()

@@ -2,7 +2,8 @@
 
 import hashlib
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import NamedTuple
@@ -23,13 +24,21 @@ from sigcat.integration.application import Application, application, joined
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.fmi.bus import FmuBus
-from sigcat.integration.fmi.model import EnumerationItem, FmiIntegration, Fmu, FmuClock, FmuConnection, FmuVariable
+from sigcat.integration.fmi.model import (
+    Causality,
+    EnumerationItem,
+    FmiIntegration,
+    Fmu,
+    FmuClock,
+    FmuConnection,
+    FmuVariable,
+)
 from sigcat.integration.fmi.settings import NO_SETTINGS, FmiSettings
 from sigcat.integration.report import Entry, FieldTarget, entries
 
 SCHEMA_VERSION = "1.0.0"
 _DEFAULT_STEP_MS = 10
-_LONGEST_NAME = 100
+LONGEST_NAME = 100
 
 
 class Derived(NamedTuple):
@@ -85,9 +94,9 @@ def units_of(
     members = [Member(each, one.plan, Path()) for each, one in zip(functions, planned, strict=True)]
     if set_name is not None:
         connections = connect(members)
-        return (Unit(identifier(set_name)[:_LONGEST_NAME], connections, layout(connections)),)
+        return (Unit(identifier(set_name)[:LONGEST_NAME], connections, layout(connections)),)
     alone = [connect([member]) for member in members]
-    return tuple(Unit(each.members[0].name[:_LONGEST_NAME], each, layout(each)) for each in alone)
+    return tuple(Unit(each.members[0].name[:LONGEST_NAME], each, layout(each)) for each in alone)
 
 
 def _buses(units: Sequence[Unit], settings: FmiSettings, findings: FindingCollector) -> Mapping[str, FmuBus | None]:
@@ -148,22 +157,46 @@ def _variable(index: int, each: Variable) -> FmuVariable:
 
 
 def _connections(units: Sequence[Unit], buses: Mapping[str, FmuBus | None]) -> Iterator[FmuConnection]:
-    """Outputs of one FMU, and the inputs of others that have their names."""
-    hidden = {name: bus.hidden if bus else frozenset[int]() for name, bus in buses.items()}
-    shown = {
-        unit.name: [each for number, each in enumerate(unit.layout.variables) if number not in hidden[unit.name]]
-        for unit in units
-    }
-    outputs = {
-        each.name: (unit.name, each) for unit in units for each in shown[unit.name] if each.causality == "output"
-    }
-    for unit in units:
-        for each in shown[unit.name]:
-            found = outputs.get(each.name) if each.causality == "input" else None
-            if found and found[0] != unit.name and (found[1].type, found[1].length) == (each.type, each.length):
-                yield FmuConnection(
-                    start_fmu=found[0], start_variable=each.name, end_fmu=unit.name, end_variable=each.name
-                )
+    """Outputs of one FMU, and the inputs of others that get them in a set."""
+    whole = connect([member for unit in units for member in unit.connections.members])
+    exits, entries = _numbered(each.member for each in whole.exits), _numbered(each.member for each in whole.entries)
+    connected: set[tuple[str, str]] = set()
+    for number, targets in enumerate(whole.routes if len(units) > 1 else ()):
+        source, sent = exits[number]
+        outputs = _shown(units[source], "output", sent, buses)
+        for target in targets:
+            end, entry = entries[target]
+            received = units[end].layout.inputs[entry].variable
+            for start, stop in zip(outputs, _shown(units[end], "input", received, buses), strict=False):
+                is_alike = (start.type, start.length) == (stop.type, stop.length)
+                if end != source and is_alike and (units[end].name, stop.name) not in connected:
+                    connected.add((units[end].name, stop.name))
+                    yield FmuConnection(
+                        start_fmu=units[source].name,
+                        start_variable=start.name,
+                        end_fmu=units[end].name,
+                        end_variable=stop.name,
+                    )
+
+
+def _numbered(members: Iterable[int]) -> list[tuple[int, int]]:
+    """Return for each part of a set its function, and its number among the parts of this function."""
+    seen: Counter[int] = Counter()
+    numbered = []
+    for member in members:
+        numbered.append((member, seen[member]))
+        seen[member] += 1
+    return numbered
+
+
+def _shown(unit: Unit, causality: Causality, owner: int, buses: Mapping[str, FmuBus | None]) -> list[Variable]:
+    """Return the variables of an input or output, unless the bus replaces them."""
+    bus = buses[unit.name]
+    return [
+        each
+        for number, each in enumerate(unit.layout.variables)
+        if (each.causality, each.owner) == (causality, owner) and not (bus and number in bus.hidden)
+    ]
 
 
 def _meta(app: Application) -> MetaInfo:

@@ -4,7 +4,7 @@ A build finds the code of functions by the settings of CMake that other platform
 """
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
@@ -12,12 +12,15 @@ from pydantic import BaseModel
 
 from sigcat import codes
 from sigcat.adapter.core.generate import RUNTIME_SOURCE, all_files
+from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.plan import CorePlan
 from sigcat.adapter.files import GeneratedFile, shipped, within
 from sigcat.adapter.fmi.bus.formula import OPERATIONS, in_c
 from sigcat.adapter.fmi.bus.plan import bus_plan
 from sigcat.adapter.fmi.clocks import clocks_of, is_inside
-from sigcat.adapter.fmi.derive import Unit, units_of
+from sigcat.adapter.fmi.dependencies import dependencies
+from sigcat.adapter.fmi.derive import LONGEST_NAME, Unit, units_of
+from sigcat.adapter.fmi.units import FmiUnit, fmi_units
 from sigcat.adapter.fmi.variables import Variable
 from sigcat.adapter.host.glue import HOST_HEADER, glue_file
 from sigcat.adapter.host.numbering import numbers_of
@@ -35,6 +38,7 @@ from sigcat.limits import Limits
 
 _C = Path(__file__).with_name("c")
 _C2 = Path(__file__).with_name("c2")
+_ICON = Path(__file__).with_name("icon.png")
 _C_BUS = Path(__file__).parent / "bus" / "c"
 _BUS_VARIABLES = ("Rx_Clock", "Rx_Data", "Tx_Clock", "Tx_Data")
 _CPP = frozenset((".cc", ".cpp", ".cxx", ".c++", ".C"))
@@ -88,9 +92,21 @@ class _FmuPlan(NamedTuple):
     """Names of the variables of its bus, in the order of their value references."""
     hidden: frozenset[int]
     """Value references of variables that are only on the bus."""
-    units: tuple[str, ...]
+    units: tuple[FmiUnit, ...]
+    measured: tuple[tuple[str, FmiUnit], ...]
+    """Datatypes with units of its variables, each once."""
+    enumerations: tuple[FmuVariable, ...]
+    depends: Mapping[int, tuple[int, ...]]
+    """Value references on which each output depends."""
     languages: tuple[tuple[str, tuple[str, ...]], ...]
     """Languages, as FMI names them, and the sources in each."""
+
+
+class _Outside(NamedTuple):
+    """A variable that the system gets from outside or sends there, and the FMUs that have it."""
+
+    variable: FmuVariable
+    fmus: tuple[str, ...]
 
 
 class _ProjectPlan(NamedTuple):
@@ -99,6 +115,11 @@ class _ProjectPlan(NamedTuple):
     model: FmiIntegration
     fmus: tuple[_FmuPlan, ...]
     languages: str
+    units: tuple[FmiUnit, ...]
+    system_name: str
+    """Name of the package of the system, without its ending."""
+    outside: tuple[_Outside, ...]
+    """Connectors of the system."""
 
 
 @collector_paused()
@@ -115,7 +136,10 @@ def generate(data: bytes, name: str, limits: Limits) -> tuple[GeneratedFile, ...
         _check(model, units)
     fmus = tuple(_plan(fmu, unit, model) for fmu, unit in zip(model.fmus, units, strict=True))
     languages = "C CXX" if any(each.is_cpp for each in fmus) else "C"
-    project = _ProjectPlan(model, fmus, languages)
+    of_all = fmi_units(each.name for plan in fmus for each in plan.units)
+    project = _ProjectPlan(
+        model, fmus, languages, of_all, identifier(model.info.function_name)[:LONGEST_NAME], _outside(model, fmus)
+    )
     return (
         _file("CMakeLists.txt", project),
         _file("README.md", project),
@@ -147,6 +171,23 @@ def report(data: bytes, name: str, limits: Limits) -> tuple[Entry, ...]:
         system = FieldTarget("SystemStructure.ssd")
         made += entries(one.end_fmu, one.end_variable, "connection", one, dict.fromkeys(_aliases(one), system))
     return tuple(made)
+
+
+def _outside(model: FmiIntegration, fmus: Sequence[_FmuPlan]) -> tuple[_Outside, ...]:
+    """Return outputs, and inputs that no FMU of the system sends; those of one name and datatype are one."""
+    inside = {(each.end_fmu, each.end_variable) for each in model.connections}
+    found: dict[str, _Outside] = {}
+    for causality in ("output", "input"):
+        for plan in fmus:
+            for each in plan.fmu.variables:
+                name = plan.fmu.name
+                if each.causality != causality or each.reference in plan.hidden or (name, each.name) in inside:
+                    continue
+                known = found.setdefault(each.name, _Outside(each, ()))
+                is_alike = (known.variable.type, known.variable.length) == (each.type, each.length)
+                if not known.fmus or (causality == known.variable.causality == "input" and is_alike):
+                    found[each.name] = known._replace(fmus=(*known.fmus, name))
+    return tuple(found.values())
 
 
 def _bus_parts(fmu: Fmu) -> Iterator[tuple[str, BaseModel]]:
@@ -222,6 +263,9 @@ def _plan(fmu: Fmu, unit: Unit, model: FmiIntegration) -> _FmuPlan:
     for entry, place in zip(connections.entries, layout.inputs, strict=True):
         inputs.append((entry.member, seen[entry.member], *place))
         seen[entry.member] += 1
+    shown = [each for each in fmu.variables if fmu.bus is None or each.reference not in fmu.bus.hidden]
+    units = {each.name: each for each in fmi_units(each.unit for each in fmu.variables if each.unit)}
+    measured = dict.fromkeys((each.type, each.unit) for each in shown if each.unit and each.type.startswith("Float"))
     has_globals = any(each.has_globals for each in plans)
     is_cpp = any(each.code.is_cpp for each in plans)
     sources = tuple(_source(each, is_alone=len(plans) == 1) for each in plans)
@@ -237,7 +281,10 @@ def _plan(fmu: Fmu, unit: Unit, model: FmiIntegration) -> _FmuPlan:
         languages=tuple(_languages(sources, model, has_bus=fmu.bus is not None)),
         bus_variables=_BUS_VARIABLES if fmu.bus is not None else (),
         hidden=fmu.bus.hidden if fmu.bus is not None else frozenset(),
-        units=tuple(dict.fromkeys(each.unit for each in fmu.variables if each.unit)),
+        units=tuple(units.values()),
+        measured=tuple((name, units[unit]) for name, unit in measured if unit),
+        enumerations=tuple(each for each in shown if each.items),
+        depends=dependencies(connections, layout),
     )  # fmt: skip
 
 
@@ -266,12 +313,15 @@ def _sizes(unit: Unit) -> Iterator[int]:
 def _source(plan: CorePlan, *, is_alone: bool) -> _Source:
     root = () if is_alone else ("code", plan.function)
     code = [(each, _inside(each, root)) for each in plan.code.sources]
+    around = (str(PurePosixPath(each).parent) for each in (*plan.code.sources, *plan.code.headers))
     return _Source(
         name=plan.function,
         origin=plan.provenance.text,
         setting=plan.code_setting,
         code=tuple((each, inside, str(PurePosixPath(inside).parent)) for each, inside in code),
-        folders=tuple((each, _inside(each, root)) for each in dict.fromkeys((".", *plan.code.include_folders))),
+        folders=tuple(
+            (each, _inside(each, root)) for each in dict.fromkeys((".", *plan.code.include_folders, *around))
+        ),
         definitions=plan.code.definitions,
         generated=(plan.source_file, f"{plan.function}_driver.{plan.code.ending}"),
     )
@@ -286,8 +336,14 @@ def _inside(path: str, root: tuple[str, ...]) -> str:
 def _files(plan: _FmuPlan, unit: Unit) -> Iterator[GeneratedFile]:
     yield _description(plan)
     yield _file("documentation/index.html", plan)
-    if plan.fmu.bus is not None:
+    yield _file("documentation/licenses/license.html", plan)
+    icon = _ICON.read_bytes()
+    if plan.model.version:
+        yield GeneratedFile("model.png", icon)
+    else:
+        yield GeneratedFile("terminalsAndIcons/icon.png", icon)
         yield _file("terminalsAndIcons/terminalsAndIcons.xml", plan)
+    if plan.fmu.bus is not None:
         yield _file("extra/org.fmi-standard.fmi-ls-bus/fmi-ls-manifest.xml", plan)
     numbers = numbers_of(unit.connections)
     sources: list[GeneratedFile] = [

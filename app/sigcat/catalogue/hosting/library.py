@@ -88,8 +88,10 @@ class Library:
     def reload(self, catalogue_id: str) -> Hosted:
         """Read a catalogue's files again. With errors in them, the last good state stays, and `rejected` says why."""
         with self._lock:
-            hosted = self._reloaded(self.get(catalogue_id))
-            _log_state(hosted)
+            before = self.get(catalogue_id)
+            hosted = self._reloaded(before)
+            if hosted.rejected or before.rejected or hosted.catalogue is not before.catalogue:
+                _log_state(hosted)  # a folder also changes with files that are not of the catalogue
             hosted = hosted if hosted.rejected else hosted._replace(rejected=self._refused)
             self._hosted = {**self._hosted, catalogue_id: hosted}
         return hosted

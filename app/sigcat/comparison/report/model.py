@@ -262,8 +262,15 @@ class Target(Part):
     wanted: str
     measured: str
     holds: bool | None
-    """None: not measured."""
+    """None: not measured, or with too few figures."""
     note: str = ""
+
+    @property
+    def verdict(self) -> Literal["pass", "fail", "inconclusive", "not measured"]:
+        """Whether the criterion passes; with too few figures it is inconclusive."""
+        if self.holds is None:
+            return "inconclusive" if self.measured else "not measured"
+        return "pass" if self.holds else "fail"
 
 
 class PaperFigure(Part):

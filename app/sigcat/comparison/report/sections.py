@@ -1,6 +1,6 @@
 """Sections of a report, with sentences, tables and pictures: Markdown and HTML show the same."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Literal, NamedTuple
 
 from sigcat.comparison.report.drawing import Mark, Row, distributions, traces
@@ -84,14 +84,11 @@ def _table(title: str, head: str, rows: Sequence[tuple[Cell, ...]], *, is_shown:
     return (Table(title, tuple(head.split("|")), tuple(rows), is_shown),) if rows else ()
 
 
-_HOLDS = {True: Cell("pass", "good"), False: Cell("fail", "bad")}
+_TONES: Mapping[bool | None, Tone] = {True: "good", False: "bad", None: "muted"}
 
 
 def _held(target: Target) -> Cell:
-    """Return whether a criterion passes; with too few figures it is inconclusive."""
-    if target.holds is not None:
-        return _HOLDS[target.holds]
-    return Cell("inconclusive" if target.measured else "not measured", "muted")
+    return Cell(target.verdict, _TONES[target.holds])
 
 
 def _targets(report: Report) -> Section:

@@ -12,7 +12,7 @@ from sigcat.function.function_json.walk import data
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.model import StructField, Symbol, TypeEntry
 from sigcat.integration.autosar_names import distinct, short_name
-from sigcat.integration.datatypes import BY_VSS, of_reference
+from sigcat.integration.datatypes import BY_VSS, of_reference, with_catalogue_elements
 from sigcat.integration.finding_collector import Subject
 
 _STORAGE = "uint8"
@@ -44,11 +44,15 @@ class TypeTable:
         return datatype.c_definition if datatype else None
 
     def on_the_wire(self, function: FunctionJson, reference: str, vss_datatype: str | None) -> str:
-        """Return the datatype on the wire: the catalogue's, if it is a primitive; else the function's."""
-        datatype = self._datatypes(function).get(reference)
+        """Return the datatype on the wire: the catalogue's, if it is a primitive or an array of them; else the function's."""
+        known = self._datatypes(function)
+        datatype = known.get(reference)
         if (datatype is None or not datatype.kind) and vss_datatype in BY_VSS:
             return BY_VSS[vss_datatype].adaptive
-        return self.word(function, reference)
+        sent = datatype and with_catalogue_elements(datatype, vss_datatype, known)
+        if sent is None or sent is datatype:
+            return self.word(function, reference)
+        return self._add(self._entry(function, sent), function)
 
     def symbols_of_code(self, function: FunctionJson, reference: str) -> tuple[Symbol, ...]:
         """Names and numbers of an enumeration, or of the elements of an array, as the code has them."""

@@ -73,11 +73,18 @@ def bag_files(path: Path, folder: Path) -> tuple[BagFile, ...]:
 
     Raises InputRefused, UsageError for a bag that is stored in another way, or NoRoom.
     """
+    paths, counted = _described(path) if path.is_dir() else ((path,), frozenset())
     found = []
-    for index, each in enumerate(_paths(path)):
+    for index, each in enumerate(paths):
         file = _unpacked(each, folder / f"{index}{SUFFIX}") if _begins(each, _ZSTD) else each
         with _damages(each):
             found.append(_sqlite_file(file) if _begins(file, _SQLITE) else _mcap_file(file))
+    absent = sorted(counted - {topic.name for file in found for topic in file.topics})
+    if absent:
+        message = (
+            f"{METADATA} counts messages of {', '.join(map(shown, absent))}, and no file of the bag has this topic."
+        )
+        raise refused_trace(path / METADATA, message, f"{_AGAIN} If the topic is not needed, run `ros2 bag reindex`.")
     return tuple(sorted(found, key=lambda each: each.first))
 
 
@@ -112,15 +119,20 @@ def _push(heads: list[_Head], number: int, stream: Iterator[Message]) -> None:
 # -- the folder ---------------------------------------------------------------------------------------------------
 
 
-def _paths(path: Path) -> tuple[Path, ...]:
-    if not path.is_dir():
-        return (path,)
+def _described(path: Path) -> tuple[tuple[Path, ...], frozenset[str]]:
+    """Return the files of a bag, and the topics in CDR that have messages by its metadata."""
     if not (path / METADATA).is_file():
         raise UsageError(f"{path}: the bag has no {METADATA}. {_REINDEX}")
     try:
         described = yaml.safe_load((path / METADATA).read_bytes())["rosbag2_bagfile_information"]
         storage, names = str(described["storage_identifier"]), list(map(str, described["relative_file_paths"]))
         compression = str(described.get("compression_format") or "zstd")
+        counts = [
+            (each["topic_metadata"], each["message_count"]) for each in described.get("topics_with_message_count") or ()
+        ]
+        counted = frozenset(
+            str(topic["name"]) for topic, count in counts if topic["serialization_format"] == CDR and count
+        )
     except (yaml.YAMLError, UnicodeDecodeError, KeyError, TypeError, AttributeError, RecursionError):
         raise refused_trace(path / METADATA, f"{METADATA} must be that of a bag of ROS 2.", _REINDEX) from None
     if storage not in _STORAGES:
@@ -134,7 +146,7 @@ def _paths(path: Path) -> tuple[Path, ...]:
     for name in names:
         if not (path / Path(name).name).is_file():
             raise UsageError(f"{path / METADATA}: the file {shown(name)} must be in the folder of the bag. {_REINDEX}")
-    return tuple(dict.fromkeys(path / Path(name).name for name in names))
+    return tuple(dict.fromkeys(path / Path(name).name for name in names)), counted
 
 
 def _begins(path: Path, magic: bytes) -> bool:

@@ -137,7 +137,11 @@ class McapFile:
             kind, length = _RECORD.unpack(head)
             end = at + _RECORD.size + length
             is_whole = end <= size
-            if not is_whole or kind == _FOOTER:
+            if is_whole and kind == _FOOTER:
+                file.seek(end)
+                is_whole = file.read(len(_MAGIC)) == _MAGIC
+                break
+            if not is_whole:
                 break
             if kind == CHANNEL:
                 self.add_channel(file.read(length))

@@ -1,19 +1,21 @@
 """Changes of the registry in the browser: publish files, decide about pending versions, end versions, send events again."""
 
 import datetime as dt
+from functools import partial
 from http import HTTPStatus
 from typing import TYPE_CHECKING
 
 from fastapi import APIRouter, Request
 from fastapi.responses import RedirectResponse, Response
 
+from sigcat.api.answers.problems import problem_from
 from sigcat.api.middleware.registry_access import author_of
 from sigcat.api.requests.dependencies import TheSettings, TheWorkQueue
 from sigcat.api.requests.hosted_registry import HostedRegistry, TheRegistry
 from sigcat.api.requests.thread_turns import InThread, in_thread
 from sigcat.api.routes.registry_writing import in_turn
 from sigcat.catalogue.hosting.library import Library
-from sigcat.errors import UsageError
+from sigcat.errors import InputRefused, UsageError
 from sigcat.limits import REGISTRY_REQUEST_SECONDS, Limits
 from sigcat.names import either
 from sigcat.web.forms import Form, form_catalogue
@@ -30,7 +32,7 @@ router = APIRouter(route_class=InThread)
 @router.get("/registry/publish")
 def show_publish(visit: RegistryVisit, _: SignedIn) -> Response:
     """The form for files."""
-    return page_for(visit, "registry_publish.html", outcomes=None)
+    return page_for(visit, "registry_publish.html", outcomes=None, problem=None, form=Form(()))
 
 
 @router.post("/registry/publish", dependencies=[OwnSite])
@@ -43,16 +45,23 @@ async def publish_files(
     session: SignedIn,
     form: SignedForm,
 ) -> Response:
-    """Publish all files of the form, or none, and list what became of them."""
+    """Publish all files of the form, or none, and list what became of them. A refused form keeps its values."""
     from sigcat.registry.publish import publish
     from sigcat.registry.storing.entry import now
 
     author = author_of(session.token, "publish")
     owner = field(form, "owner") or author.owner
-    candidates = await queue.run(_candidates, form, visit.library, field(form, "version"), owner, settings.limits)
-    is_draft = bool(form.last("draft"))
-    receipt = await in_turn(request, lambda: publish(registry.written_by(author), candidates, is_draft=is_draft))
-    return await in_thread(request, page_for, visit, "registry_publish.html", outcomes=receipt.outcomes, now=now())
+    version, is_draft = field(form, "version"), bool(form.last("draft"))
+    try:
+        candidates = await queue.run(_candidates, form, visit.library, version, owner, settings.limits)
+        receipt = await in_turn(request, lambda: publish(registry.written_by(author), candidates, is_draft=is_draft))
+    except (InputRefused, UsageError) as error:
+        problem = problem_from(error)
+        return await in_thread(
+            request, page_for, visit, "registry_publish.html", problem.status, outcomes=None, problem=problem, form=form
+        )
+    published = partial(page_for, outcomes=receipt.outcomes, problem=None, form=Form(()), now=now())
+    return await in_thread(request, published, visit, "registry_publish.html")
 
 
 @router.post("/registry/decide", dependencies=[OwnSite])

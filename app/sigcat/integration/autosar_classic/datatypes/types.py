@@ -13,7 +13,7 @@ from sigcat.function.function_json.type_list import smallest_integer
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import Context
 from sigcat.integration.autosar_names import distinct, short_name
-from sigcat.integration.datatypes import BY_VSS, of_reference
+from sigcat.integration.datatypes import BY_VSS, of_reference, with_catalogue_elements
 from sigcat.integration.finding_collector import Subject
 
 Scaled = Signal | DataQueue | ParameterInterface
@@ -78,7 +78,10 @@ class TypeTable:
         datatype = self.datatypes(function).get(interface.datatype)
         if (datatype is None or not datatype.kind) and interface.vss_datatype in BY_VSS:
             return self.primitive(interface.vss_datatype)
-        return self.of_reference(function, interface.datatype, interface.vss_symbols, interface.vss_datatype)
+        sent = datatype and with_catalogue_elements(datatype, interface.vss_datatype, self.datatypes(function))
+        if sent is None or sent is datatype:
+            return self.of_reference(function, interface.datatype, interface.vss_symbols, interface.vss_datatype)
+        return self._add(self._array(function, sent, None, None), function)
 
     def numbers(self, function: FunctionJson, interface: Scaled) -> tuple[Mapping[int, str], Mapping[str, int]] | None:
         """Return the names of an enumeration's numbers in the code, and the numbers that are sent for these names."""

@@ -16,7 +16,7 @@ namespace player {
 
 constexpr std::size_t kMostSamples = 64;
 
-/// What was heard before.
+/// What was heard before, and the text that was recorded last.
 struct Heard final {
     bool is_first{true};
     std::string text;
@@ -30,11 +30,11 @@ void Hear(ara::log::Logger& logger, Event& event, const char* name, Recorder& re
             if (!application::IsAccepted(sample.GetProfileCheckStatus(), false, heard->is_first)) {
                 return;
             }
+            heard->is_first = false;
             const std::string text = Text(*sample);
-            if (heard->is_first || !is_repeated || text != heard->text) {
-                recorder.Take(name, text, sample.BenchSentAt());
+            if ((!is_repeated || text != heard->text) && recorder.Take(name, text, sample.BenchSentAt())) {
+                heard->text = text;
             }
-            *heard = {false, text};
         }));
     });
     const auto subscribed = event.Subscribe(kMostSamples);

@@ -28,7 +28,8 @@ public:
     void BeginNow(double speed = 1.0);  // and times are those of the clock from then on, so many times faster
     void SetTime(std::uint64_t time);
     /// `sent_at` is a time of the steady clock, if the sender tells it: then that is the time of the value.
-    void Take(const char* name, const std::string& value, std::optional<std::uint64_t> sent_at);
+    /// False before the beginning: the value is not recorded.
+    bool Take(const char* name, const std::string& value, std::optional<std::uint64_t> sent_at);
     void Say(const std::string& line);  // to the program that reads
     void TimeIn(const std::string& file);  // when rows are sent and values come
     void TellSent(std::uint64_t row);

@@ -39,10 +39,10 @@ std::uint64_t Recorder::TimeOf(std::optional<std::uint64_t> sent_at) const {
     return OfTheDrive(std::chrono::nanoseconds{static_cast<std::int64_t>(taken)}, speed_);
 }
 
-void Recorder::Take(const char* name, const std::string& value, std::optional<std::uint64_t> sent_at) {
+bool Recorder::Take(const char* name, const std::string& value, std::optional<std::uint64_t> sent_at) {
     const std::lock_guard<std::mutex> lock{mutex_};
     if (!has_begun_) {
-        return;
+        return false;
     }
     times_.TellHeard(name);
     out_ << TimeOf(sent_at) << ',' << name << ",\"";
@@ -50,6 +50,7 @@ void Recorder::Take(const char* name, const std::string& value, std::optional<st
         out_ << (each == '"' ? "\"\"" : std::string(1, each));
     }
     out_ << "\"\n" << std::flush;  // it is there, too, when the player is ended before the drive
+    return true;
 }
 
 void Recorder::TimeIn(const std::string& file) {

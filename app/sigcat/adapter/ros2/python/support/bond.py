@@ -2,6 +2,8 @@
 
 from typing import Any, Optional
 
+from rclpy.duration import Duration
+
 from .function_node import FunctionNode
 
 try:
@@ -12,7 +14,9 @@ except ImportError:  # nodes without it send no heartbeats
 PERIOD = 0.1
 """Seconds between two heartbeats."""
 FOR_EVER = 1e6
-"""Seconds without a heartbeat of the manager after which a bond ends: the manager watches the node."""
+"""Seconds without a heartbeat of the manager that end a bond: the manager watches the node."""
+ANSWER = 0.1
+"""Seconds for which a node that ends waits for its manager, as in bondcpp."""
 
 
 class BondedNode(FunctionNode):
@@ -28,11 +32,21 @@ class BondedNode(FunctionNode):
             self._bond.heartbeat_timeout = FOR_EVER
             self._bond.start()
 
+    def prepare_end(self) -> None:
+        """Tell the manager that the node ends."""
+        bond, self._bond = self._bond, None
+        if bond is not None:
+            bond.break_bond()
+            bond.wait_until_broken(Duration(seconds=ANSWER))
+            bond.is_shutdown = True  # it publishes nothing afterwards
+
     def _stop(self) -> None:
-        if self._bond is not None:
-            self._bond.shutdown()
-            # It leaves the executor a subscription whose messages it would take for those of others.
-            self.destroy_subscription(self._bond.sub)
-            self.destroy_publisher(self._bond.pub)
-            self._bond = None
+        bond, self._bond = self._bond, None
+        if bond is not None and self.context.ok():
+            bond.shutdown()
+            # It leaves the executor a subscription, whose messages it would take for others.
+            self.destroy_subscription(bond.sub)
+            self.destroy_publisher(bond.pub)
+        elif bond is not None:
+            bond.is_shutdown = True
         super()._stop()

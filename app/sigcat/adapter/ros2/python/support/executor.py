@@ -19,9 +19,9 @@ LONGEST = 3600.0
 
 def spin_node(node: Node, failure: Future) -> None:
     """
-    Run the callbacks of a node until its context ends, or until `failure` has an exception.
+    Run the callbacks of a node until its context ends, or until `failure` is done.
 
-    It is raised then, as is one of a callback that the executor calls itself.
+    Its exception is raised then, as is one of a callback that the executor calls itself.
 
     An executor of events gets each event, and does not ask every entity each time: that
     takes a fraction of the processor.

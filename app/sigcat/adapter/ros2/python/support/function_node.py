@@ -8,7 +8,8 @@ calls; whatever ends it, terminates the function once. Subscriptions only hand v
 from concurrent.futures import ThreadPoolExecutor
 import os
 from pathlib import Path
-from signal import SIGINT, signal
+from signal import set_wakeup_fd, SIGINT, signal, SIGTERM
+from socket import socket, socketpair
 import sys
 from threading import Lock, Thread
 from time import monotonic_ns
@@ -26,6 +27,7 @@ from rclpy.executors import ExternalShutdownException
 from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
 from rclpy.logging import get_logger
 from rclpy.qos import QoSProfile
+from rclpy.signals import SignalHandlerOptions
 from rclpy.task import Future
 
 from . import diagnostics, storage
@@ -160,6 +162,9 @@ class FunctionNode(LifecycleNode):
         self._end()
         super().destroy_node()
         self._core.close()
+
+    def prepare_end(self) -> None:
+        """Do what needs the context, which ends next."""
 
     def _start_calls(self) -> None:
         self._core_clock.start()
@@ -488,16 +493,22 @@ class FunctionNode(LifecycleNode):
 
 def spin(make: Callable[[], FunctionNode], args: Optional[List[str]] = None) -> None:
     """Run a node until it is interrupted."""
-    # An interrupt ends the context, as SIGTERM does. Raised as an exception as well, it would
-    # come anywhere: in the middle of an executor of events it aborts the process.
-    signal(SIGINT, lambda number, frame: None)
+    # A thread takes the signals. As an exception, an interrupt would come anywhere: in the
+    # middle of an executor of events it aborts the process. A handler of rclpy ends the context
+    # before the node has told that it ends.
+    reader, writer = socketpair()
+    writer.setblocking(False)
+    set_wakeup_fd(writer.fileno())
+    for each in (SIGINT, SIGTERM):
+        signal(each, lambda number, frame: None)
     try:
-        rclpy.init(args=args)
+        rclpy.init(args=args, signal_handler_options=SignalHandlerOptions.NO)
         node = make()
     except Exception as error:  # of settings that it refuses
         get_logger(Path(sys.argv[0]).name).fatal(f'the node does not start: {error}')
         rclpy.try_shutdown()
         sys.exit(1)
+    Thread(target=_end_on_signal, args=(node, reader), daemon=True).start()
     try:
         spin_node(node, node.failure)
     except ExternalShutdownException:
@@ -508,3 +519,10 @@ def spin(make: Callable[[], FunctionNode], args: Optional[List[str]] = None) -> 
     finally:
         node.destroy_node()
         rclpy.try_shutdown()
+
+
+def _end_on_signal(node: FunctionNode, reader: socket) -> None:
+    reader.recv(1)
+    node.prepare_end()
+    if not node.failure.done():
+        node.failure.set_result(None)
