@@ -123,6 +123,15 @@ def test_a_folder_without_a_file_to_check_is_not_green(tmp_path, monkeypatch, ca
     assert f"Nothing to check: {folder} has no .vspec" in capsys.readouterr().err
 
 
+def test_a_folder_beside_this_one_is_checked(tmp_path, monkeypatch, capsys):
+    (tmp_path / "here").mkdir()
+    (tmp_path / "beside").mkdir()
+    (tmp_path / "beside" / "tree.vspec").write_text("A:\n  type: branch\n  description: A tree of the test.\n")
+    monkeypatch.chdir(tmp_path / "here")
+    assert main(["lint", "../beside"]) == 0
+    assert "No findings." in capsys.readouterr().out
+
+
 @pytest.mark.parametrize(
     ("status", "arguments"),
     [

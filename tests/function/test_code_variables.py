@@ -39,6 +39,8 @@ extern const float fixed;
 extern struct Const { const float a; float *at; } rest;
 extern const float *behind;
 extern void *whatever;
+enum small { S0, S1 };
+extern enum small chosen;
 float computed(void);
 #define LIMIT 3.0f
 """
@@ -69,6 +71,9 @@ CASES = {
     "a pointer of a struct": ("float", "consumed", "rest.at", "", "'rest.at' must be one value; the header has a pointer."),
     "a pointer to anything": ("float", "consumed", "whatever", "", "'whatever' must be one value; the header has a pointer."),
     "an address": ("float", "provided", "'&ratio'", "", "'&ratio' must be one value; the header has a pointer."),
+    "an enumeration for a float": ("float", "consumed", "chosen", "", "'chosen' must be float; the header has an enumeration of 32 bits."),
+    "an enumeration that is read as a byte": ("uint8", "provided", "chosen", "", "'chosen' must be uint8_t; the header has an enumeration of 32 bits."),
+    "an enumeration that takes a byte": ("uint8", "consumed", "chosen", "", ""),
     "a function": ("float", "provided", "computed", "", "'computed' must be one value; the header has a function."),
     "a bit field for a float": ("float", "consumed", "bus.b", "", "'bus.b' must be float; the header has a bit field."),
     "a type that is not there": ("boolean", "consumed", "flag", ", definedBy: adapter, cType: bolean_T", "unknown type name 'bolean_T'"),

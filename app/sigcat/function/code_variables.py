@@ -19,7 +19,7 @@ from sigcat.function.function_json.datatype import Datatype, innermost
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.variables import CodeVariable, variables
-from sigcat.function.function_json.walk import data, declared_data, parameters
+from sigcat.function.function_json.walk import data, declared_data, errors, parameters, safety_reactions
 from sigcat.names import did_you_mean
 
 _ADAPTER = "Adapter"
@@ -116,7 +116,7 @@ def _questions(function: ResolvedFunction, code: CodeInterface) -> Iterator[_Que
         yield _Question(f"extern {word}({seen}) {_PROBE}{number};", variable.pointer, variable)
         yield _Question(f"extern {word}(((void)0, {seen})) {_PROBE}{number}_value;", variable.pointer)
         target = _target(seen, datatypes.get(variable.datatype or ""), datatypes, variable)
-        if target and variable.pointer[:-1] in written:
+        if target and variable.pointer in written:
             text = f"extern {word}(((void)({target} = {target}), 0)) {_PROBE}{number}_assigned;"
             yield _Question(text, variable.pointer, variable, is_assigned=True)
         for place, match in enumerate(_INDEX.finditer(variable.expression)):
@@ -126,9 +126,14 @@ def _questions(function: ResolvedFunction, code: CodeInterface) -> Iterator[_Que
 
 
 def _written(function: ResolvedFunction) -> Iterator[Pointer]:
-    """Interfaces whose variables the adapter writes."""
-    yield from (pointer for pointer, _, item in declared_data(function.function) if item.role != PROVIDER)
-    yield from (pointer for pointer, _, _ in parameters(function.function))
+    """Pointers of the variables that the adapter writes."""
+    given = function.function
+    yield from ((*pointer, "Variable") for pointer, _, item in declared_data(given) if item.role != PROVIDER)
+    yield from ((*pointer, "Variable") for pointer, _, _ in parameters(given))
+    yield from ((*pointer, "Variable") for pointer, _, _ in safety_reactions(given))
+    yield from ((*pointer, "StatusVariable") for pointer, _, _ in errors(given))
+    modes = enumerate(given.mode_interfaces or ())
+    yield from (("ModeInterfaceList", index, "Variable") for index, mode in modes if mode.direction == "In")
 
 
 def _target(
@@ -136,9 +141,9 @@ def _target(
 ) -> str | None:
     """The first number that the adapter writes; None of a struct, whose members may have other names."""
     element = innermost(variable.datatype or "", datatypes)
-    if datatype is None or element is None or element.kind is not None:
+    if variable.datatype is not None and (datatype is None or element is None or element.kind is not None):
         return None
-    is_array = datatype.kind == "array"
+    is_array = datatype is not None and datatype.kind == "array"
     return f"({seen}){'[0]' * (is_array + bool(variable.elements))}"
 
 
@@ -285,9 +290,16 @@ def _misfits(variable: CodeVariable, line: int, seen: _Seen, *, is_read: bool) -
         if kind.length and kind.length < count:
             yield _Misfit(f"{variable.expression!r} must have at least {count} elements; the header has {kind.length}.")
         kind = kind.of
-    is_one = datatype is not None and _is_number(datatype) and not count and not seen.is_cpp
-    if found.kind == "pointer" and datatype is not None and (is_one or datatype.kind == "array"):
-        wanted = f"an array{_of_length(datatype)}" if datatype.kind == "array" else "one value"
+    is_text = datatype is not None and datatype.vss_datatype == "string"
+    is_array = datatype is not None and datatype.kind == "array"
+    if found.kind == "pointer" and (is_array or not (count or is_text or seen.is_cpp)):
+        wanted = (
+            f"an array{_of_length(datatype)}"
+            if datatype and is_array
+            else "a struct"
+            if kind.kind == "record"
+            else "one value"
+        )
         yield _Misfit(f"{variable.expression!r} must be {wanted}; the header has a pointer.")
         return
     compared = _Types(seen.datatypes, seen.records, dict(variable.members), is_read)
@@ -298,11 +310,12 @@ def _of_value(
     variable: CodeVariable, datatype: Datatype | None, value: CType | None, *, is_bit_field: bool
 ) -> Iterator[_Misfit]:
     """Yield the difference of an expression without a type of a variable: a bit field, or a function."""
-    if datatype is None or value is None:
+    if value is None:
         return
-    if is_bit_field and datatype.c_definition in _FLOATING:
-        yield _Misfit(f"{variable.expression!r} must be {datatype.c_definition}; the header has a bit field.")
-    elif not is_bit_field and value.kind == "pointer" and _is_number(datatype):
+    if is_bit_field:
+        if datatype is not None and value.kind == "number" and datatype.c_definition in _FLOATING:
+            yield _Misfit(f"{variable.expression!r} must be {datatype.c_definition}; the header has a bit field.")
+    elif value.kind == "pointer" and (datatype is None or _is_number(datatype)):
         yield _Misfit(f"{variable.expression!r} must be one value; the header has a function.")
 
 
@@ -322,8 +335,10 @@ def _differences(
             yield _Misfit(f"{expression!r} must be a struct; the header has {_shown(kind)}.")
         elif kind.key in types.records and types.records[kind.key].is_complete:
             yield from _of_members(expression, path, types.records[kind.key], datatype, types)
-    elif kind.kind in ("array", "record") and datatype.vss_datatype != "string":
+    elif kind.kind in ("array", "record", "pointer") and datatype.vss_datatype != "string":
         yield _Misfit(f"{expression!r} must be one value; the header has {_shown(kind)}.")
+    elif kind.kind == "enumeration":
+        yield from _of_enumeration(expression, kind, datatype, is_read=types.is_read)
     elif kind.kind == "number" and "char" not in kind.names[-1:]:
         yield from _of_number(expression, kind, datatype, is_read=types.is_read)
 
@@ -351,6 +366,8 @@ def _of_length(datatype: Datatype) -> str:
 def _shown(kind: CType) -> str:
     if kind.kind == "array":
         return f"an array of {kind.length}"
+    if kind.kind == "pointer":
+        return "a pointer"
     return f"the struct {kind.name}".rstrip() if kind.kind == "record" else kind.name
 
 
@@ -371,6 +388,19 @@ def _of_members(
         elif member.width is None:  # a bit field has the size of its bits
             inner = types.datatypes.get(field.datatype)
             yield from _differences(f"{expression}.{name}", (*path, field.name), member.type, inner, types)
+
+
+_ENUMERATION = 32
+"""Bits of an enumeration without a size of its own."""
+
+
+def _of_enumeration(expression: str, kind: CType, datatype: Datatype, *, is_read: bool) -> Iterator[_Misfit]:
+    """Yield the difference of an enumeration of C and a number: its size, or that it holds no fractions."""
+    declared, bits = _number(datatype), kind.bits or _ENUMERATION
+    is_narrow = declared is not None and (bits > declared.bits if is_read else bits < declared.bits)
+    if declared is not None and (declared.sort == "floating" or is_narrow):
+        message = f"{expression!r} must be {datatype.c_definition}; the header has an enumeration of {bits} bits."
+        yield _Misfit(message)
 
 
 def _of_number(expression: str, kind: CType, datatype: Datatype, *, is_read: bool) -> Iterator[_Misfit]:

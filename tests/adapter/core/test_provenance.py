@@ -17,6 +17,8 @@ from sigcat.integration.reading import read_functions
 from tests.adapter.core.test_examples import ROOT
 from tests.adapter.hostile.everything import FUNCTION as EVERYTHING
 from tests.adapter.hostile.everything import catalogue
+from tests.adapter.written import enumeration, function, output, signal, step, symbols
+from tests.function.shipped import resolved
 
 DECLARATIONS = {
     name: path
@@ -103,3 +105,14 @@ def test_a_time_is_written_once_under_a_name_beside_its_milliseconds(name):
         assert nanoseconds, row
         assert written, row
         assert round(float(written[1]) * 10**6) == int(nanoseconds[1])
+
+
+def test_a_number_of_an_enumeration_has_its_name_whichever_side_it_is_of():
+    turned = enumeration("DT_Turned", "uint8_t", A=2, B=1, C=0)
+    given = {"VssDatatype": "uint8", "VssSymbols": symbols(A=0, B=1, C=2)}
+    calls = step(signal("In", "DT_Turned", **given), output("Out", "DT_Turned", **given))
+    source = core_files(derive(resolved(function(calls, datatypes=(turned,)))).plan).source.data.decode()
+    named = re.findall(r"case (\w+): /\* (\w) \*/\s+\*target = (\w+);", source)
+    taken = [("0U", "A", "2U"), ("1U", "B", "1U"), ("2U", "C", "0U")]
+    given_back = [(target, name, source) for source, name, target in taken]
+    assert sorted(named) == sorted([*taken, *given_back])

@@ -152,11 +152,16 @@ def _with_units(options: LintOptions, named: Sequence[Path]) -> LintOptions:
 
 def _refuse_empty(paths: Sequence[Path], sources: Sequence[Source]) -> None:
     """Raise UsageError for a folder without a file that is checked: a typing error would pass."""
-    found = {parent for source in sources if source.kind != "other" for parent in source.path.absolute().parents}
+    checked = (source.path for source in sources if source.kind != "other")
+    found = {parent for path in checked for parent in _without_dots(path).parents}
     for path in paths:
-        if path.is_dir() and Path(os.path.abspath(path)) not in found:  # noqa: PTH100 — without `..`
+        if path.is_dir() and _without_dots(path) not in found:
             fix = "Name another folder."
             raise UsageError(f"Nothing to check: {path} has no .vspec, units, function or rule file. {fix}")
+
+
+def _without_dots(path: Path) -> Path:
+    return Path(os.path.abspath(path))  # noqa: PTH100 — links stay as they are
 
 
 def _is_excluded(path: Path, options: LintOptions) -> bool:

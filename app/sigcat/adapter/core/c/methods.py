@@ -76,7 +76,7 @@ def _given(argument: Argument, method: Method, target: str, scope: Scope) -> Arg
     return _plan(
         argument,
         method,
-        ends._replace(source=argument.variable, target=member, is_read=scope.is_cpp, is_quiet=True),
+        ends._replace(source=argument.variable, target=member, is_read=scope.is_cpp, is_from_code=True),
     )
 
 

@@ -32,7 +32,7 @@ def output_plan(call: Call, output: Output, scope: Scope) -> OutputPlan:
         name=name,
         pointer=output.named.pointer,
         is_read=scope.is_cpp,
-        is_quiet=True,
+        is_from_code=True,
     )
     kinds = {"init" if queue is None else "", "replacement" if value.is_checked and value.is_replaced else ""}
     keeps = any(leaf.element.names is not None for leaf in value.leaves) and not value.is_replaced

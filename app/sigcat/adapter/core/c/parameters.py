@@ -60,6 +60,6 @@ def _learned(parameter: Parameter, ends: Ends, scope: Scope) -> Transfer | None:
         name=f"{ends.name}_Learned",
         put="",
         is_read=scope.is_cpp,
-        is_quiet=True,
+        is_from_code=True,
     )
     return transfer(parameter.learned, back)

@@ -27,8 +27,8 @@ class Ends(NamedTuple):
     """Function that puts a number into an enumeration of C++, where the target is one."""
     is_read: bool = False
     """Whether the source is a variable of C++, which may be an enumeration."""
-    is_quiet: bool = False
-    """Whether a NaN gets the usual bits."""
+    is_from_code: bool = False
+    """Whether the source is a variable of the code: a NaN gets the usual bits, and names are those of the target."""
 
     @property
     def names(self) -> str:
@@ -232,7 +232,7 @@ def _converted(leaf: int, source: str, element: Element, default: str, ends: End
     target = element.target
     is_copied = element.source == target and element.conversion == IDENTITY
     is_quiet = is_beyond_float(element) and not is_copied  # the conversion has seen to it
-    can_be_nan = ends.is_quiet and target.is_floating and element.source.is_floating and not is_quiet
+    can_be_nan = ends.is_from_code and target.is_floating and element.source.is_floating and not is_quiet
     return f"Sigcat_Quiet{target.c.capitalize()}({number})" if can_be_nan else number
 
 
@@ -274,7 +274,7 @@ def _lookups(value: Value, ends: Ends) -> Iterator[Lookup]:
             cases = [
                 Case(
                     literal(source, element.source),
-                    texts.get(source) or texts.get(target),
+                    texts.get(target if ends.is_from_code else source),
                     literal(target, element.target),
                 )
                 for source, target in element.names.items()

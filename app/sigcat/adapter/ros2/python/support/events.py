@@ -9,8 +9,10 @@ from rclpy.qos import QoSProfile
 from .diagnostics import TopicCounts
 
 
-def subscription_events(quality: QoSProfile, counts: TopicCounts) -> SubscriptionEventCallbacks:
-    """Count what becomes of a subscription."""
+def subscription_events(
+    quality: QoSProfile, counts: TopicCounts, is_timed: bool,
+) -> SubscriptionEventCallbacks:
+    """Count what becomes of a subscription; `is_timed`: deadlines mean something."""
     def lost(event: Any) -> None:
         counts.events['lost'] = event.total_count
 
@@ -26,13 +28,15 @@ def subscription_events(quality: QoSProfile, counts: TopicCounts) -> Subscriptio
     return SubscriptionEventCallbacks(
         message_lost=lost,
         incompatible_qos=incompatible,
-        deadline=deadline if has_deadline(quality) else None,
+        deadline=deadline if is_timed and has_deadline(quality) else None,
         liveliness=liveliness if has_lease(quality) else None,
     )
 
 
-def publisher_events(quality: QoSProfile, counts: TopicCounts) -> PublisherEventCallbacks:
-    """Count what becomes of a publisher."""
+def publisher_events(
+    quality: QoSProfile, counts: TopicCounts, is_timed: bool,
+) -> PublisherEventCallbacks:
+    """Count what becomes of a publisher; `is_timed`: deadlines mean something."""
     def incompatible(event: Any) -> None:
         counts.events['incompatible QoS'] = event.total_count
 
@@ -44,7 +48,7 @@ def publisher_events(quality: QoSProfile, counts: TopicCounts) -> PublisherEvent
 
     return PublisherEventCallbacks(
         incompatible_qos=incompatible,
-        deadline=deadline if has_deadline(quality) else None,
+        deadline=deadline if is_timed and has_deadline(quality) else None,
         liveliness=liveliness if has_lease(quality) else None,
     )
 

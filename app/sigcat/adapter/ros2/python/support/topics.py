@@ -27,7 +27,10 @@ class Topics:
         """Messages that have been taken in all, and whose values are stored."""
         self.sent = 0
         self.keeps_all = False
-        """Whether nothing may be lost, as in lock step, however many messages a step sends."""
+        """Whether nothing may be lost, as in lock step, however many messages a step sends.
+
+        Deadlines are those of the clock, not of the steps: they are not watched then.
+        """
         self._node = node
         self._group = MutuallyExclusiveCallbackGroup()
         self._counts: List[TopicCounts] = []
@@ -53,7 +56,8 @@ class Topics:
 
         subscription = self._node.create_subscription(
             message, topic, with_sequence_number(taken), self._kept(quality),
-            callback_group=self._group, event_callbacks=subscription_events(quality, counts),
+            callback_group=self._group,
+            event_callbacks=subscription_events(quality, counts, not self.keeps_all),
         )
         counts.has_stranger = lambda: (
             self._node.count_publishers(subscription.topic_name)
@@ -67,7 +71,7 @@ class Topics:
         counts = TopicCounts(f'publisher {self._shown(topic)}')
         publisher = self._node.create_lifecycle_publisher(
             message, topic, self._kept(quality), callback_group=self._group,
-            event_callbacks=publisher_events(quality, counts),
+            event_callbacks=publisher_events(quality, counts, not self.keeps_all),
         )
         counts.has_stranger = lambda: (
             self._node.count_subscribers(publisher.topic_name)
