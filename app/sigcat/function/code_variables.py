@@ -293,14 +293,14 @@ def _misfits(variable: CodeVariable, line: int, seen: _Seen, *, is_read: bool) -
     is_text = datatype is not None and datatype.vss_datatype == "string"
     is_array = datatype is not None and datatype.kind == "array"
     if found.kind == "pointer" and (is_array or not (count or is_text or seen.is_cpp)):
-        wanted = (
+        expected = (
             f"an array{_of_length(datatype)}"
             if datatype and is_array
             else "a struct"
             if kind.kind == "record"
             else "one value"
         )
-        yield _Misfit(f"{variable.expression!r} must be {wanted}; the header has a pointer.")
+        yield _Misfit(f"{variable.expression!r} must be {expected}; the header has a pointer.")
         return
     compared = _Types(seen.datatypes, seen.records, dict(variable.members), is_read)
     yield from _differences(variable.expression, (), kind, datatype, compared)
@@ -391,7 +391,7 @@ def _of_members(
 
 
 _ENUMERATION = 32
-"""Bits of an enumeration without a size of its own."""
+"""Bits of an enumeration of the usual size."""
 
 
 def _of_enumeration(expression: str, kind: CType, datatype: Datatype, *, is_read: bool) -> Iterator[_Misfit]:

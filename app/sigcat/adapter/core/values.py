@@ -61,7 +61,7 @@ class Side(NamedTuple):
     """From the physical value, in the code's unit, to what is held."""
     is_catalogue: bool = False
     unit: str = ""
-    """Unit of what is held; empty if it has none, or another factor."""
+    """Unit of the number; empty if it has none, or another factor."""
 
     def of(self, physical: Fraction) -> Fraction:
         """A number of the document on this side. The document has doubles in the code's unit: in the catalogue's unit

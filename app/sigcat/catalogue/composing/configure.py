@@ -26,7 +26,7 @@ _STATED = ("type", "datatype", "description")
 """Attributes that vss-tools needs of each node that a file names."""
 
 Said = Statement | Finding
-"""Results of a setting: a statement, or what is wrong with it."""
+"""Results of a setting: a statement, or its fault."""
 
 
 class _Place(NamedTuple):

@@ -1,4 +1,4 @@
-"""Allowed values that are no names of their own in an exported .proto file, so that protoc refuses it."""
+"""Allowed values whose names meet in an exported .proto file, so that protoc refuses it."""
 
 import re
 from collections.abc import Iterator

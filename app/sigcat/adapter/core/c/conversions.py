@@ -10,7 +10,7 @@ from sigcat.adapter.core.plan import Element
 from sigcat.function.function_json.conversion import IDENTITY, Linear
 
 Naming = Callable[[str, str], str]
-"""From the kind of a constant and its literal to what stands in the code: its name, or the literal itself."""
+"""From the kind of a constant and its literal to the text in the code: its name, or the literal itself."""
 _SIGNS = {"LEAST": ">=", "GREATEST": "<="}
 
 
