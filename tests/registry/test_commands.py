@@ -455,6 +455,22 @@ def test_a_token_of_an_empty_owner_is_refused(field: Run, owner: str) -> None:
     assert (status, "--owner must be the name of a team" in text, "sigcat_" in text) == (2, True, False)
 
 
+@pytest.mark.parametrize(
+    ("option", "value", "said"),
+    [
+        ("--expires", "2001-01-01", "--expires must be today or later, not 2001-01-01"),
+        (
+            "--owner",
+            "L\u043engitudinal control team",
+            "The owner must be 'Longitudinal control team', as it is published",
+        ),
+    ],
+)
+def test_a_token_that_nobody_can_use_is_refused(field: Run, option: str, value: str, said: str) -> None:
+    status, text = field("registry", "token", "create", "ci", "--scope", "publish", option, value)
+    assert (status, said in text, "sigcat_" in text) == (2, True, False), text
+
+
 def test_a_record_warns_of_a_new_line_and_of_a_version_that_does_not_fit(field: Run) -> None:
     assert run_warnings(field("registry", "record-deployment", "SUV-2026", "CoreAcc@1.0.0")) == (
         0, ["warning: line SUV-2026 is new. Did you mean 'SUV-2025'?"]
