@@ -241,3 +241,15 @@ def test_both_ends_of_an_enumeration_have_the_same_values_and_each_its_own_numbe
         return json.dumps(value, indent=1).encode(), name
 
     assert found(with_values("Provider", OFF=0, ON=1), with_values("Consumer", **taken)) == expected
+
+
+def test_the_short_name_of_a_safety_reaction_is_that_of_the_function_itself(tmp_path, capsys):
+    for name in ("Left", "Right"):
+        (tmp_path / f"{name}.yaml").write_text(
+            f"function: {name}\ndescription: A door.\nresponsible: A team\ncomponents:\n  - name: {name}\n    runnables:\n"
+            "      - {interface: Step, errors: [Stuck], safetyReactions: [Shut]}\ndefine:\n  errors:\n"
+            "    Stuck: {description: Stuck., asil: QM, maturationTime: 10, resetCondition: Absent., resetTime: 10, severity: Low.}\n"
+            "  safetyReactions:\n    Shut: {description: Shut., asil: QM, errorList: [Stuck]}\n  scheduling:\n"
+            "    Step: {description: Works., asil: QM, cycleTime: 20, priority: 1}\n"
+        )
+    assert main(["lint", str(tmp_path / "Left.yaml"), str(tmp_path / "Right.yaml")]) == 0, capsys.readouterr().out

@@ -5,7 +5,7 @@ VSS covers data and parameters. The other interfaces of a function are in the tr
 follow the glossary of the method's paper.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Literal, get_args
 
 Category = Literal["data", "error", "safety_reaction", "mode", "scheduling"]
@@ -63,7 +63,11 @@ def interface_name(path: str) -> str:
 def by_interface_name(paths: Iterable[str]) -> dict[str, str]:
     """Paths of error, safety reaction, mode and scheduling interfaces by interface name; the first one counts."""
     named: dict[str, str] = {}
-    for path in paths:
-        if FUNCTION_BRANCH in path and (name := interface_name(path)) != path:
-            named.setdefault(name, path)
+    for path in interface_paths(paths):
+        named.setdefault(interface_name(path), path)
     return named
+
+
+def interface_paths(paths: Iterable[str]) -> Iterator[str]:
+    """Those of error, safety reaction, mode and scheduling interfaces."""
+    return (path for path in paths if FUNCTION_BRANCH in path and interface_name(path) != path)

@@ -5,7 +5,14 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from sigcat.catalogue.model.catalogue import Catalogue, Node
-from sigcat.catalogue.model.interfaces import Category, by_interface_name, category_of, function_of, interface_name
+from sigcat.catalogue.model.interfaces import (
+    Category,
+    by_interface_name,
+    category_of,
+    function_of,
+    interface_name,
+    interface_paths,
+)
 from sigcat.function.document.problem import Problem
 from sigcat.function.extension.defined_nodes import Definitions
 from sigcat.function.function_json.primitive_types import BY_VSS
@@ -92,5 +99,5 @@ class Context:
     @cached_property
     def _own(self) -> Mapping[tuple[Category | None, str], str]:
         """Paths of the function's own interfaces by category and last name."""
-        own = (path for path in self.interfaces.values() if function_of(path) == self.function)
+        own = (path for path in interface_paths(self.catalogue.nodes) if function_of(path) == self.function)
         return {(category_of(path), last_name(path)): path for path in own}
