@@ -4,6 +4,7 @@ import hashlib
 import re
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -109,7 +110,7 @@ def test_a_time_is_written_once_under_a_name_beside_its_milliseconds(name):
 
 def test_a_number_of_an_enumeration_has_its_name_whichever_side_it_is_of():
     turned = enumeration("DT_Turned", "uint8_t", A=2, B=1, C=0)
-    given = {"VssDatatype": "uint8", "VssSymbols": symbols(A=0, B=1, C=2)}
+    given: dict[str, Any] = {"VssDatatype": "uint8", "VssSymbols": symbols(A=0, B=1, C=2)}
     calls = step(signal("In", "DT_Turned", **given), output("Out", "DT_Turned", **given))
     source = core_files(derive(resolved(function(calls, datatypes=(turned,)))).plan).source.data.decode()
     named = re.findall(r"case (\w+): /\* (\w) \*/\s+\*target = (\w+);", source)
