@@ -498,7 +498,7 @@ def spin(make: Callable[[], FunctionNode], args: Optional[List[str]] = None) -> 
     # before the node has told that it ends.
     reader, writer = socketpair()
     writer.setblocking(False)
-    set_wakeup_fd(writer.fileno())
+    set_wakeup_fd(writer.fileno(), warn_on_full_buffer=False)
     for each in (SIGINT, SIGTERM):
         signal(each, lambda number, frame: None)
     try:
@@ -507,6 +507,7 @@ def spin(make: Callable[[], FunctionNode], args: Optional[List[str]] = None) -> 
     except Exception as error:  # of settings that it refuses
         get_logger(Path(sys.argv[0]).name).fatal(f'the node does not start: {error}')
         rclpy.try_shutdown()
+        set_wakeup_fd(-1)
         sys.exit(1)
     Thread(target=_end_on_signal, args=(node, reader), daemon=True).start()
     try:
@@ -519,6 +520,7 @@ def spin(make: Callable[[], FunctionNode], args: Optional[List[str]] = None) -> 
     finally:
         node.destroy_node()
         rclpy.try_shutdown()
+        set_wakeup_fd(-1)  # the sockets are closed next, and a further signal would be told
 
 
 def _end_on_signal(node: FunctionNode, reader: socket) -> None:
