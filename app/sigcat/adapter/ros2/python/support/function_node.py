@@ -499,8 +499,8 @@ def spin(make: Callable[[], FunctionNode], args: Optional[List[str]] = None) -> 
     reader, writer = socketpair()
     writer.setblocking(False)
     set_wakeup_fd(writer.fileno(), warn_on_full_buffer=False)
-    for each in (SIGINT, SIGTERM):
-        signal(each, lambda number, frame: None)
+    for number in (SIGINT, SIGTERM):
+        signal(number, lambda number, frame: None)
     try:
         rclpy.init(args=args, signal_handler_options=SignalHandlerOptions.NO)
         node = make()
@@ -520,7 +520,9 @@ def spin(make: Callable[[], FunctionNode], args: Optional[List[str]] = None) -> 
     finally:
         node.destroy_node()
         rclpy.try_shutdown()
-        set_wakeup_fd(-1)  # the sockets are closed next, and a further signal would be told
+        set_wakeup_fd(-1)
+        for each in (reader, writer):  # stay open: another thread may just take a further signal
+            each.detach()
 
 
 def _end_on_signal(node: FunctionNode, reader: socket) -> None:
