@@ -131,6 +131,9 @@ extern point_T point;
 extern track_T track;
 extern track_T tracks[4];
 extern float *pointed;
+extern point_T *far;
+typedef struct { const float x; float *y; } fixed_T;
+extern fixed_T fixed;
 extern float (*at)[5];
 """
 FLOATS = "'float[]', arraysize: "
@@ -153,6 +156,9 @@ SHAPED = {
     "members of other names": ("Types.Point", "point", "", "'point' must have the member 'X'; the struct of the header has x, y."),
     "members": ("Types.Point", "point", ", members: {X: x, Y: y}", ""),
     "a member that is not there": ("Types.Point", "point", ", members: {X: x, Y: z}", "'point' must have the member 'z'"),
+    "a constant member": ("Types.Point", "fixed", ", members: {X: x, Y: x}", "'fixed.x' must be a member that the adapter can write; the header has a constant."),
+    "a member that is a pointer": ("Types.Point", "fixed", ", members: {X: y, Y: y}", "'fixed.y' must be one value; the header has a pointer."),
+    "a pointer to a struct": ("Types.Point", "far", ", members: {X: x, Y: z}", "'far' must be a struct; the header has a pointer."),
     "an array as a struct": ("Types.Point", "list", "", "'list' must be a struct; the header has an array of 5."),
     "members within members": ("Types.Track", "track", ", members: {Start.X: x, Start.Y: y, Ends.X: x, Ends.Y: y, Kind: kind}", ""),
     "members of elements": ("Types.Track", "track", ", members: {Start.X: x, Start.Y: y, Ends.X: x}", "'track.Ends[0]' must have the member 'Y'"),

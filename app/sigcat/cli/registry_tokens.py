@@ -1,7 +1,6 @@
 """`sigcat registry token`: tokens with which the service lets teams write."""
 
 import argparse
-import datetime as dt
 from typing import TYPE_CHECKING, TypeAlias
 
 from sigcat.cli.project_options import add_project_options
@@ -50,10 +49,12 @@ def create(arguments: argparse.Namespace) -> int:
         raise UsageError("--owner must be the name of a team; without it, the token is for everything")
     registry = registry_of(arguments)
     from sigcat.registry.owners import alike_problem
+    from sigcat.registry.reference import date_fault
     from sigcat.registry.storing.database import writing
+    from sigcat.registry.storing.entry import is_past
     from sigcat.registry.storing.tokens import create_token
 
-    if _is_past(arguments.expires):
+    if not date_fault(arguments.expires) and is_past(arguments.expires):
         raise UsageError(f"--expires must be today or later, not {arguments.expires}")
     with writing(registry.database) as connection:
         if arguments.owner and (problem := alike_problem(connection, arguments.owner)):
@@ -61,12 +62,6 @@ def create(arguments: argparse.Namespace) -> int:
         secret = create_token(connection, arguments.name, arguments.scope, arguments.owner or "", arguments.expires)
     print(secret)
     return 0
-
-
-def _is_past(date: str) -> bool:
-    from sigcat.registry.reference import date_fault
-
-    return bool(date) and not date_fault(date) and date < dt.datetime.now(dt.UTC).date().isoformat()
 
 
 def list_tokens(arguments: argparse.Namespace) -> int:

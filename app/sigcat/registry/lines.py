@@ -16,7 +16,7 @@ from sigcat.registry.reference import (
     refused,
     unknown,
 )
-from sigcat.registry.storing.entry import Action, now
+from sigcat.registry.storing.entry import Action, is_past
 from sigcat.registry.storing.ledger import Ledger, Registry, head, ledger_of
 
 
@@ -114,7 +114,7 @@ def _check_retired(connection: Connection, reference: Reference, state: State) -
 def _check_date(text: str) -> None:
     if text and (fault := date_fault(text)):
         raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(f"The date {fault}."))
-    if text and text < now()[:10]:
+    if is_past(text):
         message = f"The date must be today or later, not {text}: support ends on it."
         raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message))
 

@@ -2,7 +2,7 @@
 
 import unicodedata
 
-from sqlalchemy import Connection, select
+from sqlalchemy import Connection, bindparam, select
 
 from sigcat.findings import shown
 from sigcat.registry.storing.tables import VERSIONS
@@ -11,15 +11,17 @@ _CYRILLIC = "\u0410\u0412\u0415\u041a\u041c\u041d\u041e\u0420\u0421\u0422\u0423\
 _GREEK = "\u0391\u0392\u0395\u0396\u0397\u0399\u039a\u039c\u039d\u039f\u03a1\u03a4\u03a5\u03a7\u03b1\u03b9\u03ba\u03bd\u03bf\u03c1\u03c5\u03c7"
 _LATIN = str.maketrans(_CYRILLIC + _GREEK, "ABEKMHOPCTYXSIJaekopcyxsijABEZHIKMNOPTYXaikvopux")
 """Letters of other scripts that look like Latin ones."""
+_PUBLISHED = select(VERSIONS.c.owner).where(VERSIONS.c.owner == bindparam("of_owner")).limit(1)
+_OWNERS = select(VERSIONS.c.owner).distinct().order_by(VERSIONS.c.owner)
 
 
 def alike_problem(connection: Connection, owner: str) -> str:
     """Return how an owner must be written that looks like a published one; empty if none does, or it is that one."""
-    known = set(connection.execute(select(VERSIONS.c.owner).distinct()).scalars())
-    if owner in known:
+    if connection.execute(_PUBLISHED, {"of_owner": owner}).first() is not None:
         return ""
     appearance = _appearance(owner)
-    alike = next((each for each in sorted(known) if _appearance(each) == appearance), "")
+    known = connection.execute(_OWNERS).scalars()
+    alike = next((each for each in known if _appearance(each) == appearance), "")
     return f"The owner must be {shown(alike)}, as it is published, not {owner[:100]!a}." if alike else ""
 
 

@@ -154,10 +154,7 @@ def _other_spelling(connection: Connection, candidate: Candidate) -> Iterator[Fi
 
 def _other_owner(connection: Connection, candidate: Candidate) -> Iterator[Finding]:
     """Report an owner whose name looks like that of another one."""
-    if connection.execute(_OWNED_ALREADY, {**_key(candidate), "of_owner": candidate.owner}).scalar() is not None:
-        return
-    message = alike_problem(connection, candidate.owner)
-    if message:
+    if message := alike_problem(connection, candidate.owner):
         fix = "Use the same spelling."
         yield codes.PUBLISHED_NAME_UNFIT.finding(message, candidate.file, path=candidate.name, fix=fix)
 
@@ -181,7 +178,6 @@ _OF_NAME = PUBLISHED.where(
     NAMES.c.kind == bindparam("of_kind"), NAMES.c.folded == bindparam("of_folded"), NAMES.c.name == bindparam("of_name")
 )
 _RULE = select(NAMES.c.rule).where(NAMES.c.kind == bindparam("of_kind"), NAMES.c.folded == bindparam("of_folded"))
-_OWNED_ALREADY = _OF_NAME.where(VERSIONS.c.owner == bindparam("of_owner")).limit(1)
 _OF_RELEASE = _OF_NAME.where(VERSIONS.c.release == bindparam("is_release"))
 _RELEASES_BEFORE = (
     _OF_NAME.where(VERSIONS.c.state.in_(sorted(DEPLOYABLE)), VERSIONS.c.precedence < bindparam("before"))

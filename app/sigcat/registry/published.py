@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 from sqlalchemy import Connection, bindparam, exists, select
 
 from sigcat.registry.reference import Kind, Reference, Rule, State, unknown
-from sigcat.registry.storing.entry import now
+from sigcat.registry.storing.entry import is_past
 from sigcat.registry.storing.replay import portions
 from sigcat.registry.storing.tables import DEPLOYMENTS, NAMES, VERSIONS
 from sigcat.registry.version import Version, version_of
@@ -48,7 +48,7 @@ class Published(NamedTuple):
     @property
     def is_unsupported(self) -> bool:
         """Whether the support of a deprecated version has ended."""
-        return self.state == "deprecated" and bool(self.until) and self.until < now()[:10]
+        return self.state == "deprecated" and is_past(self.until)
 
     @property
     def end(self) -> str:

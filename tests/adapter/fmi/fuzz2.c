@@ -5,6 +5,8 @@
 
 #include "sigcat_fmi2.h"
 
+#include "random_arguments.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -32,32 +34,12 @@ fmi2Status fmi2DeSerializeFMUstate(fmi2Component, const fmi2Byte[], size_t, fmi2
 
 #define MOST 8U
 
-static uint64_t seed;
 static fmi2Component instance;
 static fmi2FMUstate state;
 static double now;
 static unsigned counts[5];
 static unsigned progress; /* steps that were accepted */
 static fmi2Byte bytes[1U << 16];
-
-static uint32_t any(uint32_t below)
-{
-    seed ^= seed << 13;
-    seed ^= seed >> 7;
-    seed ^= seed << 17;
-    return (uint32_t)(seed >> 11) % below;
-}
-
-static double any_number(void)
-{
-    static const double edges[] = {0.0, -0.0, 1e308, -1e308, 0.01, -0.01, 9e6, 1e-12};
-    const uint32_t which = any(16U);
-    const double zero = 0.0;
-    if (which == 0U) {
-        return zero / zero;
-    }
-    return (which <= 8U) ? edges[which - 1U] : (double)any(1000U) / 10.0;
-}
 
 static void said(fmi2ComponentEnvironment environment, fmi2String name, fmi2Status status, fmi2String category, fmi2String message, ...)
 {

@@ -36,6 +36,7 @@ def fuzzed(request, tmp_path_factory):
         *SANITIZED,
         f"-I{sources}",
         f"-I{HERE / 'averaging'}",
+        f"-I{HERE}",
         *map(str, files),
         "-o",
         str(folder / "fuzz"),

@@ -56,6 +56,11 @@ def now() -> str:
     return time_text(dt.datetime.now(dt.UTC))
 
 
+def is_past(day: str) -> bool:
+    """Whether a day such as 2027-01-31 is over; an empty one never is."""
+    return bool(day) and day < now()[:10]
+
+
 def linked(entry: Entry, previous: str) -> Link:
     """The entry behind another one; not signed."""
     return Link(entry.number, entry.text, previous, hash_of(previous, entry.text))

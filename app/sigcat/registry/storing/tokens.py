@@ -15,6 +15,7 @@ from sigcat.digest import digest_of
 from sigcat.errors import UsageError
 from sigcat.names import did_you_mean, either
 from sigcat.registry.reference import date_fault
+from sigcat.registry.storing.entry import is_past
 
 Scope = Literal["read", "publish", "approve", "administer"]
 SCOPES: tuple[Scope, ...] = get_args(Scope)
@@ -59,7 +60,7 @@ class Token(NamedTuple):
         """Why it is refused; empty if it is not."""
         if self.revoked:
             return "revoked"
-        return "expired" if self.expires and self.expires < dt.datetime.now(dt.UTC).date().isoformat() else ""
+        return "expired" if is_past(self.expires) else ""
 
 
 def create_token(connection: Connection, name: str, scopes: Collection[str], owner: str, expires: str) -> str:

@@ -22,26 +22,28 @@ def _unnamed(kind: str, text: str) -> str:
 def limits(element: Element) -> Mapping[str, str]:
     """Literals of the limits that are checked, by their kinds."""
     source, least, greatest = element.source, element.least, element.greatest
+    if _is_empty(element):
+        return {}
     if source.is_floating and element.is_checked:
         least = float(source.smallest) if least is None else least
         greatest = float(source.largest) if greatest is None else greatest
-    elif _is_empty(element):
-        return {}
     given = zip(_SIGNS, (least, greatest), strict=True)
     return {kind: literal(limit, source) for kind, limit in given if limit is not None}
 
 
 def within(value: str, element: Element, named: Naming = _unnamed) -> str | None:
     """The condition that a number is within its range; None where all numbers of its type are."""
-    if _is_empty(element) and not (element.source.is_floating and element.is_checked):
+    if _is_empty(element):
         return "false"
     sides = [f"({value} {_SIGNS[kind]} {named(kind, text)})" for kind, text in limits(element).items()]
     return " && ".join(sides) or None
 
 
 def _is_empty(element: Element) -> bool:
-    """Whether the range has no number of the type."""
+    """Whether the range has no number of the type. A range of floats is checked as it is written."""
     source = element.source
+    if source.is_floating and element.is_checked:
+        return False
     is_below = element.greatest is not None and element.greatest < source.smallest
     return is_below or (element.least is not None and element.least > source.largest)
 

@@ -1,0 +1,202 @@
+"""Types of variables in C, compared with the datatypes that are declared for them."""
+
+import re
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from sigcat.function.c_project.c_types import vss_datatype
+from sigcat.function.c_project.declarations import CType, Record
+from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.function_json.variables import CodeVariable
+from sigcat.names import did_you_mean
+
+_SIZED = re.compile(r"(?P<unsigned>u?)int(?P<bits>8|16|32|64)_t")
+_FLOATING = {"float": 32, "double": 64}
+_ENUMERATION = 32
+"""Bits of an enumeration of the usual size."""
+_DEEPEST = 16
+
+
+class Seen(NamedTuple):
+    """A variable in the headers."""
+
+    type: CType | None
+    """None of a function and of a bit field."""
+    value: CType | None
+    """Type of its value."""
+    is_bit_field: bool
+
+
+class Types(NamedTuple):
+    """Types that both sides refer to, and how values of a variable are compared."""
+
+    datatypes: Mapping[str, Datatype]
+    records: Mapping[str, Record]
+    members: Mapping[str, str]
+    """Names of members in the code, by their names in the catalogue."""
+    is_read: bool
+    """Whether the adapter reads the variable: it may then be narrower than declared."""
+    is_cpp: bool
+    """Whether a reference looks like a pointer."""
+
+
+class Misfit(NamedTuple):
+    """A difference between a variable and its declaration, and its fix."""
+
+    message: str
+    fix: str = "Correct the code, or the datatype."
+
+
+def misfits(variable: CodeVariable, seen: Seen, types: Types) -> Iterator[Misfit]:
+    """Yield the differences of a variable. A queue needs an array with room for its values."""
+    datatype, found = types.datatypes.get(variable.datatype or ""), seen.type
+    if found is None:
+        yield from _of_value(variable, seen, datatype)
+        return
+    kind, count = found.target, variable.elements
+    if count and kind.kind == "array" and kind.of:
+        if kind.length and kind.length < count:
+            yield Misfit(f"{variable.expression!r} must have at least {count} elements; the header has {kind.length}.")
+        kind = kind.of
+    is_text = datatype is not None and datatype.vss_datatype == "string"
+    is_array = datatype is not None and datatype.kind == "array"
+    if found.kind == "pointer" and (is_array or not (count or is_text or types.is_cpp)):
+        yield Misfit(f"{variable.expression!r} must be {_expected(datatype)}; the header has a pointer.")
+        return
+    yield from _differences(variable.expression, (), kind, datatype, types)
+
+
+def _expected(datatype: Datatype | None) -> str:
+    if datatype is not None and datatype.kind == "array":
+        return f"an array of {datatype.length}" if datatype.length else "an array"
+    return "a struct" if datatype is not None and datatype.kind == "struct" else "one value"
+
+
+def _of_value(variable: CodeVariable, seen: Seen, datatype: Datatype | None) -> Iterator[Misfit]:
+    """Yield the difference of an expression without the type of a variable: a bit field, or a function."""
+    if seen.value is None:
+        return
+    if seen.is_bit_field:
+        if datatype is not None and seen.value.kind == "number" and datatype.c_definition in _FLOATING:
+            yield Misfit(f"{variable.expression!r} must be {datatype.c_definition}; the header has a bit field.")
+    elif seen.value.kind == "pointer" and (datatype is None or _is_number(datatype)):
+        yield Misfit(f"{variable.expression!r} must be one value; the header has a function.")
+
+
+def _is_number(datatype: Datatype) -> bool:
+    return datatype.kind is None and datatype.vss_datatype != "string"
+
+
+class _Number(NamedTuple):
+    """Kind and size of a number."""
+
+    sort: str
+    bits: int
+
+    def fits(self, other: "_Number") -> bool:
+        """Whether every number of this type is one of another type."""
+        is_widened = (self.sort, other.sort) == ("unsigned", "signed") and self.bits < other.bits
+        return is_widened or (self.sort == other.sort and self.bits <= other.bits)
+
+    def holds(self, number: int) -> bool:
+        """Whether a whole number is one of this type."""
+        if self.sort == "signed":
+            return -(1 << self.bits - 1) <= number < 1 << self.bits - 1
+        return self.sort != "unsigned" or 0 <= number < 1 << self.bits
+
+
+def _differences(
+    expression: str, path: tuple[str, ...], kind: CType, datatype: Datatype | None, types: Types
+) -> Iterator[Misfit]:
+    if datatype is None or len(path) > _DEEPEST:
+        return
+    if datatype.kind == "array":
+        yield from _of_array(expression, path, kind, datatype, types)
+    elif datatype.kind == "struct":
+        if kind.kind in ("number", "array", "enumeration", "pointer"):
+            yield Misfit(f"{expression!r} must be {_expected(datatype)}; the header has {_shown(kind)}.")
+        elif kind.key in types.records and types.records[kind.key].is_complete:
+            yield from _of_members(expression, path, types.records[kind.key], datatype, types)
+    elif kind.kind in ("array", "record", "pointer") and datatype.vss_datatype != "string":
+        yield Misfit(f"{expression!r} must be {_expected(datatype)}; the header has {_shown(kind)}.")
+    elif kind.kind == "enumeration":
+        yield from _of_enumeration(expression, kind, datatype, is_read=types.is_read)
+    elif kind.kind == "number" and "char" not in kind.names[-1:]:
+        yield from _of_number(expression, kind, datatype, is_read=types.is_read)
+
+
+def _of_array(
+    expression: str, path: tuple[str, ...], kind: CType, datatype: Datatype, types: Types
+) -> Iterator[Misfit]:
+    if kind.kind in ("number", "record"):
+        yield Misfit(f"{expression!r} must be {_expected(datatype)}; the header has {_shown(kind)}.")
+    elif kind.kind == "array" and kind.of:
+        if datatype.length and kind.length and datatype.length != kind.length:
+            yield Misfit(f"{expression!r} must have {datatype.length} elements; the header has {kind.length}.")
+        element = types.datatypes.get(datatype.element or "")
+        if element is not None and element.kind != "array":
+            yield from _differences(f"{expression}[0]", path, kind.of, element, types)
+
+
+def _shown(kind: CType) -> str:
+    if kind.kind == "array":
+        return f"an array of {kind.length}"
+    if kind.kind == "pointer":
+        return "a pointer"
+    return f"the struct {kind.name}".rstrip() if kind.kind == "record" else kind.name
+
+
+def _of_members(
+    expression: str, path: tuple[str, ...], record: Record, datatype: Datatype, types: Types
+) -> Iterator[Misfit]:
+    known = {member.name: member for member in record.members}
+    for field in datatype.fields or ():
+        name = types.members.get(".".join((*path, field.name)), field.name)
+        member = known.get(name)
+        if member is None:
+            fix = did_you_mean(name, known)
+            fix = f"{fix} " if fix else ""
+            yield Misfit(
+                f"{expression!r} must have the member {name!r}; the struct of the header has {', '.join(known) or 'none'}.",
+                f"{fix}Name the member of the code with `members`, or correct the code.",
+            )
+        elif member.is_const and not types.is_read:
+            yield Misfit(
+                f"{f'{expression}.{name}'!r} must be a member that the adapter can write; the header has a constant."
+            )
+        elif member.width is None:  # a bit field has the size of its bits
+            inner = types.datatypes.get(field.datatype)
+            yield from _differences(f"{expression}.{name}", (*path, field.name), member.type, inner, types)
+
+
+def _of_enumeration(expression: str, kind: CType, datatype: Datatype, *, is_read: bool) -> Iterator[Misfit]:
+    """Yield the difference of an enumeration of C and a number: its size, or that it holds no fractions."""
+    declared, bits = _number(datatype), kind.bits or _ENUMERATION
+    is_narrow = declared is not None and (bits > declared.bits if is_read else bits < declared.bits)
+    if declared is not None and (declared.sort == "floating" or is_narrow):
+        message = f"{expression!r} must be {datatype.c_definition}; the header has an enumeration of {bits} bits."
+        yield Misfit(message)
+
+
+def _of_number(expression: str, kind: CType, datatype: Datatype, *, is_read: bool) -> Iterator[Misfit]:
+    has, declared = _Number(kind.sort, kind.bits), _number(datatype)
+    if declared is None:
+        if has.sort == "floating" and datatype.vss_datatype != "string":
+            yield Misfit(f"{expression!r} must be an integer; the header has {kind.name}.", "Correct the code.")
+        elif unheld := [each for each in datatype.symbols or () if not has.holds(each.value)]:
+            number = f"{unheld[0].value}, the number of {unheld[0].symbol}"
+            message = f"{expression!r} must hold {number}; the header has {kind.name}."
+            yield Misfit(message, "Correct the number, or the code.")
+    elif not (has.fits(declared) if is_read else declared.fits(has)):
+        message = f"{expression!r} must be {datatype.c_definition}; the header has {kind.name}."
+        yield Misfit(message, f"Give `datatype: {vss_datatype(kind)}`, or correct the code.")
+
+
+def _number(datatype: Datatype) -> _Number | None:
+    """The number that a datatype is; None for a flag, an enumeration or anything else."""
+    if datatype.kind is not None:
+        return None
+    if datatype.c_definition in _FLOATING:
+        return _Number("floating", _FLOATING[datatype.c_definition])
+    match = _SIZED.fullmatch(datatype.c_definition)
+    return _Number("unsigned" if match["unsigned"] else "signed", int(match["bits"])) if match else None
