@@ -243,13 +243,25 @@ def test_both_ends_of_an_enumeration_have_the_same_values_and_each_its_own_numbe
     assert found(with_values("Provider", OFF=0, ON=1), with_values("Consumer", **taken)) == expected
 
 
+def door(name: str, errors: str = "[Stuck]") -> str:
+    return (
+        f"function: {name}\ndescription: A door.\nresponsible: A team\ncomponents:\n  - name: {name}\n    runnables:\n"
+        f"      - {{interface: Step, errors: {errors}, safetyReactions: [Shut]}}\ndefine:\n  errors:\n"
+        "    Stuck: {description: Stuck., asil: QM, maturationTime: 10, resetCondition: Absent., resetTime: 10, severity: Low.}\n"
+        "  safetyReactions:\n    Shut: {description: Shut., asil: QM, errorList: [Stuck]}\n  scheduling:\n"
+        "    Step: {description: Works., asil: QM, cycleTime: 20, priority: 1}\n"
+    )
+
+
 def test_the_short_name_of_a_safety_reaction_is_that_of_the_function_itself(tmp_path, capsys):
     for name in ("Left", "Right"):
-        (tmp_path / f"{name}.yaml").write_text(
-            f"function: {name}\ndescription: A door.\nresponsible: A team\ncomponents:\n  - name: {name}\n    runnables:\n"
-            "      - {interface: Step, errors: [Stuck], safetyReactions: [Shut]}\ndefine:\n  errors:\n"
-            "    Stuck: {description: Stuck., asil: QM, maturationTime: 10, resetCondition: Absent., resetTime: 10, severity: Low.}\n"
-            "  safetyReactions:\n    Shut: {description: Shut., asil: QM, errorList: [Stuck]}\n  scheduling:\n"
-            "    Step: {description: Works., asil: QM, cycleTime: 20, priority: 1}\n"
-        )
+        (tmp_path / f"{name}.yaml").write_text(door(name))
     assert main(["lint", str(tmp_path / "Left.yaml"), str(tmp_path / "Right.yaml")]) == 0, capsys.readouterr().out
+
+
+def test_an_own_error_that_sets_a_safety_reaction_must_be_reported_by_a_call(tmp_path, capsys):
+    (tmp_path / "Left.yaml").write_text(door("Left", "[]"))
+    assert main(["lint", str(tmp_path / "Left.yaml")]) == 1
+    out = capsys.readouterr().out
+    assert "F060 Shut_SftyCondSts must react to an error that a call reports, not to 'Left_Stuck_ErrorSts'." in out
+    assert "Add it to the errors of a call." in out

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue
-from sigcat.catalogue.model.interfaces import category_of, interface_name
+from sigcat.catalogue.model.interfaces import category_of, function_of, interface_name
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.errors import InputRefused
 from sigcat.file_kind import is_json
@@ -17,6 +17,7 @@ from sigcat.function.checks.consequences import without_consequences
 from sigcat.function.checks.consistency import check_consistency
 from sigcat.function.checks.conventions import check_conventions
 from sigcat.function.checks.definitions import unused_definitions, used_by
+from sigcat.function.checks.error_references import KnownErrors
 from sigcat.function.code_files import CodeCheck
 from sigcat.function.declaration.declaration import Declared, read_declaration
 from sigcat.function.document.document import Document, Pointer
@@ -110,7 +111,7 @@ def check_declaration(declared: Declared, definitions: Definitions, catalogue: C
     resolved, unplaced, missing = resolve(declaration, document, context)
     unresolved = tuple(told_once(unplaced, declaration, context))
     defined = definition_findings(definitions, document, catalogue)
-    known_errors = frozenset(context.names("error"))
+    known_errors = _known_errors(catalogue.nodes, declaration.function)
     problems = without_consequences(
         chain(check_consistency(resolved.function, known_errors, resolved.origin), check_inputs(resolved.function)),
         missing,
@@ -168,15 +169,20 @@ def _is_reported(
     return node is not None and any(defined.are_about(node, attribute) for attribute in subject.attributes)
 
 
+def _known_errors(paths: Iterable[str], function: str) -> KnownErrors:
+    errors = [path for path in paths if category_of(path) == "error"]
+    own = frozenset(interface_name(path) for path in errors if function_of(path) == function)
+    return KnownErrors(frozenset(map(interface_name, errors)), own)
+
+
 @bounded_proposals()
 def check_document(document: Document, catalogue: Catalogue | None) -> CheckedFunction:
     """Check Function JSON from anywhere. With a catalogue, units, paths and ranges are compared with it."""
     resolved, findings = read_function(document)
     if resolved is None:
         return CheckedFunction(document, None, in_order(findings))
-    nodes = catalogue.nodes if catalogue else ()
-    known_errors = frozenset(interface_name(path) for path in nodes if category_of(path) == "error")
     function = resolved.function
+    known_errors = _known_errors(catalogue.nodes if catalogue else (), function.info.function_name)
     problems = (
         *check_consistency(function, known_errors), *check_inputs(function), *check_conventions(function, catalogue)
     )  # fmt: skip

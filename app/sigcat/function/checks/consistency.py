@@ -1,13 +1,13 @@
 """Whether a function is consistent in itself: checks of every function, wherever its document is from."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 
 from sigcat.function.checks.calls import check_calls
 from sigcat.function.checks.code import check_code
 from sigcat.function.checks.data_interfaces import check_data_interfaces
 from sigcat.function.checks.elements import check_elements
 from sigcat.function.checks.error_causes import check_error_causes
-from sigcat.function.checks.error_references import check_error_references
+from sigcat.function.checks.error_references import NO_ERRORS, KnownErrors, check_error_references
 from sigcat.function.checks.modes import check_modes
 from sigcat.function.checks.names import check_names
 from sigcat.function.checks.schedule.checkpoints import check_checkpoints
@@ -22,9 +22,9 @@ from sigcat.function.function_json.resolved_function import Origin
 
 
 def check_consistency(
-    function: FunctionJson, known_errors: Collection[str] = (), origin: Origin | None = None
+    function: FunctionJson, known_errors: KnownErrors = NO_ERRORS, origin: Origin | None = None
 ) -> Iterator[Problem]:
-    """Every problem of a function. `known_errors` are names of errors that others declare, `origin` its declaration.
+    """Every problem of a function. `origin` is its declaration.
 
     What is wrong with a string is said once: by the check that knows it as an error, else by its type.
     """
@@ -36,17 +36,17 @@ def check_consistency(
     yield from unfit
 
 
-def _problems(function: FunctionJson, known_errors: Collection[str]) -> Iterator[Problem]:
+def _problems(function: FunctionJson, known_errors: KnownErrors) -> Iterator[Problem]:
     yield from check_names(function)
-    yield from check_data_interfaces(function, known_errors)
+    yield from check_data_interfaces(function, known_errors.names)
     yield from check_calls(function)
-    yield from check_supervision(function, known_errors)
+    yield from check_supervision(function, known_errors.names)
     yield from check_error_references(function, known_errors)
     yield from check_modes(function)
     yield from check_times(function)
     yield from check_types(function)
     yield from check_code(function)
     yield from check_elements(function)
-    yield from check_error_causes(function, known_errors)
+    yield from check_error_causes(function, known_errors.names)
     yield from check_checkpoints(function)
     yield from check_words(function)

@@ -1,6 +1,7 @@
 """References between errors, and from safety reactions to errors."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
+from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.function.checks.circles import Circle, circles
@@ -15,38 +16,62 @@ _MOST_NAMED = 3
 """Members of a circle that a message names."""
 
 
-def check_error_references(function: FunctionJson, known_errors: Collection[str]) -> Problems:
-    """Every problem of references to errors. `known_errors` are names of errors that others declare."""
-    names = dict.fromkeys((*(error.name for _, _, error in errors(function)), *known_errors))
+class KnownErrors(NamedTuple):
+    """Names of the errors that the catalogue has."""
+
+    names: frozenset[str]
+    own: frozenset[str]
+    """Those of the function itself, which one of its calls must report."""
+
+
+NO_ERRORS = KnownErrors(frozenset(), frozenset())
+
+
+def check_error_references(function: FunctionJson, known_errors: KnownErrors) -> Problems:
+    """Every problem of references to errors."""
+    others = known_errors.names - known_errors.own
+    names = dict.fromkeys((*(error.name for _, _, error in errors(function)), *sorted(others)))
     yield from _of_reactions(function, names, known_errors)
     yield from _of_errors(function, names, known_errors)
     yield from _circles(function)
 
 
-def _of_reactions(function: FunctionJson, names: Collection[str], known: Collection[str]) -> Problems:
+def _of_reactions(function: FunctionJson, names: Collection[str], known: KnownErrors) -> Problems:
     for pointer, _, contract in contracts(function):
         for i, reaction in enumerate(contract.safety_reactions or ()):
             for j, name in enumerate(reaction.errors):
                 if _is_undeclared(name, names, known, function):
-                    message = f"{reaction.name} must react to an error that exists, not to {name!r}."
+                    message = f"{reaction.name} must react to an error that {_condition(name, known)}, not to {name!r}."
                     at = (*pointer, "SafetyReactionList", i, "ErrorList", j)
                     subject = Subject("safety_reaction", reaction.name, ("errorList",))
-                    yield Problem(codes.REACTION_TO_UNKNOWN_ERROR, at, message, did_you_mean(name, names), subject)
+                    fix = _fix(name, names, known)
+                    yield Problem(
+                        codes.REACTION_TO_UNKNOWN_ERROR, at, message, fix, subject, cause=Subject("error", name)
+                    )
 
 
-def _of_errors(function: FunctionJson, names: Collection[str], known: Collection[str]) -> Problems:
+def _of_errors(function: FunctionJson, names: Collection[str], known: KnownErrors) -> Problems:
     for pointer, _, error in errors(function):
         for j, name in enumerate(error.dependencies):
             if _is_undeclared(name, names, known, function):
-                message = f"{error.name} must depend on an error that exists, not on {name!r}."
+                message = f"{error.name} must depend on an error that {_condition(name, known)}, not on {name!r}."
                 subject = Subject("error", error.name, ("dependency",))
-                fix = did_you_mean(name, [each for each in names if each != error.name])
-                yield Problem(codes.DEPENDENCY_UNKNOWN, (*pointer, "Dependancy", j), message, fix, subject)
+                fix = _fix(name, [each for each in names if each != error.name], known)
+                at, cause = (*pointer, "Dependancy", j), Subject("error", name)
+                yield Problem(codes.DEPENDENCY_UNKNOWN, at, message, fix, subject, cause=cause)
 
 
-def _is_undeclared(name: str, names: Collection[str], known: Collection[str], function: FunctionJson) -> bool:
+def _condition(name: str, known: KnownErrors) -> str:
+    return "a call reports" if name in known.own else "exists"
+
+
+def _fix(name: str, names: Iterable[str], known: KnownErrors) -> str:
+    return "Add it to the errors of a call." if name in known.own else did_you_mean(name, names)
+
+
+def _is_undeclared(name: str, names: Collection[str], known: KnownErrors, function: FunctionJson) -> bool:
     """Errors of others are unknown, and no problem, where no catalogue says what there is."""
-    return name not in names and (bool(known) or name.startswith(f"{function.info.function_name}_"))
+    return name not in names and (bool(known.names) or name.startswith(f"{function.info.function_name}_"))
 
 
 def _circles(function: FunctionJson) -> Problems:
