@@ -39,6 +39,7 @@ extern const float fixed;
 extern struct Const { const float a; float *at; } rest;
 extern const float *behind;
 extern void *whatever;
+static float apart;
 enum small { S0, S1 };
 extern enum small chosen;
 float computed(void);
@@ -71,6 +72,7 @@ CASES = {
     "a pointer of a struct": ("float", "consumed", "rest.at", "", "'rest.at' must be one value; the header has a pointer."),
     "a pointer to anything": ("float", "consumed", "whatever", "", "'whatever' must be one value; the header has a pointer."),
     "an address": ("float", "provided", "'&ratio'", "", "'&ratio' must be one value; the header has a pointer."),
+    "a static variable": ("float", "consumed", "apart", "", "'apart' must not be static: each file that includes the header has its own."),
     "an enumeration for a float": ("float", "consumed", "chosen", "", "'chosen' must be float; the header has an enumeration of 32 bits."),
     "an enumeration that is read as a byte": ("uint8", "provided", "chosen", "", "'chosen' must be uint8_t; the header has an enumeration of 32 bits."),
     "an enumeration that takes a byte": ("uint8", "consumed", "chosen", "", ""),

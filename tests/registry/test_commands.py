@@ -499,6 +499,8 @@ def test_a_question_that_is_refused_does_not_say_that_nothing_was_changed(field:
 
 def test_support_does_not_end_in_the_past_and_a_successor_is_supported(field: Run) -> None:
     field("publish", without_proposal("2.0.0"))
+    status, text = field("registry", "deprecate", "EcoControlMpc@1.0.0", "--until", "")
+    assert (status, "--until must not be empty" in text) == (2, True)
     status, text = field("registry", "deprecate", "EcoControlMpc@1.0.0", "--until", "2020-01-31")
     assert (status, "The date must be today or later, not 2020-01-31" in text) == (1, True)
     assert field("registry", "deprecate", "EcoControlMpc@1.0.0", "--until", "2040-01-31")[0] == 0

@@ -10,11 +10,12 @@ import pytest
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.function.function_file import CheckedFunction
 from sigcat.function.sets.check_set import check_set
-from sigcat.registry import published
 from sigcat.registry.candidate import Candidate
 from sigcat.registry.compatibility.breaking import broken_by_catalogue
 from sigcat.registry.compatibility.deploying import can_deploy
+from sigcat.registry.published import all_versions
 from sigcat.registry.reference import Reference
+from sigcat.registry.storing import entry
 from sigcat.registry.storing.database import in_memory
 from sigcat.registry.storing.ledger import Ledger
 from sigcat.registry.users import users_of
@@ -206,13 +207,13 @@ def test_a_version_whose_support_has_ended_is_a_warning(monkeypatch: pytest.Monk
         Ledger(connection, None).append("state", {**state, "until": "2040-12-31", "successor": "2.0.0"})
         asked = partial(can_deploy, connection, [Reference("Alpha", "1.0.0")], "SUV-2025")
         for day, ended in (("2040-12-31", []), ("2041-01-01", [("E009", "warning", "Deploy its successor 2.0.0.")])):
-            monkeypatch.setattr(published, "now", lambda day=day: f"{day}T00:00:00.000+00:00")
+            monkeypatch.setattr(entry, "now", lambda day=day: f"{day}T00:00:00.000+00:00")
             answer = asked()
             assert (answer.decision, [(each.rule, each.severity, each.fix) for each in answer.conflicts]) == (
                 "yes",
                 ended,
             )
-            (version,) = published.all_versions(connection)
+            (version,) = all_versions(connection)
             assert version.end == f"{', support ended on' if ended else ' until'} 2040-12-31, successor 2.0.0"
 
 

@@ -190,6 +190,7 @@ def test_a_name_in_another_case_is_refused(registry: Registry) -> None:
         ("Team\u00a0Alpha ", ["E002"]),
         ("Team\u200b Alpha", ["E002"]),
         ("\uff34eam Alpha", ["E002"]),
+        ("Team Alpha\u3164", ["E002"]),
         ("\u041a\u043e\u043c\u0430\u043d\u0434\u0430", ["published"]),
     ],
 )

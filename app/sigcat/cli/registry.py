@@ -73,8 +73,8 @@ def _add_states(actions: Actions) -> None:
     deprecating = add_action(actions, "deprecate", "mark a version as deprecated", deprecate)
     add_version(deprecating)
     add_server(deprecating)
-    deprecating.add_argument("--until", metavar="DATE", default="", help="day on which its support may end")
-    deprecating.add_argument("--successor", metavar="V", default="", help="version that replaces it")
+    deprecating.add_argument("--until", metavar="DATE", help="day on which its support may end")
+    deprecating.add_argument("--successor", metavar="V", help="version that replaces it")
     retiring = add_action(actions, "retire", "mark a version as retired, which no vehicle runs", retire)
     add_version(retiring)
     add_server(retiring)
@@ -151,7 +151,10 @@ def verify(arguments: argparse.Namespace) -> int:
 
 def deprecate(arguments: argparse.Namespace) -> int:
     """Deprecate a version."""
-    return _set_state(arguments, "deprecated", arguments.until, arguments.successor)
+    for option in ("until", "successor"):
+        if getattr(arguments, option) == "":
+            raise UsageError(f"--{option} must not be empty; without it, the version has none")
+    return _set_state(arguments, "deprecated", arguments.until or "", arguments.successor or "")
 
 
 def retire(arguments: argparse.Namespace) -> int:

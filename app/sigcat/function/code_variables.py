@@ -23,6 +23,8 @@ from sigcat.function.variable_types import Seen, Types, misfits
 
 _ADAPTER = "Adapter"
 _INDEX = re.compile(r"\[\s*(-?[0-9]+)\s*\]")
+_ROOT = re.compile(r"[(*&\s]*([A-Za-z_]\w*)")
+"""The variable at the begin of an expression."""
 _UNIT = "sigcat-variables"
 _PROBE = "sigcat_variable_"
 
@@ -157,6 +159,8 @@ class _Answers(NamedTuple):
 
     wrong: Mapping[int, str]
     types: Mapping[int, CType]
+    statics: frozenset[str]
+    """Names of variables that each file has for itself."""
     is_complete: bool
     """Whether all headers of the system are there."""
     compared: Types
@@ -171,6 +175,7 @@ def _compared(
     seen = _Answers(
         wrong={error.place.line: error.message for error in answers.errors},
         types={each.place.line: each.type for each in answers.variables if each.name.startswith(_PROBE)},
+        statics=frozenset(each.name for each in answers.variables if each.is_static),
         is_complete=not any(map(lacks_system_header, answers.errors)),
         compared=Types(
             datatypes={each.reference: each for each in function.function.datatypes},
@@ -210,7 +215,12 @@ def _of_question(function: ResolvedFunction, question: _Question, line: int, see
 def _of_variable(
     function: ResolvedFunction, question: _Question, variable: CodeVariable, line: int, seen: _Answers
 ) -> Iterator[Finding]:
-    if line in seen.wrong and line + 1 in seen.wrong:
+    root = _ROOT.match(variable.expression)
+    if root is not None and root[1] in seen.statics:
+        message = f"{variable.expression!r} must not be static: each file that includes the header has its own."
+        fix = "Declare it as extern in the header, and define it in one source."
+        yield function.finding(codes.VARIABLE_TYPE_UNFIT, question.pointer, message, fix)
+    elif line in seen.wrong and line + 1 in seen.wrong:
         if seen.is_complete and variable.defined_by != _ADAPTER:
             yield _not_declared(function, question, variable, seen.wrong[line])
     else:

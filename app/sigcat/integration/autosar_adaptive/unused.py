@@ -43,7 +43,7 @@ def report_units(units: Collection[str], context: Context) -> None:
     for unit in sorted(units):
         if unit not in described and unit not in WITHOUT_SI and si_unit(unit) is None:
             message = f"Unit {unit!r} is not one of VSS: in ARXML it has no dimension and no factor to SI units."
-            fix = "Describe it under `units` in the deployment file."
+            fix = "Describe it under `units` of `autosarAdaptive` in the deployment file."
             context.findings.report(codes.UNIT_WITHOUT_SI, message, unit, fix)
 
 
