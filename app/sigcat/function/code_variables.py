@@ -159,7 +159,7 @@ class _Answers(NamedTuple):
 
     wrong: Mapping[int, str]
     types: Mapping[int, CType]
-    statics: frozenset[str]
+    static_names: frozenset[str]
     """Names of variables that each file has for itself."""
     is_complete: bool
     """Whether all headers of the system are there."""
@@ -175,7 +175,7 @@ def _compared(
     seen = _Answers(
         wrong={error.place.line: error.message for error in answers.errors},
         types={each.place.line: each.type for each in answers.variables if each.name.startswith(_PROBE)},
-        statics=frozenset(each.name for each in answers.variables if each.is_static),
+        static_names=frozenset(each.name for each in answers.variables if each.is_static),
         is_complete=not any(map(lacks_system_header, answers.errors)),
         compared=Types(
             datatypes={each.reference: each for each in function.function.datatypes},
@@ -216,7 +216,7 @@ def _of_variable(
     function: ResolvedFunction, question: _Question, variable: CodeVariable, line: int, seen: _Answers
 ) -> Iterator[Finding]:
     root = _ROOT.match(variable.expression)
-    if root is not None and root[1] in seen.statics:
+    if root is not None and root[1] in seen.static_names:
         message = f"{variable.expression!r} must not be static: each file that includes the header has its own."
         fix = "Declare it as extern in the header, and define it in one source."
         yield function.finding(codes.VARIABLE_TYPE_UNFIT, question.pointer, message, fix)
