@@ -6,6 +6,7 @@ import time
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from sigcat.cli.ended_by_signals import was_interrupted
 from sigcat.cli.registry_options import Actions, add_action, add_server, read_registry, server_of
 from sigcat.errors import UsageError
 from sigcat.terminal_text import printable
@@ -40,10 +41,13 @@ def events(arguments: argparse.Namespace) -> int:
     server = server_of(arguments)
     pages = _of_server(server, arguments) if server else _of_database(arguments)
     try:
-        for event in (event for page in pages for event in page):
-            print(event_text(event) if arguments.format == "json" else _line(event), flush=arguments.follow)
-    except KeyboardInterrupt:
-        if not arguments.follow:
+        for page in pages:
+            for event in page:
+                print(event_text(event) if arguments.format == "json" else _line(event), flush=arguments.follow)
+            if was_interrupted():  # in a library that swallowed the exception
+                raise KeyboardInterrupt
+    except (KeyboardInterrupt, Exception):
+        if not (arguments.follow and was_interrupted()):
             raise
     return 0
 
