@@ -249,6 +249,7 @@ KINDS = (
             "tests/api/test_tracing.py::test_nothing_is_loaded_where_no_collector_is_named",
             "tests/registry/test_over_a_server.py::test_a_service_that_is_killed_while_it_publishes_leaves_a_registry_that_verifies",
             "tests/registry/test_over_a_server.py::test_two_services_on_one_database_write_one_log",
+            "tests/registry/test_over_a_server.py::test_events_are_followed_over_a_restart_of_the_service_until_an_interrupt",
             "tests/registry/test_over_a_server.py::test_another_log_at_the_same_address_ends_following",
             "tests/registry/test_over_a_server.py::test_a_service_with_a_follower_stops_without_force",
             "tests/registry/test_over_a_server.py::test_a_token_is_taken_from_the_environment",
@@ -373,8 +374,7 @@ KINDS = (
             "tests/comparison/running/test_fmi.py",
         ),
         (
-            "tests/adapter/fmi/test_system.py::test_fmus_of_functions_exchange_what_functions_of_a_set_exchange",
-            "tests/adapter/fmi/test_two_fmus_on_a_bus.py::test_a_frame_is_received_at_the_end_of_the_step_in_which_it_is_sent",
+            "tests/adapter/fmi/test_system.py::test_fmus_of_functions_exchange_what_functions_of_a_set_exchange[3.0]",
         ),
     ),
     Kind(

@@ -19,6 +19,7 @@ from sigcat.registry.storing.ledger import Registry
 from tests.api.conftest import SOURCES
 from tests.registry.parts import candidate, catalogue, declaration
 from tests.registry.served import asking, settings_of, signed_registry
+from tests.waiting import DEADLINE
 
 EVENTS = "/api/v1/registry/events"
 NEW = candidate(declaration("Beta", (), ("S1",)), catalogue())
@@ -60,9 +61,12 @@ def application(registry: Registry) -> Any:
     return create_app(Library(SOURCES[:1]), Settings(client_share=1), registry=settings_of(registry))
 
 
-async def waiting(client: httpx.AsyncClient, count: int) -> "list[asyncio.Task[httpx.Response]]":
+async def waiting(app: Any, client: httpx.AsyncClient, count: int) -> "list[asyncio.Task[httpx.Response]]":
+    """Requests that wait for an event."""
     tasks = [asyncio.create_task(client.get(f"{EVENTS}?after=4&wait=60")) for _ in range(count)]
-    await asyncio.sleep(1)
+    async with asyncio.timeout(DEADLINE):
+        while app.state.event_turns.pending < count:
+            await asyncio.sleep(0.01)
     return tasks
 
 
@@ -83,8 +87,9 @@ def test_fifty_clients_that_wait_hold_no_thread_and_all_get_the_next_event(regis
     async def scenario() -> None:
         nonlocal threads
         before = threading.active_count()
-        async with client_of(application(registry)) as client:
-            tasks = await waiting(client, 50)
+        app = application(registry)
+        async with client_of(app) as client:
+            tasks = await waiting(app, client, 50)
             threads = threading.active_count() - before
             found.append(await client.get("/api/v1/registry"))
             await asyncio.to_thread(publish, registry, [NEW])
@@ -105,7 +110,7 @@ def test_more_than_a_bounded_number_are_refused(registry: Registry) -> None:
         app = application(registry)
         async with client_of(app) as client:
             app.state.event_turns._most = 2
-            tasks = await waiting(client, 2)
+            tasks = await waiting(app, client, 2)
             refused.append(await client.get(f"{EVENTS}?after=4&wait=60"))
             for task in tasks:
                 task.cancel()
@@ -120,8 +125,9 @@ def test_a_database_that_goes_away_ends_the_waiting(registry: Registry) -> None:
     found: list[httpx.Response] = []
 
     async def scenario() -> None:
-        async with client_of(application(registry)) as client:
-            tasks = await waiting(client, 1)
+        app = application(registry)
+        async with client_of(app) as client:
+            tasks = await waiting(app, client, 1)
             assert isinstance(registry.database, Path)
             registry.database.rename(registry.database.with_name("moved.db"))
             found.append(await asyncio.wait_for(tasks[0], 30))
@@ -136,7 +142,7 @@ def test_a_service_that_stops_answers_those_who_wait(registry: Registry) -> None
     async def scenario() -> None:
         app = application(registry)
         async with client_of(app) as client:
-            tasks = await waiting(client, 1)
+            tasks = await waiting(app, client, 1)
             app.state.event_watch.close()
             found.append(await asyncio.wait_for(tasks[0], 30))
 
