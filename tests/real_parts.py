@@ -373,9 +373,7 @@ KINDS = (
             "tests/adapter/fmi/test_bus_fuzzed.py",
             "tests/comparison/running/test_fmi.py",
         ),
-        (
-            "tests/adapter/fmi/test_system.py::test_fmus_of_functions_exchange_what_functions_of_a_set_exchange[3.0]",
-        ),
+        ("tests/adapter/fmi/test_system.py::test_fmus_of_functions_exchange_what_functions_of_a_set_exchange[3.0]",),
     ),
     Kind(
         "functions compiled and run",

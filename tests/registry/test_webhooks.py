@@ -165,7 +165,7 @@ def test_answers_are_bounded_in_time_and_size(monkeypatch, behaviour: int | str,
     with receiving(lambda _: behaviour) as receiver:
         start = time.monotonic()
         found = send(receiver.url, b"{}", {}, LOCAL)
-        assert time.monotonic() - start < 5
+        assert time.monotonic() - start < 15, "the receiver hangs for 20 s"
     assert found.text.startswith(answer)
     assert found.is_delivered is (behaviour == "big")
     assert [each.path for each in receiver.requests] == ["/hook?a=b"]

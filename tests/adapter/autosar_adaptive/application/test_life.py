@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import time
+from pathlib import Path
 
 import pytest
 
@@ -11,6 +12,7 @@ from scripts import run_autosar
 from sigcat.comparison.running import processes
 from tests.adapter.autosar_adaptive.application.generated import FULL, full, write
 from tests.needs import cmake, own_network, slow
+from tests.waiting import DEADLINE, wait_until
 
 pytestmark = [cmake, own_network, slow]
 
@@ -33,9 +35,17 @@ def started(executable, storage, **environment):
 
 def run(executable, storage, seconds=1.0):
     process = started(executable, storage)
+    wait_until(lambda: handles_sigterm(process.pid), "the program handles SIGTERM")
     time.sleep(seconds)
     process.send_signal(signal.SIGTERM)
-    return process.wait(timeout=10)
+    return process.wait(DEADLINE)
+
+
+def handles_sigterm(pid):
+    """Whether a process has a handler of SIGTERM, by the mask of Linux."""
+    status = Path(f"/proc/{pid}/status").read_text(encoding="ascii")
+    caught = int(status.partition("SigCgt:")[2].split()[0], 16)
+    return bool(caught >> (signal.SIGTERM - 1) & 1)
 
 
 def contents(storage):
@@ -58,4 +68,4 @@ def test_it_keeps_what_it_has_learned_and_counted(executable, tmp_path):
 
 
 def test_it_fails_if_the_initialization_of_the_function_does(executable, tmp_path):
-    assert started(executable, tmp_path / "storage", FULL_FAILS="1").wait(timeout=10) == 1
+    assert started(executable, tmp_path / "storage", FULL_FAILS="1").wait(DEADLINE) == 1
