@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
-from sigcat.cli.function_options import add_function, add_functions, functions_of, one_function
+from sigcat.cli.function_options import add_function, add_functions, functions_of, one_function, tree_of
 from sigcat.cli.output import print_findings, write_text
 from sigcat.cli.output_options import add_output
 from sigcat.cli.project_options import project_of
@@ -154,7 +154,9 @@ def build(arguments: argparse.Namespace) -> int:
     from sigcat.function.function_json.model import to_json
 
     file = one_function(arguments)
-    function, findings = build_function(file.read_bytes(), str(file), read_tree(arguments), check_code=code_problems)
+    data, name = file.read_bytes(), str(file)
+    tree = tree_of(arguments, [(data, name)])
+    function, findings = build_function(data, name, tree, check_code=code_problems)
     print_findings(findings)
     write_text(to_json(function).decode("utf-8"), arguments.output)
     return 0
@@ -252,7 +254,8 @@ def overlay(arguments: argparse.Namespace) -> int:
     from sigcat.function.extension.overlay import overlay_of
 
     file = one_function(arguments)
-    made = overlay_of(file.read_bytes(), str(file), read_tree(arguments))
+    data, name = file.read_bytes(), str(file)
+    made = overlay_of(data, name, tree_of(arguments, [(data, name)]))
     if made.types and arguments.types_output is None:
         raise UsageError("struct types need a separate file: pass `--types-output FILE`")
     print_findings(made.findings)
@@ -269,7 +272,7 @@ def validate(arguments: argparse.Namespace) -> int:
     from sigcat.function.sets.check_set import check_functions
 
     files = [(file.read_bytes(), str(file)) for file in functions_of(arguments)]
-    tree = read_tree(arguments)
+    tree = tree_of(arguments, files)
     findings = check_functions(files, tree, is_whole=len(files) > 1, check_code=code_problems)
     if arguments.vehicles is not None:
         findings = in_order((*findings, *_in_vehicles(files, tree, findings, arguments)))
