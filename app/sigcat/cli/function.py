@@ -9,7 +9,7 @@ from sigcat.cli.function_options import add_function, add_functions, functions_o
 from sigcat.cli.output import print_findings, write_text
 from sigcat.cli.output_options import add_output
 from sigcat.cli.project_options import project_of
-from sigcat.cli.tree_options import add_tree_options, read_tree
+from sigcat.cli.tree_options import add_tree_options, read_tree, tree_options
 from sigcat.errors import UsageError
 from sigcat.findings import in_order
 
@@ -164,7 +164,7 @@ def build(arguments: argparse.Namespace) -> int:
 
 def new(arguments: argparse.Namespace) -> int:
     """Write the scaffold, or what is made from code; a file that is there already is never written over."""
-    from sigcat.function.declaration.scaffold import SCHEMA_FILE, code_scaffold, scaffold, schema_text
+    from sigcat.function.declaration.scaffold import SCHEMA_FILE, code_scaffold, schema_text
 
     if not arguments.from_c and (arguments.model or arguments.define or arguments.define_under):
         raise UsageError("--model, --define and --define-under are about C code: name its folder with --from-c")
@@ -175,7 +175,7 @@ def new(arguments: argparse.Namespace) -> int:
     for path in (file, *(folder / name for name in code)):
         if path.exists():
             raise UsageError(f"{path} is there already")
-    text = _imported(arguments, folder, schema) if arguments.from_c else scaffold(arguments.name, schema)
+    text = _imported(arguments, folder, schema) if arguments.from_c else _scaffold(arguments, schema)
     if not arguments.schema:
         write_text(schema_text(), folder / SCHEMA_FILE)
     for name, source in code.items():
@@ -189,6 +189,15 @@ def new(arguments: argparse.Namespace) -> int:
     )
     print(f"{file}: {advice}", file=sys.stderr)
     return 0
+
+
+def _scaffold(arguments: argparse.Namespace, schema: str) -> str:
+    """The text of a new function. Only a tree that is not the shipped one is read for it. Raises InputRefused."""
+    from sigcat.function.declaration.scaffold import scaffold
+    from sigcat.project.chosen_tree import named_tree
+
+    is_shipped = named_tree(project_of(arguments), tree_options(arguments)) is None
+    return scaffold(arguments.name, schema, None if is_shipped else read_tree(arguments))
 
 
 def _new_file(output: Path) -> Path:
