@@ -138,6 +138,19 @@ def test_a_file_is_published_by_the_token_of_the_session(person: Person) -> None
     assert (entry["by"], entry["team"]) == ("anna", "Team Epsilon")
 
 
+def test_a_version_of_another_owner_names_both(person: Person) -> None:
+    person.sign_in("publish")
+    files = {
+        "file": (
+            "Beta.function.yaml",
+            function_file("Beta", "{path: Vehicle.S1, role: provided}", "3.0.0").replace(b"Team Beta", b"Team <Z>"),
+        )
+    }
+    answer = person.post("/registry/publish", data={"form": person.form}, files=files)
+    assert "owner changed from Team Beta to Team &lt;Z&gt;" in answer.text
+    assert "owner changed from Team Beta to Team &lt;Z&gt;" in person.get("/registry").text
+
+
 def test_an_overlay_has_the_version_of_the_form(person: Person) -> None:
     person.sign_in("publish")
     files = {"file": ("signals.vspec", OVERLAY.encode())}
@@ -245,7 +258,7 @@ def test_a_refused_end_of_a_version_keeps_its_values(person: Person) -> None:
     typed = {"group": "functions", "reference": "Alpha@1.0.0", "until": "2020-02-03", "successor": "2.0.0"}
     answer = person.send("/registry/end", action="deprecate", **typed)
     assert answer.status_code == 422
-    assert "<h2 id=\"end\">End version 1.0.0</h2>" in answer.text
+    assert '<h2 id="end">End version 1.0.0</h2>' in answer.text
     for kept in ('name="until" value="2020-02-03"', "<option selected>2.0.0</option></select></label>\n<p"):
         assert kept in answer.text
     assert "Nothing was changed." in answer.text

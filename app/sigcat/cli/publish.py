@@ -53,7 +53,7 @@ def publish(arguments: argparse.Namespace) -> int:
     """Publish the files, and print each version. Raises InputRefused with every reason."""
     receipt, change = _published(arguments)
     for outcome in receipt.outcomes:
-        print(f"{outcome.kind} {outcome.reference}: {outcome.status}")
+        print(outcome.sentence)
         print_decisions(outcome.approvals)
     print_head(change)
     return int(any(outcome.status == "pending" for outcome in receipt.outcomes))

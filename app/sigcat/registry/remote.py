@@ -299,7 +299,9 @@ def _finding(data: _JSON) -> Finding:
 
 
 def _outcome(data: _JSON) -> Outcome:
-    return Outcome(_KINDS[data["group"]], _reference(data), _status(data), tuple(map(_approval, data["approvals"])))
+    owners = data.get("owner") or "", data.get("previous_owner") or ""  # an older service has neither
+    approvals = tuple(map(_approval, data["approvals"]))
+    return Outcome(_KINDS[data["group"]], _reference(data), _status(data), approvals, *owners)
 
 
 def _status(data: _JSON) -> Status:
