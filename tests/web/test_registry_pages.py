@@ -73,7 +73,9 @@ def test_a_cell_says_that_support_has_ended_of_what_runs_and_of_what_may_be_depl
     page = text_of(site_over(settings.database)("/registry/lines").text)
     assert "1.0.0 deprecated until 2040-01-31, successor 2.0.0 ✓ 2.0.0 may be deployed Beta" in page
     with writing(settings.database) as connection:  # the days have passed
-        connection.exec_driver_sql("UPDATE versions SET until = replace(until, '2040', '2020') WHERE until LIKE '2040%'")
+        connection.exec_driver_sql(
+            "UPDATE versions SET until = replace(until, '2040', '2020') WHERE until LIKE '2040%'"
+        )
     page = text_of(site_over(settings.database)("/registry/lines").text)
     assert "1.0.0 deprecated , support ended on 2020-01-31, successor 2.0.0" in page
     assert "2.0.0 may be deployed 1 warning The support of Alpha 2.0.0 ended on 2020-02-28." in page
