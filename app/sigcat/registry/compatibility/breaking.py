@@ -1,7 +1,7 @@
 """Functions that a change breaks, before anything is published: of a catalogue, or of functions."""
 
 import json
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
 
