@@ -231,6 +231,24 @@ def test_a_newer_version_of_another_owner_names_both(registry: Registry) -> None
     assert published("3.0.0", "") == "overlay Body 3.0.0: published, owner changed from Team Beta to none"
 
 
+@pytest.mark.parametrize(("first", "again", "said"), [
+    ("Team Alpha", "Team Alpha", []), ("Team Alpha", "", []),
+    ("", "Team Alpha", ["Body 1.0.0 is published with no owner, not with the owner 'Team Alpha'."]),
+    ("Team Alpha", "Team Beta", ["Body 1.0.0 is published with the owner 'Team Alpha', not with the owner 'Team Beta'."]),
+])  # fmt: skip
+def test_the_same_bytes_with_another_owner_change_nothing_silently(
+    registry: Registry, first: str, again: str, said: list[str]
+) -> None:
+    each = plain_candidate("Body", "1.0.0")
+    publish(registry, [each._replace(owner=first)])
+    try:
+        assert [each.status for each in publish(registry, [each._replace(owner=again)]).outcomes] == ["unchanged"]
+        found = []
+    except InputRefused as refused:
+        found = [each.message for each in refused.findings]
+    assert found == said
+
+
 def test_the_refusal_of_an_owner_shows_which_letters_differ(registry: Registry) -> None:
     """The published name may be the one with a foreign letter."""
     outcome(registry, plain_candidate("Body", "1.0.0")._replace(owner="T\u0435am"))

@@ -20,10 +20,14 @@ def alike_problem(connection: Connection, owner: str) -> str:
     if connection.execute(_PUBLISHED, {"of_owner": owner}).first() is not None:
         return ""
     appearance = _appearance(owner)
-    known = connection.execute(_OWNERS).scalars()
-    alike = next((each for each in known if _appearance(each) == appearance), "")
+    alike = next((each for each in owners(connection) if _appearance(each) == appearance), "")
     published = shown(alike) if alike.translate(_LATIN) == alike else ascii(alike[:100])
     return f"The owner must be {published}, as it is published, not {owner[:100]!a}." if alike else ""
+
+
+def owners(connection: Connection) -> tuple[str, ...]:
+    """Owners of published versions, in order."""
+    return tuple(connection.execute(_OWNERS).scalars())
 
 
 def _appearance(name: str) -> str:

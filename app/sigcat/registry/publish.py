@@ -9,7 +9,7 @@ from sqlalchemy import Connection, bindparam, select
 from sigcat import codes
 from sigcat.catalogue.comparing.changelog import next_version, part_of
 from sigcat.catalogue.comparing.changes import CLASSES
-from sigcat.findings import Finding
+from sigcat.findings import Finding, shown
 from sigcat.registry.approvals import Approval, approvals_of, approving
 from sigcat.registry.candidate import Candidate
 from sigcat.registry.changes import UseChange, function_changes, node_changes
@@ -213,10 +213,16 @@ def _taken(connection: Connection, candidate: Candidate, known: Published) -> It
         message = f"{known.reference} is published with other bytes."
     elif content_of(connection, known.uses) != candidate.uses:
         message = f"{known.reference} is published over a catalogue in which its signals differ."
+    elif candidate.owner not in ("", known.owner):
+        message = f"{known.reference} is published with {_owner(known.owner)}, not with {_owner(candidate.owner)}."
     else:
         return
     fix = "Publish it under a new version."
     yield codes.VERSION_TAKEN.finding(message, candidate.file, path=str(known.reference), fix=fix)
+
+
+def _owner(name: str) -> str:
+    return f"the owner {shown(name)}" if name else "no owner"
 
 
 def _too_low(connection: Connection, candidate: Candidate) -> Iterator[Finding]:
