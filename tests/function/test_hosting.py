@@ -158,6 +158,18 @@ def test_near_names_are_proposed(catalogue: Catalogue) -> None:
     assert "core_acc" in missing.value.nearest
 
 
+def test_a_file_that_may_be_half_written_is_read_once_it_is_the_same_at_two_looks(folder: Path) -> None:
+    library = FunctionLibrary([folder], has_shipped=False)
+    assert not library.reload_settled()
+    for text in (noise("New"), noise("Newer")):
+        (folder / "new.function.yaml").write_text(text)
+        assert not library.reload_settled()
+    assert ids(library) == ["cabin_noise"]
+    assert library.reload_settled()
+    assert ids(library) == ["cabin_noise", "new"]
+    assert not library.reload_settled()
+
+
 def test_changes_in_the_folder_are_seen(folder: Path) -> None:
     library = FunctionLibrary([folder], has_shipped=False)
     before = library.digest

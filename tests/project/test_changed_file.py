@@ -33,8 +33,8 @@ class Service:
 
 def look_twice(watched: ProjectFile) -> None:
     """A file that has just changed may be half written: it is read at the next look."""
-    watched.reload_changed()
-    watched.reload_changed()
+    watched.reload_settled()
+    watched.reload_settled()
 
 
 def test_each_change_is_taken_once(tmp_path: Path):
@@ -42,13 +42,13 @@ def test_each_change_is_taken_once(tmp_path: Path):
     file.write_text("watch = true\n")
     service = Service()
     watched = service.watched(file)
-    watched.reload_changed()
+    watched.reload_settled()
     assert service.taken == 0
     file.write_text("watch = true\nshipped = false\n")
-    watched.reload_changed()
+    watched.reload_settled()
     assert service.taken == 0
-    watched.reload_changed()
-    watched.reload_changed()
+    watched.reload_settled()
+    watched.reload_settled()
     assert (service.taken, service.shown) == (1, [()])
 
 
@@ -74,6 +74,21 @@ def test_the_findings_of_an_invalid_file_are_logged_and_shown_until_it_is_valid(
     file.write_text("shipped = true")
     look_twice(watched)
     assert service.shown[1:] == [()]
+
+
+def test_a_file_that_is_emptied_is_reported_and_the_last_settings_stay(tmp_path):
+    """An editor that is stopped between truncating and writing leaves such a file."""
+    file = tmp_path / "sigcat.toml"
+    file.write_text("shipped = true\n")
+    service = Service()
+    watched = service.watched(file)
+    file.write_text("")
+    look_twice(watched)
+    assert service.taken == 0
+    assert [(each.rule, each.message) for each in service.shown[0]] == [("C003", "The file is empty.")]
+    file.write_text("# Nothing is set.\n")
+    look_twice(watched)
+    assert (service.taken, service.shown[1:]) == (1, [()])
 
 
 def test_a_file_that_was_removed_is_reported(tmp_path):

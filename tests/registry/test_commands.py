@@ -471,6 +471,24 @@ def test_a_token_that_nobody_can_use_is_refused(field: Run, option: str, value: 
     assert (status, said in text, "sigcat_" in text) == (2, True, False), text
 
 
+def test_a_token_of_an_owner_that_is_nearly_one_of_the_registry_is_a_warning(field: Run) -> None:
+    create = ("registry", "token", "create")
+    status, text = field(*create, "one", "--scope", "publish", "--owner", "Longitudnal control team")
+    assert "has published nothing. Did you mean 'Longitudinal control team'?" in text
+    assert (status, "sigcat_" in text) == (0, True)
+    for name, owner in (("two", "Longitudinal control team"), ("three", "Gearbox")):
+        assert "warning" not in field(*create, name, "--scope", "publish", "--owner", owner)[1]
+
+
+@pytest.mark.parametrize("version", ["9.0.0", "CoreAcc@1.0.0", "1.0"])
+def test_an_unknown_version_is_reported_with_those_that_there_are(field: Run, version: str) -> None:
+    status, text = field("registry", "deprecate", "CoreAcc@1.0.0", "--successor", version)
+    assert (status, f"The registry has no version '{version}' of CoreAcc. Published versions are 1.0.0." in text) == (
+        1,
+        True,
+    )
+
+
 def test_a_record_warns_of_a_new_line_and_of_a_version_that_does_not_fit(field: Run) -> None:
     assert run_warnings(field("registry", "record-deployment", "SUV-2026", "CoreAcc@1.0.0")) == (
         0, ["warning: line SUV-2026 is new. Did you mean 'SUV-2025'?"]

@@ -153,6 +153,72 @@ def test_a_narrower_range_breaks_who_provides_and_a_wider_one_may_break_who_read
         assert [finding.rule for finding in broken_by_catalogue(connection, after, "tree.vspec")] == rules
 
 
+VALUES = ("A", "B", "C", "D", "E")
+
+
+def _with_values(values: Sequence[str]) -> Catalogue:
+    """A catalogue in which a signal has these values; without any, all texts."""
+    more = f", allowed: [{', '.join(values)}]" if values else ""
+    return catalogue({"S0": f"string{more}"})
+
+
+def _renamed(values: Sequence[str], chance: random.Random) -> list[str]:
+    """A list of values as an edit leaves it: some added, removed, renamed, and all of them reordered."""
+    kept = [each for each in values if chance.random() < 0.7]
+    new = chance.sample(VALUES, chance.randint(0, 2))
+    found = list(dict.fromkeys([*kept, *new]))
+    return found if chance.random() < 0.6 else chance.sample(found, len(found))
+
+
+def _verdict(is_provider: bool, old: Sequence[str], new: Sequence[str]) -> str:
+    """The verdict about a function in the vehicles, from the meaning of the values alone.
+
+    Who provides them breaks if it may send one that is not allowed; who reads them may break by any change, but gets
+    only texts that it knows if it knows all of them. Code numbers values by their position.
+    """
+    if list(old) == list(new) or not (is_provider or old):
+        return "fits"
+    if is_provider:
+        is_limited = bool(new) and not (old and set(old) <= set(new))
+        kept = [each for each in old if each in new]
+        is_renumbered = bool(old and new) and (list(new[: len(kept)]) != kept or set(old) == set(new))
+        return "breaks" if is_limited else "may break" if is_renumbered else "fits"
+    return "may break"
+
+
+@pytest.mark.parametrize("is_provider", [True, False], ids=["provider", "consumer"])
+def test_a_check_of_a_catalogue_and_a_deployment_over_it_judge_changed_values_alike(is_provider: bool) -> None:
+    """The function in the vehicles was built over the old values, and the other end of its signal over the new ones."""
+    provides, consumes = {"provided": ["S0"]}, {"consumed": ["S0"]}
+    here, there = (provides, consumes) if is_provider else (consumes, provides)
+    found: list[str] = []
+    for seed in range(200 if IS_SLOW_RUN else 60):
+        chance = random.Random(seed)
+        old = chance.sample(VALUES, chance.randint(1, 4)) if chance.random() < 0.9 else []
+        new = _renamed(old, chance)
+        before, after = _with_values(old), _with_values(new)
+        with in_memory() as connection:
+            add(
+                connection,
+                candidate(declaration("Alpha", **here), before),
+                candidate(declaration("Beta", **there), after),
+            )
+            deploy(connection, "SUV-2025", [Reference("Alpha", "1.0.0")])
+            answer = can_deploy(connection, [Reference("Beta", "1.0.0")], "SUV-2025")
+            checked_ = [
+                each for each in broken_by_catalogue(connection, after, "tree.vspec") if "Alpha" in each.message
+            ]
+        judged = [(each.rule, each.severity, each.message.partition(" Alpha")[0], each.fix) for each in checked_]
+        conflicts = [each for each in answer.conflicts if each.rule != "E008"]
+        deployed = [(each.rule, each.severity, each.message.partition(" Alpha")[0], each.fix) for each in conflicts]
+        expected = _verdict(is_provider, old, new)
+        assert deployed == judged, (seed, old, new)
+        verdicts = {each.rpartition(" ")[2] for _, _, each, _ in judged}
+        assert ("breaks" if "breaks" in verdicts else "may break" if verdicts else "fits") == expected, (seed, old, new)
+        found.append(expected)
+    assert set(found) == {"fits", "may break"} | ({"breaks"} if is_provider else set())
+
+
 SETTABLE = """
 Vehicle.Function: {{type: branch, description: Functions.}}
 Vehicle.Function.Alpha: {{type: branch, description: A function.}}

@@ -172,6 +172,13 @@ def test_every_step_gives_the_same_with_a_service_and_with_a_database(served: Se
     assert actions == {"publish", "deployment", "state", "support ended", "rule", "approve", "reject", "acknowledge"}
 
 
+def test_what_a_service_refuses_leads_to_the_option(served: Served, run: Run, tmp_path: Path) -> None:
+    client = client_of(served, tmp_path / "client")
+    (client / "extra.vspec").write_text("Vehicle.Extra: {type: branch, description: More.}\n", encoding="utf-8")
+    assert "pass `--version V`" in run(client, "publish extra.vspec")[2]
+    assert "Unknown catalogue 'flet'. Did you mean 'fleet'?" in run(client, "check CoreAcc.yaml -s flet")[2]
+
+
 def test_a_token_is_taken_from_the_environment(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     folder = tmp_path / "served"
     folder.mkdir()
@@ -182,6 +189,11 @@ def test_a_token_is_taken_from_the_environment(run: Run, tmp_path: Path, monkeyp
         client = client_of(service, tmp_path / "client")
         status, _, told = run(client, "publish CoreAcc.yaml")
         assert (status, "must have a token" in told, secret in told) == (2, True, False)
+        assert "a token is needed: set SIGCAT_TOKEN." in told
+        monkeypatch.setenv("SIGCAT_TOKEN", f"{secret}x")
+        status, _, told = run(client, "publish CoreAcc.yaml")
+        assert (status, "The token of the request is not one of this registry." in told) == (2, True)
+        assert "SIGCAT_TOKEN" not in told
         monkeypatch.setenv("SIGCAT_TOKEN", secret)
         assert run(client, "publish CoreAcc.yaml")[0] == 0
         assert "E015" in run(client, "publish User.yaml")[2]

@@ -16,7 +16,7 @@ from sigcat.registry.published import all_versions, version_named
 from sigcat.registry.reference import Kind, Reference, name_problem
 from sigcat.registry.storing.content import content_of
 from sigcat.registry.storing.database import Place, reading
-from sigcat.registry.storing.ledger import Registry
+from sigcat.registry.storing.ledger import Registry, log_page
 from sigcat.registry.storing.tables import SCHEMA
 from sigcat.registry.version import raised_part, version_of, version_problem
 from tests.registry.parts import candidate, catalogue, declaration, plain_candidate
@@ -191,6 +191,14 @@ def test_a_name_in_another_case_is_refused(registry: Registry) -> None:
         ("Team\u200b Alpha", ["E002"]),
         ("\uff34eam Alpha", ["E002"]),
         ("Team Alpha\u3164", ["E002"]),
+        ("Team \u13aalpha", ["E002"]),
+        ("Team Alp\u0570a", ["E002"]),
+        ("Te\ua4eem Alpha", ["E002"]),
+        ("Team \uab7alpha", ["E002"]),
+        ("\u13a2eam Alpha", ["E002"]),
+        ("Team Al\u03c1ha", ["E002"]),
+        ("Team \U000118a0lpha", ["published"]),
+        ("\u0540\u0561\u0575\u0565\u0580", ["published"]),
         ("\u041a\u043e\u043c\u0430\u043d\u0434\u0430", ["published"]),
     ],
 )
@@ -199,6 +207,54 @@ def test_an_owner_that_looks_like_another_one_is_refused(registry: Registry, own
     assert outcome(registry, first) == ["published"]
     assert outcome(registry, plain_candidate("Light", "1.0.0")._replace(owner=owner)) == rules
     assert outcome(registry, first._replace(version="1.1.0", owner=owner)) == rules
+
+
+def test_a_newer_version_of_another_owner_names_both(registry: Registry) -> None:
+    """It is accepted, as a team hands its functions over, but not without a word."""
+
+    def published(version: str, owner: str, *, is_draft: bool = False) -> str:
+        each = plain_candidate("Body", version)._replace(owner=owner)
+        return publish(registry, [each], is_draft=is_draft).outcomes[0].sentence
+
+    def previous() -> object:
+        with reading(registry.database) as connection:
+            return log_page(connection, 0, 100)[-1].entry.data.get("previous_owner")
+
+    assert (published("1.0.0", "Team Alpha"), previous()) == ("overlay Body 1.0.0: published", None)
+    change = ", owner changed from Team Alpha to Team Beta"
+    for is_draft, state in ((True, "draft"), (False, "published")):
+        said = published("2.0.0", "Team Beta", is_draft=is_draft)
+        assert (said, previous()) == (f"overlay Body 2.0.0: {state}{change}", "Team Alpha")
+    assert published("2.0.0", "Team Beta") == "overlay Body 2.0.0: unchanged"
+    assert (published("2.1.0", "Team Beta"), previous()) == ("overlay Body 2.1.0: published", None)
+    assert published("1.1.0", "Team Alpha") == "overlay Body 1.1.0: published", "the newest version stays Team Beta's"
+    assert published("3.0.0", "") == "overlay Body 3.0.0: published, owner changed from Team Beta to none"
+
+
+@pytest.mark.parametrize(("first", "again", "said"), [
+    ("Team Alpha", "Team Alpha", []), ("Team Alpha", "", []),
+    ("", "Team Alpha", ["Body 1.0.0 is published with no owner, not with the owner 'Team Alpha'."]),
+    ("Team Alpha", "Team Beta", ["Body 1.0.0 is published with the owner 'Team Alpha', not with the owner 'Team Beta'."]),
+])  # fmt: skip
+def test_the_same_bytes_with_another_owner_change_nothing_silently(
+    registry: Registry, first: str, again: str, said: list[str]
+) -> None:
+    each = plain_candidate("Body", "1.0.0")
+    publish(registry, [each._replace(owner=first)])
+    try:
+        assert [each.status for each in publish(registry, [each._replace(owner=again)]).outcomes] == ["unchanged"]
+        found = []
+    except InputRefused as refused:
+        found = [each.message for each in refused.findings]
+    assert found == said
+
+
+def test_the_refusal_of_an_owner_shows_which_letters_differ(registry: Registry) -> None:
+    """The published name may be the one with a foreign letter."""
+    outcome(registry, plain_candidate("Body", "1.0.0")._replace(owner="T\u0435am"))
+    with pytest.raises(InputRefused) as refused:
+        publish(registry, [plain_candidate("Light", "1.0.0")._replace(owner="Team")])
+    assert refused.value.findings[0].message == "The owner must be 'T\\u0435am', as it is published, not 'Team'."
 
 
 def test_versions_are_in_the_order_of_semver() -> None:

@@ -93,6 +93,15 @@ def test_a_posted_file_is_published_byte_for_byte_with_the_signed_head_of_the_lo
     assert (again.status_code, again.json()["versions_posted"][0]["is_new"], again.json()["head"]) == (200, False, head)
 
 
+def test_a_version_of_another_owner_names_the_owner_before(service: Service) -> None:
+    found = []
+    for version, owner in (("1.0.0", "Team CoreAcc"), ("1.1.0", "Another team")):
+        text = CONTENT.replace(b"1.0.0", version.encode()).replace(b"Team CoreAcc", owner.encode())
+        (outcome,) = service.post("publish", text).json()["versions_posted"]
+        found.append((outcome["owner"], outcome["previous_owner"]))
+    assert found == [("Team CoreAcc", None), ("Another team", "Team CoreAcc")]
+
+
 def test_other_bytes_under_a_version_are_a_conflict(service: Service) -> None:
     service.post("publish", CONTENT)
     assert rules(service.post("publish", CONTENT.replace(b"An example", b"Another one")), 409) == ["E003"]

@@ -7,9 +7,11 @@ from pathlib import Path
 import httpx
 import pytest
 
+from sigcat import codes
 from sigcat.api.settings import Settings
 from sigcat.catalogue.hosting.library import Library
 from sigcat.project.project import RegistrySettings
+from sigcat.registry.reference import unusable
 from sigcat.registry.storing import sessions
 from sigcat.registry.storing.database import reading, writing
 from sigcat.registry.storing.ledger import Ledger, log_page
@@ -136,6 +138,19 @@ def test_a_file_is_published_by_the_token_of_the_session(person: Person) -> None
     assert (entry["by"], entry["team"]) == ("anna", "Team Epsilon")
 
 
+def test_a_version_of_another_owner_names_both(person: Person) -> None:
+    person.sign_in("publish")
+    files = {
+        "file": (
+            "Beta.function.yaml",
+            function_file("Beta", "{path: Vehicle.S1, role: provided}", "3.0.0").replace(b"Team Beta", b"Team <Z>"),
+        )
+    }
+    answer = person.post("/registry/publish", data={"form": person.form}, files=files)
+    assert "owner changed from Team Beta to Team &lt;Z&gt;" in answer.text
+    assert "owner changed from Team Beta to Team &lt;Z&gt;" in person.get("/registry").text
+
+
 def test_an_overlay_has_the_version_of_the_form(person: Person) -> None:
     person.sign_in("publish")
     files = {"file": ("signals.vspec", OVERLAY.encode())}
@@ -236,6 +251,55 @@ def test_a_refused_form_of_files_keeps_its_values(person: Person) -> None:
         assert kept in answer.text
     assert "Nothing was published." in answer.text
     assert 'class="findings' in answer.text
+
+
+def test_a_refused_end_of_a_version_keeps_its_values(person: Person) -> None:
+    person.sign_in("publish")
+    typed = {"group": "functions", "reference": "Alpha@1.0.0", "until": "2020-02-03", "successor": "2.0.0"}
+    answer = person.send("/registry/end", action="deprecate", **typed)
+    assert answer.status_code == 422
+    assert '<h2 id="end">End version 1.0.0</h2>' in answer.text
+    for kept in ('name="until" value="2020-02-03"', "<option selected>2.0.0</option></select></label>\n<p"):
+        assert kept in answer.text
+    assert "Nothing was changed." in answer.text
+    assert "must be today or later, not 2020-02-03" in answer.text
+    retired = person.send("/registry/end", action="retire", **typed).text
+    assert "<details open><summary>Retire the version" in retired
+    assert "runs in line SUV-2025" in retired
+    other = person.send("/registry/end", action="deprecate", **{**typed, "reference": "Alpha@9.0.0"})
+    assert 'name="until" value=""' in other.text, "what was typed about a version is not offered for another one"
+
+
+@pytest.mark.parametrize("action", ["approve", "reject"])
+def test_a_refused_decision_keeps_its_values(person: Person, action: str) -> None:
+    person.sign_in("approve")
+    typed = {"group": "functions", "reference": "Beta@1.1.0", "owner": "Team Gamma", "content": "0" * 64}
+    answer = person.send("/registry/decide", action=action, reason='Not "now".', **typed)
+    assert answer.status_code == 422
+    assert 'name="reason" value="Not &#34;now&#34;."' in answer.text
+    assert "<option selected>Team Gamma</option>" in answer.text
+    assert "must have the SHA-256" in answer.text
+
+
+def test_a_form_is_shown_again_while_the_registry_is_busy_and_the_log_says_so(
+    person: Person, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    def busy(*_: object, **__: object) -> None:
+        raise unusable(codes.REGISTRY_UNUSABLE.finding("The database is locked."))
+
+    person.sign_in("publish")
+    monkeypatch.setattr("sigcat.registry.lines.set_state", busy)
+    monkeypatch.setattr("sigcat.registry.publish.publish", busy)
+    typed = {"group": "functions", "reference": "Alpha@1.0.0", "until": "2040-02-03"}
+    ended = person.send("/registry/end", action="deprecate", **typed)
+    files = {"file": ("signals.vspec", OVERLAY.encode())}
+    data = {"form": person.form, "version": "1.0.0", "owner": "Platform"}
+    published_files = person.post("/registry/publish", data=data, files=files)
+    assert 'name="until" value="2040-02-03"' in ended.text
+    assert 'name="owner" value="Platform"' in published_files.text
+    for answer in (ended, published_files):
+        assert (answer.status_code, answer.headers["retry-after"]) == (503, "2")
+    assert caplog.text.count("The database is locked.") == 2
 
 
 def test_who_may_not_administer_sends_no_delivery_again(person: Person) -> None:

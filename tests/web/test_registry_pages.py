@@ -7,9 +7,10 @@ import pytest
 
 from sigcat.catalogue.hosting.library import Library
 from sigcat.project.project import RegistrySettings
-from sigcat.registry.lines import record
+from sigcat.registry.lines import record, set_state
 from sigcat.registry.publish import publish
 from sigcat.registry.reference import Reference
+from sigcat.registry.storing.database import writing
 from sigcat.registry.storing.ledger import Registry
 from sigcat.web.site import create_site
 from tests.api.conftest import SOURCES, Ask, asker
@@ -62,6 +63,22 @@ def test_a_cell_says_what_runs_and_why_the_newest_version_may_not_be_deployed(si
     assert "Alpha 2.0.0 1.0.0 ✕ 2.0.0 may not be deployed Removing Vehicle.S0 breaks Beta 1.0.0" in page
     assert "call Beta_Step, owner Team Beta" in page
     assert "1.0.0 ✓ 2.0.0 may be deployed" in page
+
+
+def test_a_cell_says_that_support_has_ended_of_what_runs_and_of_what_may_be_deployed(tmp_path):
+    settings = published(tmp_path)
+    registry = Registry(settings.database)
+    set_state(registry, "function", Reference("Alpha", "1.0.0"), "deprecated", "2040-01-31", "2.0.0")
+    set_state(registry, "function", Reference("Alpha", "2.0.0"), "deprecated", "2040-02-28")
+    page = text_of(site_over(settings.database)("/registry/lines").text)
+    assert "1.0.0 deprecated until 2040-01-31, successor 2.0.0 ✓ 2.0.0 may be deployed Beta" in page
+    with writing(settings.database) as connection:  # the days have passed
+        connection.exec_driver_sql(
+            "UPDATE versions SET until = replace(until, '2040', '2020') WHERE until LIKE '2040%'"
+        )
+    page = text_of(site_over(settings.database)("/registry/lines").text)
+    assert "1.0.0 deprecated , support ended on 2020-01-31, successor 2.0.0" in page
+    assert "2.0.0 may be deployed 1 warning The support of Alpha 2.0.0 ended on 2020-02-28." in page
 
 
 def test_users_are_a_picture_and_a_table(site):

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.function_options import tree_of
-from sigcat.cli.published_files import published_files, read_catalogue
+from sigcat.cli.published_files import PublishedFiles, published_files, read_catalogue
 from sigcat.cli.registry_approvals import print_decisions
 from sigcat.cli.registry_options import (
     add_server,
@@ -54,7 +54,7 @@ def publish(arguments: argparse.Namespace) -> int:
     """Publish the files, and print each version. Raises InputRefused with every reason."""
     receipt, change = _published(arguments)
     for outcome in receipt.outcomes:
-        print(f"{outcome.kind} {outcome.reference}: {outcome.status}")
+        print(outcome.sentence)
         print_decisions(outcome.approvals)
     print_head(change)
     return int(any(outcome.status == "pending" for outcome in receipt.outcomes))
@@ -62,6 +62,9 @@ def publish(arguments: argparse.Namespace) -> int:
 
 def _published(arguments: argparse.Namespace) -> "tuple[Receipt, Change]":
     """Publish with the service or the database, and return what became of the files."""
+    files = published_files(arguments.files)
+    if (files.overlays or files.trees) and not arguments.version:
+        raise UsageError("an overlay or a catalogue has no version: pass `--version V`")
     server = server_of(arguments)
     if server is not None:
         return server.publish(
@@ -72,17 +75,14 @@ def _published(arguments: argparse.Namespace) -> "tuple[Receipt, Change]":
     from sigcat.registry.access import Change
     from sigcat.registry.publish import publish as publish_candidates
 
-    receipt = publish_candidates(registry, tuple(_candidates(arguments)), is_draft=arguments.draft)
+    receipt = publish_candidates(registry, tuple(_candidates(arguments, files)), is_draft=arguments.draft)
     return receipt, Change(receipt.head, is_signed=registry.key is not None)
 
 
-def _candidates(arguments: argparse.Namespace) -> "Iterator[Candidate]":
+def _candidates(arguments: argparse.Namespace, files: PublishedFiles) -> "Iterator[Candidate]":
     from sigcat.catalogue.reading.layers import read_layer
     from sigcat.registry.candidates import catalogue_candidate, function_candidates, overlay_candidate, read_functions
 
-    files = published_files(arguments.files)
-    if (files.overlays or files.trees) and not arguments.version:
-        raise UsageError("an overlay or a catalogue has no version: pass `--version V`")
     if files.functions:
         named = [(file.read_bytes(), str(file)) for file in files.functions]
         yield from function_candidates(read_functions(named, tree_of(arguments, named)), arguments.version)

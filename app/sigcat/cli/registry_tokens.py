@@ -1,11 +1,13 @@
 """`sigcat registry token`: tokens with which the service lets teams write."""
 
 import argparse
+import sys
 from typing import TYPE_CHECKING, TypeAlias
 
 from sigcat.cli.project_options import add_project_options
 from sigcat.cli.registry_options import registry_of
 from sigcat.errors import UsageError
+from sigcat.names import did_you_mean
 from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
@@ -48,7 +50,7 @@ def create(arguments: argparse.Namespace) -> int:
     if arguments.owner is not None and not arguments.owner.strip():
         raise UsageError("--owner must be the name of a team; without it, the token is for everything")
     registry = registry_of(arguments)
-    from sigcat.registry.owners import alike_problem
+    from sigcat.registry.owners import alike_problem, owners
     from sigcat.registry.reference import date_fault
     from sigcat.registry.storing.database import writing
     from sigcat.registry.storing.entry import is_past
@@ -59,7 +61,10 @@ def create(arguments: argparse.Namespace) -> int:
     with writing(registry.database) as connection:
         if arguments.owner and (problem := alike_problem(connection, arguments.owner)):
             raise UsageError(problem)
+        known = owners(connection)
         secret = create_token(connection, arguments.name, arguments.scope, arguments.owner or "", arguments.expires)
+    if arguments.owner and arguments.owner not in known and (near := did_you_mean(arguments.owner, known)):
+        print(printable(f"warning: {arguments.owner} has published nothing. {near}"), file=sys.stderr)
     print(secret)
     return 0
 

@@ -71,6 +71,7 @@ class FunctionLibrary:
         self.recordings: HostedRuns = ()
         self.comparisons: HostedComparisons = ()
         self._marks: Marks = frozenset()
+        self._seen: Marks = frozenset()
         self.reload()
 
     @property
@@ -120,6 +121,11 @@ class FunctionLibrary:
             self.reload()
             _log.info("functions: read again, %d files, %d runs", len(self.files), len(self.runs))
         return is_changed
+
+    def reload_settled(self) -> bool:
+        """Read the files again if some changed, and are the same as at the look before: one may be half written."""
+        before, self._seen = self._seen, self._marked()
+        return self._seen == before and self.reload_changed()
 
     def _faults(self, files: HostedFiles) -> Faults:
         """Return findings of files over the catalogue that fits each best; without catalogues no file counts as good."""

@@ -28,9 +28,9 @@ class ProjectFile:
         """
         self._file, self._take, self._refuse = file, take, refuse
         self._mark = self._seen = _mark_of(file)
-        self._started_with = _settings_of(file)
+        self._started_with = self._taken = _settings_of(file)
 
-    def reload_changed(self) -> None:
+    def reload_settled(self) -> None:
         """Take a changed file at the second look, as it may be half written at the first.
 
         Of an invalid one, log and show the findings: the last good state stays.
@@ -40,6 +40,7 @@ class ProjectFile:
             return
         self._mark = self._seen
         try:
+            _check_content(self._file, self._taken)
             self._take(self._file)
         except (InputRefused, UsageError) as error:
             findings = _findings(self._file, error)
@@ -50,8 +51,16 @@ class ProjectFile:
         self._refuse(())
         _log.info("%s: read again", self._file)
         then, now = self._started_with, _settings_of(self._file)
+        self._taken = now
         if keys := [key for key in AT_START if then.get(key) != now.get(key)]:
             _log.warning("%s has changed: start the service again to use %s", self._file, ", ".join(keys))
+
+
+def _check_content(file: Path, taken: Mapping[str, Any]) -> None:
+    """Raise InputRefused for a file that is empty, and was not: an interrupted save leaves one, which is valid TOML."""
+    if taken and file.is_file() and not file.stat().st_size:
+        fix = "Write it again. To serve without settings, start the service again."
+        raise InputRefused("it is empty", (codes.SETTING_UNFIT.finding("The file is empty.", str(file), fix=fix),))
 
 
 def _findings(file: Path, error: InputRefused | UsageError) -> tuple[Finding, ...]:

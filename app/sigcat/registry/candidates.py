@@ -63,7 +63,9 @@ def _function_candidate(read: ReadFunction, version: str) -> Candidate:
     info = read.function.info
     if version and info.version and info.version != version:
         message = f"The version must be {info.version}, as the file says, not {version}."
-        finding = codes.VERSION_TAKEN.finding(message, read.file, fix="Change the version in the file.")
+        finding = codes.VERSION_TAKEN.finding(
+            message, read.file, fix="Remove `--version`, or change the version in the file."
+        )
         raise refused(finding)
     chosen = version or info.version or ""
     if not chosen:

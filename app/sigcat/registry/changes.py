@@ -21,6 +21,8 @@ class UseChange(NamedTuple):
     new: Any
     rule: str
     compatibility: Class
+    rules: tuple[tuple[str, Class], ...] = ()
+    """Every rule of the change, with its class: for the role of a function another one may be the worst."""
 
     @property
     def sentence(self) -> str:
@@ -48,7 +50,8 @@ def relied_changes(
         return
     kept = plain({key: new[key] for key in RELIED_ON if new.get(key) is not None})
     for change in attribute_changes(old, kept, vocabularies):
-        yield UseChange(element, change.name, change.old, change.new, change.rule, change.compatibility)
+        rules = tuple((rule, ROWS[rule].for_type(str(old.get("type")))) for rule in change.rules)
+        yield UseChange(element, change.name, change.old, change.new, change.rule, change.compatibility, rules)
 
 
 def node_changes(old: Nodes, new: Nodes, touched: Iterable[str]) -> Iterator[UseChange]:

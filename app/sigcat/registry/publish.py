@@ -9,7 +9,7 @@ from sqlalchemy import Connection, bindparam, select
 from sigcat import codes
 from sigcat.catalogue.comparing.changelog import next_version, part_of
 from sigcat.catalogue.comparing.changes import CLASSES
-from sigcat.findings import Finding
+from sigcat.findings import Finding, shown
 from sigcat.registry.approvals import Approval, approvals_of, approving
 from sigcat.registry.candidate import Candidate
 from sigcat.registry.changes import UseChange, function_changes, node_changes
@@ -34,6 +34,15 @@ class Outcome(NamedTuple):
     status: Status
     approvals: tuple[Approval, ...] = ()
     """Decisions that a pending version waits for, and those that owners have made."""
+    owner: str = ""
+    previous_owner: str = ""
+    """Owner of the newest version of the name before; empty if it stays the owner, or there was none."""
+
+    @property
+    def sentence(self) -> str:
+        """What became of it, and whether the name has another owner now."""
+        change = f", owner changed from {self.previous_owner} to {self.owner or 'none'}" if self.previous_owner else ""
+        return f"{self.kind} {self.reference}: {self.status}{change}"
 
 
 class Receipt(NamedTuple):
@@ -81,13 +90,27 @@ def _publish(
     }  # fmt: skip
     is_same = known is not None and (known.content, known.uses) == (data["content"], data["uses"])
     if known is not None and is_same and (known.state not in CHANGEABLE or (known.state == "draft" and is_draft)):
-        return Outcome(candidate.kind, known.reference, "unchanged")
+        return Outcome(candidate.kind, known.reference, "unchanged", owner=known.owner)
+    previous = _previous_owner(ledger.connection, candidate)
+    if previous:
+        data["previous_owner"] = previous
     affected = {} if is_draft else _asked_owners(ledger.connection, candidate, together)
     if affected.keys() <= _approving(ledger.connection, known, data):
         state: Status = "draft" if is_draft else "published"
         ledger.append("publish", {**data, "state": state})
-        return Outcome(candidate.kind, candidate.reference, state)
-    return _ask(ledger, candidate, data, affected, known if is_same else None)
+        return Outcome(candidate.kind, candidate.reference, state, (), candidate.owner, previous)
+    asked = _ask(ledger, candidate, data, affected, known if is_same else None)
+    return asked._replace(owner=candidate.owner, previous_owner=previous)
+
+
+def _previous_owner(connection: Connection, candidate: Candidate) -> str:
+    """Owner of the newest version of the name, if the candidate is newer and has another one."""
+    version = version_of(candidate.version)
+    others = [
+        each for each in all_versions(connection, candidate.kind, candidate.name) if each.version != candidate.version
+    ]
+    newer = (each.owner for each in others[-1:] if version is not None and each.precedence < version)
+    return "".join(owner for owner in newer if owner != candidate.owner)
 
 
 def _approving(connection: Connection, known: Published | None, data: Mapping[str, str]) -> frozenset[str]:
@@ -190,10 +213,16 @@ def _taken(connection: Connection, candidate: Candidate, known: Published) -> It
         message = f"{known.reference} is published with other bytes."
     elif content_of(connection, known.uses) != candidate.uses:
         message = f"{known.reference} is published over a catalogue in which its signals differ."
+    elif candidate.owner not in ("", known.owner):
+        message = f"{known.reference} is published with {_owner(known.owner)}, not with {_owner(candidate.owner)}."
     else:
         return
     fix = "Publish it under a new version."
     yield codes.VERSION_TAKEN.finding(message, candidate.file, path=str(known.reference), fix=fix)
+
+
+def _owner(name: str) -> str:
+    return f"the owner {shown(name)}" if name else "no owner"
 
 
 def _too_low(connection: Connection, candidate: Candidate) -> Iterator[Finding]:

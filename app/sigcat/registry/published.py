@@ -5,7 +5,9 @@ from typing import Any, NamedTuple
 
 from sqlalchemy import Connection, bindparam, exists, select
 
-from sigcat.registry.reference import Kind, Reference, Rule, State, unknown
+from sigcat import codes
+from sigcat.findings import shown
+from sigcat.registry.reference import Kind, Reference, Rule, State, refused, unknown
 from sigcat.registry.storing.entry import is_past
 from sigcat.registry.storing.replay import portions
 from sigcat.registry.storing.tables import DEPLOYMENTS, NAMES, VERSIONS
@@ -89,6 +91,10 @@ _LINES = (
 _LINES_BY_ID = _LINES.where(DEPLOYMENTS.c.version_id.in_(bindparam("ids", expanding=True)))
 
 
+_SHOWN = 5
+"""Versions that a message names."""
+
+
 def all_versions(connection: Connection, kind: Kind | None = None, name: str | None = None) -> tuple[Published, ...]:
     """Versions by kind, name and precedence."""
     chosen = PUBLISHED.order_by(*_BY_PRECEDENCE)
@@ -106,7 +112,10 @@ def version_named(connection: Connection, kind: Kind, reference: Reference) -> P
         raise unknown(kind, reference.name, names_of(connection, kind))
     found = next((each for each in versions if each.version == reference.version), None)
     if found is None:
-        raise unknown(f"version of {reference.name}", reference.version, [each.version for each in versions])
+        message = f"The registry has no version {shown(reference.version)} of {reference.name}."
+        newest = ", ".join(each.version for each in versions[-_SHOWN:])
+        fix = f"Published versions are {newest}." if len(versions) <= _SHOWN else f"The newest versions are {newest}."
+        raise refused(codes.NOT_PUBLISHED.finding(message, path=reference.name, fix=fix))
     return found
 
 

@@ -13,6 +13,7 @@ from urllib.parse import quote, urlencode
 from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding
 from sigcat.limits import REGISTRY_ANSWER_BYTES, REGISTRY_SECONDS
+from sigcat.names import question
 from sigcat.registry.access import Change, Listed
 from sigcat.registry.acknowledgements import Acknowledgement, Deprecation
 from sigcat.registry.approvals import Approval, Decided, Pending
@@ -259,7 +260,11 @@ def _refusal(server: Server, error: urllib.error.HTTPError) -> InputRefused | Us
         detail, findings = str(problem["detail"]), tuple(map(_finding, problem["findings"]))
     except (ValueError, TypeError, KeyError):
         return UsageError(f"{server.address} answers with {error.code} {_phrase(error.code)}, and not as sigcat does")
-    return InputRefused(detail, findings) if findings else UsageError(f"{server.address}: {detail}")
+    if findings:
+        return InputRefused(detail, findings)
+    if error.code == HTTPStatus.UNAUTHORIZED and not server.token:
+        return UsageError(f"{server.address}: a token is needed: set SIGCAT_TOKEN. {detail}")
+    return UsageError(f"{server.address}: {detail} {question(problem.get('nearest', ()))}".rstrip())
 
 
 def _phrase(status: int) -> str:
@@ -299,7 +304,9 @@ def _finding(data: _JSON) -> Finding:
 
 
 def _outcome(data: _JSON) -> Outcome:
-    return Outcome(_KINDS[data["group"]], _reference(data), _status(data), tuple(map(_approval, data["approvals"])))
+    owners = data.get("owner") or "", data.get("previous_owner") or ""  # an older service has neither
+    approvals = tuple(map(_approval, data["approvals"]))
+    return Outcome(_KINDS[data["group"]], _reference(data), _status(data), approvals, *owners)
 
 
 def _status(data: _JSON) -> Status:

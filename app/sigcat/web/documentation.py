@@ -176,6 +176,7 @@ def _address(target: str, name: str, base: str) -> str | None:
 def _markdown() -> MarkdownIt:
     markdown = MarkdownIt("commonmark", {"html": False}).enable("table")
     markdown.add_render_rule("fence", _fence)
+    markdown.add_render_rule("code_inline", _code)
     markdown.add_render_rule("table_open", _table_open)
     markdown.add_render_rule("table_close", _table_close)
     return markdown
@@ -186,6 +187,14 @@ def _fence(_renderer: RendererHTML, tokens: Sequence[Token], index: int, _option
     file = _TITLE.search(tokens[index].info)
     caption = Markup('<p class="origin">{}</p>').format(file[1]) if file else ""
     return f'{caption}<pre tabindex="0"><code>{escape(tokens[index].content)}</code></pre>\n'
+
+
+_JOINT = re.compile(r"(?<=\w)[_./](?=\w)")
+
+
+def _code(_renderer: RendererHTML, tokens: Sequence[Token], index: int, _options: object, _env: object) -> str:
+    """Code in a sentence, such as a long name: a line may break behind its joints, and nowhere else."""
+    return f"<code>{_JOINT.sub(lambda joint: f'{joint[0]}<wbr>', escape(tokens[index].content))}</code>"
 
 
 def _table_open(_renderer: RendererHTML, tokens: Sequence[Token], index: int, _options: object, _env: object) -> str:

@@ -49,6 +49,10 @@ class Form(NamedTuple):
         return self.last(name).replace("\r\n", "\n")
 
 
+EMPTY = Form(())
+"""A form before anything is typed."""
+
+
 class PostedForm(NamedTuple):
     """A form as it was posted."""
 

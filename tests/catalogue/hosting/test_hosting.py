@@ -5,6 +5,7 @@ import threading
 import pytest
 
 from sigcat import codes
+from sigcat.catalogue.hosting import library as hosting
 from sigcat.catalogue.hosting.library import Library, Source, Watch
 from sigcat.errors import NotFound
 from sigcat.function.hosting import FunctionLibrary
@@ -189,6 +190,55 @@ def test_findings_of_files_are_not_taken_back_with_those_that_are_refused(librar
     assert own
 
 
+def test_a_file_that_may_be_half_written_is_read_once_it_is_the_same_at_two_looks(library, tree):
+    """Each look sees another state of a file that is truncated, and then written line by line; all of them are valid."""
+    library.reload_settled()
+    good, overlay = library.get("own"), tree / "overlay.vspec"
+    for text in ("", signal("Depth"), signal("Depth") + signal("Width")):
+        overlay.write_text(text)
+        assert library.reload_settled() == ()
+        assert library.get("own") is good
+    assert library.reload_settled() == ("own",)
+    assert leaves(library) == ["Speed", "Depth", "Width"]
+    assert library.reload_settled() == ()
+
+
+def test_a_file_that_changes_while_it_is_read_is_read_again(library, tree, monkeypatch):
+    library.reload_settled()
+    good, overlay, load = library.get("own"), tree / "overlay.vspec", hosting.load
+    overlay.write_text(signal("Depth"))
+
+    def write_meanwhile(*arguments):
+        catalogue = load(*arguments)
+        overlay.write_text(signal("Depth") + signal("Width"))
+        return catalogue
+
+    monkeypatch.setattr(hosting, "load", write_meanwhile)
+    assert library.reload_settled() == library.reload_settled() == ()
+    assert library.get("own") is good
+    monkeypatch.undo()
+    assert library.reload_settled() == ()
+    assert library.reload_settled() == ("own",)
+    assert leaves(library) == ["Speed", "Depth", "Width"]
+
+
+@pytest.mark.parametrize("file", ["part.vspec", "overlay.vspec"])
+def test_a_file_that_is_emptied_is_an_error_and_the_last_good_state_stays(library, tree, file):
+    """An interrupted save leaves an empty file, which is valid."""
+    good, text = library.get("own"), (tree / file).read_text()
+    (tree / file).write_text("")
+    library.reload_changed()
+    emptied = library.get("own")
+    assert emptied.catalogue is good.catalogue
+    found = [(each.rule, each.severity, each.file) for each in emptied.rejected]
+    assert found == [("R013", "error", str(tree / file))]
+    library.host([good.source._replace(title="Another")])
+    assert leaves(library) == ["Speed", "Height"]
+    (tree / file).write_text(text)
+    library.reload_changed()
+    assert library.get("own").rejected == ()
+
+
 def test_a_watch_reads_changed_files_again(library, tree):
     with Watch(library, seconds=0.02):
         (tree / "overlay.vspec").write_text(signal("Depth"))
@@ -207,7 +257,7 @@ def test_a_watch_outlives_what_goes_wrong(library, tree, monkeypatch, caplog):
     def fail():
         raise RuntimeError("disk on fire")
 
-    monkeypatch.setattr(library, "reload_changed", fail)
+    monkeypatch.setattr(library, "reload_settled", fail)
     with Watch(library, seconds=0.01):
         wait_until(lambda: "disk on fire" in caplog.text, "the failure is logged")
         monkeypatch.undo()

@@ -56,6 +56,23 @@ def test_branches_are_opened_and_nodes_selected(open_page: Opener, use: Use) -> 
     expect(page.get_by_role("treeitem", name="RangeError")).to_have_count(0)
 
 
+@pytest.mark.parametrize(("label", "catalogue", "offers"), [("Left", "", 1), ("Right", "The small tree alone", 0)])
+def test_a_path_to_compare_is_completed_from_the_catalogue_beside_it(
+    open_page: Opener, label: str, catalogue: str, offers: int
+) -> None:
+    page = open_page("/compare?catalogue=interfaces&path=Vehicle.Speed")
+    side = page.get_by_role("group", name=label)
+    if catalogue:
+        side.get_by_label("Catalogue").select_option(catalogue)
+    side.get_by_label("Path").fill("")
+    with page.expect_response("**/search?q=EcoControl.AccelerationProp**"):
+        side.get_by_label("Path").press_sequentially("EcoControl.AccelerationProp")
+    options = side.locator("datalist option")
+    expect(options).to_have_count(offers)
+    if offers:
+        expect(options).to_have_attribute("value", NODE.rpartition("/")[2])
+
+
 def test_the_tree_is_made_wider(open_page: Opener) -> None:
     page = open_page("/tree/small")
     divider = page.get_by_role("separator", name="Width of the tree")

@@ -224,3 +224,57 @@ def test_what_is_touched_is_24_pixels_high(open_page: Opener, address: str, targ
     page.set_viewport_size({"width": 390, "height": 800})
     heights = page.locator(targets).evaluate_all("each => each.map((one) => one.getBoundingClientRect().height)")
     assert min(height for height in heights if height) >= 24
+
+
+def test_what_scrolls_sideways_has_a_shadow_where_there_is_more(shown: Page) -> None:
+    shown.set_viewport_size({"width": 390, "height": 800})
+    plain = shown.evaluate(
+        "[...document.querySelectorAll('.scroll:has(> table, > svg)')].filter((each) => each.scrollWidth > each.clientWidth"
+        " && !getComputedStyle(each).backgroundImage.includes('gradient')).length"
+    )
+    assert plain == 0
+
+
+REGISTRY = ("/registry", "/registry/lines", "/registry/users?path=Vehicle.S0", "/registry/deliveries")
+
+
+@pytest.mark.parametrize("address", [*REGISTRY, "/registry/functions/Alpha", "/registry/login"])
+def test_pages_of_the_registry_use_the_width_of_a_tablet(one_page: Page, service: str, address: str) -> None:
+    one_page.set_viewport_size({"width": 768, "height": 1024})
+    one_page.goto(service + address)
+    assert one_page.locator(".page").bounding_box()["width"] == 768  # type: ignore[index]
+    widths = one_page.locator(".page .scroll").evaluate_all("(all) => all.map((e) => [e.scrollWidth, e.clientWidth])")
+    assert all(needed <= given for needed, given in widths), widths
+
+
+@pytest.mark.parametrize("address", REGISTRY)
+def test_the_menu_and_the_account_are_close_together_on_a_phone(one_page: Page, service: str, address: str) -> None:
+    one_page.set_viewport_size({"width": 390, "height": 800})
+    one_page.goto(service + address)
+    menu = one_page.get_by_role("navigation", name="Registry").bounding_box()
+    account = one_page.get_by_role("link", name="Sign in").bounding_box()
+    assert menu is not None
+    assert account is not None
+    assert 0 <= account["y"] - (menu["y"] + menu["height"]) <= 30
+
+
+BROKEN_WORDS = """
+() => [...document.querySelectorAll(".chapter td")].flatMap((cell) => {
+  const range = document.createRange(), texts = document.createTreeWalker(cell, NodeFilter.SHOW_TEXT), found = [];
+  for (let text = texts.nextNode(); text; text = texts.nextNode())
+    for (const word of text.textContent.matchAll(/[A-Za-z0-9]+/g)) {
+      range.setStart(text, word.index);
+      range.setEnd(text, word.index + word[0].length);
+      if (new Set([...range.getClientRects()].map(({ top }) => Math.round(top))).size > 1) found.push(word[0]);
+    }
+  return found;
+})
+"""
+
+
+@pytest.mark.parametrize("width", [390, 768, 1440])
+def test_no_word_is_broken_in_the_tables_of_a_chapter(one_page: Page, service: str, width: int) -> None:
+    one_page.set_viewport_size({"width": width, "height": 800})
+    one_page.goto(service + "/docs/reference/configuration.md")
+    one_page.evaluate("document.querySelectorAll('details').forEach((each) => { each.open = true; })")
+    assert one_page.evaluate(BROKEN_WORDS) == []

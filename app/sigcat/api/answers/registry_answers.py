@@ -238,6 +238,8 @@ def receipt(connection: Snapshot, published: Receipt) -> schemas.RegistryReceipt
             is_new=each.status != "unchanged",
             is_draft=each.status == "draft",
             is_pending=each.status == "pending",
+            owner=each.owner or None,
+            previous_owner=each.previous_owner or None,
             approvals=[_approval(approval) for approval in each.approvals],
         )
         for each in published.outcomes

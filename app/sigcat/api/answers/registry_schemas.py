@@ -232,6 +232,8 @@ class RegistryOutcome(Schema):
     is_pending: bool = Field(
         description="It is not published before the owners of the functions that it breaks approve."
     )
+    owner: str | None
+    previous_owner: str | None = Field(description="Owner of the newest version before; null if it is the same.")
     approvals: list[RegistryApproval]
 
 

@@ -67,7 +67,7 @@ def _author(authorization: str, registry: HostedRegistry, scope: "Scope", *, nee
         if not (authorization or needs_token or all_tokens(connection)):
             return ANYONE
     if token is None or token.fault:
-        raise HTTPException(HTTPStatus.UNAUTHORIZED, _refusal(token, scope), headers=_CHALLENGE)
+        raise HTTPException(HTTPStatus.UNAUTHORIZED, _refusal(token, scope, authorization), headers=_CHALLENGE)
     return author_of(token, scope)
 
 
@@ -80,9 +80,14 @@ def author_of(token: "Token", scope: "Scope") -> "Author":
     return Author(token.name, token.owner)
 
 
-def _refusal(token: "Token | None", scope: "Scope") -> str:
+def _refusal(token: "Token | None", scope: "Scope", authorization: str) -> str:
     if token is not None:
         return f"The token {token.name!r} is {token.fault}. Ask the administrator of the registry for another one."
+    if authorization:
+        return (
+            "The token of the request is not one of this registry. `sigcat registry token list` lists their names, where"
+            " the database is."
+        )
     return (
         f"The request must have a token of the registry with the scope {scope!r}. Send the header `Authorization: Bearer "
         f"TOKEN`; `sigcat registry token create NAME --scope {scope}` makes one."

@@ -7,12 +7,14 @@ from threading import Event, Lock, Thread
 from types import TracebackType
 from typing import Any, NamedTuple, Protocol, Self
 
+from sigcat import codes
 from sigcat.catalogue.hosting.file_marks import Marks, marks_of
 from sigcat.catalogue.hosting.source import Source, load
 from sigcat.catalogue.hosting.sources import shipped_sources
 from sigcat.catalogue.hosting.vehicles import composed_vehicles
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.search import SearchIndex, index_of
+from sigcat.digest import digest_of
 from sigcat.errors import NotFound
 from sigcat.file_kind import QUANTITY_NAMES, UNIT_NAMES
 from sigcat.findings import Finding, has_errors
@@ -53,6 +55,7 @@ class Library:
         self._limits = limits
         self._lock = Lock()
         self._refused: tuple[Finding, ...] = ()
+        self._seen: dict[str, Marks] = {}
         self._hosted = {source.id: self._load(source) for source in sources}
 
     def __iter__(self) -> Iterator[Hosted]:
@@ -65,6 +68,7 @@ class Library:
     def __setstate__(self, state: Any) -> None:
         self._limits, self._hosted = state
         self._refused = ()
+        self._seen = {}
         self._lock = Lock()
 
     @property
@@ -85,11 +89,16 @@ class Library:
             raise NotFound(f"Unknown catalogue {catalogue_id!r}.", nearest(catalogue_id, self._hosted))
         return hosted
 
-    def reload(self, catalogue_id: str) -> Hosted:
-        """Read a catalogue's files again. With errors in them, the last good state stays, and `rejected` says why."""
+    def reload(self, catalogue_id: str, settled: Marks | None = None) -> Hosted:
+        """Read a catalogue's files again. With errors in them, the last good state stays, and `rejected` says why.
+
+        It stays too if they are no longer as `settled` says once they are read: someone writes them.
+        """
         with self._lock:
             before = self.get(catalogue_id)
             hosted = self._reloaded(before)
+            if settled is not None and _marks(before.files) != settled:
+                return before
             if hosted.rejected or before.rejected or hosted.catalogue is not before.catalogue:
                 _log_state(hosted)  # a folder also changes with files that are not of the catalogue
             hosted = hosted if hosted.rejected else hosted._replace(rejected=self._refused)
@@ -102,6 +111,16 @@ class Library:
         for catalogue_id in changed:
             self.reload(catalogue_id)
         return tuple(changed)
+
+    def reload_settled(self) -> tuple[str, ...]:
+        """Reload every catalogue whose changed files were the same at the look before; their ids.
+
+        A file that has just changed may be half written, and a part of YAML is often valid.
+        """
+        before, self._seen = self._seen, {hosted.source.id: _marks(hosted.files) for hosted in self}
+        found = ((hosted, self._seen[hosted.source.id]) for hosted in self if hosted.source.id in self._seen)
+        changed = [(hosted, now) for hosted, now in found if hosted.marks != now == before.get(hosted.source.id)]
+        return tuple(hosted.source.id for hosted, now in changed if self.reload(hosted.source.id, now) is not hosted)
 
     def host(self, sources: Iterable[Source]) -> None:
         """Host these sources in place of the ones so far; a catalogue whose source is the same stays.
@@ -123,8 +142,8 @@ class Library:
 
     def _replaced(self, source: Source) -> Hosted:
         fresh, earlier = self._load(source), self._hosted.get(source.id)
-        if earlier and has_errors(fresh.catalogue.findings) and not has_errors(earlier.catalogue.findings):
-            fresh = fresh._replace(catalogue=earlier.catalogue, rejected=fresh.catalogue.findings)
+        if earlier and (faults := _faults(fresh.catalogue, earlier.catalogue)):
+            fresh = fresh._replace(catalogue=earlier.catalogue, rejected=faults)
         _log_state(fresh)
         return fresh
 
@@ -136,12 +155,29 @@ class Library:
     def _reloaded(self, current: Hosted) -> Hosted:
         marks = _marks(current.files)
         fresh = load(current.source, self._limits)
-        if has_errors(fresh.findings) and not has_errors(current.catalogue.findings):
-            return _with_files(current._replace(rejected=fresh.findings), fresh, marks)
+        if faults := _faults(fresh, current.catalogue):
+            return _with_files(current._replace(rejected=faults), fresh, marks)
         is_same = fresh.digest == current.catalogue.digest and _files(fresh) == _files(current.catalogue)
         if is_same and not current.source.vehicles:  # those are composed of the catalogue again when they are asked for
             return _with_files(current._replace(rejected=()), fresh, marks)
         return _with_files(_indexed(Hosted(current.source, fresh)), fresh, marks)
+
+
+def _faults(fresh: Catalogue, good: Catalogue) -> tuple[Finding, ...]:
+    """Return why a newer state is not taken in place of a good one; nothing if it is, or the earlier one was not good."""
+    if has_errors(good.findings):
+        return ()
+    had_nodes = {name for name, digest in _files(good) if digest != _NOTHING}
+    emptied = [name for name, digest in sorted(_files(fresh)) if digest == _NOTHING and name in had_nodes]
+    empty = tuple(_EMPTIED.finding("The file is empty.", name, fix=_WRITE_AGAIN) for name in emptied)
+    findings = (*empty, *(each for each in fresh.findings if not (each.rule == _EMPTIED.id and each.file in emptied)))
+    return findings if has_errors(findings) else ()
+
+
+_NOTHING = digest_of(b"")
+_EMPTIED = codes.OVERLAY_EMPTY.graded("error")
+"""A save that was interrupted leaves an empty file, which is valid."""
+_WRITE_AGAIN = "Write it again, or remove it from the project file."
 
 
 def _indexed(hosted: Hosted) -> Hosted:
@@ -154,8 +190,8 @@ def _indexed(hosted: Hosted) -> Hosted:
 class Reloading(Protocol):
     """Sources that are read from files, and detect which of them changed."""
 
-    def reload_changed(self) -> object:
-        """Read what changed again."""
+    def reload_settled(self) -> object:
+        """Read what changed again, if it was the same at the look before."""
         ...
 
 
@@ -186,7 +222,7 @@ class Watch:
 
 def _look_at(watched: Reloading) -> None:
     try:
-        watched.reload_changed()
+        watched.reload_settled()
     except Exception:  # noqa: BLE001 - the next look may succeed, and what is hosted stays as it is
         _log.exception("files that changed could not be read again")
 

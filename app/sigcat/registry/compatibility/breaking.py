@@ -1,14 +1,12 @@
 """Functions that a change breaks, before anything is published: of a catalogue, or of functions."""
 
 import json
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
 
 from sqlalchemy import Connection, select
 
-from sigcat import codes
-from sigcat.catalogue.comparing.changes import Class
 from sigcat.catalogue.comparing.compatibility import ROWS, Vocabularies
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.findings import Finding
@@ -16,12 +14,11 @@ from sigcat.registry.changes import UseChange, relied_changes
 from sigcat.registry.compatibility.concerned import concerned
 from sigcat.registry.compatibility.conflicts import Conflict, Side, conflicts
 from sigcat.registry.compatibility.member import Member, published_member
+from sigcat.registry.compatibility.role import RULES, for_role, verb_of
 from sigcat.registry.published import Published, current, lines_by_version, published_by_id, running
 from sigcat.registry.storing.replay import portions
 from sigcat.registry.storing.tables import RELIANCES, USES
 from sigcat.registry.use import RELIED_ON, Use, from_row
-
-_ABOUT = {"breaking": codes.BREAKS_A_PUBLISHED_FUNCTION, "risky": codes.MAY_BREAK_A_PUBLISHED_FUNCTION}
 
 
 class BrokenUse(NamedTuple):
@@ -104,31 +101,9 @@ def _broken_uses(
     calls = _calls(uses)
     strictest = sorted(uses, key=lambda use: not use.is_optional)  # of several uses in one role, the last one counts
     for (path, _), use in {(use.path, use.provides): use for use in strictest}.items():
-        for change in _for_role(use, changes.get((path, use.relied), ())):
+        for change in for_role(use, changes.get((path, use.relied), ())):
             side = Side(published.name, published.version, published.owner, calls[path])
             yield BrokenUse(side, _finding(change, side, lines, _place(change, catalogue, file), use.via))
-
-
-_OF_PROVIDERS: Mapping[str, Class] = {
-    **dict.fromkeys(("range-narrowed", "values-limited", "values-removed"), "breaking"),
-    **dict.fromkeys(("range-widened", "values-unlimited", "values-added"), "compatible"),
-}
-"""Classes for a function that provides a value, by rule: it may send what is no longer allowed, whatever the node is."""
-
-
-_OF_CONSUMERS: Mapping[str, Class] = {"type-not-settable": "compatible"}
-"""Classes for a function that consumes a value: it does not set the node."""
-
-
-def _for_role(use: Use, changes: Iterable[UseChange]) -> Iterator[UseChange]:
-    """Yield the changes that break a use, or may. An optional use needs no node."""
-    for change in changes:
-        if use.is_optional and change.rule == "removed":
-            continue
-        compatibility = (_OF_PROVIDERS if use.provides else _OF_CONSUMERS).get(change.rule)
-        found = change if compatibility is None else change._replace(compatibility=compatibility)
-        if found.compatibility in _ABOUT:
-            yield found
 
 
 def _calls(uses: Sequence[Use]) -> Mapping[str, tuple[str, ...]]:
@@ -139,12 +114,11 @@ def _calls(uses: Sequence[Use]) -> Mapping[str, tuple[str, ...]]:
 
 
 def _finding(change: UseChange, side: Side, lines: Sequence[str], place: tuple[str, int, int], via: str) -> Finding:
-    verb = "breaks" if change.compatibility == "breaking" else "may break"
     through = f", through {via}" if via else ""
     where = f", in line {', '.join(lines)}" if lines else ""
-    message = f"{change.sentence} {verb} {side.sentence}{through}{where}."
+    message = f"{change.sentence} {verb_of(change)} {side.sentence}{through}{where}."
     why = ROWS[change.rule].why
-    return _ABOUT[change.compatibility].finding(message, *place, path=change.element, fix=why)
+    return RULES[change.compatibility].finding(message, *place, path=change.element, fix=why)
 
 
 def _place(change: UseChange, catalogue: Catalogue, file: str) -> tuple[str, int, int]:

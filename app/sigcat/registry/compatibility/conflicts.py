@@ -5,9 +5,12 @@ from itertools import islice, product
 from typing import NamedTuple
 
 from sigcat import codes
+from sigcat.catalogue.comparing.compatibility import ROWS
 from sigcat.findings import Finding, Severity
 from sigcat.function.sets.check_set import check_set
+from sigcat.registry.changes import UseChange, relied_changes
 from sigcat.registry.compatibility.member import NOWHERE, Member
+from sigcat.registry.compatibility.role import RULES, for_role, verb_of
 
 _ATTRIBUTES: Mapping[str, str] = {
     codes.PROVIDED_AS_ANOTHER_DATATYPE.id: "datatype", codes.PROVIDED_IN_ANOTHER_UNIT.id: "unit",
@@ -67,6 +70,7 @@ def conflicts(deployed: Sequence[Member], field: Sequence[Member], replaced: Seq
     others = [each for each in field if each.name not in {member.name for member in deployed}]
     alone = _mismatches(deployed, ())
     found = [*alone, *(each for other in others for each in _with_other(deployed, other, alone))]
+    found += [each for other in others for member in deployed for each in _other_values(member, other)]
     found += _in_circles(deployed, others, found)
     found += _lost(deployed, others, replaced)
     return tuple(dict.fromkeys(found))
@@ -75,7 +79,42 @@ def conflicts(deployed: Sequence[Member], field: Sequence[Member], replaced: Seq
 def _with_other(deployed: Sequence[Member], other: Member, known: Sequence[Conflict]) -> Iterator[Conflict]:
     if any(not member.elements.isdisjoint(other.elements) for member in deployed):
         seen = {(each.rule, each.message) for each in known}
-        yield from (each for each in _mismatches(deployed, (other,)) if (each.rule, each.message) not in seen)
+        found = (each for each in _mismatches(deployed, (other,)) if (each.rule, each.message) not in seen)
+        yield from (each for each in found if not _is_of_values(each, (*deployed, other)))
+
+
+# -- allowed values -----------------------------------------------------------------------------------------------
+
+
+_VALUES = frozenset(("allowed", "enum"))
+
+
+def _is_of_values(conflict: Conflict, members: Iterable[Member]) -> bool:
+    """Whether two functions have one datatype with other values. Which of them is newer decides whether it matters."""
+    uses = (use for member in members for use in member.uses if conflict.path in (use.element, use.path))
+    datatypes = {use.values.get("datatype") for use in uses if use.values}
+    return conflict.rule == codes.PROVIDED_AS_ANOTHER_DATATYPE.id and len(datatypes) == 1
+
+
+def _other_values(member: Member, other: Member) -> Iterator[Conflict]:
+    """Conflicts about values that are allowed where one function is deployed, and not where the other one was built.
+
+    They are those that a check of the changed catalogue reports.
+    """
+    by_role = {(use.element, use.provides): use for use in member.uses if use.values}
+    for use in {(use.element, use.provides): use for use in other.uses if use.values}.values():
+        now = by_role.get((use.element, not use.provides))
+        changes = () if now is None else relied_changes(use.element, use.values, now.values)
+        for change in for_role(use, (each for each in changes if each.attribute in _VALUES)):
+            yield _other_value(change, member, other)
+
+
+def _other_value(change: UseChange, member: Member, other: Member) -> Conflict:
+    rule, element = RULES[change.compatibility], change.element
+    message = f"{change.sentence} {verb_of(change)} {other.label}."
+    sides = (_side(other, element), _side(member, element))
+    why, place = ROWS[change.rule].why, member.place(element)
+    return Conflict(rule.id, rule.severity, message, element, change.attribute, sides, why, place)
 
 
 _OF_CIRCLES = frozenset((codes.CALLS_OF_FUNCTIONS_IN_A_CIRCLE.id, codes.ERRORS_OF_FUNCTIONS_IN_A_CIRCLE.id))

@@ -1,6 +1,7 @@
 """Changes of the registry in the browser: publish files, decide about pending versions, end versions, send events again."""
 
 import datetime as dt
+from collections.abc import Awaitable, Callable
 from functools import partial
 from http import HTTPStatus
 from typing import TYPE_CHECKING
@@ -8,17 +9,19 @@ from typing import TYPE_CHECKING
 from fastapi import APIRouter, Request
 from fastapi.responses import RedirectResponse, Response
 
-from sigcat.api.answers.problems import problem_from
+from sigcat.api.answers.problems import answer_problem, headers_of, problem_from
+from sigcat.api.answers.schemas import Problem
 from sigcat.api.middleware.registry_access import author_of
 from sigcat.api.requests.dependencies import TheSettings, TheWorkQueue
 from sigcat.api.requests.hosted_registry import HostedRegistry, TheRegistry
 from sigcat.api.requests.thread_turns import InThread, in_thread
 from sigcat.api.routes.registry_writing import in_turn
 from sigcat.catalogue.hosting.library import Library
-from sigcat.errors import InputRefused, UsageError
+from sigcat.errors import SigcatError, UsageError
 from sigcat.limits import REGISTRY_REQUEST_SECONDS, Limits
 from sigcat.names import either
-from sigcat.web.forms import Form, form_catalogue
+from sigcat.web.forms import EMPTY, Form, form_catalogue
+from sigcat.web.pages.registry_pages import Again, name_page, registry_page
 from sigcat.web.registry_visits import OwnSite, RegistryVisit, SignedForm, SignedIn, field
 from sigcat.web.rendering import page_for
 
@@ -32,7 +35,7 @@ router = APIRouter(route_class=InThread)
 @router.get("/registry/publish")
 def show_publish(visit: RegistryVisit, _: SignedIn) -> Response:
     """The form for files."""
-    return page_for(visit, "registry_publish.html", outcomes=None, problem=None, form=Form(()))
+    return page_for(visit, "registry_publish.html", outcomes=None, problem=None, form=EMPTY)
 
 
 @router.post("/registry/publish", dependencies=[OwnSite])
@@ -55,31 +58,51 @@ async def publish_files(
     try:
         candidates = await queue.run(_candidates, form, visit.library, version, owner, settings.limits)
         receipt = await in_turn(request, lambda: publish(registry.written_by(author), candidates, is_draft=is_draft))
-    except (InputRefused, UsageError) as error:
-        problem = problem_from(error)
-        return await in_thread(
-            request, page_for, visit, "registry_publish.html", problem.status, outcomes=None, problem=problem, form=form
+    except SigcatError as error:
+        shown = partial(page_for, visit, "registry_publish.html", outcomes=None, form=form)
+        return await _refused(
+            request, error, lambda problem: in_thread(request, partial(shown, problem.status, problem=problem))
         )
-    published = partial(page_for, outcomes=receipt.outcomes, problem=None, form=Form(()), now=now())
+    published = partial(page_for, outcomes=receipt.outcomes, problem=None, form=EMPTY, now=now())
     return await in_thread(request, published, visit, "registry_publish.html")
+
+
+async def _refused(request: Request, error: SigcatError, show: Callable[[Problem], Awaitable[Response]]) -> Response:
+    """Show the page of a form again, with the problem and what was typed. A failure of the service goes to the log."""
+    problem = problem_from(error)
+    if problem.status >= HTTPStatus.INTERNAL_SERVER_ERROR:
+        await answer_problem(request, error)
+    shown = await show(problem)
+    shown.headers.update(headers_of(error))
+    return shown
 
 
 @router.post("/registry/decide", dependencies=[OwnSite])
 async def decide(
-    request: Request, registry: TheRegistry, visit: RegistryVisit, session: SignedIn, form: SignedForm
+    request: Request,
+    registry: TheRegistry,
+    queue: TheWorkQueue,
+    visit: RegistryVisit,
+    session: SignedIn,
+    form: SignedForm,
 ) -> Response:
-    """Approve or reject the content of a pending version."""
+    """Approve or reject the content of a pending version. A refused form keeps its values."""
     from sigcat.registry.approvals import approve, reject
 
     author = author_of(session.token, "approve")
     kind, reference = _version(form)
     owner, content = field(form, "owner") or author.owner, field(form, "content")
-    registry_of_author = registry.written_by(author)
+    written = registry.written_by(author)
     if _chosen(form, "approve", "reject") == "approve":
-        await in_turn(request, lambda: approve(registry_of_author, kind, reference, owner, content=content))
+        change = partial(approve, written, kind, reference, owner, content=content)
     else:
-        reason = form.last("reason")
-        await in_turn(request, lambda: reject(registry_of_author, kind, reference, owner, reason, content))
+        change = partial(reject, written, kind, reference, owner, form.last("reason"), content)
+    try:
+        await in_turn(request, change)
+    except SigcatError as error:
+        return await _refused(
+            request, error, lambda problem: queue.run(registry_page, visit, registry, 0, Again(problem, form))
+        )
     return RedirectResponse(f"{visit.below}/registry#pending", HTTPStatus.SEE_OTHER)
 
 
@@ -99,19 +122,28 @@ async def acknowledge_deprecation(
 
 @router.post("/registry/end", dependencies=[OwnSite])
 async def end_version(
-    request: Request, registry: TheRegistry, visit: RegistryVisit, session: SignedIn, form: SignedForm
+    request: Request,
+    registry: TheRegistry,
+    queue: TheWorkQueue,
+    visit: RegistryVisit,
+    session: SignedIn,
+    form: SignedForm,
 ) -> Response:
-    """Deprecate or retire a version."""
+    """Deprecate or retire a version. A refused form keeps its values."""
     from sigcat.registry.lines import set_state
 
     author = author_of(session.token, "publish")
     kind, reference = _version(form)
-    written = registry.written_by(author)
+    ended = partial(set_state, registry.written_by(author), kind, reference)
     if _chosen(form, "deprecate", "retire") == "deprecate":
-        until, successor = field(form, "until"), field(form, "successor")
-        await in_turn(request, lambda: set_state(written, kind, reference, "deprecated", until, successor))
+        change = partial(ended, "deprecated", field(form, "until"), field(form, "successor"))
     else:
-        await in_turn(request, lambda: set_state(written, kind, reference, "retired"))
+        change = partial(ended, "retired")
+    try:
+        await in_turn(request, change)
+    except SigcatError as error:
+        shown = (visit, registry, f"{kind}s", reference.name, ("", ""), reference.version)
+        return await _refused(request, error, lambda problem: queue.run(name_page, *shown, Again(problem, form)))
     return RedirectResponse(f"{visit.below}/registry/{kind}s/{reference.name}", HTTPStatus.SEE_OTHER)
 
 

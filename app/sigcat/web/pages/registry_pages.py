@@ -1,16 +1,19 @@
 """The registry in the browser: names, their versions, users of a signal, and what may be deployed where."""
 
-from typing import Annotated, Literal
+from http import HTTPStatus
+from typing import Annotated, Literal, NamedTuple
 
 from fastapi import APIRouter, Query
 from fastapi.responses import Response
 
+from sigcat.api.answers.schemas import Problem
 from sigcat.api.requests.dependencies import NamedCatalogue, TheWorkQueue
 from sigcat.api.requests.hosted_registry import HostedRegistry, TheRegistry
 from sigcat.catalogue.hosting.variants import expanded_of
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import InputRefused
 from sigcat.limits import NAME_CHARACTERS, PARAMETER_CHARACTERS
+from sigcat.web.forms import EMPTY, Form
 from sigcat.web.registry_visits import RegistryVisit
 from sigcat.web.rendering import page_for
 from sigcat.web.visits import Visit
@@ -22,10 +25,25 @@ Start = Annotated[int, Query(alias="from", ge=0)]
 Version = Annotated[str, Query(max_length=NAME_CHARACTERS)]
 
 
+class Again(NamedTuple):
+    """A page whose form is shown again: why it was refused, and what was typed."""
+
+    problem: Problem | None = None
+    form: Form = EMPTY
+
+    @property
+    def status(self) -> int:
+        """Status of the page."""
+        return self.problem.status if self.problem else HTTPStatus.OK
+
+
+_FIRST = Again()
+
+
 @router.get("/registry")
 async def show_registry(visit: RegistryVisit, registry: TheRegistry, queue: TheWorkQueue, start: Start = 0) -> Response:
     """Published names, and the last entries of the log."""
-    return await queue.run(_registry, visit, registry, start)
+    return await queue.run(registry_page, visit, registry, start)
 
 
 @router.get("/registry/lines")
@@ -66,14 +84,15 @@ async def show_name(
     end: Version = "",
 ) -> Response:
     """The versions of a name, the changes between two of them, and the form that ends one."""
-    return await queue.run(_name, visit, registry, group, name, (old, new), end)
+    return await queue.run(name_page, visit, registry, group, name, (old, new), end)
 
 
-def _registry(visit: Visit, registry: HostedRegistry, start: int) -> Response:
+def registry_page(visit: Visit, registry: HostedRegistry, start: int, again: Again = _FIRST) -> Response:
+    """The page of published names."""
     from sigcat.web.views.registry_view import registry_view
 
     with registry.reading() as connection:
-        return page_for(visit, "registry.html", view=registry_view(connection, start))
+        return page_for(visit, "registry.html", again.status, view=registry_view(connection, start), again=again)
 
 
 def _lines(visit: Visit, registry: HostedRegistry, start: int) -> Response:
@@ -106,11 +125,20 @@ def _deliveries(visit: Visit, registry: HostedRegistry, state: str) -> Response:
     return page_for(visit, "registry_deliveries.html", view=view, state=state)
 
 
-def _name(
-    visit: Visit, registry: HostedRegistry, group: str, name: str, compared: tuple[str, str], end: str
+def name_page(
+    visit: Visit,
+    registry: HostedRegistry,
+    group: str,
+    name: str,
+    compared: tuple[str, str],
+    end: str,
+    again: Again = _FIRST,
 ) -> Response:
+    """The page of the versions of a name."""
     from sigcat.web.views.registry_view import name_view
 
     with registry.reading() as connection:
         view = name_view(connection, group, name, *compared)
-        return page_for(visit, "registry_name.html", group=group, name=name, view=view, end=end)
+        return page_for(
+            visit, "registry_name.html", again.status, group=group, name=name, view=view, end=end, again=again
+        )

@@ -2,6 +2,7 @@
 import { askPart, attempt, begin, say } from "./asking.js";
 import { mountBasket, withBasket } from "./basket.js";
 import { mountCalls } from "./call.js";
+import { mountPaths } from "./paths.js";
 import { mountProposal } from "./propose.js";
 import { mountRun } from "./run.js";
 import { mountTree } from "./tree.js";
@@ -65,6 +66,7 @@ mountTry();
 mountProposal();
 mountRun();
 mountCalls();
+mountPaths();
 let timer = 0;
 
 const isSearch = () => location.pathname.startsWith(`${base}/search/`);

@@ -109,7 +109,7 @@ class NameView(NamedTuple):
 class Cell(NamedTuple):
     """A function in a vehicle line."""
 
-    runs: tuple[str, ...]
+    runs: tuple[Published, ...]
     """Versions that run."""
     newest: str
     """The version that was checked; empty if it runs already, or nothing is published."""
@@ -224,9 +224,9 @@ def matrix_view(connection: Snapshot, start: int) -> MatrixView:
     for each in all_versions(connection, "function"):
         by_name.setdefault(each.name, []).append(each)
     lines = names_of(connection, "line")
-    runs: dict[tuple[str, str], list[str]] = {}
+    runs: dict[tuple[str, str], list[Published]] = {}
     for one in running(connection):
-        runs.setdefault((one.published.name, one.line), []).append(one.published.version)
+        runs.setdefault((one.published.name, one.line), []).append(one.published)
     shown = list(by_name.items())[start : start + _FUNCTIONS]
     known: dict[int, Member] = {}
     rows = tuple(_matrix_row(connection, versions, lines[:_LINES], runs, known) for _, versions in shown)
@@ -238,7 +238,7 @@ def _matrix_row(
     connection: Snapshot,
     versions: Sequence[Published],
     lines: Sequence[str],
-    runs: Mapping[tuple[str, str], list[str]],
+    runs: Mapping[tuple[str, str], list[Published]],
     known: dict[int, Member],
 ) -> MatrixRow:
     newest = _newest(versions)
@@ -248,9 +248,9 @@ def _matrix_row(
 
 
 def _cell(
-    connection: Snapshot, newest: Published | None, line: str, runs: Sequence[str], known: dict[int, Member]
+    connection: Snapshot, newest: Published | None, line: str, runs: Sequence[Published], known: dict[int, Member]
 ) -> Cell:
-    if newest is None or newest.version in runs:
+    if newest is None or newest in runs:
         return Cell(tuple(runs), "", None, ())
     answer = can_deploy(connection, [newest.reference], line, known)
     return Cell(tuple(runs), newest.version, answer.decision, answer.conflicts)
