@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.adapter.ros2.built import USUAL, running
+from tests.adapter.ros2.built import USUAL, preloaded, running, workspace
 from tests.adapter.ros2.other_end import ACTIVATE, CONFIGURE, Peer, peer
 from tests.needs import ros2
 from tests.waiting import wait_until
@@ -31,6 +31,50 @@ def test_a_publisher_that_does_not_fit_is_counted_and_told(language, tmp_path):
         while peer.finds(status, lambda found: True)["values"]["messages"] == "0":
             peer.publish(PROPOSAL[0], {"acceleration_proposal": 1.0})  # before the node knows the other, it is lost
         peer.finds(status, lambda found: found["values"]["deadline missed"] != "0")
+
+
+HANGS_ON_DEADLINES = """
+#include <dlfcn.h>
+#include <unistd.h>
+
+struct Event
+{
+  const char * implementation;
+  void * data;
+  int type;
+};
+
+extern "C" int rmw_take_event(const Event * event, void * info, bool * is_taken)
+{
+  while (event->type == 1 || event->type == 7) {  // RMW_EVENT_REQUESTED_ and _OFFERED_DEADLINE_MISSED
+    pause();
+  }
+  using Take = int (*)(const Event *, void *, bool *);
+  return reinterpret_cast<Take>(dlsym(RTLD_NEXT, "rmw_take_event"))(event, info, is_taken);
+}
+"""
+
+
+def test_missed_deadlines_are_counted_without_their_events(language, tmp_path, monkeypatch):
+    """Taking one can wait forever for a thread of the middleware, and so can the receiver of the node."""
+    workspace()
+    monkeypatch.setenv("LD_PRELOAD", str(preloaded(HANGS_ON_DEADLINES, tmp_path)))
+    status = f"{NODE}: subscription {PROPOSAL[0]}"
+    with running(language, tmp_path, NODE) as peer:
+        peer.bring(NODE, CONFIGURE, ACTIVATE)
+        peer.advertise(*PROPOSAL, {"deadline": 1.5})
+
+        def told(name: str) -> int:
+            return int(peer.finds(status, lambda found: True)["values"][name])
+
+        def is_taken_after(messages: int) -> bool:
+            peer.publish(PROPOSAL[0], {"acceleration_proposal": 1.0})
+            return told("messages") > messages
+
+        wait_until(lambda: is_taken_after(0), "a proposal is taken")
+        wait_until(lambda: told("deadline missed") > 0, "a deadline is missed")
+        before = told("messages")
+        wait_until(lambda: is_taken_after(before), "a proposal is taken after a deadline was missed")
 
 
 def test_a_publisher_that_is_gone_and_comes_back_is_heard_again(language, tmp_path):

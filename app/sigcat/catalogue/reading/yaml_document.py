@@ -100,8 +100,9 @@ class Document(NamedTuple):
 class Unbuildable(Exception):
     """A YAML node has no value: an unknown tag, a cycle, a malformed number. `rule` is the one that it breaks."""
 
-    def __init__(self, message: str, node: Node, rule: RuleCode = codes.NOT_A_VALUE) -> None:
+    def __init__(self, message: str, node: Node, rule: RuleCode = codes.NOT_A_VALUE, fix: str = "") -> None:
         super().__init__(message)
+        self.fix = fix
         self.node = node
         self.rule = rule
 

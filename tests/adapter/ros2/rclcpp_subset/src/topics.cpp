@@ -162,7 +162,6 @@ void PublisherBase::listen(NodeBaseInterface & node, const PublisherOptions & op
         events_.push_back(listen_to(rcl_publisher_event_init, handle_, kind, callback));
       }
     };
-  add(RCL_PUBLISHER_OFFERED_DEADLINE_MISSED, callbacks.deadline_callback);
   add(RCL_PUBLISHER_LIVELINESS_LOST, callbacks.liveliness_callback);
   std::function<void(QOSOfferedIncompatibleQoSInfo &)> incompatible = callbacks.incompatible_qos_callback;
   if (!incompatible) {
@@ -217,7 +216,6 @@ void SubscriptionBase::listen(NodeBaseInterface & node, const SubscriptionOption
         events_.push_back(listen_to(rcl_subscription_event_init, handle_, kind, callback));
       }
     };
-  add(RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED, callbacks.deadline_callback);
   add(RCL_SUBSCRIPTION_LIVELINESS_CHANGED, callbacks.liveliness_callback);
   add(RCL_SUBSCRIPTION_MESSAGE_LOST, callbacks.message_lost_callback);
   std::function<void(QOSRequestedIncompatibleQoSInfo &)> incompatible = callbacks.incompatible_qos_callback;

@@ -1,6 +1,6 @@
 """Diagnostics on /diagnostics, for people and aggregators. No function subscribes to it."""
 
-from time import monotonic
+from time import monotonic, monotonic_ns
 from typing import Callable, Dict, Iterable, List, Optional, Tuple
 
 from builtin_interfaces.msg import Time
@@ -37,21 +37,52 @@ class Recent:
         self._before = self._last = count
 
 
+class MissedDeadlines:
+    """
+    Count of deadlines that pass without a message, from the first message on.
+
+    The middleware has an event for it, but taking that event can wait forever in rmw_fastrtps.
+    """
+
+    def __init__(self, deadline: int) -> None:
+        """Begin with no message; they have to come in so many nanoseconds, 0: at any time."""
+        self._deadline = deadline
+        self._last: Optional[Tuple[int, int]] = None
+        """Deadlines missed before the last message, and its time."""
+
+    def add_message(self) -> None:
+        """Note that a message has come, or gone."""
+        self._last = (self.count(), monotonic_ns())
+
+    def count(self) -> int:
+        """Answer how many deadlines have been missed."""
+        if not self._deadline or self._last is None:
+            return 0
+        before, last = self._last
+        return before + (monotonic_ns() - last) // self._deadline
+
+
 class TopicCounts:
     """Counts of messages and events of a topic."""
 
-    def __init__(self, name: str) -> None:
-        """Begin with nothing."""
+    def __init__(self, name: str, deadline: int) -> None:
+        """Begin with nothing; messages have to come in `deadline` nanoseconds, 0: at any time."""
         self.name = name
         self.messages = 0
         self.events = dict.fromkeys(EVENTS, 0)
         self._rate = 0.0
         self._told_messages = 0
+        self._missed_deadlines = MissedDeadlines(deadline)
         self.has_stranger: Callable[[], bool] = lambda: False
         """Whether another end of the topic is there that is not connected with this one."""
         self._losses = Recent()
         self._promises = Recent()
         self._sequence_number = 0
+
+    def add_message(self) -> None:
+        """Note that a message has come, or gone."""
+        self.messages += 1
+        self._missed_deadlines.add_message()
 
     def skipped_before(self, sequence_number: Optional[int]) -> int:
         """
@@ -69,6 +100,7 @@ class TopicCounts:
 
     def status(self, node: str, *, has_calls: bool) -> DiagnosticStatus:
         """Answer its status. Deadlines are missed as they should be while no call runs."""
+        self.events['deadline missed'] = self._missed_deadlines.count()
         message = self._problem(has_calls=has_calls)
         level = DiagnosticStatus.WARN if message else DiagnosticStatus.OK
         values = {'messages': str(self.messages), 'rate [Hz]': f'{self._rate:.6f}'}

@@ -10,17 +10,14 @@ from .diagnostics import TopicCounts
 
 
 def subscription_events(
-    quality: QoSProfile, counts: TopicCounts, is_timed: bool,
+    quality: QoSProfile, counts: TopicCounts,
 ) -> SubscriptionEventCallbacks:
-    """Count what becomes of a subscription; `is_timed`: deadlines mean something."""
+    """Count what becomes of a subscription."""
     def lost(event: Any) -> None:
         counts.events['lost'] = event.total_count
 
     def incompatible(event: Any) -> None:
         counts.events['incompatible QoS'] = event.total_count
-
-    def deadline(event: Any) -> None:
-        counts.events['deadline missed'] = event.total_count
 
     def liveliness(event: Any) -> None:
         counts.events['liveliness lost'] += max(event.not_alive_count_change, 0)
@@ -28,27 +25,22 @@ def subscription_events(
     return SubscriptionEventCallbacks(
         message_lost=lost,
         incompatible_qos=incompatible,
-        deadline=deadline if is_timed and has_deadline(quality) else None,
         liveliness=liveliness if has_lease(quality) else None,
     )
 
 
 def publisher_events(
-    quality: QoSProfile, counts: TopicCounts, is_timed: bool,
+    quality: QoSProfile, counts: TopicCounts,
 ) -> PublisherEventCallbacks:
-    """Count what becomes of a publisher; `is_timed`: deadlines mean something."""
+    """Count what becomes of a publisher."""
     def incompatible(event: Any) -> None:
         counts.events['incompatible QoS'] = event.total_count
-
-    def deadline(event: Any) -> None:
-        counts.events['deadline missed'] = event.total_count
 
     def liveliness(event: Any) -> None:
         counts.events['liveliness lost'] = event.total_count
 
     return PublisherEventCallbacks(
         incompatible_qos=incompatible,
-        deadline=deadline if is_timed and has_deadline(quality) else None,
         liveliness=liveliness if has_lease(quality) else None,
     )
 

@@ -10,7 +10,7 @@ from rclpy.lifecycle import LifecycleNode
 from rclpy.qos import QoSProfile
 
 from .diagnostics import TopicCounts
-from .events import publisher_events, subscription_events
+from .events import has_deadline, publisher_events, subscription_events
 from .executor import has_threads
 from .message_info import with_sequence_number
 
@@ -42,11 +42,11 @@ class Topics:
         self, message: Any, topic: str, quality: QoSProfile, take: Callable[[Any], None],
     ) -> None:
         """Subscribe to a topic whose messages `take` stores."""
-        counts = TopicCounts(f'subscription {self._shown(topic)}')
+        counts = TopicCounts(f'subscription {self._shown(topic)}', self._deadline(quality))
 
         def taken(value: Any, sequence_number: Optional[int]) -> None:
             take(value)
-            counts.messages += 1
+            counts.add_message()
             skipped = counts.skipped_before(sequence_number)
             if skipped and subscription.get_publisher_count() == 1:  # others count for themselves
                 counts.events['skipped'] += skipped
@@ -57,7 +57,7 @@ class Topics:
         subscription = self._node.create_subscription(
             message, topic, with_sequence_number(taken), self._kept(quality),
             callback_group=self._group,
-            event_callbacks=subscription_events(quality, counts, not self.keeps_all),
+            event_callbacks=subscription_events(quality, counts),
         )
         counts.has_stranger = lambda: (
             self._node.count_publishers(subscription.topic_name)
@@ -68,10 +68,10 @@ class Topics:
 
     def advertise(self, message: Any, topic: str, quality: QoSProfile) -> Callable[[Any], None]:
         """Advertise a topic, and answer what sends a message on it while the node is active."""
-        counts = TopicCounts(f'publisher {self._shown(topic)}')
+        counts = TopicCounts(f'publisher {self._shown(topic)}', self._deadline(quality))
         publisher = self._node.create_lifecycle_publisher(
             message, topic, self._kept(quality), callback_group=self._group,
-            event_callbacks=publisher_events(quality, counts, not self.keeps_all),
+            event_callbacks=publisher_events(quality, counts),
         )
         counts.has_stranger = lambda: (
             self._node.count_subscribers(publisher.topic_name)
@@ -82,13 +82,16 @@ class Topics:
         def send(value: Any) -> None:
             if publisher.is_activated:
                 publisher.publish(value)
-                counts.messages += 1
+                counts.add_message()
                 self.sent += 1
 
         return send
 
     def _shown(self, topic: str) -> str:
         return self._node.get_name() + topic[1:] if topic.startswith('~/') else topic
+
+    def _deadline(self, quality: QoSProfile) -> int:
+        return 0 if self.keeps_all or not has_deadline(quality) else quality.deadline.nanoseconds
 
     def _kept(self, quality: QoSProfile) -> QoSProfile:
         if self.keeps_all:

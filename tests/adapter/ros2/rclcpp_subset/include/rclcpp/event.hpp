@@ -14,8 +14,6 @@
 namespace rclcpp
 {
 
-using QOSDeadlineRequestedInfo = rmw_requested_deadline_missed_status_t;
-using QOSDeadlineOfferedInfo = rmw_offered_deadline_missed_status_t;
 using QOSLivelinessChangedInfo = rmw_liveliness_changed_status_t;
 using QOSLivelinessLostInfo = rmw_liveliness_lost_status_t;
 using QOSMessageLostInfo = rmw_message_lost_status_t;
@@ -24,14 +22,12 @@ using QOSRequestedIncompatibleQoSInfo = rmw_requested_qos_incompatible_event_sta
 
 struct PublisherEventCallbacks
 {
-  std::function<void(QOSDeadlineOfferedInfo &)> deadline_callback;
   std::function<void(QOSLivelinessLostInfo &)> liveliness_callback;
   std::function<void(QOSOfferedIncompatibleQoSInfo &)> incompatible_qos_callback;
 };
 
 struct SubscriptionEventCallbacks
 {
-  std::function<void(QOSDeadlineRequestedInfo &)> deadline_callback;
   std::function<void(QOSLivelinessChangedInfo &)> liveliness_callback;
   std::function<void(QOSRequestedIncompatibleQoSInfo &)> incompatible_qos_callback;
   std::function<void(QOSMessageLostInfo &)> message_lost_callback;
