@@ -189,8 +189,8 @@ def _verdict(is_provider: bool, old: Sequence[str], new: Sequence[str]) -> str:
 @pytest.mark.parametrize("is_provider", [True, False], ids=["provider", "consumer"])
 def test_a_check_of_a_catalogue_and_a_deployment_over_it_judge_changed_values_alike(is_provider: bool) -> None:
     """The function in the vehicles was built over the old values, and the other end of its signal over the new ones."""
-    provides, consumes = {"provided": ["S0"]}, {"consumed": ["S0"]}
-    here, there = (provides, consumes) if is_provider else (consumes, provides)
+    signals: tuple[list[str], list[str]] = (["S0"], [])
+    (here, there) = (signals, signals[::-1]) if is_provider else (signals[::-1], signals)
     found: list[str] = []
     for seed in range(200 if IS_SLOW_RUN else 60):
         chance = random.Random(seed)
@@ -200,8 +200,8 @@ def test_a_check_of_a_catalogue_and_a_deployment_over_it_judge_changed_values_al
         with in_memory() as connection:
             add(
                 connection,
-                candidate(declaration("Alpha", **here), before),
-                candidate(declaration("Beta", **there), after),
+                candidate(declaration("Alpha", *here), before),
+                candidate(declaration("Beta", *there), after),
             )
             deploy(connection, "SUV-2025", [Reference("Alpha", "1.0.0")])
             answer = can_deploy(connection, [Reference("Beta", "1.0.0")], "SUV-2025")

@@ -40,7 +40,7 @@ class Outcome(NamedTuple):
 
     @property
     def sentence(self) -> str:
-        """What became of it, and whether the name has another owner now."""
+        """The status, and both owners if the name has another one now."""
         change = f", owner changed from {self.previous_owner} to {self.owner or 'none'}" if self.previous_owner else ""
         return f"{self.kind} {self.reference}: {self.status}{change}"
 

@@ -34,5 +34,5 @@ def for_role(use: Use, changes: Iterable[UseChange]) -> Iterator[UseChange]:
 
 
 def verb_of(change: UseChange) -> str:
-    """What a change does to a function, in a sentence."""
+    """The verb for a change that affects a function, in a sentence."""
     return "breaks" if change.compatibility == "breaking" else "may break"
