@@ -8,6 +8,7 @@ from scripts.cases import BAD_INPUT
 from sigcat.catalogue.composing.compose import compose, read_catalogue
 from sigcat.catalogue.model.vocabulary import read_vocabulary
 from sigcat.catalogue.reading.layers import layer_from_text, read_layer
+from sigcat.cli import main
 from sigcat.limits import Limits
 from tests.catalogue.trees import ROOT, findings_of
 
@@ -193,9 +194,11 @@ def test_a_misspelled_include_is_told(line):
         ("datatype: string, default: 5", "Default 5 does not fit string (text).", "Quote it: YAML reads it as a number."),
         ("datatype: string, allowed: [2020-01-01]", "`allowed` must be a list of values, not [2020-01-01].", "Quote it: YAML reads it as a date."),
         ("datatype: string, comment: 2020-01-01", "`comment` must be text, not 2020-01-01.", "Quote it: YAML reads it as a date."),
-        ("2020-01-01: 5", "The name of an attribute must be text, not 2020-01-01.", ""),
-        ("datatype: float, default: 1e3", "Default '1e3' does not fit float (numbers up to ±3.4028235e+38).", "Write 1000.0, without quotes."),
-        ("datatype: uint16, min: 1e3", "`min` must be a number, not the text '1e3'.", "Write `min: 1000`, without quotes."),
+        ("2020-01-01: 5", "The name of an attribute must be text, not 2020-01-01.", "Quote it: YAML reads it as a date."),
+        ("datatype: float, default: 1e3", "Default '1e3' does not fit float (numbers up to ±3.4028235e+38).", "Write 1000.0: YAML reads 1e3 as a text, as it has no point or no sign in its exponent."),
+        ("datatype: uint16, min: 1e3", "`min` must be a number, not the text '1e3'.", "Write 1000: YAML reads 1e3 as a text, as it has no point or no sign in its exponent."),
+        ("datatype: uint16, min: '1000'", "`min` must be a number, not the text '1000'.", "Write `min: 1000`, without quotes."),
+        ("Off: 5", "The name of an attribute must be text, not False.", "Quote it: YAML reads words such as ON, OFF, YES and NO as true and false."),
         ("datatype: uint16, min: 1.0", "`min` must be a whole number, not 1.0.", "Write 1: vss-tools refuses fractions."),
     ],
 )  # fmt: skip
@@ -203,3 +206,15 @@ def test_a_value_that_yaml_reads_as_another_is_shown_as_it_is_written(attributes
     text = f"{ROOT}Vehicle.A: {{type: sensor, description: A., {attributes}}}\n"
     found = compose([layer_from_text(text.encode(), "tree", is_overlay=False)]).findings
     assert [(finding.message, finding.fix) for finding in found] == [(message, fix)]
+
+
+def test_an_instance_that_yaml_reads_as_a_truth_value_is_found(tmp_path, capsys):
+    (tmp_path / "tree.vspec").write_text(
+        "Vehicle: {type: branch, description: A vehicle.}\n"
+        "Vehicle.Door: {type: branch, instances: [On, 'Off'], description: A door.}\n"
+        "Vehicle.Door.IsOpen: {type: sensor, datatype: boolean, description: Whether it is open.}\n"
+    )
+    main(["lint", str(tmp_path / "tree.vspec")])
+    out = capsys.readouterr().out
+    assert out.count("V027") == 1
+    assert "An instance must be text, not true: its path would end with 'True'. Quote it: YAML reads words" in out

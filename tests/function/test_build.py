@@ -313,6 +313,12 @@ def test_a_datatype_that_would_lose_range_is_refused(item, rule):
     assert rules == ([rule] if rule else [])
 
 
+@pytest.mark.parametrize("unit", ["furlong", "kg", "kmh"])
+def test_nothing_is_compared_in_a_unit_that_is_unfit_itself(unit):
+    item = f"{{path: Vehicle.Speed, role: consumed, datatype: uint8, unit: {unit}, max: 1000, init: 999}}"
+    assert [found[0] for found in findings(item)] == ["F021"]
+
+
 # -- the same bytes -----------------------------------------------------------------------------------------------
 
 

@@ -33,7 +33,11 @@ extern boolean_T flag;
 extern volatile unsigned char level;
 typedef enum { M_OFF, M_ON } md_t;
 extern md_t mode;
-extern struct Bus { short a; unsigned b : 3; } bus;
+extern struct Bus { short a; unsigned b : 3, wide : 12, flag : 1; int sign : 1; struct { unsigned deep : 2; }; } bus;
+extern struct Bus *way;
+extern _Complex float phase;
+extern __int128 huge;
+extern _Atomic int shared;
 extern char letter;
 extern const float fixed;
 extern struct Const { const float a; float *at; } rest;
@@ -43,6 +47,7 @@ static float apart;
 enum small { S0, S1 };
 extern enum small chosen;
 float computed(void);
+void Demo_Step(void);
 #define LIMIT 3.0f
 """
 CASES = {
@@ -55,7 +60,20 @@ CASES = {
     "a float for a flag": ("boolean", "consumed", "ratio", "", "'ratio' must be an integer"),
     "a narrower member": ("int32", "consumed", "bus.a", "", "'bus.a' must be int32_t; the header has short"),
     "a narrower output": ("int32", "provided", "bus.a", "", ""),
-    "a bit field": ("uint8", "consumed", "bus.b", "", ""),
+    "a bit field": ("uint8", "consumed", "bus.b", ", min: 0, max: 7", ""),
+    "a bit field of too few bits": ("uint8", "consumed", "bus.b", "", "'bus.b' must hold 0 to 255; the header has a bit field of 3 bits (unsigned int)."),
+    "a bit field of too few bits for a limit": ("uint8", "consumed", "bus.b", ", min: 0, max: 8", "'bus.b' must hold 0 to 8; the header has a bit field of 3 bits"),
+    "a bit field of scaled values": ("uint8", "consumed", "bus.b", ", factor: 0.5, offset: 1, min: 1, max: 4.5", ""),
+    "a bit field of too few bits for scaled values": ("uint8", "consumed", "bus.b", ", factor: 0.5, min: 0, max: 4", "'bus.b' must hold 0 to 8; the header has a bit field of 3 bits"),
+    "a bit field that is read": ("uint8", "provided", "bus.b", "", ""),
+    "a wider bit field that is read": ("uint8", "provided", "bus.wide", "", "'bus.wide' must be uint8_t; the header has a bit field of 12 bits"),
+    "a bit field behind a pointer": ("uint8", "consumed", "way->b", "", "'way->b' must hold 0 to 255; the header has a bit field of 3 bits"),
+    "a bit field of a struct without a name": ("uint8", "consumed", "bus.deep", "", "'bus.deep' must hold 0 to 255; the header has a bit field of 2 bits"),
+    "a flag of one bit": ("boolean", "consumed", "bus.flag", "", ""),
+    "a flag of one bit with a sign": ("boolean", "consumed", "bus.sign", "", "'bus.sign' must hold 0 to 1; the header has a bit field of 1 bit (int)."),
+    "a complex number": ("float", "provided", "phase", "", "'phase' must be float; the header has _Complex float."),
+    "an integer of 128 bits": ("int64", "consumed", "huge", "", "'huge' must be int64_t; the header has __int128."),
+    "an atomic number": ("int32", "consumed", "shared", "", "'shared' must be int32_t; the header has _Atomic(int)."),
     "a character": ("uint8", "consumed", "letter", "", ""),
     "a variable that no header has": ("uint8", "consumed", "nothing", "", ""),
     "defined with its type": ("uint8", "consumed", "level", ", definedBy: adapter, cType: volatile unsigned char", ""),
@@ -149,7 +167,7 @@ SHAPED = {
     "an array that a pointer has": (FLOATS + "5", "pointed", "", "'pointed' must be an array of 5; the header has a pointer."),
     "an array of the size of a pointer": (FLOATS + "2", "pointed", "", "'pointed' must be an array of 2; the header has a pointer."),
     "the array that a pointer points at": (FLOATS + "5", "'*at'", "", ""),
-    "a bit field": ("uint8", "track.kind", "", ""),
+    "a bit field": ("uint8", "track.kind", ", max: 7", ""),
     "the last element": ("float", "'list[4]'", "", ""),
     "an element beyond the array": ("float", "'list[5]'", "", "'list[5]' must be within its array; the header has 5 elements, and 5 is the index."),
     "an element before the array": ("float", "'list[-1]'", "", "'list[-1]' must be within its array"),
@@ -164,6 +182,9 @@ SHAPED = {
     "an array as a struct": ("Types.Point", "list", "", "'list' must be a struct; the header has an array of 5."),
     "members within members": ("Types.Track", "track", ", members: {Start.X: x, Start.Y: y, Ends.X: x, Ends.Y: y, Kind: kind}", ""),
     "members of elements": ("Types.Track", "track", ", members: {Start.X: x, Start.Y: y, Ends.X: x}", "'track.Ends[0]' must have the member 'Y'"),
+    "a member that is a bit field of too few bits": (
+        "Types.Kinds", "track", ", members: {Kind: kind}", "'track.kind' must hold 0 to 255; the header has a bit field of 3 bits (unsigned int)."
+    ),
     "elements of a member": (
         "Types.Longer", "track", ", members: {Ends.X: x, Ends.Y: y}", "'track.Ends' must have 4 elements; the header has 3."
     ),
@@ -179,7 +200,8 @@ TYPES = """\
       fields:
         Start: {datatype: Types.Point, description: Its start.}
         Ends: {datatype: 'Types.Point[]', arraysize: 3, description: Its ends.}
-        Kind: {datatype: uint8, description: Its kind.}
+        Kind: {datatype: uint8, description: Its kind., max: 7}
+    Types.Kinds: {description: Kinds., fields: {Kind: {datatype: uint8, description: Its kind.}}}
 """
 
 
@@ -205,3 +227,57 @@ def test_a_queue_has_room_for_the_values_of_a_call(tmp_path, capsys):
     file.write_text(FUNCTION.format(datatype="float", role="consumed", variable="list", more=more))
     main(["lint", str(file)])
     assert "'list' must have at least 6 elements; the header has 5." in capsys.readouterr().out
+
+
+CALLED = {
+    "the function": ("symbol: work", "", ""),
+    "a function of an enumeration": ("symbol: state, success: 0", "", ""),
+    "a macro": ("symbol: MACRO", "", ""),
+    "a function that is not there": ("symbol: wrok", "9:17", "The headers must declare the function 'wrok'; clang says: use of undeclared identifier 'wrok'. Did you mean 'work'?"),
+    "no function of the name of the call": ("arguments: []", "8:9", "The headers must declare the function 'Demo_Step'"),
+    "a variable": ("symbol: ratio", "9:17", "The function 'ratio' must take no arguments."),
+    "a function that takes a number": ("symbol: takes", "9:17", "The function 'takes' must take no arguments; the header has int, float *."),
+    "a function that returns a float": ("symbol: gives, success: 0", "", ""),
+    "a function that returns nothing": ("symbol: work, success: 0", "9:17", "'work' must return a number, as `success` is compared with it; the header has void."),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("call", "place", "expected"), CALLED.values(), ids=CALLED)
+def test_a_function_that_is_not_that_of_the_header_is_found(call, place, expected, tmp_path, capsys):
+    file = project(tmp_path, HEADER.replace("void Demo_Step(void);\n", FUNCTIONS))
+    text = FUNCTION.format(datatype="float", role="consumed", variable="ratio", more="")
+    file.write_text(
+        text.replace("interface: Step\n", f"interface: Step\n        {call.replace(', ', chr(10) + '        ')}\n")
+    )
+    main(["lint", str(file)])
+    out = capsys.readouterr().out
+    assert ("T010" in out) is (expected != ""), out
+    assert expected in out
+    assert not place or f"function.yaml:{place}: error T010" in out
+
+
+FUNCTIONS = """\
+void work(void);
+enum small state(void);
+void takes(int number, float *ratio);
+float gives(void);
+#define MACRO() work()
+"""
+
+
+def test_a_header_that_defines_something_is_found_at_its_line(tmp_path, capsys):
+    header = "#pragma once\nextern float ratio;\nfloat speed;\nconst int most = 3;\nvoid Demo_Step(void) {}\n"
+    fine = (
+        "static inline int least(void) { return 1; }\ninline int some(void) { return 2; }\nextern float declared[2];\n"
+    )
+    file = project(tmp_path, header + fine)
+    file.write_text(FUNCTION.format(datatype="float", role="consumed", variable="ratio", more=""))
+    assert main(["lint", str(file)]) == 1
+    found = [line.partition(" Declare it")[0] for line in capsys.readouterr().out.splitlines() if "F213" in line]
+    again = "not define it: each file that includes the header defines it again."
+    place = tmp_path / "code" / "Demo.h"
+    assert found == [
+        f"{place}:3: error F213 The header must declare the variable 'speed', {again}",
+        f"{place}:4: error F213 The header must declare the variable 'most', {again}",
+        f"{place}:5: error F213 The header must declare the function 'Demo_Step', {again}",
+    ]

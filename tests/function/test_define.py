@@ -9,6 +9,7 @@ import pytest
 import yaml
 
 from sigcat.catalogue.composing.compose import read_catalogue
+from sigcat.cli import main
 from sigcat.data import ROOT_FILE
 from sigcat.errors import InputRefused, UsageError
 from sigcat.function.declaration.declaration import declaration_schema, read_declaration
@@ -243,6 +244,16 @@ def test_the_scaffold_names_its_schema_and_builds_without_a_finding():
     text = scaffold("LaneKeeping")
     assert text.startswith(f"# yaml-language-server: $schema={SCHEMA_FILE}\n")
     assert check_function(text.encode(), "function.yaml", interfaces()) == ()
+
+
+def test_the_scaffold_for_a_tree_of_another_root_defines_its_signal(tmp_path, capsys):
+    machine = "Machine: {type: branch, description: A machine.}\n"
+    (tmp_path / "machine.vspec").write_text(machine)
+    tree, folder = ["-s", str(tmp_path / "machine.vspec")], str(tmp_path / "filter")
+    assert main(["function", "new", "Filter", *tree, "-o", folder]) == 0
+    assert main(["lint", *tree, folder]) == 0
+    assert "path: Machine.Filter.Speed\n" in (tmp_path / "filter" / "function.yaml").read_text()
+    assert capsys.readouterr().out == "No findings.\n"
 
 
 def test_the_scaffold_and_the_examples_are_valid_under_the_schema_of_the_file():

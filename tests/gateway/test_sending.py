@@ -1,12 +1,12 @@
 """`sigcat gateway TRACE --send`: what the catalogue maps to CAN is sent there, as cantools would decode it."""
 
 import random
-import threading
 from typing import Any
 
 import can
 import cantools
 import pytest
+from can.interfaces.virtual import VirtualBus
 
 from sigcat.cli import main
 
@@ -225,19 +225,38 @@ def test_a_formula_of_the_profile_is_not_turned_round(send):
     assert f"Nothing maps to CAN: {SPEED}." in told
 
 
-def test_a_bus_gets_the_frames_at_their_times(tmp_path):
+class Clock:
+    """A clock that only sleeping moves."""
+
+    def __init__(self) -> None:
+        self.now = 1000.0
+
+    def monotonic(self) -> float:
+        return self.now
+
+    def sleep(self, seconds: float) -> None:
+        self.now += seconds
+
+
+def test_a_bus_gets_the_frames_at_their_times(tmp_path, monkeypatch):
     (tmp_path / "bus.dbc").write_text(DBC)
     (tmp_path / "can.vspec").write_text(f"{SPEED}: {{type: actuator, datatype: float, vss2dbc: {{signal: Speed}}}}\n")
     (tmp_path / "trace.csv").write_text(f"time,{SPEED}\n5,1\n5.3,2\n")
-    came: list[Any] = []
+    clock = Clock()
+    monkeypatch.setattr("sigcat.gateway.bus.time", clock)
+    sent: list[tuple[float, int]] = []
+    send = VirtualBus.send
+
+    def noted(bus: Any, message: can.Message, timeout: float | None = None) -> None:
+        sent.append((clock.now, message.data[1]))
+        send(bus, message, timeout)
+
+    monkeypatch.setattr(VirtualBus, "send", noted)
     with can.Bus(interface="virtual", channel="sending") as bus:
-        listener = threading.Thread(target=lambda: came.extend(bus.recv(10) for _ in range(2)))
-        listener.start()
         given = [str(tmp_path / "trace.csv"), "--dbc", str(tmp_path / "bus.dbc"), "-s", "vss"]
         assert main(["gateway", *given, "-l", str(tmp_path / "can.vspec"), "--send", "virtual:sending"]) == 0
-        listener.join()
-    assert [each.data[1] for each in came] == [100, 200]
-    assert 0.25 < came[1].timestamp - came[0].timestamp < 1.5
+        assert [bus.recv(0).data[1] for _ in sent] == [100, 200]
+    assert sent == [(1000.0, 100), (pytest.approx(1000.3), 200)]
 
 
 @pytest.mark.parametrize(

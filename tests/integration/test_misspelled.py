@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 import pytest
 
+from sigcat.cli import main
 from sigcat.data import EXAMPLES
 from sigcat.errors import InputRefused
 from sigcat.integration.autosar_adaptive.document import read_integration as read_adaptive
@@ -50,3 +51,19 @@ def test_carried_functions_keep_the_keys_that_they_were_given_with(read, platfor
     del document["SourceFunctionList"][0]["Provenance"]
     document["SourceFunctionList"][0]["Provenence"] = {}
     assert read(json.dumps(document).encode(), "edited.json")
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("version: 3.0", "`version` must be '3.0' or '2.0', not 3.0. Put quotes around it: it is read as a number."),
+        ("Off: 1", "A key must be a text, not false. Put quotes around it: YAML reads words such as OFF"),
+        ("interface: Off", "`interface` must be 'coSimulation' or 'scheduledExecution', not false.\n"),
+    ],
+)
+def test_a_scalar_that_yaml_reads_otherwise_is_explained(text, said, tmp_path, capsys):
+    (tmp_path / "deployment.yaml").write_text(f"fmi: {{{text}}}\n")
+    function = EXAMPLES / "core_acc" / "function.yaml"
+    deployment = str(tmp_path / "deployment.yaml")
+    assert main(["integrate", "fmi", str(function), "--isolated", "--deployment", deployment]) == 1
+    assert said in capsys.readouterr().err

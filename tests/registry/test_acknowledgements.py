@@ -61,7 +61,7 @@ def test_a_second_acknowledgement_changes_nothing(registry: Registry) -> None:
 
 def test_another_deprecation_has_to_be_acknowledged_again(registry: Registry) -> None:
     acknowledge(registry, "function", ALPHA, "Team Beta")
-    set_state(registry, "function", ALPHA, "deprecated", "2030-12-31")
+    set_state(registry, "function", ALPHA, "deprecated", "2040-12-31")
     assert users(registry)[0] == ("Team Beta", "Beta 1.0.0", False)
     acknowledge(registry, "function", ALPHA, "Team Beta")
     assert users(registry)[0] == ("Team Beta", "Beta 1.0.0", True)

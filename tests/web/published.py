@@ -49,7 +49,7 @@ def _publish(registry: Registry) -> None:
     publish(registry, [candidate(declaration("Alpha", ("S2",), version="2.0.0"), over)])
     set_rule(registry, "function", "Beta", "approval")
     publish(registry, [candidate(declaration("Beta", (), ("S0",), version="1.1.0"), over)])
-    set_state(registry, "function", Reference("Gamma", "1.0.0"), "deprecated", "2027-01-31")
+    set_state(registry, "function", Reference("Gamma", "1.0.0"), "deprecated", "2040-01-31")
     subscribe(registry, "https://hooks.example.org/secret-path?token=1", (), Policy(("hooks.example.org",)))
     publish(registry, [candidate(declaration("Delta", ("S3",)), over)])
     with writing(registry.database) as connection:

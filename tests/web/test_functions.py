@@ -67,8 +67,9 @@ def test_of_a_function_that_says_nothing_of_its_code_there_is_none() -> None:
     assert code_view(function("Acc", gives("Vehicle.Speed"))) is None
 
 
-def test_optional_signals_are_marked() -> None:
-    items = [signal("There", Optional=True, AbsentError="Lost"), absent(signal("Lacking")), signal("Speed")]
+def test_optional_signals_are_marked_and_scaled_ones_say_their_scale() -> None:
+    speed = signal("Speed", Factor="0.01", Offset="-40", Units="km/h")
+    items = [signal("There", Optional=True, AbsentError="Lost"), absent(signal("Lacking")), speed]
     made = written(step(*items, error("Lost")))
     marks = {port.outer: port.mark for port in interface_diagram(made).ports if port.kind == "signal"}
     assert marks == {"There": " (optional)", "Lacking": " (optional, not in this catalogue)", "Speed": ""}
@@ -77,6 +78,7 @@ def test_optional_signals_are_marked() -> None:
     notes = {row.name: row.notes for row in view.variables}
     assert notes["There"] == ("optional: without the signal, sets Lost",)
     assert notes["Lacking"] == ("optional",)
+    assert notes["Speed"] == ("number × 0.01 - 40 km/h",)
 
 
 def test_a_set_beside_a_function_leads_to_the_wiring_of_all_of_it(site: Ask) -> None:

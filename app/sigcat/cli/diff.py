@@ -3,6 +3,7 @@
 import argparse
 import os
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.compared_sides import SIDES, add_sides, changes_between, names_of_sides, read_compared
@@ -62,6 +63,10 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "--binding", action="append", type=_bindings, default=[], metavar="NAME,...",
         help=f"classes for software that uses the tree in these forms: {', '.join(_BINDINGS)} (default: whatever the form)",
     )  # fmt: skip
+    parser.add_argument(
+        "--keep-numbers-of", type=Path, metavar="FILE",
+        help="file of `sigcat export protobuf --keep-numbers-of`: the fields in it keep their numbers",
+    )  # fmt: skip
     add_output(parser, "-o", "--output", metavar="FILE", help="write here instead of to standard output")
     add_sides(parser)
     parser.set_defaults(run=diff)
@@ -74,12 +79,23 @@ def diff(arguments: argparse.Namespace) -> int:
 
     old, new = read_compared(arguments, *names_of_sides(arguments))
     bindings = [name for names in arguments.binding for name in names]
-    changes = for_bindings(changes_between(old, new), bindings)
+    changes = for_bindings(_changes(old, new, arguments.keep_numbers_of), bindings)
     shown = [change for change in changes if not arguments.only or change.compatibility in arguments.only]
     report = _report(shown, len(changes) - len(shown), old, new, arguments)
     write_bytes(report.encode("utf-8", "backslashreplace"), arguments.output)
     bound = arguments.fail_on
     return int(bound is not None and any(at_least(change.compatibility, bound) for change in changes))
+
+
+def _changes(old: "Side", new: "Side", numbers: Path | None) -> "Sequence[Change]":
+    """Compare the sides; `numbers` is the lock with which the old one was exported."""
+    changes = changes_between(old, new)
+    if numbers is None:
+        return changes
+    from sigcat.catalogue.comparing.kept_numbers import with_kept_numbers
+    from sigcat.catalogue.exporting.field_numbers import read_lock
+
+    return with_kept_numbers(changes, old.catalogue, read_lock(numbers))
 
 
 def _bindings(text: str) -> list[str]:

@@ -1,10 +1,10 @@
 """Signals that end a command also end its processes, and remove its temporary files and folders."""
 
 import signal
-import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from types import FrameType
+from typing import Any
 
 _SIGNALS = tuple(getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name))
 _interrupts: list[int] = []
@@ -13,12 +13,7 @@ _interrupts: list[int] = []
 @contextmanager
 def ended_by_signals() -> Iterator[None]:
     """Within, a signal that ends the command unwinds it, as an interrupt from the keyboard does."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    ending = [number for number in _SIGNALS if signal.getsignal(number) == signal.SIG_DFL]
-    for number in ending:
-        signal.signal(number, _end)
+    ending = [number for number in _SIGNALS if _replaced(number, signal.SIG_DFL, _end)]
     try:
         yield
     finally:
@@ -30,21 +25,27 @@ def ended_by_signals() -> Iterator[None]:
 def remembering_interrupts() -> Iterator[None]:
     """Within, interrupts from the keyboard are remembered: a library may swallow the exception, as pydantic does while it builds validators."""
     _interrupts.clear()
-    is_main = threading.current_thread() is threading.main_thread()
-    if not is_main or signal.getsignal(signal.SIGINT) != signal.default_int_handler:
-        yield
-        return
-    signal.signal(signal.SIGINT, _interrupt)
+    _replaced(signal.SIGINT, signal.default_int_handler, _interrupt)
     try:
         yield
     finally:
-        if signal.getsignal(signal.SIGINT) == _interrupt:
-            signal.signal(signal.SIGINT, signal.default_int_handler)
+        _replaced(signal.SIGINT, _interrupt, signal.default_int_handler)
 
 
 def was_interrupted() -> bool:
     """Whether an interrupt came since `remembering_interrupts` began."""
     return bool(_interrupts)
+
+
+def _replaced(number: int, old: Any, new: Callable[[int, FrameType | None], Any]) -> bool:
+    """Replace one handler of a signal by another. Return False where it is not there, and in threads, which have none."""
+    if signal.getsignal(number) != old:
+        return False
+    try:
+        signal.signal(number, new)
+    except ValueError:  # the thread is not the main one
+        return False
+    return True
 
 
 def _end(number: int, _: FrameType | None) -> None:

@@ -5,11 +5,11 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
-from sigcat.cli.function_options import add_function, add_functions, functions_of, one_function
+from sigcat.cli.function_options import add_function, add_functions, functions_of, one_function, tree_of
 from sigcat.cli.output import print_findings, write_text
 from sigcat.cli.output_options import add_output
 from sigcat.cli.project_options import project_of
-from sigcat.cli.tree_options import add_tree_options, read_tree
+from sigcat.cli.tree_options import add_tree_options, read_tree, tree_options
 from sigcat.errors import UsageError
 from sigcat.findings import in_order
 
@@ -154,7 +154,9 @@ def build(arguments: argparse.Namespace) -> int:
     from sigcat.function.function_json.model import to_json
 
     file = one_function(arguments)
-    function, findings = build_function(file.read_bytes(), str(file), read_tree(arguments), check_code=code_problems)
+    data, name = file.read_bytes(), str(file)
+    tree = tree_of(arguments, [(data, name)])
+    function, findings = build_function(data, name, tree, check_code=code_problems)
     print_findings(findings)
     write_text(to_json(function).decode("utf-8"), arguments.output)
     return 0
@@ -162,7 +164,7 @@ def build(arguments: argparse.Namespace) -> int:
 
 def new(arguments: argparse.Namespace) -> int:
     """Write the scaffold, or what is made from code; a file that is there already is never written over."""
-    from sigcat.function.declaration.scaffold import SCHEMA_FILE, code_scaffold, scaffold, schema_text
+    from sigcat.function.declaration.scaffold import SCHEMA_FILE, code_scaffold, schema_text
 
     if not arguments.from_c and (arguments.model or arguments.define or arguments.define_under):
         raise UsageError("--model, --define and --define-under are about C code: name its folder with --from-c")
@@ -173,7 +175,7 @@ def new(arguments: argparse.Namespace) -> int:
     for path in (file, *(folder / name for name in code)):
         if path.exists():
             raise UsageError(f"{path} is there already")
-    text = _imported(arguments, folder, schema) if arguments.from_c else scaffold(arguments.name, schema)
+    text = _imported(arguments, folder, schema) if arguments.from_c else _scaffold(arguments, schema)
     if not arguments.schema:
         write_text(schema_text(), folder / SCHEMA_FILE)
     for name, source in code.items():
@@ -187,6 +189,15 @@ def new(arguments: argparse.Namespace) -> int:
     )
     print(f"{file}: {advice}", file=sys.stderr)
     return 0
+
+
+def _scaffold(arguments: argparse.Namespace, schema: str) -> str:
+    """The text of a new function. Only a tree that is not the shipped one is read for it. Raises InputRefused."""
+    from sigcat.function.declaration.scaffold import scaffold
+    from sigcat.project.chosen_tree import named_tree
+
+    is_shipped = named_tree(project_of(arguments), tree_options(arguments)) is None
+    return scaffold(arguments.name, schema, None if is_shipped else read_tree(arguments))
 
 
 def _new_file(output: Path) -> Path:
@@ -252,7 +263,8 @@ def overlay(arguments: argparse.Namespace) -> int:
     from sigcat.function.extension.overlay import overlay_of
 
     file = one_function(arguments)
-    made = overlay_of(file.read_bytes(), str(file), read_tree(arguments))
+    data, name = file.read_bytes(), str(file)
+    made = overlay_of(data, name, tree_of(arguments, [(data, name)]))
     if made.types and arguments.types_output is None:
         raise UsageError("struct types need a separate file: pass `--types-output FILE`")
     print_findings(made.findings)
@@ -269,7 +281,7 @@ def validate(arguments: argparse.Namespace) -> int:
     from sigcat.function.sets.check_set import check_functions
 
     files = [(file.read_bytes(), str(file)) for file in functions_of(arguments)]
-    tree = read_tree(arguments)
+    tree = tree_of(arguments, files)
     findings = check_functions(files, tree, is_whole=len(files) > 1, check_code=code_problems)
     if arguments.vehicles is not None:
         findings = in_order((*findings, *_in_vehicles(files, tree, findings, arguments)))

@@ -2,9 +2,16 @@
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from sigcat.cli.project_options import project_of
+from sigcat.cli.tree_options import read_tree
 from sigcat.errors import UsageError, existing_file
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from sigcat.catalogue.model.catalogue import Catalogue
 
 
 def add_functions(parser: argparse.ArgumentParser) -> None:
@@ -46,6 +53,13 @@ def one_function(arguments: argparse.Namespace) -> Path:
         raise UsageError(f"name one of the functions of the project: {', '.join(map(str, found))}")
     arguments.file = found[0]
     return found[0]
+
+
+def tree_of(arguments: argparse.Namespace, files: "Sequence[tuple[bytes, str]]") -> "Catalogue":
+    """Return the tree for some of the project's functions, with what its other functions define if they need that."""
+    from sigcat.function.sets.others import with_others
+
+    return with_others(files, read_tree(arguments), project_of(arguments).functions)
 
 
 def deployment_of(arguments: argparse.Namespace, other: Path | None = None) -> Path | None:

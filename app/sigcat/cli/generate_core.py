@@ -2,11 +2,11 @@
 
 import argparse
 
-from sigcat.cli.function_options import add_functions, functions_of
+from sigcat.cli.function_options import add_functions, functions_of, tree_of
 from sigcat.cli.generated_folder import add_folder, paths_in, write_generated
 from sigcat.cli.output import print_findings
 from sigcat.cli.output_options import refuse_overwriting
-from sigcat.cli.tree_options import add_tree_options, read_tree
+from sigcat.cli.tree_options import add_tree_options
 
 
 def add_kind(kinds: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -38,7 +38,7 @@ def run(arguments: argparse.Namespace) -> int:
     from sigcat.integration.reading import read_functions
 
     sources = [(path.read_bytes(), str(path)) for path in functions_of(arguments)]
-    functions, findings = read_functions(sources, read_tree(arguments))
+    functions, findings = read_functions(sources, tree_of(arguments, sources))
     files, warnings = cores(functions, FLOAT if arguments.arithmetic == "float" else DOUBLE)
     print_findings((*findings, *warnings))
     refuse_overwriting(arguments, written=paths_in(arguments.output, files))

@@ -5,15 +5,17 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sigcat.cli.function_options import add_functions, deployment_of, functions_of
+from sigcat.cli.function_options import add_functions, deployment_of, functions_of, tree_of
 from sigcat.cli.output import print_findings, write_bytes
 from sigcat.cli.output_options import add_output
 from sigcat.cli.project_options import project_of
-from sigcat.cli.tree_options import add_tree_options, read_tree
+from sigcat.cli.tree_options import add_tree_options
 from sigcat.errors import existing_file
 from sigcat.platforms.table import PLATFORMS
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from sigcat.catalogue.model.catalogue import Catalogue
     from sigcat.function.function_json.resolved_function import ResolvedFunction
     from sigcat.integration.deployment import Deployment
@@ -64,8 +66,9 @@ def run(arguments: argparse.Namespace) -> int:
     from sigcat.integration.report import written_as
     from sigcat.platforms.integrate import integrate
 
-    catalogue = read_tree(arguments)
-    functions = _functions(arguments, catalogue)
+    files = [(path.read_bytes(), str(path)) for path in functions_of(arguments)]
+    catalogue = tree_of(arguments, files)
+    functions = _functions(files, catalogue)
     integrated = integrate(arguments.platform, functions, _deployment(arguments, catalogue), _previous(arguments))
     print_findings(integrated.findings)
     write_bytes(integrated.document, arguments.output)
@@ -74,10 +77,9 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _functions(arguments: argparse.Namespace, catalogue: "Catalogue") -> "tuple[ResolvedFunction, ...]":
+def _functions(files: "Sequence[tuple[bytes, str]]", catalogue: "Catalogue") -> "tuple[ResolvedFunction, ...]":
     from sigcat.integration.reading import read_functions
 
-    files = [(path.read_bytes(), str(path)) for path in functions_of(arguments)]
     functions, findings = read_functions(files, catalogue)
     print_findings(findings)
     return functions

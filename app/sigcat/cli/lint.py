@@ -162,7 +162,7 @@ def _lint_input(paths: "Sequence[Path]", project: "Project", arguments: argparse
         raise UsageError("- is linted by itself, without --fix, --diff and baselines: name a file for these")
     text = sys.stdin.buffer.read()
     if holds_function(text):
-        checked = _check_functions(tree, [(text, _INPUT_NAME)], is_whole=False, is_on_disk=False)
+        checked = _check_functions(tree, project.functions, [(text, _INPUT_NAME)], is_whole=False, is_on_disk=False)
         findings, beside = tuple(checked.findings), checked.beside
     else:
         every_rule = rules_for(options)
@@ -189,7 +189,7 @@ def _chosen(arguments: argparse.Namespace, project: "Project", near: Path | None
         extend_select=options.extend_select + _codes(arguments.extend_select),
         dbc=tuple(map(existing_file, arguments.dbc)) or options.dbc,
         baseline=arguments.baseline or (None if arguments.write_baseline else options.baseline),
-        check_functions=partial(_check_functions, chosen.tree),
+        check_functions=partial(_check_functions, chosen.tree, project.functions),
         check_project=partial(_check_vehicles, project) if project.vehicles else None,
     )
     return ChosenLint(options, chosen.tree)
@@ -213,7 +213,12 @@ def _codes(given: list[str]) -> tuple[str, ...]:
 
 
 def _check_functions(
-    tree: "Source", files: "Sequence[tuple[bytes, str]]", is_whole: bool, *, is_on_disk: bool = True
+    tree: "Source",
+    folders: "Sequence[Path]",
+    files: "Sequence[tuple[bytes, str]]",
+    is_whole: bool,
+    *,
+    is_on_disk: bool = True,
 ) -> "CheckedFunctions":
     """Check function files against a tree; loaded only when there are any."""
     from sigcat.adapter.core.clashes import code_problems
@@ -221,7 +226,7 @@ def _check_functions(
     from sigcat.function.linting import checked_functions
 
     check_code = code_problems if is_on_disk else None
-    return checked_functions(tree, files, is_whole, load_tree=load, check_code=check_code)
+    return checked_functions(tree, files, is_whole, load_tree=load, check_code=check_code, folders=folders)
 
 
 def _check_vehicles(project: "Project") -> "Iterator[Finding]":

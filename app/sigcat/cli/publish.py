@@ -4,6 +4,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from sigcat.cli.function_options import tree_of
 from sigcat.cli.published_files import published_files, read_catalogue
 from sigcat.cli.registry_approvals import print_decisions
 from sigcat.cli.registry_options import (
@@ -84,7 +85,7 @@ def _candidates(arguments: argparse.Namespace) -> "Iterator[Candidate]":
         raise UsageError("an overlay or a catalogue has no version: pass `--version V`")
     if files.functions:
         named = [(file.read_bytes(), str(file)) for file in files.functions]
-        yield from function_candidates(read_functions(named, read_tree(arguments)), arguments.version)
+        yield from function_candidates(read_functions(named, tree_of(arguments, named)), arguments.version)
     for file in files.overlays:
         base = read_tree(arguments, without=file)
         layer = read_layer(file, arguments.include_dirs, is_overlay=True)

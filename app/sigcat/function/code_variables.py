@@ -1,7 +1,7 @@
-"""Variables of the code, compared with the headers that declare them, where these and libclang are at hand."""
+"""Variables and functions of the code, compared with the headers that declare them, where these and libclang are at hand."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from importlib.util import find_spec
 from pathlib import Path
 from typing import NamedTuple
@@ -9,9 +9,10 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
-from sigcat.function.c_project.declarations import CType, Declarations
+from sigcat.function.c_project.declarations import CFunction, CType, Declarations, Member, Record
 from sigcat.function.c_project.files import CodeFiles, headers_of
 from sigcat.function.c_project.parsing import lacks_system_header, parse_unit
+from sigcat.function.code_calls import called_functions, lines_of, unfit_calls
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.code import CLASS, GLOBALS, POINTERS, CodeInterface, is_inside
 from sigcat.function.function_json.datatype import Datatype, innermost
@@ -25,6 +26,8 @@ _ADAPTER = "Adapter"
 _INDEX = re.compile(r"\[\s*(-?[0-9]+)\s*\]")
 _ROOT = re.compile(r"[(*&\s]*([A-Za-z_]\w*)")
 """The variable at the begin of an expression."""
+_MEMBER = re.compile(r"(?P<owner>.*\w.*?) *(?:\.|->) *(?P<name>[A-Za-z_]\w*) *")
+"""A member of a struct, such as `in.flags` or `list[1]->flags`."""
 _UNIT = "sigcat-variables"
 _PROBE = "sigcat_variable_"
 
@@ -40,10 +43,12 @@ class _Question(NamedTuple):
     """Index of an element; the line has the type of its array."""
     is_assigned: bool = False
     """Whether the line assigns to the variable, and has no type."""
+    member: str = ""
+    """Name of the variable in its struct; the line has the type of the struct."""
 
 
-def unfit_variables(function: ResolvedFunction) -> Iterator[Finding]:
-    """A finding for each variable whose type is not the declared one. Headers that are incomplete are not compared."""
+def unfit_code(function: ResolvedFunction) -> Iterator[Finding]:
+    """A finding for each variable and function that is not as declared. Headers that are incomplete are not compared."""
     code = function.function.code
     if code is None or function.origin is None or not code.headers or find_spec("clang") is None:
         return
@@ -54,18 +59,38 @@ def unfit_variables(function: ResolvedFunction) -> Iterator[Finding]:
     if texts is None:
         return
     questions = tuple(each for each in _questions(function, code) if each.text.isprintable())  # in one line
-    answers = _answers(code, texts, questions)
-    if answers is not None:
-        yield from _compared(function, questions, answers, len(_head(code)))
+    called = tuple(called_functions(function, code))
+    lines = [line for number, each in enumerate(called) for line in lines_of(each, number, code)]
+    answers = _answers(code, texts, (*(each.text for each in questions), *lines))
+    if answers is None:
+        return
+    before = len(_head(code))
+    yield from _compared(function, questions, answers, before)
+    yield from unfit_calls(function, called, answers, before + len(questions) + 1)
+    if code.signature != CLASS:  # constants and inline variables of C++ are defined in headers
+        yield from _defined_in_headers(folder, answers)
+
+
+def _defined_in_headers(folder: Path, answers: Declarations) -> Iterator[Finding]:
+    """A finding for each variable and function that every file including a header defines again."""
+    for each in answers.named:
+        is_own = isinstance(each, CFunction) and each.is_inline
+        if not each.is_defined or each.is_static or is_own or each.place.file.startswith(_UNIT):
+            continue
+        what, way = ("function", "") if isinstance(each, CFunction) else ("variable", " as extern")
+        message = f"The header must declare the {what} {each.name!r}, not define it: each file that includes the header defines it again."
+        fix = f"Declare it{way} in the header, and define it in one source."
+        file = str(folder / each.place.file)
+        yield codes.DEFINED_IN_HEADER.finding(message, file, each.place.line, fix=fix)
 
 
 def _head(code: CodeInterface) -> list[str]:
     return ["#include <stdint.h>", "#include <stdbool.h>", *(f'#include "{each}"' for each in code.headers or ())]
 
 
-def _answers(code: CodeInterface, texts: Mapping[str, str], questions: tuple[_Question, ...]) -> Declarations | None:
+def _answers(code: CodeInterface, texts: Mapping[str, str], lines: Iterable[str]) -> Declarations | None:
     unit = f"{_UNIT}.{'cpp' if code.signature == CLASS else 'c'}"
-    text = "\n".join([*_head(code), *(each.text for each in questions), ""])
+    text = "\n".join([*_head(code), *lines, ""])
     definitions = tuple(each.as_option for each in code.definitions or ())
     try:
         found = parse_unit(CodeFiles({**texts, unit: text}, definitions=definitions), unit)
@@ -100,6 +125,9 @@ def _questions(function: ResolvedFunction, code: CodeInterface) -> Iterator[_Que
         if target and variable.pointer in written:
             text = f"extern {word}(((void)({target} = {target}), 0)) {_PROBE}{number}_assigned;"
             yield _Question(text, variable.pointer, variable, is_assigned=True)
+        if member := _MEMBER.fullmatch(seen):
+            text = f"extern {word}({member['owner']}) {_PROBE}{number}_owner;"
+            yield _Question(text, variable.pointer, member=member["name"])
         for place, match in enumerate(_INDEX.finditer(variable.expression)):
             array = _seen(variable.expression[: match.start()], code)
             text = f"extern {word}({array}) {_PROBE}{number}_array_{place};"
@@ -166,15 +194,18 @@ class _Answers(NamedTuple):
     compared: Types
     provided: frozenset[Pointer]
     """Interfaces whose variables the adapter reads."""
+    members: Mapping[Pointer, Member]
+    """Variables that are members of a struct."""
 
 
 def _compared(
     function: ResolvedFunction, questions: tuple[_Question, ...], answers: Declarations, before: int
 ) -> Iterator[Finding]:
     code = function.function.code
+    types = {each.place.line: each.type for each in answers.variables if each.name.startswith(_PROBE)}
     seen = _Answers(
         wrong={error.place.line: error.message for error in answers.errors},
-        types={each.place.line: each.type for each in answers.variables if each.name.startswith(_PROBE)},
+        types=types,
         static_names=frozenset(each.name for each in answers.variables if each.is_static),
         is_complete=not any(map(lacks_system_header, answers.errors)),
         compared=Types(
@@ -185,6 +216,7 @@ def _compared(
             is_cpp=code is not None and code.signature == CLASS,
         ),
         provided=frozenset(pointer for pointer, _, item in data(function.function) if item.role == PROVIDER),
+        members=dict(_members(questions, types, answers.records, before)),
     )
     unfit: set[Pointer] = set()
     for line, question in enumerate(questions, before + 1):
@@ -193,6 +225,18 @@ def _compared(
         for finding in _of_question(function, question, line, seen):
             unfit.add(question.pointer)
             yield finding
+
+
+def _members(
+    questions: tuple[_Question, ...], types: Mapping[int, CType], records: Mapping[str, Record], before: int
+) -> Iterator[tuple[Pointer, Member]]:
+    """Variables that are members of a struct, as the headers declare these."""
+    for line, question in enumerate(questions, before + 1):
+        if question.member and line in types:
+            record = records.get(types[line].target.key)
+            yield from (
+                (question.pointer, each) for each in (record.members if record else ()) if each.name == question.member
+            )
 
 
 def _of_question(function: ResolvedFunction, question: _Question, line: int, seen: _Answers) -> Iterator[Finding]:
@@ -227,7 +271,13 @@ def _of_variable(
         is_read = question.pointer[:-1] in seen.provided
         types = seen.compared._replace(members=dict(variable.members), is_read=is_read)
         is_bit_field = line in seen.wrong
-        known = Seen(None if is_bit_field else seen.types.get(line), seen.types.get(line + 1), is_bit_field)
+        member = seen.members.get(question.pointer)
+        known = Seen(
+            type=None if is_bit_field else seen.types.get(line),
+            value=member.type if is_bit_field and member else seen.types.get(line + 1),
+            is_bit_field=is_bit_field,
+            width=member.width if member else None,
+        )
         for message, fix in misfits(variable, known, types):
             yield function.finding(codes.VARIABLE_TYPE_UNFIT, question.pointer, message, fix)
 

@@ -1,6 +1,7 @@
 """Check function files for a lint, over the tree that it has chosen."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from pathlib import Path
 
 from sigcat import codes
 from sigcat.catalogue.hosting.source import Source
@@ -8,6 +9,7 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.findings import Finding
 from sigcat.function.code_files import CodeCheck
 from sigcat.function.sets.check_set import check_functions
+from sigcat.function.sets.others import with_others
 from sigcat.rules.linting.options import CheckedFunctions
 
 _NOT_READ = frozenset(
@@ -30,15 +32,20 @@ def checked_functions(
     *,
     load_tree: Callable[[Source], Catalogue],
     check_code: CodeCheck | None = None,
+    folders: Sequence[Path] = (),
 ) -> CheckedFunctions:
-    """Check function files against a tree. `load_tree` loads it: an editor keeps it loaded; `check_code` checks headers."""
+    """Check function files against a tree. `load_tree` loads it: an editor keeps it loaded; `check_code` checks headers.
+
+    A part of a set uses what other functions in `folders` define.
+    """
     catalogue = load_tree(tree)
     of_units = [f for f in catalogue.findings if f.file in catalogue.vocabulary.faulty_files and f.severity != "info"]
     of_tree = [f for f in catalogue.findings if f.severity == "error" and f not in of_units]
     if of_tree and not catalogue.roots:  # it could not be read: a function has nothing to be checked against
         of_functions: Iterable[Finding] = of_tree
     else:
-        checked = check_functions(files, catalogue, is_whole=is_whole, check_code=check_code)
+        known = catalogue if is_whole else with_others(files, catalogue, folders)
+        checked = check_functions(files, known, is_whole=is_whole, check_code=check_code)
         of_functions = _causes_first(checked, of_tree)
     findings = tuple(dict.fromkeys((*of_units, *of_functions)))
     return CheckedFunctions(

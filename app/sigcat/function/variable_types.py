@@ -2,11 +2,12 @@
 
 import re
 from collections.abc import Iterator, Mapping
+from fractions import Fraction
 from typing import NamedTuple
 
 from sigcat.function.c_project.c_types import vss_datatype
-from sigcat.function.c_project.declarations import CType, Record
-from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.c_project.declarations import CType, Member, Record
+from sigcat.function.function_json.datatype import Datatype, TypeField
 from sigcat.function.function_json.variables import CodeVariable
 from sigcat.names import did_you_mean
 
@@ -15,6 +16,10 @@ _FLOATING = {"float": 32, "double": 64}
 _ENUMERATION = 32
 """Bits of an enumeration of the usual size."""
 _DEEPEST = 16
+_PLAIN = "Use a plain number type of C, or convert the value in the code."
+
+Limits = tuple[Fraction | None, Fraction | None]
+"""Smallest and largest number of a variable; None where nothing limits it."""
 
 
 class Seen(NamedTuple):
@@ -25,6 +30,8 @@ class Seen(NamedTuple):
     value: CType | None
     """Type of its value."""
     is_bit_field: bool
+    width: int | None = None
+    """Bits of a bit field, where they are known."""
 
 
 class Types(NamedTuple):
@@ -51,7 +58,7 @@ def misfits(variable: CodeVariable, seen: Seen, types: Types) -> Iterator[Misfit
     """Yield the differences of a variable. A queue needs an array with room for its values."""
     datatype, found = types.datatypes.get(variable.datatype or ""), seen.type
     if found is None:
-        yield from _of_value(variable, seen, datatype)
+        yield from _of_value(variable, seen, datatype, types)
         return
     kind, count = found.target, variable.elements
     if count and kind.kind == "array" and kind.of:
@@ -60,6 +67,11 @@ def misfits(variable: CodeVariable, seen: Seen, types: Types) -> Iterator[Misfit
         kind = kind.of
     is_text = datatype is not None and datatype.vss_datatype == "string"
     is_array = datatype is not None and datatype.kind == "array"
+    if datatype is None and kind.kind in ("array", "record", "other"):  # a number that both sides agree on
+        yield Misfit(
+            f"{variable.expression!r} must be {variable.c_type or 'an integer'}; the header has {_shown(kind)}."
+        )
+        return
     if found.kind == "pointer" and (is_array or not (count or is_text or types.is_cpp)):
         yield Misfit(f"{variable.expression!r} must be {_expected(datatype)}; the header has a pointer.")
         return
@@ -72,15 +84,55 @@ def _expected(datatype: Datatype | None) -> str:
     return "a struct" if datatype is not None and datatype.kind == "struct" else "one value"
 
 
-def _of_value(variable: CodeVariable, seen: Seen, datatype: Datatype | None) -> Iterator[Misfit]:
+def _of_value(variable: CodeVariable, seen: Seen, datatype: Datatype | None, types: Types) -> Iterator[Misfit]:
     """Yield the difference of an expression without the type of a variable: a bit field, or a function."""
     if seen.value is None:
         return
     if seen.is_bit_field:
-        if datatype is not None and seen.value.kind == "number" and datatype.c_definition in _FLOATING:
-            yield Misfit(f"{variable.expression!r} must be {datatype.c_definition}; the header has a bit field.")
+        if datatype is not None:
+            yield from _of_bit_field(
+                variable.expression, seen.value, seen.width, datatype, variable.limits, is_read=types.is_read
+            )
     elif seen.value.kind == "pointer" and (datatype is None or _is_number(datatype)):
         yield Misfit(f"{variable.expression!r} must be one value; the header has a function.")
+
+
+def _of_bit_field(
+    expression: str, kind: CType, width: int | None, datatype: Datatype, limits: Limits, *, is_read: bool
+) -> Iterator[Misfit]:
+    """Yield the difference of a bit field and a number: its kind, or that it has too few bits."""
+    declared = _number(datatype)
+    if kind.kind in ("number", "enumeration") and declared is not None and declared.sort == "floating":
+        yield Misfit(f"{expression!r} must be {datatype.c_definition}; the header has a bit field.")
+        return
+    if width is None or kind.sort not in ("signed", "unsigned", "boolean"):
+        return
+    has = _Number("signed" if kind.sort == "signed" else "unsigned", 1 if kind.sort == "boolean" else width)
+    shown = f"a bit field of {width} {'bit' if width == 1 else 'bits'} ({kind.name})"
+    if is_read:
+        if declared is not None and not has.fits(declared):
+            yield Misfit(f"{expression!r} must be {datatype.c_definition}; the header has {shown}.")
+        return
+    least, most = _numbers(datatype, declared, limits)
+    if not (has.holds(least) and has.holds(most)):
+        fix = "Widen the bit field, or limit the value with `min` and `max`."
+        yield Misfit(
+            f"{expression!r} must hold {least} to {most}; the header has {shown}.",
+            fix if declared else "Widen the bit field, or make it unsigned.",
+        )
+
+
+def _numbers(datatype: Datatype, declared: "_Number | None", limits: Limits) -> tuple[int, int]:
+    """The smallest and the largest number that a variable of a datatype has to hold."""
+    numbers = [each.value for each in datatype.symbols or ()]
+    if numbers or declared is None:
+        return (min(numbers, default=0), max(numbers, default=1))
+    least, most = limits
+    lowest, highest = declared.ends
+    return (
+        lowest if least is None else max(lowest, round(least)),
+        highest if most is None else min(highest, round(most)),
+    )
 
 
 def _is_number(datatype: Datatype) -> bool:
@@ -100,9 +152,15 @@ class _Number(NamedTuple):
 
     def holds(self, number: int) -> bool:
         """Whether a whole number is one of this type."""
+        least, most = self.ends
+        return self.sort not in ("signed", "unsigned") or least <= number <= most
+
+    @property
+    def ends(self) -> tuple[int, int]:
+        """The smallest and the largest number of an integer type."""
         if self.sort == "signed":
-            return -(1 << self.bits - 1) <= number < 1 << self.bits - 1
-        return self.sort != "unsigned" or 0 <= number < 1 << self.bits
+            return (-(1 << self.bits - 1), (1 << self.bits - 1) - 1)
+        return (0, (1 << self.bits) - 1)
 
 
 def _differences(
@@ -119,6 +177,8 @@ def _differences(
             yield from _of_members(expression, path, types.records[kind.key], datatype, types)
     elif kind.kind in ("array", "record", "pointer") and datatype.vss_datatype != "string":
         yield Misfit(f"{expression!r} must be {_expected(datatype)}; the header has {_shown(kind)}.")
+    elif kind.kind == "other" and not types.is_cpp:  # of C++ it may be a class that converts itself
+        yield Misfit(f"{expression!r} must be {datatype.c_definition}; the header has {kind.name}.", _PLAIN)
     elif kind.kind == "enumeration":
         yield from _of_enumeration(expression, kind, datatype, is_read=types.is_read)
     elif kind.kind == "number" and "char" not in kind.names[-1:]:
@@ -164,9 +224,19 @@ def _of_members(
             yield Misfit(
                 f"{f'{expression}.{name}'!r} must be a member that the adapter can write; the header has a constant."
             )
-        elif member.width is None:  # a bit field has the size of its bits
-            inner = types.datatypes.get(field.datatype)
-            yield from _differences(f"{expression}.{name}", (*path, field.name), member.type, inner, types)
+        else:
+            yield from _of_member(f"{expression}.{name}", (*path, field.name), member, field, types)
+
+
+def _of_member(
+    expression: str, path: tuple[str, ...], member: Member, field: TypeField, types: Types
+) -> Iterator[Misfit]:
+    inner = types.datatypes.get(field.datatype)
+    if member.width is None:
+        yield from _differences(expression, path, member.type, inner, types)
+    elif inner is not None:
+        least, most = (None if each is None else Fraction(each) for each in (field.min, field.max))
+        yield from _of_bit_field(expression, member.type, member.width, inner, (least, most), is_read=types.is_read)
 
 
 def _of_enumeration(expression: str, kind: CType, datatype: Datatype, *, is_read: bool) -> Iterator[Misfit]:

@@ -99,7 +99,8 @@ class WarmProject:
             return LintResult(self._project_findings(path), (str(path),))
         try:
             options, tree = self.chosen(path)
-            check = partial(checked_functions, tree, check_code=code_problems, load_tree=self.load)
+            folders = self.project(path).functions
+            check = partial(checked_functions, tree, check_code=code_problems, load_tree=self.load, folders=folders)
             return lint_paths([path], options._replace(check_functions=check))
         except InputRefused as error:
             return LintResult(tuple(error.findings), (str(path),))

@@ -57,3 +57,12 @@ def test_one_that_the_conversion_makes_of_a_received_number_stands_there(scale, 
 def test_another_one_is_asked_for(scale, init):
     """No product with a negative factor is the zero without a sign."""
     assert "reception.is_there" in source(scale, init)
+
+
+@pytest.mark.parametrize(
+    ("scale", "unit"),
+    [("unit: km/h, datatype: uint8, factor: 0.5", "km/h to 0.5 km/h"), ("unit: m/s, datatype: int16, factor: 0.01, offset: 2", "km/h to 0.01 m/s, 0 is 2 m/s")],
+    ids=["factor", "offset"],
+)  # fmt: skip
+def test_constants_of_a_scaled_number_say_its_step(scale, unit):
+    assert unit in source(scale, "7")

@@ -59,3 +59,42 @@ def starts(tmp_path_factory):
 @pytest.mark.parametrize("name", STARTS)
 def test_the_start_value_is_that_of_the_declaration(starts, name):
     assert starts[name] == STARTS[name]
+
+
+def test_members_of_structs_have_their_units(tmp_path):
+    text = FUNCTION.replace("define:\n", TYPES, 1).replace(
+        "        data:\n",
+        "        data:\n          - {path: Vehicle.Cabin.Fan.Air, role: consumed, provider: Seats, variable: air, asil: QM}\n",
+    )
+    (tmp_path / "function.yaml").write_text(text.replace("  data:\n", AIR, 1))
+    for name in ("fan.c", "fan.h"):
+        (tmp_path / name).write_text("")
+    for version in ("3.0", "2.0"):
+        (tmp_path / "fmi.yaml").write_text(f"fmi: {{version: '{version}'}}\n")
+        made = tmp_path / "fmi.json"
+        options = ["--deployment", str(tmp_path / "fmi.yaml"), "--isolated", "-o", str(made)]
+        assert main(["integrate", "fmi", str(tmp_path / "function.yaml"), *options]) == 0
+        variables = json.loads(made.read_text())["FmuList"][0]["VariableList"]
+        units = {
+            each["Name"].removeprefix("Vehicle.Cabin.Fan.Air"): each.get("Unit")
+            for each in variables
+            if ".Air" in each["Name"]
+        }
+        flows = {".Flows[1].Speed": "m/s", ".Flows[2].Speed": "m/s", ".Flows[1].Count": None, ".Flows[2].Count": None}
+        assert units == {".Temperature": "Celsius", **flows}
+
+
+TYPES = """\
+define:
+  types:
+    Types.Flow: {description: A flow., fields: {Speed: {datatype: float, unit: m/s, description: Speed.}, Count: {datatype: uint8, description: Count.}}}
+    Types.Air:
+      description: Air.
+      fields:
+        Temperature: {datatype: float, unit: Celsius, description: How warm it is.}
+        Flows: {datatype: 'Types.Flow[]', arraysize: 2, description: Flows.}
+"""
+AIR = """\
+  data:
+    Vehicle.Cabin.Fan.Air: {datatype: Types.Air, description: Air., asil: QM}
+"""

@@ -116,3 +116,28 @@ def test_help_of_a_format_names_its_options(capsys):
     text = capsys.readouterr().out
     assert "--package-name" in text
     assert "--topics-case-sensitive" in text
+
+
+STRUCTS = """\
+Vehicle: {type: branch, description: A vehicle.}
+Vehicle.Speed: {type: sensor, datatype: float, unit: km/h, description: The speed.}
+Vehicle.Object: {type: sensor, datatype: Types.Object, description: The object ahead.}
+Vehicle.Objects: {type: sensor, datatype: 'Types.Object[]', arraysize: 3, description: All objects.}
+"""
+TYPES = """\
+Types: {type: branch, description: Types.}
+Types.Object: {type: struct, description: An object.}
+Types.Object.Distance: {type: property, datatype: float, unit: m, description: How far it is.}
+"""
+
+
+@pytest.mark.parametrize("exporter", ["vhal", "ros2interface"])
+def test_signals_of_struct_types_are_named_where_vss_tools_knows_none(exporter, tmp_path, capsys):
+    (tmp_path / "tree.vspec").write_text(STRUCTS)
+    (tmp_path / "types.vspec").write_text(TYPES)
+    tree = ["-s", str(tmp_path / "tree.vspec"), "-t", str(tmp_path / "types.vspec"), "-o", str(tmp_path / "out")]
+    assert main(["export", exporter, *tree]) == 1
+    told = capsys.readouterr().err
+    for line, name in ((3, "Vehicle.Object"), (4, "Vehicle.Objects")):
+        expected = f"The export {exporter} must have no struct types; '{name}' has 'Types.Object'. Replace the signal"
+        assert any(f"tree.vspec:{line}:" in each and expected in each for each in told.splitlines())

@@ -155,3 +155,42 @@ def test_no_file_has_numbers_that_the_lock_does_not_remember(tmp_path, monkeypat
     )
     assert not (tmp_path / "a.proto").exists()
     assert "tree.vspec must be a folder, not a file" in capsys.readouterr().err
+
+
+CHANGED = {
+    "a new signal in the middle": (signal("Vehicle.A") + signal("Vehicle.C"), signal("Vehicle.B"), ("A", "B", "C")),
+    "another order": (signal("Vehicle.A") + signal("Vehicle.C"), "", ("C", "A")),
+}
+
+
+@pytest.mark.parametrize(("text", "more", "order"), CHANGED.values(), ids=CHANGED)
+def test_a_comparison_takes_the_numbers_too(text, more, order, tmp_path, capsys, lock):
+    proto(text, lock)
+    parts = {"A": signal("Vehicle.A"), "B": more, "C": signal("Vehicle.C")}
+    for name, content in (("old", text), ("new", "".join(parts[part] for part in order))):
+        (tmp_path / f"{name}.vspec").write_text(ROOT + content)
+    sides = [str(tmp_path / f"{name}.vspec") for name in ("old", "new")]
+    command = ["diff", "--isolated", *sides, "--binding", "protobuf", "--fail-on", "breaking"]
+    assert main(command) == 1
+    assert main([*command, "--keep-numbers-of", str(lock)]) == 0
+    lock.write_bytes(lock_bytes(EMPTY))
+    assert main([*command, "--keep-numbers-of", str(lock)]) == 1, "numbers that the file does not have"
+    lock.write_text("[]")
+    assert main([*command, "--keep-numbers-of", str(lock)]) == 1
+    assert "numbers.json:1:1: error R007" in capsys.readouterr().err
+    lock.unlink()
+    assert main([*command, "--keep-numbers-of", str(lock)]) == 2
+    assert "numbers.json: No such file or directory" in capsys.readouterr().err
+
+
+def test_a_comparison_takes_the_places_of_texts_too(tmp_path, capsys, lock):
+    proto(MODE.format("A, B"), lock)
+    for name, allowed in (("old", "A, B"), ("new", "B, C, A")):
+        (tmp_path / f"{name}.vspec").write_text(ROOT + MODE.format(allowed))
+    command = ["diff", "--isolated", *(str(tmp_path / f"{name}.vspec") for name in ("old", "new"))]
+    assert main([*command, "--binding", "protobuf"]) == 0
+    assert "[breaking" in capsys.readouterr().out
+    assert main([*command, "--binding", "protobuf", "--keep-numbers-of", str(lock)]) == 0
+    assert "[breaking" not in capsys.readouterr().out
+    assert main([*command, "--binding", "c", "--keep-numbers-of", str(lock)]) == 0
+    assert "[breaking" in capsys.readouterr().out

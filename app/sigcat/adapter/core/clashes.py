@@ -13,7 +13,7 @@ from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from sigcat.function.c_project.files import headers_of
 from sigcat.function.code_files import missing_files
-from sigcat.function.code_variables import unfit_variables
+from sigcat.function.code_variables import unfit_code
 from sigcat.function.function_json.code import CodeInterface, is_inside
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.variables import variables
@@ -40,9 +40,9 @@ class _Clash(NamedTuple):
 
 
 def code_problems(function: ResolvedFunction) -> Iterator[Finding]:
-    """Findings about the files of the code beside a declaration: those that are missing, types of variables, replaced names."""
+    """Findings about the files of the code beside a declaration: those that are missing, types of variables, functions, replaced names."""
     yield from missing_files(function)
-    yield from unfit_variables(function)
+    yield from unfit_code(function)
     code = function.function.code
     if code is not None and function.origin is not None and code.headers:
         yield from _certain_clashes(function)

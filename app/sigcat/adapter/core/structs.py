@@ -36,7 +36,7 @@ def _field(field: TypeField, context: Context) -> WireField:
     datatype = context.datatypes[field.datatype]
     inner = context.datatypes[datatype.element or ""] if datatype.kind == "array" else datatype
     text = f"[{field.units}]" if field.units else ""
-    return WireField(identifier(field.name), _c_name(inner, context), datatype.length, text)
+    return WireField(identifier(field.name), _c_name(inner, context), datatype.length, text, field.units or "")
 
 
 def _c_name(datatype: Datatype, context: Context) -> str:

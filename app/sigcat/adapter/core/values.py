@@ -22,7 +22,7 @@ from sigcat.adapter.core.plan import Element, Leaf, Value, WireType
 from sigcat.adapter.core.planning import Context
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.text import json_of
-from sigcat.function.function_json.conversion import IDENTITY, Linear, of_text
+from sigcat.function.function_json.conversion import IDENTITY, Linear, as_text, of_text
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.datatype import Datatype, EnumerationValue
 from sigcat.function.function_json.type_list import smallest_integer
@@ -241,8 +241,16 @@ def _code_side(item: Interface, part: Part, *, is_struct: bool) -> Side:
     scale = (
         Linear(Fraction(1) if factor is None else factor, offset or Fraction(0)).inverse if factor != 0 else IDENTITY
     )
-    unit = "" if is_struct or scale != IDENTITY else item.units or ""
+    unit = "" if is_struct else _unit(item.units or "", scale.inverse)
     return Side(part.type, part.symbols, IDENTITY if is_struct else scale, unit=unit)
+
+
+def _unit(unit: str, scale: Linear) -> str:
+    """The unit of a stored number: of a scaled one the step from one to the next, and what 0 means."""
+    if scale == IDENTITY or not unit:
+        return unit
+    zero = f", 0 is {as_text(scale.offset)} {unit}" if scale.offset else ""
+    return f"{as_text(scale.factor)} {unit}{zero}"
 
 
 def _wire_side(item: Interface, part: Part, *, is_struct: bool) -> Side:

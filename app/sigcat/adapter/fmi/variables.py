@@ -10,8 +10,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.core.plan import Value
-from sigcat.adapter.core.plan.value import Element
-from sigcat.adapter.host.connections import Connections, Entry, Exit, shape_of, structs_of
+from sigcat.adapter.core.plan.value import Element, WireStruct
+from sigcat.adapter.host.connections import Connections, Entry, Exit, Member, shape_of, structs_of
 from sigcat.adapter.host.shapes import Array, Number, Shape, packing
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
 from sigcat.function.document.field_types import FMI_VARIABLE
@@ -19,6 +19,7 @@ from sigcat.function.function_json.conversion import IDENTITY
 from sigcat.function.function_json.walk import parameters
 from sigcat.integration.fmi.model import Causality, FmiType
 
+_INDEX = re.compile(r"\[[0-9]+\]")
 Start = tuple[int | float | bool, ...]
 _TYPES: Mapping[str, FmiType] = {
     "float": "Float32", "double": "Float64", "int8": "Int8", "uint8": "UInt8", "int16": "Int16", "uint16": "UInt16",
@@ -91,6 +92,8 @@ class _Place(NamedTuple):
     value: Value | None
     """Its plan, for its range and its start value; None for a status."""
     start: int = 0
+    units: Mapping[str, str] = {}
+    """Units of the members of a struct, by their names after that of the value: `.Start.X`."""
 
 
 def layout_of(connections: Connections, *, has_arrays: bool = True) -> Layout:
@@ -153,7 +156,8 @@ def _of_entry(index: int, entry: Entry, connections: Connections) -> _Place:
     description = port.comment if port else f"{entry.receiver}, which {plan.function} receives"
     if entry.is_answer:
         description = f"Answer to {entry.receiver}, which {plan.function} asks for"
-    return _Place(entry.names[-1], entry.shape, "input", index, 0, entry.unit, description, value)
+    units = _units(value, connections.members[entry.member])
+    return _Place(entry.names[-1], entry.shape, "input", index, 0, entry.unit, description, value, units=units)
 
 
 def _of_exit(index: int, each: Exit, connections: Connections) -> _Place:
@@ -161,9 +165,9 @@ def _of_exit(index: int, each: Exit, connections: Connections) -> _Place:
     output = next((one for one in plan.outputs if one.named.name == each.field), None)
     start = {error.named.name: error.passed for error in plan.errors}.get(each.field, 0)
     description = output.named.comment if output else f"{each.field} of {plan.function}"
-    return _Place(
-        each.names[-1], each.shape, "output", index, 0, each.unit, description, output.value if output else None, start
-    )
+    value = output.value if output else None
+    units = _units(value, connections.members[each.member])
+    return _Place(each.names[-1], each.shape, "output", index, 0, each.unit, description, value, start, units)
 
 
 def _of_parameters(index: int, connections: Connections) -> Iterator[_Place]:
@@ -174,7 +178,24 @@ def _of_parameters(index: int, connections: Connections) -> Iterator[_Place]:
         item = declared[each.named.pointer]
         shape = shape_of(each.value.wire, structs)
         name, unit = item.vss_path or item.name, item.vss_unit or ""
-        yield _Place(name, shape, "parameter", index, 0, unit, each.named.comment, each.value)
+        units = _units(each.value, member)
+        yield _Place(name, shape, "parameter", index, 0, unit, each.named.comment, each.value, units=units)
+
+
+def _units(value: Value | None, member: Member) -> Mapping[str, str]:
+    if value is None or not value.wire.is_struct:
+        return {}
+    structs = {each.name: each for each in member.plan.structs}
+    return dict(_units_of(value.wire.c, "", structs))
+
+
+def _units_of(struct: str, before: str, structs: Mapping[str, WireStruct]) -> Iterator[tuple[str, str]]:
+    for field in structs[struct].fields:
+        name = f"{before}.{field.name}"
+        if field.c in structs:
+            yield from _units_of(field.c, name, structs)
+        else:
+            yield name, field.unit
 
 
 # -- leaves -------------------------------------------------------------------------------------------------------
@@ -189,7 +210,9 @@ def _variables(places: Sequence[_Place], *, has_arrays: bool) -> Iterator[Variab
         leaves = list(_leaves(name, place.shape, place.offset))
         for leaf in leaves if has_arrays else _elements(leaves):
             taken.add(leaf.name)
-            yield _variable(leaf, place, is_whole=leaf.name.partition("[")[0] == name)
+            made = _variable(leaf, place, is_whole=leaf.name.partition("[")[0] == name)
+            member = _INDEX.sub("", leaf.name.removeprefix(name))
+            yield made._replace(unit=place.units[member]) if member in place.units else made
 
 
 class _Leaf(NamedTuple):

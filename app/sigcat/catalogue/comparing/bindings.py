@@ -7,7 +7,7 @@ Two things can break a consumer. The meaning of values is the same in every bind
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Literal, NamedTuple, get_args
 
-from sigcat.catalogue.comparing.changes import AttributeChange, Change, Class, worst
+from sigcat.catalogue.comparing.changes import ORDER, AttributeChange, Change, Class, worst
 from sigcat.catalogue.comparing.compatibility import ROWS
 
 Binding = Literal["path", "json", "protobuf", "ros2", "someip", "c", "graphql", "dds", "ids"]
@@ -45,7 +45,6 @@ def _cells(others: Class | None, **classes: str) -> Mapping[Binding, Class]:
     return {binding: compatibility for binding, compatibility in given.items() if compatibility}  # type: ignore[misc]
 
 
-_NUMBERED = "protobuf someip c dds"
 _RETYPED = frozenset(("datatype", "arraysize", "allowed"))
 _HASHED = frozenset(("unit", "datatype", "type", "allowed", "min", "max", "fka", "constUID"))
 
@@ -71,7 +70,10 @@ EFFECTS: tuple[Effect, ...] = (
     Effect(
         "values-reordered", "", _cells("compatible"), "The order has an effect only where values are numbered.",
     ),
-    Effect("reordered", "", _cells("compatible", breaking="protobuf"), "Fields are numbered by position."),
+    Effect(
+        "fields-renumbered", "nodes of a branch or struct are in another order", _cells("compatible", breaking="protobuf"),
+        "Fields are numbered by position.", frozenset((ORDER,)),
+    ),
     Effect(
         "added-before", "the new node is before nodes that the branch had", _cells("compatible", breaking="protobuf"),
         "The numbers of the fields after it change.",
@@ -86,7 +88,7 @@ EFFECTS: tuple[Effect, ...] = (
     ),
     Effect(
         "properties-reordered", "properties of a struct are in another order",
-        _cells("compatible", breaking="protobuf ros2 someip c dds"), "Members are sent in their order.",
+        _cells("compatible", breaking="ros2 someip c dds"), "Members are sent in their order.",
     ),
     Effect(
         "name-shared", "a new branch has the name of another one", _cells("compatible", risky="graphql"),
@@ -113,12 +115,17 @@ EFFECTS: tuple[Effect, ...] = (
         "`uint8` and `int8` are one type. Texts with `allowed` are an enumeration.", _RETYPED,
     ),
     Effect(
-        "label-removed", "`allowed`: a text is gone", _cells("compatible", breaking="protobuf dds"),
+        "label-removed", "`allowed`: a text is gone", _cells("compatible", breaking="dds"),
         "The value of the enumeration is gone.", frozenset(("allowed",)),
     ),
     Effect(
-        "label-renumbered", "`allowed`: a text has another position", _cells("compatible", breaking=_NUMBERED),
+        "label-renumbered", "`allowed`: a text has another position", _cells("compatible", breaking="someip c dds"),
         "Texts are numbered by position.", frozenset(("allowed",)),
+    ),
+    Effect(
+        "enumeration-renumbered", "`allowed`: a text is gone, or has another position",
+        _cells("compatible", breaking="protobuf"), "The values of the enumeration are numbered by position.",
+        frozenset(("allowed",)),
     ),
     Effect(
         "unit-dropped", "`unit`: no longer given", _cells("compatible", breaking="graphql"),

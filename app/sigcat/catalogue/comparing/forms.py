@@ -64,8 +64,10 @@ def _effects(change: Change, before: str, after: str, both: Trees) -> Iterator[s
     old, new = both.old.nodes.get(before), both.new.nodes.get(after)
     if change.kind in ("moved", "changed") and old and new:
         yield from _of_values(old, new, both)
-    if change.type == STRUCT and any(attribute.rule == "reordered" for attribute in change.attributes):
-        yield "properties-reordered"
+    if any(attribute.rule == "reordered" for attribute in change.attributes):
+        yield "fields-renumbered"
+        if change.type == STRUCT:
+            yield "properties-reordered"
 
 
 def _of_new_node(node: Node, both: Trees) -> Iterator[str]:
@@ -118,10 +120,14 @@ def _known(values: Values, ignored: frozenset[str]) -> Values:
 
 
 def _of_labels(old: list[Any], new: list[Any]) -> Iterator[str]:
-    if any(label not in new for label in old):
+    is_removed = any(label not in new for label in old)
+    is_renumbered = any(label in new and new.index(label) != number for number, label in enumerate(old))
+    if is_removed:
         yield "label-removed"
-    if any(label in new and new.index(label) != number for number, label in enumerate(old)):
+    if is_renumbered:
         yield "label-renumbered"
+    if is_removed or is_renumbered:
+        yield "enumeration-renumbered"
 
 
 def _has_labels(values: Values) -> bool:

@@ -1,6 +1,5 @@
 """Check the attributes of sensors, actuators, attributes and properties: units, ranges, defaults, patterns."""
 
-import datetime as dt
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
@@ -19,14 +18,13 @@ from sigcat.catalogue.model.datatypes import (
     values_in_words,
 )
 from sigcat.catalogue.model.definition import Definition, Problem, Scope
-from sigcat.catalogue.reading.yaml_numbers import yaml_number
+from sigcat.catalogue.reading.yaml_scalars import is_read_as_text, number_advice, quote_it, yaml_number
 from sigcat.findings import RuleCode, shown
 from sigcat.names import did_you_mean, screaming_snake_case
 
 _EPSILON = 1e-6
 _SHOWN = 100
 """Values of an enumeration of which a proposal shows the first ones."""
-_QUOTE = "Quote it: YAML reads words such as ON, OFF, YES and NO as true and false."
 
 
 def data_problems(values: Mapping[str, Any], datatype: str, scope: Scope) -> Iterator[Problem]:
@@ -43,15 +41,6 @@ def unit_problems(values: Mapping[str, Any], scope: Scope) -> Iterator[Problem]:
         from sigcat.catalogue.model.near_units import advice  # its tables take time at start-up
 
         yield Problem(codes.UNIT_UNKNOWN, "unit", f"Unknown unit {name!r}.", advice(name, vocabulary))
-
-
-def quote_it(value: Any) -> str:
-    """Return the fix for a text that YAML reads as something else; nothing for a list or mapping."""
-    if isinstance(value, bool):
-        return _QUOTE
-    if isinstance(value, dt.date):
-        return "Quote it: YAML reads it as a date."
-    return "Quote it: YAML reads it as a number." if isinstance(value, int | float) else ""
 
 
 def _does_not_fit(value: str, datatype: str) -> str:
@@ -243,6 +232,8 @@ def _spelled(value: Any, datatype: str) -> str:
     meant = number(value) if isinstance(value, str) and is_numeric(datatype) else NO_VALUE
     if meant is not NO_VALUE:
         is_whole = isfinite(meant) and meant == int(meant) and belongs_to(element_of(datatype), "int")
+        if is_read_as_text(value):
+            return number_advice(value, is_whole=is_whole)
         return f"Write {int(meant) if is_whole else yaml_number(meant)}, without quotes."
     return quote_it(value) if isinstance(value, bool) or element_of(datatype) == "string" else ""
 

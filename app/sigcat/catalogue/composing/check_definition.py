@@ -20,7 +20,7 @@ from sigcat.catalogue.composing.attribute_values import (
     text,
     whole_numbers,
 )
-from sigcat.catalogue.composing.check_data_attributes import data_problems, quote_it, unit_problems
+from sigcat.catalogue.composing.check_data_attributes import data_problems, unit_problems
 from sigcat.catalogue.model.datatypes import DATATYPES, element_of, is_array
 from sigcat.catalogue.model.definition import (
     BRANCH,
@@ -36,7 +36,7 @@ from sigcat.catalogue.model.definition import (
     labels_of,
 )
 from sigcat.catalogue.reading.statement import Statement
-from sigcat.catalogue.reading.yaml_numbers import yaml_number
+from sigcat.catalogue.reading.yaml_scalars import is_read_as_text, number_advice, quote_it, yaml_number
 from sigcat.findings import shown
 from sigcat.names import did_you_mean, did_you_mean_last, last_name, parent_path, with_article
 
@@ -113,6 +113,7 @@ def _misspelled(name: str, written: Any, meant: Any) -> Iterator[Problem]:
         wrong = f"the text {shown(written)}" if isinstance(written, str) else _yaml_word(written)
         message = f"`{name}` must be {EXPECTED[name]}, not {wrong}."
         fix = f"Write `{name}: {_yaml_word(meant)}`{', without quotes' if isinstance(written, str) else ''}."
+        fix = number_advice(written, is_whole=isinstance(meant, int)) if is_read_as_text(written) else fix
         yield Problem(codes.VALUE_MISSPELLED, name, message, fix)
     elif is_fraction(written, meant):
         message = f"`{name}` must be a whole number, not {shown(written)}."
@@ -150,6 +151,9 @@ def _wrong_type(node_type: Any) -> Problem:
 
 def _instance_problems(values: Mapping[str, Any]) -> Iterator[Problem]:
     for steps, entry in labels_of(values):
+        if isinstance(entry, bool):
+            message = f"An instance must be text, not {_yaml_word(entry)}: its path would end with {str(entry)!r}."
+            yield Problem(codes.VALUE_MISSPELLED, "instances", message, quote_it(entry), within=steps)
         match = re.search(r"\[ *(\d+) *, *(\d+) *\](?!.*\[\d+,\d+\])", str(entry))
         if match and " " in match[0]:
             message = f"A space keeps {match[0]} of {str(entry)!r} from being a range."

@@ -13,6 +13,7 @@ from sigcat.catalogue.exporting.shared_options import STRICT
 from sigcat.catalogue.exporting.stopping import stops_export
 from sigcat.catalogue.exporting.value_names import value_name_findings
 from sigcat.catalogue.model.catalogue import Catalogue
+from sigcat.catalogue.model.datatypes import element_of
 from sigcat.catalogue.model.definition import Definition, instances_of
 from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding, has_errors
@@ -75,6 +76,9 @@ def refuse_unfit(catalogue: Catalogue, exporter: Exporter, options: Mapping[str,
         raise UsageError(
             f"The export {exporter.name} needs struct types, and the catalogue has none: give a types file."
         )
+    structs = tuple(_of_structs(catalogue, exporter)) if exporter.refuses_types else ()
+    if structs:
+        raise InputRefused("The tree has signals that cannot be exported.", structs)
     unsafe = tuple(_unsafe_names(catalogue)) if exporter.is_folder or exporter.has_types_beside else ()
     if unsafe:
         raise InputRefused("The tree has names that cannot be exported.", unsafe)
@@ -82,6 +86,18 @@ def refuse_unfit(catalogue: Catalogue, exporter: Exporter, options: Mapping[str,
 
 def _has_stopping_errors(findings: tuple[Finding, ...]) -> bool:
     return any(map(stops_export, findings))
+
+
+def _of_structs(catalogue: Catalogue, exporter: Exporter) -> Iterator[Finding]:
+    structs = {definition.path for definition in _type_definitions(catalogue)}
+    for definition in catalogue.definitions.values():  # vss-tools reads those that an overlay deletes, too
+        struct = element_of(str(definition.values.get("datatype", "")))
+        if struct in structs:
+            message = f"The export {exporter.name} must have no struct types; {definition.path!r} has {struct!r}."
+            fix = "Replace the signal by one for each member, in the tree itself: vss-tools reads what an overlay deletes, too."
+            yield codes.EXPORTER_REFUSES.finding(
+                message, *definition.origin("datatype").position, definition.path, fix=fix
+            )
 
 
 def _unsafe_names(catalogue: Catalogue) -> Iterator[Finding]:

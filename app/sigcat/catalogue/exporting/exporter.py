@@ -58,6 +58,8 @@ class Exporter(NamedTuple):
     """The command that writes the same bytes, such as `vspec export csv`."""
     needs_types: bool = False
     """Whether it exports struct types and nothing else."""
+    refuses_types: bool = False
+    """Whether it exports no signal whose datatype is a struct."""
     has_types_beside: bool = False
     """Whether it writes struct types into separate files, next to the main one."""
     unescaped: tuple[str, ...] = ()

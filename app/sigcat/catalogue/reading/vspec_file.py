@@ -30,6 +30,7 @@ from sigcat.catalogue.reading.yaml_document import (
     position,
     read_document,
 )
+from sigcat.catalogue.reading.yaml_scalars import quote_it
 from sigcat.findings import Finding, first_at, shown
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.line_numbers import numbered
@@ -111,7 +112,9 @@ class _Reading(NamedTuple):
 
     def unbuildable(self, error: Unbuildable, path: str) -> None:
         """Report what has no value."""
-        self.findings.append(error.rule.finding(str(error), self.source.name, *position(error.node), path))
+        self.findings.append(
+            error.rule.finding(str(error), self.source.name, *position(error.node), path, fix=error.fix)
+        )
 
 
 def _not_a_mapping(root: Node, file: str, words: EntryWords) -> Finding:
@@ -163,7 +166,9 @@ def _read_statement(key: Node, node: Node, reading: _Reading) -> Statement | Non
     try:
         path = reading.builder.key(key)
         if not isinstance(path, str) or not path:
-            raise Unbuildable(f"The {words.key} of a {words.entry} must be text, not {shown(path)}.", key)
+            raise Unbuildable(
+                f"The {words.key} of a {words.entry} must be text, not {shown(path)}.", key, fix=quote_it(path)
+            )
         if not isinstance(node, MappingNode):
             raise Unbuildable(
                 f"{path!r} must be a mapping of {words.field}s, not {_kind(node)}.", node, codes.NOT_A_MAPPING
@@ -233,7 +238,9 @@ def _attributes(node: MappingNode, reading: _Reading) -> tuple[dict[str, Any], l
     for key, value in builder.pairs(node):
         name = sys.intern(key.value) if key.tag == TEXT else builder.key(key)
         if not isinstance(name, str):
-            raise Unbuildable(f"The name of {with_article(words.field)} must be text, not {shown(name)}.", key)
+            raise Unbuildable(
+                f"The name of {with_article(words.field)} must be text, not {shown(name)}.", key, fix=quote_it(name)
+            )
         start, end = key.start_mark, value.start_mark
         if name in values:
             marks[list(values).index(name)] = mark_of(start, end)

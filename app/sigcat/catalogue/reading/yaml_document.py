@@ -21,7 +21,6 @@ from yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from sigcat import codes
 from sigcat.catalogue.reading.whole_numbers import held_as_double
-from sigcat.catalogue.reading.yaml_syntax import syntax_advice
 from sigcat.findings import Finding, RuleCode
 from sigcat.limits import DEFAULT_LIMITS, NUMBER_CHARACTERS, Limits
 from sigcat.text_lines import line_and_column, lines_of
@@ -101,8 +100,9 @@ class Document(NamedTuple):
 class Unbuildable(Exception):
     """A YAML node has no value: an unknown tag, a cycle, a malformed number. `rule` is the one that it breaks."""
 
-    def __init__(self, message: str, node: Node, rule: RuleCode = codes.NOT_A_VALUE) -> None:
+    def __init__(self, message: str, node: Node, rule: RuleCode = codes.NOT_A_VALUE, fix: str = "") -> None:
         super().__init__(message)
+        self.fix = fix
         self.node = node
         self.rule = rule
 
@@ -414,6 +414,8 @@ def _syntax_error(text: str, name: str, error: yaml.MarkedYAMLError) -> Document
     mark = error.problem_mark or error.context_mark
     line, column = (each + 1 for each in line_and_column(text, mark.index)) if mark else (0, 0)
     message = ", ".join(part for part in (error.context, error.problem) if part)
+    from sigcat.catalogue.reading.yaml_syntax import syntax_advice  # seldom needed
+
     fix = syntax_advice(text, error, message)
     return _refused(text, name, codes.NOT_YAML, f"Not valid YAML: {message}.", line, column, fix)
 

@@ -80,6 +80,7 @@ class CFunction(NamedTuple):
     place: Place
     is_defined: bool = False
     is_static: bool = False
+    is_inline: bool = False
     uses: frozenset[str] = frozenset()
     """Names of functions and variables, and keys of members."""
     writes: frozenset[str] = frozenset()
@@ -203,6 +204,7 @@ def _function(each: Mapping[str, Any]) -> CFunction:
         place=_place(each),
         is_defined=each["defined"],
         is_static=each["static"],
+        is_inline=each["inline"],
         uses=frozenset(each.get("uses", ())),
         writes=frozenset(each.get("writes", ())),
         public=each.get("public", True),

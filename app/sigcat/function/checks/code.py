@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from sigcat import codes
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.expression import is_identifier, root_of
-from sigcat.function.document.field_types import C_MEMBER, C_TYPE, CPP_CLASS
+from sigcat.function.document.field_types import C_IDENTIFIER, C_MEMBER, C_TYPE, CPP_CLASS
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.code import (
     CLASS,
@@ -127,8 +127,7 @@ def _object(each: CodeObject, index: int, signature: str, at: Pointer) -> Proble
 
 
 def _no_name(name: str, what: str, at: Pointer) -> Problem:
-    fix = "Use letters, digits and underscores, and a letter first."
-    return Problem(codes.NAME_NO_C_NAME, at, f"{what} must have a name of C, not {name!r}.", fix)
+    return Problem(codes.NAME_NO_C_NAME, at, f"{what} must have a name of C, not {name!r}.", C_IDENTIFIER.fix)
 
 
 # -- calls --------------------------------------------------------------------------------------------------------
@@ -234,12 +233,14 @@ def _definers(function: FunctionJson) -> Problems:
     objects = {each.name for each in declared_objects(function)}
     types = {each.reference: each for each in function.datatypes}
     for each in variables(function):
-        if each.defined_by != ADAPTER or each.expression in objects:
+        if each.defined_by != ADAPTER or each.expression in objects or root_of(each.expression) is None:
             continue
         if not is_identifier(each.expression):
             message = f"The adapter must define a variable by its name, not {each.expression!r}."
             keys = "type, `length`" if "[" in each.expression else "type"
-            fix = f"List {root_of(each.expression) or 'it'!r} under `objects` of `code` with its {keys} and `definedBy: adapter`."
+            fix = (
+                f"List {root_of(each.expression)!r} under `objects` of `code` with its {keys} and `definedBy: adapter`."
+            )
             yield _undefinable(each, message, fix)
         elif each.elements is not None and _is_array(each.datatype, types):
             message = f"The adapter must define a variable of one dimension; {each.expression!r} holds several arrays."

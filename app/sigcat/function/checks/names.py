@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from sigcat import codes
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.expression import may_hold_value
+from sigcat.function.document.field_types import C_EXPRESSION
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
@@ -174,7 +175,7 @@ def _expressions(function: FunctionJson) -> Problems:
     for each in variables(function):
         if not may_hold_value(each.expression):
             key = str(each.pointer[-1])
-            fix = "Name the variable as the code does, such as in.speed, in->speed or in[3]."
+            fix = C_EXPRESSION.fix
             message = (
                 f"`{key[:1].lower()}{key[1:]}` must be an expression of C that holds a value, not {each.expression!r}."
             )

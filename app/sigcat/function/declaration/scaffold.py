@@ -5,7 +5,9 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
+from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.errors import UsageError
+from sigcat.file_kind import SHIPPED_ROOT
 from sigcat.function.declaration.declaration import declaration_schema
 from sigcat.names import camel_case
 
@@ -23,9 +25,25 @@ def code_scaffold(name: str) -> Mapping[str, str]:
     return {f"{checked_name(name)}{ending}": _text(f"NAME{ending}", name) for ending in (".h", ".c")}
 
 
-def scaffold(name: str, schema: str = SCHEMA_FILE) -> str:
-    """The text for a function of this name; `schema` is the address of its JSON Schema. Raises UsageError."""
-    return _text("function.yaml", checked_name(name)).replace("__SCHEMA__", checked_schema(schema))
+def scaffold(name: str, schema: str = SCHEMA_FILE, catalogue: Catalogue | None = None) -> str:
+    """The text for a function of this name. Raises UsageError.
+
+    `schema` is the address of its JSON Schema. Without a catalogue it is for the standard's tree. For one that has no speed
+    of the vehicle, the function defines a signal.
+    """
+    root = catalogue.roots[0].path if catalogue is not None and catalogue.roots else SHIPPED_ROOT
+    path = f"{root}.Speed"
+    is_own = catalogue is not None and not _is_speed(catalogue.get(path))
+    if is_own:
+        path = f"{root}.{checked_name(name)}.Speed"
+    text = _text("function.yaml", checked_name(name)).replace("__SCHEMA__", checked_schema(schema))
+    defined = _text("signal.yaml", name) if is_own else ""
+    text = text.replace("__SIGNAL__\n", defined).replace("__SPEED__", path).replace("__ROOT__", root)
+    return text.replace("__PROVIDER__\n", "            provider: Name of the part that sends it\n" if is_own else "")
+
+
+def _is_speed(node: Node | None) -> bool:
+    return node is not None and node.values.get("datatype") == "float" and not node.children
 
 
 def _text(file: str, name: str) -> str:

@@ -28,6 +28,8 @@ _TYPE_WORDS = frozenset(
      "double", "void", "bool")
 )  # fmt: skip
 _IDENTIFIER = re.compile(r"[A-Za-z_]\w*", re.ASCII)
+PROGRAM = "main"
+"""The function that a program begins with, which is not one of the code."""
 _DEEPEST = 30
 """Brackets inside each other."""
 
@@ -52,7 +54,7 @@ def expression_of(text: str) -> Expression | None:
         root = reader.expression()
     except _Unfit:
         return None
-    return Expression(root, tuple(reader.calls)) if reader.kind == "end" else None
+    return Expression(root, tuple(reader.calls)) if reader.kind == "end" and root != PROGRAM else None
 
 
 def may_hold_value(text: str) -> bool:
@@ -68,7 +70,8 @@ def root_of(text: str) -> str | None:
 
 def is_identifier(text: str) -> bool:
     """Whether this can be the name of a variable, function or macro."""
-    return bool(_IDENTIFIER.fullmatch(text)) and _is_free(text) and len(text) <= EXPRESSION_CHARACTERS
+    is_free = _is_free(text) and text != PROGRAM
+    return bool(_IDENTIFIER.fullmatch(text)) and is_free and len(text) <= EXPRESSION_CHARACTERS
 
 
 def _is_free(name: str) -> bool:

@@ -101,12 +101,14 @@ UnitKey = Annotated[str, UNIT]
 
 # -- C and C++ ----------------------------------------------------------------------------------------------------
 
-C_IDENTIFIER = Grammar("a C identifier", is_identifier, _LETTERS_FIRST)
+C_IDENTIFIER = Grammar(
+    "a C identifier", is_identifier, f"{_LETTERS_FIRST} Words of C, names of its headers and `main` are taken."
+)
 CIdentifier = Annotated[str, C_IDENTIFIER]
 C_EXPRESSION = Grammar(
     "an expression of C that holds a value",
     may_hold_value,
-    "Name the variable as the code does, such as in.speed, in->speed or in[3].",
+    "Name the variable as the code does, such as in.speed, in->speed or in[3]. Words of C and `main` are taken.",
 )
 CExpression = Annotated[str, C_EXPRESSION]
 C_TYPE = _matching(

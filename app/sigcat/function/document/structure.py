@@ -12,7 +12,7 @@ from pydantic_core import PydanticCustomError
 from sigcat import codes
 from sigcat.asil import level_of
 from sigcat.catalogue.model.definition import TYPES
-from sigcat.catalogue.reading.yaml_numbers import number_advice
+from sigcat.catalogue.reading.yaml_scalars import number_advice
 from sigcat.file_kind import DOCUMENT_KINDS, document_kind
 from sigcat.findings import Finding
 from sigcat.function.document.document import Document, Pointer
@@ -32,6 +32,7 @@ _EXPECTED = {
     "dict_type": "a mapping",
     "model_type": "a mapping",
     "model_attributes_type": "a mapping",
+    "invalid_key": "a text",
     "date_type": "a date such as 2025-09-12",
     "string_unicode": "a text of Unicode characters",
 }
@@ -54,9 +55,12 @@ _BOUNDS = {
 }
 _QUOTED = re.compile(r"'([^']*)'")
 _UNFIT = "unfit"
+_BAD_KEY = "invalid_key"
+"""Error of a key of a model that is not a text."""
 _OF_KIND = ("union_tag_invalid", "union_tag_not_found")
 """Errors of a mapping that is one of several kinds, which one of its keys names."""
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
+_READ_AS_TRUTH = frozenset(("on", "off", "yes", "no", "true", "false"))
 _YAML_WORDS = "Put quotes around it: YAML reads words such as OFF, ON, YES and NO as true or false."
 
 
@@ -138,7 +142,7 @@ def _finding(
             f"{_named(pointer)} must have at least {_items(error['ctx']['min_length'])}, and has {len(error['input'])}."
         )
         return document.finding(codes.VALUE_UNFIT, pointer, message)
-    named = "A key" if key == "[key]" else _named(pointer)
+    named = "A key" if key == "[key]" or kind == _BAD_KEY else _named(pointer)
     message = f"{named} must {_wanted(kind, error)}, not {_shown(error['input'])}."
     return document.finding(codes.VALUE_UNFIT, pointer, message, _advice(kind, error))
 
@@ -178,10 +182,10 @@ def _bad_name(name: str, pointer: Pointer, document: Document) -> Finding:
 def _advice(kind: str, error: Any) -> str:
     """The fix for a value of a wrong kind."""
     given = error["input"]
-    if kind == "string_type":
+    if kind in ("string_type", _BAD_KEY) or _is_unquoted_word(kind, error):
         return _unquoted(given)
     if kind in _NUMBERS and isinstance(given, str):
-        return number_advice(given)
+        return number_advice(given, is_whole=kind != "number_type")
     return _word_meant(kind, error)
 
 
@@ -190,6 +194,16 @@ def _unquoted(value: Any) -> str:
     if isinstance(value, bool):
         return _YAML_WORDS
     return "Put quotes around it: it is read as a number." if isinstance(value, int | float) else ""
+
+
+def _is_unquoted_word(kind: str, error: Any) -> bool:
+    """Whether an allowed word was written that YAML reads as a number, or one that it reads as true or false."""
+    given = error["input"]
+    if kind != "literal_error" or isinstance(given, str):
+        return False
+    allowed = _QUOTED.findall(error["ctx"]["expected"])
+    is_word = any(word.lower() in _READ_AS_TRUTH for word in allowed)
+    return is_word if isinstance(given, bool) else str(given) in allowed
 
 
 def _word_meant(kind: str, error: Any) -> str:

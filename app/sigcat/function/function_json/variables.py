@@ -1,13 +1,15 @@
 """The variables of the C code that a function names: what each holds, and where it is named."""
 
 from collections.abc import Iterator
+from fractions import Fraction
 from typing import NamedTuple
 
 from pydantic import BaseModel
 
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
-from sigcat.function.function_json.data_interfaces import DataQueue
+from sigcat.function.function_json.conversion import of_text
+from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import PROVIDER
@@ -40,6 +42,8 @@ class CodeVariable(NamedTuple):
     """Values of the datatype that it holds; None if it holds one."""
     members: tuple[tuple[str, str], ...] = ()
     """Members of a struct, as the catalogue and the code name them."""
+    limits: tuple[Fraction | None, Fraction | None] = (None, None)
+    """Smallest and largest number that the variable holds, before scaling; None where nothing limits it."""
 
 
 def variables(function: FunctionJson) -> Iterator[CodeVariable]:
@@ -58,10 +62,22 @@ def _of_data(function: FunctionJson) -> Iterator[CodeVariable]:
             at = (*pointer, "Variable")
             c_type, count = item.c_type, _count(item)
             members = tuple((each.name, each.member) for each in item.members or ())
-            yield CodeVariable(at, item.variable, place, name, item.datatype, item.defined_by, c_type, count, members)
+            yield CodeVariable(
+                at, item.variable, place, name, item.datatype, item.defined_by, c_type, count, members, _limits(item)
+            )
         if isinstance(item, DataQueue) and item.count_variable:
             at = (*pointer, "CountVariable")
             yield CodeVariable(at, item.count_variable, place, f"{name} count", None, item.defined_by, "uint32_t")
+
+
+def _limits(item: Signal | DataQueue | ParameterInterface) -> tuple[Fraction | None, Fraction | None]:
+    """Limits of the stored number: those of the physical value without its scaling."""
+    factor, offset = of_text(str(item.factor or 1)), of_text(str(item.offset or 0))
+    if not factor or offset is None:
+        return (None, None)
+    stored = [None if each is None else (Fraction(each) - offset) / factor for each in (item.min, item.max)]
+    least, most = stored if factor > 0 else reversed(stored)
+    return (least, most)
 
 
 def _count(item: BaseModel) -> int | None:

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES, PRIMITIVES, is_array
 from sigcat.catalogue.model.definition import Definition
-from sigcat.catalogue.model.near_units import near_unit
 from sigcat.catalogue.model.vocabulary import Unit, Vocabulary
 from sigcat.catalogue.network.mapping import (
     ATTRIBUTES,
@@ -253,7 +252,11 @@ def unit_converted(_rule: Rule, tree: Tree) -> NodeTest:
 
 def _unit(text: Any, vocabulary: Vocabulary) -> Unit | None:
     """The unit of a text, if the catalogue knows it."""
-    return (vocabulary.unit(text) or near_unit(text, vocabulary)) if isinstance(text, str) and text else None
+    if not isinstance(text, str) or not text:
+        return None
+    from sigcat.catalogue.model.near_units import near_unit  # its tables take time at start-up
+
+    return vocabulary.unit(text) or near_unit(text, vocabulary)
 
 
 def range_fits(_rule: Rule, tree: Tree) -> NodeTest:

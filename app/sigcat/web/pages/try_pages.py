@@ -191,11 +191,12 @@ def _page(asked: Asked, kind: Kind, text: str, result: Tried, view: str = "inter
 
 
 def _beginning(kind: Kind, example: str, asked: Asked) -> str:
-    files, roots = asked.files, asked.hosted.catalogue.roots
+    files, catalogue = asked.files, asked.hosted.catalogue
+    roots = catalogue.roots
     if kind == "function":
         known = [file.id for file in files]
         chosen = example or (_EXAMPLE if _EXAMPLE in known else next(iter(known), ""))
-        return shown_text(file_of(files, chosen).data) if chosen else scaffold("NewFunction")
+        return shown_text(file_of(files, chosen).data) if chosen else scaffold("NewFunction", catalogue=catalogue)
     if kind == "overlay" and example:
         shipped = {path.stem: path for path in OVERLAYS.glob("*.vspec")}
         if example in shipped:

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from sigcat.function.function_json.code import CLASS, POINTERS, CodeInterface
+from sigcat.function.function_json.conversion import as_text, of_text
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.model import FunctionJson
@@ -112,6 +113,7 @@ def _said(notes: list[str]) -> tuple[str, ...]:
 def _of_data(item: Signal | DataQueue) -> list[str]:
     return [
         _defined(item),
+        _scaled(item),
         _optional(item),
         f"starts with {item.init_elements.raw}" if item.init_elements else "",
         _late(item),
@@ -120,6 +122,16 @@ def _of_data(item: Signal | DataQueue) -> list[str]:
         _queued(item) if isinstance(item, DataQueue) else "",
         _members(item),
     ]
+
+
+def _scaled(item: Signal | DataQueue | ParameterInterface) -> str:
+    """What a stored number means, where it is not the physical value itself."""
+    factor, offset = str(item.factor or 1), str(item.offset or 0)
+    if of_text(factor) in (1, None) and of_text(offset) in (0, None):
+        return ""
+    shift = of_text(offset)
+    added = f" {'-' if shift < 0 else '+'} {as_text(abs(shift))}" if shift else ""
+    return f"number × {factor}{added}{f' {item.units}' if item.units else ''}"
 
 
 def _optional(item: Signal | DataQueue) -> str:
@@ -172,6 +184,7 @@ def _of_parameter(parameter: ParameterInterface) -> list[str]:
     stored = " ".join(filter(None, (key, f"in {parameter.storage}" if parameter.storage else "")))
     return [
         _defined(parameter),
+        _scaled(parameter),
         f"starts with {parameter.init_elements.raw}" if parameter.init_elements else "",
         _out_of_range(parameter.range_error_action, parameter.range_error),
         f"stored under {stored}" if key else f"stored {stored}" if stored else "",

@@ -87,7 +87,11 @@ def branches_of(change: Change) -> Iterator[str]:
 def is_of_labels(change: Change) -> bool:
     """Whether only an enumeration changed, which the compared files do not have."""
     rules = {effect for effect in change.effects if effect != "id-changed"}
-    return change.kind == "changed" and rules <= {"label-removed", "label-renumbered"} and bool(rules)
+    return (
+        change.kind == "changed"
+        and rules <= {"label-removed", "label-renumbered", "enumeration-renumbered"}
+        and bool(rules)
+    )
 
 
 def without_enumerations(proto: str) -> str:

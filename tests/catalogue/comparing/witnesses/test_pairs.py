@@ -8,9 +8,11 @@ from pathlib import Path
 import pytest
 
 from sigcat.catalogue.comparing.bindings import Binding, form_of
-from sigcat.catalogue.comparing.changes import Change, Class, worst
+from sigcat.catalogue.comparing.changes import Class, worst
 from sigcat.catalogue.comparing.diff import compare
+from sigcat.catalogue.comparing.kept_numbers import with_kept_numbers
 from sigcat.catalogue.comparing.sides import read_side
+from sigcat.catalogue.exporting.field_numbers import read_lock
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import NotFound
 from tests.catalogue.comparing.witnesses.drawn_trees import Drawer
@@ -79,33 +81,24 @@ def test_table_and_graphql_inspector_agree(seed, tmp_path):
     assert not disagreements(catalogues, "graphql", verdicts)
 
 
-PLACES = frozenset(("added-before", "reordered", "label-renumbered", "label-removed"))
-"""Effects of positions, which numbers of a lock do not have, and of removed texts, whose numbers it reserves."""
-
-
 @buf
 @pytest.mark.parametrize("seed", CHAINS)
 def test_with_a_lock_of_numbers_no_position_breaks_protobuf(seed, tmp_path):
     catalogues = chain(seed, tmp_path)
     lock = tmp_path / "numbers.json"
-    exports = []
+    exports, locks = [], []
     for catalogue in catalogues:
         files = exported(catalogue, "protobuf", keep_numbers_of=lock)
         lock.write_bytes(files["numbers.json"])
         exports.append(files)
+        locks.append(read_lock(lock))
     verdicts = [
         protobuf_breaks(old, new, tmp_path / str(number)) for number, (old, new) in enumerate(pairwise(exports))
     ]
-    for (old, new), breaks in zip(pairwise(catalogues), verdicts, strict=True):
-        kept = [without_places(change) for change in compare(old, new)]
+    for (old, new), numbers, breaks in zip(pairwise(catalogues), locks[:-1], verdicts, strict=True):
+        kept = with_kept_numbers(compare(old, new), old, numbers)
         if (predicted := worst(form_of(change, "protobuf") for change in kept)) != "risky":
             assert (predicted == "breaking") is breaks, [(change.path, change.rule, change.effects) for change in kept]
-
-
-def without_places(change: Change) -> Change:
-    """The change without the effects of positions."""
-    attributes = tuple(each for each in change.attributes if each.rule not in PLACES)
-    return change._replace(attributes=attributes, effects=tuple(each for each in change.effects if each not in PLACES))
 
 
 @ros2

@@ -60,6 +60,7 @@ class WireField(NamedTuple):
     c: str
     length: int | None
     comment: str
+    unit: str = ""
 
 
 class WireStruct(NamedTuple):

@@ -178,9 +178,9 @@ VSS_TOOLS = (
     _file("go", "Go structs", ".go", "text/plain", *_GO, unescaped=("instances",)),
     _file("binary", "compact binary form for small targets", ".bin", "application/octet-stream", TYPES_OUTPUT),
     _folder("s2dm", "GraphQL schema (S2DM)", *_S2DM, *STRICTNESS, refuses_ending=True),
-    _folder("ros2interface", "ROS 2 messages and services", *_ROS2, unescaped=_CODE),
+    _folder("ros2interface", "ROS 2 messages and services", *_ROS2, unescaped=_CODE, refuses_types=True),
     _folder("samm", "SAMM aspect models", *_SAMM, *STRICTNESS, output_also=("--target-folder", "-tf")),
     _folder("apigear", "ApiGear module and solution", *_APIGEAR, *STRICTNESS, output_also=("--output-dir",)),
     _folder("avro", "Avro IDL of the struct types", *_AVRO, *STRICTNESS, needs_types=True),
-    _folder("vhal", "Android vehicle properties", *_VHAL, output_also=("--aosp-workspace-path",), unescaped=_COMMENTS),
+    _folder("vhal", "Android vehicle properties", *_VHAL, output_also=("--aosp-workspace-path",), unescaped=_COMMENTS, refuses_types=True),
 )  # fmt: skip

@@ -1,5 +1,8 @@
 """Functions, variables and classes of the files that are not known yet."""
 
+from ctypes import c_uint
+
+from clang import cindex
 from clang.cindex import AccessSpecifier, Cursor, CursorKind, StorageClass, TypeKind
 
 from sigcat.function.c_project.libclang.answer import Answer, Json, file_of, place_of, qualified
@@ -9,6 +12,12 @@ from sigcat.function.c_project.libclang.values_of_c import value_of
 
 _MOST_BYTES = 64 * 1024
 """Largest variable whose value is read: pictures and tables are larger."""
+
+
+def declare_calls() -> None:
+    """Calls of libclang that its Python module leaves out."""
+    function = cindex.conf.lib.clang_Cursor_isFunctionInlined
+    function.argtypes, function.restype = [Cursor], c_uint
 
 
 def read_declarations(outer: Cursor, seen: set[str], answer: Answer) -> set[str]:
@@ -48,6 +57,7 @@ def _function(cursor: Cursor, answer: Answer) -> Json:
         "parameters": [{"name": each.spelling, "type": type_of(each.type, answer)} for each in cursor.get_arguments()],
         "defined": cursor.is_definition(),
         "static": is_static,
+        "inline": bool(cindex.conf.lib.clang_Cursor_isFunctionInlined(cursor)),
         **place_of(cursor),
         **(uses_of(cursor) if cursor.is_definition() else {}),
     }

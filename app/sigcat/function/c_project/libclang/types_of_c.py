@@ -1,6 +1,6 @@
 """Types: numbers, arrays, pointers, structs and enumerations, each with the names that it goes by."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from clang.cindex import Cursor, CursorKind, TypeKind
@@ -12,9 +12,12 @@ _INT = 4
 """Bytes of an enumeration of C, whatever its numbers."""
 _FLOATING = (TypeKind.FLOAT, TypeKind.DOUBLE, TypeKind.LONGDOUBLE)
 _UNSIGNED = (
-    TypeKind.CHAR_U, TypeKind.UCHAR, TypeKind.USHORT, TypeKind.UINT, TypeKind.ULONG, TypeKind.ULONGLONG,
+    TypeKind.CHAR_U, TypeKind.UCHAR, TypeKind.CHAR16, TypeKind.CHAR32, TypeKind.USHORT, TypeKind.UINT, TypeKind.ULONG,
+    TypeKind.ULONGLONG,
 )  # fmt: skip
-_SIGNED = (TypeKind.CHAR_S, TypeKind.SCHAR, TypeKind.SHORT, TypeKind.INT, TypeKind.LONG, TypeKind.LONGLONG)
+_SIGNED = (
+    TypeKind.CHAR_S, TypeKind.SCHAR, TypeKind.WCHAR, TypeKind.SHORT, TypeKind.INT, TypeKind.LONG, TypeKind.LONGLONG,
+)  # fmt: skip
 _SORTS = {
     **dict.fromkeys(_FLOATING, "floating"),
     **dict.fromkeys(_UNSIGNED, "unsigned"),
@@ -79,7 +82,8 @@ def _names(kind: Any) -> list[str]:
             break
         names.append(qualified(declaration))
         kind = declaration.underlying_typedef_type
-    spelled = next((each for each in (kind.spelling, kind.get_canonical().spelling) if "(" not in each), "")
+    spellings = (kind.spelling, kind.get_canonical().spelling)
+    spelled = next((each for each in spellings if "(" not in each.removeprefix("_Atomic(")), "")
     return [*names, _unqualified(spelled)] if spelled else names
 
 
@@ -123,10 +127,20 @@ def _record(cursor: Cursor, answer: Answer, depth: int) -> str:
             "name": "" if cursor.is_anonymous() or "(" in cursor.spelling else qualified(cursor),
             "union": cursor.kind == CursorKind.UNION_DECL,
             "complete": definition is not None,
-            "members": [member_of(each, answer, depth) for each in members if each.kind == CursorKind.FIELD_DECL],
+            "members": list(_members(members, answer, depth)),
             **place_of(definition or cursor),
         }
     return key
+
+
+def _members(children: Sequence[Cursor], answer: Answer, depth: int) -> Iterator[Json]:
+    """Members, with those of structs without a name, which are named as if they were members of the outer one."""
+    named = {each.type.get_declaration().get_usr() for each in children if each.kind == CursorKind.FIELD_DECL}
+    for each in children:
+        if each.kind == CursorKind.FIELD_DECL:
+            yield member_of(each, answer, depth)
+        elif each.kind == CursorKind.STRUCT_DECL and each.is_anonymous() and each.get_usr() not in named:
+            yield from _members(list(each.get_children()), answer, depth + 1)
 
 
 def member_of(cursor: Cursor, answer: Answer, depth: int = 0) -> Json:

@@ -18,9 +18,9 @@ from typing import Any
 
 from clang import cindex
 
+from sigcat.function.c_project.libclang import read_declarations as declared
 from sigcat.function.c_project.libclang import uses, values_of_c
 from sigcat.function.c_project.libclang.answer import ROOT, Answer, Json, inside
-from sigcat.function.c_project.libclang.read_declarations import read_declarations
 
 _SYSTEM = "/sigcat-system/"
 _SYSTEM_HEADERS = Path(__file__).with_name("system_headers")
@@ -38,6 +38,7 @@ def main() -> None:
     _bound(request["megabytes"], request["seconds"])
     values_of_c.declare_calls()
     uses.declare_calls()
+    declared.declare_calls()
     answer, seen = Answer(), set[str]()
     index = cindex.Index.create()
     system_headers = {each.name: each.read_text("utf-8") for each in _SYSTEM_HEADERS.iterdir()}
@@ -46,7 +47,7 @@ def main() -> None:
         _note_includes(unit, answer)
         answer.errors += _errors(unit)
         if request["declarations"]:
-            seen |= read_declarations(unit.cursor, seen, answer)
+            seen |= declared.read_declarations(unit.cursor, seen, answer)
     json.dump(vars(answer), sys.stdout)
 
 

@@ -1,5 +1,7 @@
 """The unit and the scale in which the code holds a value."""
 
+from typing import NamedTuple
+
 from sigcat import codes
 from sigcat.catalogue.model.catalogue import Node
 from sigcat.catalogue.model.vocabulary import Vocabulary
@@ -12,30 +14,39 @@ from sigcat.function.resolving.values.numbers import fraction
 from sigcat.names import did_you_mean
 
 
-def code_unit(item: Item, at: Pointer, node: Node, context: Context) -> tuple[str | None, Linear]:
+class CodeUnit(NamedTuple):
     """The code's unit, and the conversion from the catalogue's to it."""
+
+    unit: str | None
+    to_code: Linear = IDENTITY
+    is_fit: bool = True
+    """False if the unit is unknown or cannot be converted: a finding says so."""
+
+
+def code_unit(item: Item, at: Pointer, node: Node, context: Context) -> CodeUnit:
+    """The unit of an item in the code."""
     unit = node.values.get("unit")
     own = unit if isinstance(unit, str) else None
     if item.unit is None:
-        return own, IDENTITY
+        return CodeUnit(own)
     vocabulary = context.catalogue.vocabulary
     known = vocabulary.unit(item.unit)
     if known is None and vocabulary.may_define(item.unit):
-        return own, IDENTITY
+        return CodeUnit(own, is_fit=False)
     if known is None:
         fix = did_you_mean(item.unit, [each.key for each in vocabulary.distinct_units])
         context.problems.append(
             _problem(item, at, f"Unknown unit {item.unit!r}.", fix or (_convertible(own, vocabulary) if own else ""))
         )
-        return own, IDENTITY
+        return CodeUnit(own, is_fit=False)
     if own is None:
         context.problems.append(_problem(item, at, f"{item.path!r} has no unit in the catalogue.", "Remove `unit`."))
-        return None, IDENTITY
+        return CodeUnit(None, is_fit=False)
     conversion = between(own, known.key)
     if conversion is None:
         message = f"{own!r}, the unit in the catalogue, cannot be converted to {known.key!r}."
         context.problems.append(_problem(item, at, message, _convertible(own, vocabulary)))
-    return known.key, conversion or IDENTITY
+    return CodeUnit(known.key, conversion or IDENTITY, conversion is not None)
 
 
 def _problem(item: Item, at: Pointer, message: str, fix: str) -> Problem:

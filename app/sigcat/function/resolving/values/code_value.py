@@ -29,6 +29,8 @@ class CodeValue(NamedTuple):
     """From the catalogue's unit to the code's."""
     scale: Linear
     """From the stored value to the physical one."""
+    has_fit_unit: bool = True
+    """Whether the code's unit is known and is one that the catalogue's converts to."""
 
     @property
     def own_datatype(self) -> str:

@@ -6,7 +6,7 @@ from typing import Any
 
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import DATATYPES, element_of, is_array
-from sigcat.catalogue.reading.yaml_numbers import number_advice
+from sigcat.catalogue.reading.yaml_scalars import number_advice
 from sigcat.function.declaration.declaration import DataItem
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.document.yaml_words import in_yaml

@@ -44,6 +44,8 @@ def value_of(item: Item, at: Pointer, context: Context) -> Value | None:
     code = _code_value(item, at, context)
     if code is None:
         return None
+    if not code.has_fit_unit:  # its numbers cannot be compared with those of the catalogue
+        return _value(code, None, None, None, context)
     low, high = range_of(code, context)
     init = start_value(code, *((None, None) if is_upside_down(low, high) else (low, high)), context)
     return _value(code, low, high, init, context)
@@ -57,8 +59,8 @@ def _code_value(item: Item, at: Pointer, context: Context) -> CodeValue | None:
     datatype = code_datatype(item, at, node, symbols, context)
     if datatype is None:
         return None
-    unit, to_code = code_unit(item, at, node, context)
-    return CodeValue(item, at, node, datatype, unit, symbols, to_code, scale_of(item, at, context))
+    unit, to_code, is_fit = code_unit(item, at, node, context)
+    return CodeValue(item, at, node, datatype, unit, symbols, to_code, scale_of(item, at, context), is_fit)
 
 
 def _node(item: Item, at: Pointer, context: Context) -> Node | None:

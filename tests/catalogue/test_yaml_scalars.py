@@ -1,11 +1,11 @@
-"""Numbers as YAML 1.1 has them."""
+"""Scalars as YAML 1.1 has them."""
 
 import pytest
 import yaml
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sigcat.catalogue.reading.yaml_numbers import number_advice, yaml_number
+from sigcat.catalogue.reading.yaml_scalars import number_advice, yaml_number
 from tests.properties import examples
 
 
@@ -23,6 +23,11 @@ def test_an_exponent_without_a_point_or_a_sign_is_explained(text):
     number = advice.removeprefix("Write ").partition(":")[0]
     assert yaml.safe_load(number) == float(text)
     assert f"YAML reads {text} as a text" in advice
+
+
+def test_a_whole_number_is_advised_where_one_is_expected():
+    assert number_advice("1e3", is_whole=True).startswith("Write 1000: ")
+    assert number_advice("1e-3", is_whole=True) == ""
 
 
 @pytest.mark.parametrize("text", ["100", "-1.5", "1.0e+3"])
