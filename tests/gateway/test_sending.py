@@ -255,7 +255,8 @@ def test_a_bus_gets_the_frames_at_their_times(tmp_path, monkeypatch):
     with can.Bus(interface="virtual", channel="sending") as bus:
         given = [str(tmp_path / "trace.csv"), "--dbc", str(tmp_path / "bus.dbc"), "-s", "vss"]
         assert main(["gateway", *given, "-l", str(tmp_path / "can.vspec"), "--send", "virtual:sending"]) == 0
-        assert [bus.recv(0).data[1] for _ in sent] == [100, 200]
+        received = [bus.recv(0) for _ in sent]
+    assert [each.data[1] for each in received if each] == [100, 200]
     assert sent == [(1000.0, 100), (pytest.approx(1000.3), 200)]
 
 

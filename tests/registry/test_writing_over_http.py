@@ -212,7 +212,7 @@ def test_states_and_rules_are_set(service: Service) -> None:
 )
 def test_a_request_that_may_come_from_elsewhere_needs_a_token(service: Service, headers: dict[str, str]) -> None:
     answer = service.publish(CONTENT, headers=headers)
-    assert "token create" in problem(answer, 401)["detail"]
+    assert "sigcat registry token" in problem(answer, 401)["detail"]
     assert answer.headers["www-authenticate"] == 'Bearer realm="sigcat"'
 
 
