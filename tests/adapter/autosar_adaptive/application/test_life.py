@@ -25,12 +25,12 @@ def executable(tmp_path_factory):
     return folder / "build/FullExecutable/FullExecutable"
 
 
-def started(executable, storage, **environment):
+def started(executable, storage, errors=None, **environment):
     storage.mkdir(exist_ok=True)
     return subprocess.Popen(
         [*(processes.own_network() or ()), "sh", "-c", 'ip link set lo up; exec "$0"', executable],
-        env={**os.environ, "BENCH_STORAGE": str(storage), **environment},
-    )
+        env={**os.environ, "BENCH_STORAGE": str(storage), **environment}, stderr=errors,
+    )  # fmt: skip
 
 
 def run(executable, storage, seconds=1.0):
@@ -69,3 +69,20 @@ def test_it_keeps_what_it_has_learned_and_counted(executable, tmp_path):
 
 def test_it_fails_if_the_initialization_of_the_function_does(executable, tmp_path):
     assert started(executable, tmp_path / "storage", FULL_FAILS="1").wait(DEADLINE) == 1
+
+
+def test_it_fails_if_its_state_cannot_be_reported(tmp_path):
+    folder = tmp_path / "full"
+    write(full(), folder)
+    (client,) = folder.rglob("execution_client.cpp")
+    reports, fails = (
+        "return {};  // no exec",
+        "return ara::core::Result<void>::FromError(ExecErrc::kCommunicationError);  // no exec",
+    )
+    assert reports in client.read_text()
+    client.write_text(client.read_text().replace(reports, fails))
+    run_autosar.build(folder, "", "-DCMAKE_BUILD_TYPE=None", code={"FULL_CODE": FULL})
+    process = started(folder / "build/FullExecutable/FullExecutable", tmp_path / "storage", subprocess.PIPE)
+    _, errors = process.communicate(timeout=DEADLINE)
+    assert process.returncode == 1
+    assert b"The state Running cannot be reported: " in errors

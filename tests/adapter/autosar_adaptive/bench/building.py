@@ -10,9 +10,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
+from sigcat.adapter.autosar_adaptive.application.generate import CPP
 from sigcat.adapter.autosar_adaptive.bench.generate import generate
 from sigcat.adapter.autosar_adaptive.bench.runtime_files import runtime_files
-from sigcat.adapter.files import GeneratedFile
+from sigcat.adapter.files import GeneratedFile, shipped
 from sigcat.adapter.toolchain import toolchain
 from sigcat.integration.autosar_adaptive.document import read_integration
 from tests.adapter.autosar_adaptive.bench.probe_service import integration_json
@@ -40,7 +41,9 @@ def _built(
 ) -> Mapping[str, Path]:
     _write(folder / "runtime", runtime_files())
     _write(folder / "generated", generated)
-    includes = [f"-I{folder}/{each}" for each in ("runtime/include", "runtime/src", "generated/include")]
+    _write(folder / "adapters/application", shipped(CPP))
+    places = ("runtime/include", "runtime/src", "generated/include", "adapters")
+    includes = [f"-I{folder}/{each}" for each in places]
     sources = [_together(folder, "runtime"), _together(folder, "generated"), *(_OWN / f"{name}.cpp" for name in names)]
     objects = [_object(folder, source, (*flags, *includes)) for source in sources]
     return {
@@ -65,7 +68,7 @@ def _usable(sanitizer: Sequence[str]) -> Sequence[str]:
 def _kept(generated: Iterable[GeneratedFile], flags: Sequence[str]) -> Path:
     """A folder that only the same files and flags have."""
     digest = hashlib.sha256(repr((toolchain().cpp, flags)).encode())
-    for file in (*generated, *runtime_files()):
+    for file in (*generated, *runtime_files(), *shipped(CPP)):
         digest.update(file.name.encode() + file.data)
     for source in sorted(_OWN.glob("*.cpp")):
         digest.update(source.read_bytes())

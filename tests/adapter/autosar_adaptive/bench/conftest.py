@@ -15,7 +15,7 @@ def built() -> Mapping[str, Path]:
     """Each program, checked by the address sanitizer while it runs."""
     if sys.platform != "linux":
         pytest.skip("the bench: it runs on Linux")
-    return programs(("sender", "receiver", "serialization", "core", "stress", "sessions"), ADDRESSES)
+    return programs(("sender", "receiver", "serialization", "core", "stress", "sessions", "storage"), ADDRESSES)
 
 
 @pytest.fixture

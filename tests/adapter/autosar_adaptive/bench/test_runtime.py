@@ -1,8 +1,10 @@
 """Guarantees of ara::core and ara::com within one process, also if everything ends while it is in use."""
 
+import os
 import platform
 import shlex
 import shutil
+import subprocess
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
@@ -30,6 +32,31 @@ def test_results_futures_fields_and_samples_are_as_the_standard_says(net: Networ
 
 def test_proxies_and_skeletons_may_end_while_their_handlers_run(net: Network, built: Mapping[str, Path]) -> None:
     run(net, [built["stress"], str(ROUNDS)])
+
+
+def stored(program: Path, folder: Path) -> tuple[str, str]:
+    """What the program of a storage prints, and what it logs."""
+    environment = {**os.environ, "BENCH_STORAGE": str(folder)}
+    done = subprocess.run([program], env=environment, capture_output=True, text=True, check=True)
+    return done.stdout, done.stderr
+
+
+def test_a_value_that_is_absent_is_no_error_and_one_that_cannot_be_read_is_logged(
+    built: Mapping[str, Path], tmp_path: Path
+) -> None:
+    printed, logged = stored(built["storage"], tmp_path)
+    assert printed == "absent: 0, 7\nthere: 1, 8\nof another type: 0, 1.5\n"
+    assert logged.count("\n") == 1
+    assert "Probe/Storage, key Count: the value cannot be read: the value has another type" in logged
+
+
+def test_a_damaged_storage_is_logged_and_not_read_as_an_empty_one(built: Mapping[str, Path], tmp_path: Path) -> None:
+    stored(built["storage"], tmp_path)
+    (file,) = tmp_path.iterdir()
+    file.write_bytes(file.read_bytes()[:-1])
+    printed, logged = stored(built["storage"], tmp_path)
+    assert "Probe/Storage cannot be opened: the file is damaged" in logged
+    assert "there: 0" in printed
 
 
 @slow
