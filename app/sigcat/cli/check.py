@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sigcat.cli.function_options import tree_of
+from sigcat.cli.function_options import tree_for_functions
 from sigcat.cli.published_files import published_files, read_catalogue
 from sigcat.cli.registry_options import (
     add_report,
@@ -66,7 +66,7 @@ def _findings(arguments: argparse.Namespace, connection: "Snapshot") -> "Iterato
     files = published_files(arguments.files)
     if files.functions:
         named = [(file.read_bytes(), str(file)) for file in files.functions]
-        members = [file_member(each) for each in read_functions(named, tree_of(arguments, named))]
+        members = [file_member(each) for each in read_functions(named, tree_for_functions(arguments, named))]
         yield from (conflict.finding for conflict in broken_by_functions(connection, members))
     for file in files.overlays:
         yield from broken_by_catalogue(connection, _with_overlay(arguments, file), str(file))

@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
-from sigcat.cli.function_options import add_function, add_functions, functions_of, one_function, tree_of
+from sigcat.cli.function_options import add_function, add_functions, functions_of, one_function, tree_for_functions
 from sigcat.cli.output import print_findings, write_text
 from sigcat.cli.output_options import add_output
 from sigcat.cli.project_options import project_of
@@ -155,7 +155,7 @@ def build(arguments: argparse.Namespace) -> int:
 
     file = one_function(arguments)
     data, name = file.read_bytes(), str(file)
-    tree = tree_of(arguments, [(data, name)])
+    tree = tree_for_functions(arguments, [(data, name)])
     function, findings = build_function(data, name, tree, check_code=code_problems)
     print_findings(findings)
     write_text(to_json(function).decode("utf-8"), arguments.output)
@@ -264,7 +264,7 @@ def overlay(arguments: argparse.Namespace) -> int:
 
     file = one_function(arguments)
     data, name = file.read_bytes(), str(file)
-    made = overlay_of(data, name, tree_of(arguments, [(data, name)]))
+    made = overlay_of(data, name, tree_for_functions(arguments, [(data, name)]))
     if made.types and arguments.types_output is None:
         raise UsageError("struct types need a separate file: pass `--types-output FILE`")
     print_findings(made.findings)
@@ -281,7 +281,7 @@ def validate(arguments: argparse.Namespace) -> int:
     from sigcat.function.sets.check_set import check_functions
 
     files = [(file.read_bytes(), str(file)) for file in functions_of(arguments)]
-    tree = tree_of(arguments, files)
+    tree = tree_for_functions(arguments, files)
     findings = check_functions(files, tree, is_whole=len(files) > 1, check_code=code_problems)
     if arguments.vehicles is not None:
         findings = in_order((*findings, *_in_vehicles(files, tree, findings, arguments)))

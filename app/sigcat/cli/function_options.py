@@ -55,7 +55,7 @@ def one_function(arguments: argparse.Namespace) -> Path:
     return found[0]
 
 
-def tree_of(arguments: argparse.Namespace, files: "Sequence[tuple[bytes, str]]") -> "Catalogue":
+def tree_for_functions(arguments: argparse.Namespace, files: "Sequence[tuple[bytes, str]]") -> "Catalogue":
     """Return the tree for some of the project's functions, with what its other functions define if they need that."""
     from sigcat.function.sets.others import with_others
 

@@ -2,7 +2,7 @@
 
 import argparse
 
-from sigcat.cli.function_options import add_functions, functions_of, tree_of
+from sigcat.cli.function_options import add_functions, functions_of, tree_for_functions
 from sigcat.cli.generated_folder import add_folder, paths_in, write_generated
 from sigcat.cli.output import print_findings
 from sigcat.cli.output_options import refuse_overwriting
@@ -38,7 +38,7 @@ def run(arguments: argparse.Namespace) -> int:
     from sigcat.integration.reading import read_functions
 
     sources = [(path.read_bytes(), str(path)) for path in functions_of(arguments)]
-    functions, findings = read_functions(sources, tree_of(arguments, sources))
+    functions, findings = read_functions(sources, tree_for_functions(arguments, sources))
     files, warnings = cores(functions, FLOAT if arguments.arithmetic == "float" else DOUBLE)
     print_findings((*findings, *warnings))
     refuse_overwriting(arguments, written=paths_in(arguments.output, files))

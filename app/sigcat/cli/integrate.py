@@ -5,7 +5,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sigcat.cli.function_options import add_functions, deployment_of, functions_of, tree_of
+from sigcat.cli.function_options import add_functions, deployment_of, functions_of, tree_for_functions
 from sigcat.cli.output import print_findings, write_bytes
 from sigcat.cli.output_options import add_output
 from sigcat.cli.project_options import project_of
@@ -67,7 +67,7 @@ def run(arguments: argparse.Namespace) -> int:
     from sigcat.platforms.integrate import integrate
 
     files = [(path.read_bytes(), str(path)) for path in functions_of(arguments)]
-    catalogue = tree_of(arguments, files)
+    catalogue = tree_for_functions(arguments, files)
     functions = _functions(files, catalogue)
     integrated = integrate(arguments.platform, functions, _deployment(arguments, catalogue), _previous(arguments))
     print_findings(integrated.findings)

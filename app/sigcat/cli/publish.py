@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sigcat.cli.function_options import tree_of
+from sigcat.cli.function_options import tree_for_functions
 from sigcat.cli.published_files import PublishedFiles, published_files, read_catalogue
 from sigcat.cli.registry_approvals import print_decisions
 from sigcat.cli.registry_options import (
@@ -85,7 +85,7 @@ def _candidates(arguments: argparse.Namespace, files: PublishedFiles) -> "Iterat
 
     if files.functions:
         named = [(file.read_bytes(), str(file)) for file in files.functions]
-        yield from function_candidates(read_functions(named, tree_of(arguments, named)), arguments.version)
+        yield from function_candidates(read_functions(named, tree_for_functions(arguments, named)), arguments.version)
     for file in files.overlays:
         base = read_tree(arguments, without=file)
         layer = read_layer(file, arguments.include_dirs, is_overlay=True)

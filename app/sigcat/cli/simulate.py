@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from sigcat.cli.command_parser import positive
 from sigcat.cli.ended_by_signals import ended_by_signals
-from sigcat.cli.function_options import add_functions, functions_of, tree_of
+from sigcat.cli.function_options import add_functions, functions_of, tree_for_functions
 from sigcat.cli.output import make_folder, opened, print_findings, write_text
 from sigcat.cli.output_options import FORMATS, add_output, add_outputs
 from sigcat.cli.reported import reported
@@ -276,7 +276,7 @@ def _prepared(
     from sigcat.runs.prepare import prepare
 
     sources = [(path.read_bytes(), str(path)) for path in functions_of(arguments)]
-    catalogue = tree_of(arguments, sources)
+    catalogue = tree_for_functions(arguments, sources)
     functions, findings = read_functions(sources, catalogue)
     _told(findings, found)
     prepared = prepare(functions)

@@ -167,8 +167,8 @@ def _faults(fresh: Catalogue, good: Catalogue) -> tuple[Finding, ...]:
     """Return why a newer state is not taken in place of a good one; nothing if it is, or the earlier one was not good."""
     if has_errors(good.findings):
         return ()
-    had_nodes = {name for name, digest in _files(good) if digest != _NOTHING}
-    emptied = [name for name, digest in sorted(_files(fresh)) if digest == _NOTHING and name in had_nodes]
+    had_content = {name for name, digest in _files(good) if digest != _NOTHING}
+    emptied = [name for name, digest in sorted(_files(fresh)) if digest == _NOTHING and name in had_content]
     empty = tuple(_EMPTIED.finding("The file is empty.", name, fix=_WRITE_AGAIN) for name in emptied)
     findings = (*empty, *(each for each in fresh.findings if not (each.rule == _EMPTIED.id and each.file in emptied)))
     return findings if has_errors(findings) else ()

@@ -27,8 +27,8 @@ def for_role(use: Use, changes: Iterable[UseChange]) -> Iterator[UseChange]:
             continue
         classes = _OF_PROVIDERS if use.provides else _OF_CONSUMERS
         rules = change.rules or ((change.rule, change.compatibility),)
-        judged = [(classes.get(rule, compatibility), rule) for rule, compatibility in rules]
-        compatibility, rule = min(judged, key=lambda each: CLASSES.index(each[0]))
+        classified = [(classes.get(rule, compatibility), rule) for rule, compatibility in rules]
+        compatibility, rule = min(classified, key=lambda each: CLASSES.index(each[0]))
         if compatibility in RULES:
             yield change._replace(rule=rule, compatibility=compatibility)
 
