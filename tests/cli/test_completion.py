@@ -1,6 +1,7 @@
 """Shells complete commands, options, and what the project has."""
 
 import os
+import shlex
 import shutil
 import subprocess
 import sys
@@ -26,7 +27,7 @@ def completed(line):
         "_ARGCOMPLETE": "1", "_ARGCOMPLETE_SHELL": "bash", "_ARGCOMPLETE_IFS": SEPARATOR, "IFS": SEPARATOR,
         "_ARGCOMPLETE_SUPPRESS_SPACE": "1",
     }  # fmt: skip
-    command = f"{sys.executable} -c 'from sigcat.cli import main; main()' 8>&1 9>/dev/null"
+    command = f"{shlex.quote(sys.executable)} -c 'from sigcat.cli import main; main()' 8>&1 9>/dev/null"
     done = subprocess.run(["bash", "-c", command], env=asked, capture_output=True, text=True, check=False, timeout=300)
     assert done.stderr == ""
     return done.stdout.split(SEPARATOR)

@@ -3,6 +3,7 @@
 import fcntl
 import json
 import os
+import shlex
 import struct
 import subprocess
 import sys
@@ -261,13 +262,13 @@ def test_an_included_pipe_is_not_waited_for(capsys):
 
 def test_output_that_is_closed_leaves_the_verdict():
     Path("tree.vspec").write_text(ROOT + BAD)
-    done = subprocess.run(f"{' '.join(COMMAND)} tree.vspec >&-", shell=True, capture_output=True, check=False)
+    done = subprocess.run(f"{shlex.join(COMMAND)} tree.vspec >&-", shell=True, capture_output=True, check=False)
     assert (done.returncode, done.stderr) == (1, b"")
 
 
 def test_a_full_disk_is_told():
     Path("tree.vspec").write_text(ROOT + BAD)
-    done = subprocess.run(f"{' '.join(COMMAND)} tree.vspec >/dev/full", shell=True, capture_output=True, check=False)
+    done = subprocess.run(f"{shlex.join(COMMAND)} tree.vspec >/dev/full", shell=True, capture_output=True, check=False)
     assert (done.returncode, done.stderr) == (2, b"sigcat: No space left on device\n")
 
 

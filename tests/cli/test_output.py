@@ -5,6 +5,7 @@ import errno
 import json
 import os
 import resource
+import shlex
 import signal
 import stat
 import subprocess
@@ -238,13 +239,13 @@ def test_all_commands_write_here_alone():
     "arguments", ["--help", "--version", "lint --help", "generate core --help", "rule V001", "schema function"]
 )
 def test_output_that_cannot_be_written_is_an_error(arguments):
-    command = f"{sys.executable} -m sigcat.cli {arguments} >/dev/full"
+    command = f"{shlex.quote(sys.executable)} -m sigcat.cli {arguments} >/dev/full"
     done = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (2, "sigcat: No space left on device\n")
 
 
 def test_help_whose_reader_has_gone_is_no_error():
-    command = f"set -o pipefail; {sys.executable} -m sigcat.cli --help | true"
+    command = f"set -o pipefail; {shlex.quote(sys.executable)} -m sigcat.cli --help | true"
     done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (0, "")
 
@@ -252,7 +253,7 @@ def test_help_whose_reader_has_gone_is_no_error():
 def run_in_shell(command):
     environment = {**os.environ, "PYTHONPATH": str(PROJECT / "app")}
     return subprocess.run(
-        command.replace("sigcat", f"{sys.executable} -m sigcat"),
+        command.replace("sigcat", f"{shlex.quote(sys.executable)} -m sigcat"),
         shell=True,
         env=environment,
         capture_output=True,

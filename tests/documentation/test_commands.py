@@ -5,6 +5,7 @@ Commands whose output is shown run in tests/test_generated.py, which compares it
 
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -28,7 +29,7 @@ PRELUDE = f"""\
 set -eu
 curl() {{ command curl --fail-with-body --silent --show-error "$@"; }}
 sigcat() {{
-  {" ".join(SIGCAT)} "$@" || {{ status=$?; [[ $status == 1 && $1 =~ ^(lint|diff)$ ]] || return $status; }}
+  {shlex.join(SIGCAT)} "$@" || {{ status=$?; [[ $status == 1 && $1 =~ ^(lint|diff)$ ]] || return $status; }}
 }}
 """
 FILES = {

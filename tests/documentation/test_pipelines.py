@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -110,7 +111,7 @@ def clone(tmp_path, monkeypatch):
     monkeypatch.setenv("GIT_CONFIG_GLOBAL", os.devnull)
     (tmp_path / "bin").mkdir()
     for name, text in {
-        "sigcat": f'exec {sys.executable} -m sigcat.cli "$@"',
+        "sigcat": f'exec {shlex.quote(sys.executable)} -m sigcat.cli "$@"',
         "pip": "exit 0",
         "apt-get": "exit 0",
     }.items():

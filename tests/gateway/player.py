@@ -5,7 +5,7 @@ import sys
 import time
 from pathlib import Path
 
-folder = Path(sys.argv[0]).parent
+folder = Path(sys.argv[1]).parent
 header = sys.stdin.readline()
 columns = header.strip().split("\t")[1:]
 words = os.environ.get("PLAYER", "")

@@ -1,6 +1,7 @@
 """`sigcat gateway --to`: signals of CAN are sent to running functions, all of them, and their outputs are sent back."""
 
 import os
+import shlex
 import struct
 import sys
 from pathlib import Path
@@ -42,7 +43,7 @@ def run(tmp_path, monkeypatch, capsys):
     for name, text in {"bus.dbc": DBC, "can.vspec": MAPPINGS, "functions.json": "{}"}.items():
         (tmp_path / name).write_text(text)
     script = tmp_path / "player"
-    script.write_text(f"#!{sys.executable}\n{PLAYER.read_text()}")
+    script.write_text(f'#!/bin/sh\nexec {shlex.join([sys.executable, str(PLAYER)])} "$0" "$@"\n')
     script.chmod(0o755)
 
     def running(*options, player="", status=0, log=None, datatype="float"):

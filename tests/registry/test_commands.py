@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shlex
 import subprocess
 import sys
 from collections.abc import Callable, Sequence
@@ -421,7 +422,7 @@ def test_the_hook_of_the_page_refuses_the_push_of_a_breaking_change(field: Run, 
     (hook,) = re.findall(r'```text title=".git/hooks/pre-push"\n(.*?)```', page, re.DOTALL)
     for command in (("init", "-q", "--bare", "remote.git"), ("init", "-q"), ("remote", "add", "origin", "remote.git")):
         assert git(*command).returncode == 0
-    called = f"{sys.executable} -m sigcat.cli check signals.vspec"
+    called = f"{shlex.quote(sys.executable)} -m sigcat.cli check signals.vspec"
     file = tmp_path / ".git/hooks/pre-push"
     file.write_text(hook.replace("sigcat check signals.vspec functions/*.yaml", called), encoding="utf-8")
     file.chmod(0o755)

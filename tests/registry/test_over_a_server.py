@@ -430,7 +430,8 @@ def test_two_services_on_one_database_write_one_log(tmp_path: Path, run: Run) ->
         for number, service in enumerate((one, other)):
             client = client_of(service, tmp_path / f"client{number}")
             (client / "F.yaml").write_bytes(function_file(f"F{number}", "{path: Vehicle.S0, role: consumed}"))
-            command = f"{sys.executable} -m sigcat.cli publish F.yaml && {sys.executable} -m sigcat.cli registry record-deployment L F{number}@1.0.0"
+            program = f"{shlex.quote(sys.executable)} -m sigcat.cli"
+            command = f"{program} publish F.yaml && {program} registry record-deployment L F{number}@1.0.0"
             writers.append(subprocess.Popen(["sh", "-c", command], cwd=client, stdout=subprocess.DEVNULL))
         assert [each.wait() for each in writers] == [0, 0]
     with reading(folder / "registry.db") as connection:
