@@ -213,6 +213,7 @@ def _compared(
             records=answers.records,
             members={},
             is_read=False,
+            is_replaced=False,
             is_cpp=code is not None and code.signature == CLASS,
         ),
         provided=frozenset(pointer for pointer, _, item in data(function.function) if item.role == PROVIDER),
@@ -269,7 +270,9 @@ def _of_variable(
             yield _not_declared(function, question, variable, seen.wrong[line])
     else:
         is_read = question.pointer[:-1] in seen.provided
-        types = seen.compared._replace(members=dict(variable.members), is_read=is_read)
+        types = seen.compared._replace(
+            members=dict(variable.members), is_read=is_read, is_replaced=variable.is_replaced
+        )
         is_bit_field = line in seen.wrong
         member = seen.members.get(question.pointer)
         known = Seen(

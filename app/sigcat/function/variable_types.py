@@ -18,8 +18,8 @@ _ENUMERATION = 32
 _DEEPEST = 16
 _PLAIN = "Use a plain number type of C, or convert the value in the code."
 
-Limits = tuple[Fraction | None, Fraction | None]
-"""Smallest and largest number of a variable; None where nothing limits it."""
+_Limits = tuple[Fraction | None, Fraction | None]
+"""Smallest and largest number that a variable gets; None where nothing limits it."""
 
 
 class Seen(NamedTuple):
@@ -45,6 +45,8 @@ class Types(NamedTuple):
     """Whether the adapter reads the variable: it may then be narrower than declared."""
     is_cpp: bool
     """Whether a reference looks like a pointer."""
+    is_replaced: bool
+    """Whether a value outside the declared limits is replaced."""
 
 
 class Misfit(NamedTuple):
@@ -90,15 +92,13 @@ def _of_value(variable: CodeVariable, seen: Seen, datatype: Datatype | None, typ
         return
     if seen.is_bit_field:
         if datatype is not None:
-            yield from _of_bit_field(
-                variable.expression, seen.value, seen.width, datatype, variable.limits, is_read=types.is_read
-            )
+            yield from _of_bit_field(variable.expression, seen.value, seen.width, datatype, variable.limits, types)
     elif seen.value.kind == "pointer" and (datatype is None or _is_number(datatype)):
         yield Misfit(f"{variable.expression!r} must be one value; the header has a function.")
 
 
 def _of_bit_field(
-    expression: str, kind: CType, width: int | None, datatype: Datatype, limits: Limits, *, is_read: bool
+    expression: str, kind: CType, width: int | None, datatype: Datatype, limits: _Limits, types: Types
 ) -> Iterator[Misfit]:
     """Yield the difference of a bit field and a number: its kind, or that it has too few bits."""
     declared = _number(datatype)
@@ -109,20 +109,21 @@ def _of_bit_field(
         return
     has = _Number("signed" if kind.sort == "signed" else "unsigned", 1 if kind.sort == "boolean" else width)
     shown = f"a bit field of {width} {'bit' if width == 1 else 'bits'} ({kind.name})"
-    if is_read:
+    if types.is_read:
         if declared is not None and not has.fits(declared):
             yield Misfit(f"{expression!r} must be {datatype.c_definition}; the header has {shown}.")
         return
-    least, most = _numbers(datatype, declared, limits)
+    least, most = _numbers(datatype, declared, limits if types.is_replaced else (None, None))
     if not (has.holds(least) and has.holds(most)):
-        fix = "Widen the bit field, or limit the value with `min` and `max`."
+        fix = "limit the value with `min`, `max` and `rangeErrorAction`" if declared else "correct the numbers"
+        if not declared and has.sort == "signed" and least >= 0:
+            fix = "make it unsigned"
         yield Misfit(
-            f"{expression!r} must hold {least} to {most}; the header has {shown}.",
-            fix if declared else "Widen the bit field, or make it unsigned.",
+            f"{expression!r} must hold {least} to {most}; the header has {shown}.", f"Widen the bit field, or {fix}."
         )
 
 
-def _numbers(datatype: Datatype, declared: "_Number | None", limits: Limits) -> tuple[int, int]:
+def _numbers(datatype: Datatype, declared: "_Number | None", limits: _Limits) -> tuple[int, int]:
     """The smallest and the largest number that a variable of a datatype has to hold."""
     numbers = [each.value for each in datatype.symbols or ()]
     if numbers or declared is None:
@@ -236,7 +237,7 @@ def _of_member(
         yield from _differences(expression, path, member.type, inner, types)
     elif inner is not None:
         least, most = (None if each is None else Fraction(each) for each in (field.min, field.max))
-        yield from _of_bit_field(expression, member.type, member.width, inner, (least, most), is_read=types.is_read)
+        yield from _of_bit_field(expression, member.type, member.width, inner, (least, most), types)
 
 
 def _of_enumeration(expression: str, kind: CType, datatype: Datatype, *, is_read: bool) -> Iterator[Misfit]:

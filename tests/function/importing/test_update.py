@@ -264,3 +264,66 @@ def test_members_of_a_struct_that_the_file_names_as_a_whole_are_not_new(tmp_path
     capsys.readouterr()
     assert update(tmp_path, "--define-under", "Vehicle.Pump") == 0
     assert "new:" not in capsys.readouterr().out
+
+
+REENTRANT = """\
+#pragma once
+typedef struct { float temp; unsigned kind : 3; float list[4]; } Fan_In;
+typedef struct { float flow; } Fan_Out;
+typedef struct { int counter; union { int a; float b; } shared; } Fan_State;
+void Fan_Init(Fan_State *s);
+void Fan_Step(Fan_State *s, const Fan_In *in, Fan_Out *out);
+"""
+REENTRANT_SOURCE = """\
+#include "Fan.h"
+void Fan_Init(Fan_State *s) { s->counter = 0; }
+void Fan_Step(Fan_State *s, const Fan_In *in, Fan_Out *out) { s->counter++; out->flow = in->temp * in->kind * in->list[0]; }
+"""
+
+
+@pytest.fixture
+def reentrant(tmp_path):
+    (tmp_path / "Fan.h").write_text(REENTRANT)
+    (tmp_path / "Fan.c").write_text(REENTRANT_SOURCE)
+    assert main(["function", "new", "Fan", "--from-c", str(tmp_path), "--define-under", "Vehicle.Fan"]) == 0
+    return tmp_path
+
+
+def test_objects_keep_the_names_that_a_person_gave_them(reentrant, capsys):
+    file = reentrant / "function.yaml"
+    text = file.read_text()
+    for before, now in (("name: in,", "name: sensors,"), ("arguments: [s, in, out]", "arguments: [s, sensors, out]"),
+                        ("variable: in.", "variable: sensors.")):  # fmt: skip
+        assert before in text
+        text = text.replace(before, now)
+    file.write_text(text)
+    capsys.readouterr()
+    assert update(reentrant) == 0
+    assert capsys.readouterr().out == "nothing changed\n"
+    assert file.read_text() == text
+    (reentrant / "Fan.h").write_text(REENTRANT.replace("float temp;", "float speed;"))
+    (reentrant / "Fan.c").write_text(REENTRANT_SOURCE.replace("in->temp", "in->speed"))
+    assert update(reentrant) == 0
+    assert capsys.readouterr().out.splitlines()[0] == "gone: sensors.temp (Vehicle.Fan.Temp)"
+    assert "variable: sensors.speed" in file.read_text()
+
+
+@pytest.mark.parametrize("variable", ["s.counter", "s.shared.a", "'in.list[2]'"])
+def test_what_a_person_took_from_the_code_is_not_gone(reentrant, capsys, variable):
+    file = reentrant / "function.yaml"
+    text = file.read_text().replace("variable: in.temp", f"variable: {variable}")
+    file.write_text(text)
+    capsys.readouterr()
+    update(reentrant)
+    assert "gone" not in capsys.readouterr().out
+    assert f"variable: {variable}" in file.read_text()
+
+
+def test_an_object_that_the_code_does_not_have_is_kept(reentrant, capsys):
+    file = reentrant / "function.yaml"
+    text = file.read_text().replace("variable: in.temp", "variable: extra.temp")
+    file.write_text(text)
+    capsys.readouterr()
+    update(reentrant)
+    assert "kept: extra.temp is not in the code; remove it by hand" in capsys.readouterr().out
+    assert "variable: extra.temp" in file.read_text()

@@ -1,7 +1,7 @@
 """Code whose calls take nothing: inputs, outputs and parameters are global variables."""
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from sigcat import codes
 from sigcat.findings import Finding
@@ -16,6 +16,8 @@ _PARAMETER = re.compile(
 )
 _IMPORTED = re.compile(r"\bimport", re.IGNORECASE)
 _EXPORTED = re.compile(r"\bexported global signals", re.IGNORECASE)
+_FIX = "Import the folder with the sources too, or add it to the function.yaml."
+ADD_BY_HAND = "Add those that others send or receive to the function.yaml."
 _WITHIN = re.compile(r"'<S\d+>/")
 
 
@@ -45,7 +47,7 @@ def global_interface(group: Group, code: Code, linked: frozenset[str]) -> Interf
         tuple(found["output"]),
         tuple(found["parameter"]),
         objects=tuple(objects.values()),
-        findings=(*_direction_unknown(unknown), *_constant(shared, use)),
+        findings=(*direction_unknown(unknown, _FIX), *_constant(shared, use)),
     )
 
 
@@ -147,10 +149,9 @@ def _is_seen(variable: Variable, use: Use) -> bool:
     return use.is_known and variable.name in use.used
 
 
-def _direction_unknown(values: list[Value]) -> Iterator[Finding]:
+def direction_unknown(values: Sequence[Value], fix: str) -> Iterator[Finding]:
     """One finding, at the first value."""
     if values:
         more = f" and {len(values) - 1:,} more" if len(values) > 1 else ""
         message = f"{values[0].expression!r}{more} must be known to be an input or an output; left out."
-        fix = "Import the folder with the sources too, or add it to the function.yaml."
         yield codes.DIRECTION_UNKNOWN.finding(message, *values[0].place, fix=fix)

@@ -6,10 +6,11 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.findings import Finding
-from sigcat.function.c_project.calls import Group
+from sigcat.function.c_project.calls import Group, use_of
 from sigcat.function.c_project.declarations import CFunction, CType, Member, Variable
+from sigcat.function.c_project.globals import ADD_BY_HAND, direction_unknown
 from sigcat.function.c_project.project import CodeObject, Interface
-from sigcat.function.c_project.roles import Role, role_of, role_of_words
+from sigcat.function.c_project.roles import Role, is_model_of_the_generator, role_of, role_of_words
 from sigcat.function.c_project.values import Code, Value, values_of
 
 _MEMBERS: dict[str, tuple[Role, str]] = {
@@ -38,18 +39,22 @@ class _Found(NamedTuple):
 def pointer_interface(group: Group, code: Code) -> Interface:
     """The interface in the objects that calls take."""
     passed = list(_passed(group, code))
-    first = passed[0] if passed else None
-    wired = list(_wired(first, code)) if first else []
-    objects = [*passed, *wired]
-    values = [(found.role, list(_values(found, code))) for found in objects]
-    values += [(role, list(each)) for role, each in _nested(passed, code)]
+    model = passed[0] if passed and passed[0].role in ("model", "") else None
+    objects = [*passed, *(_wired(model, code) if model else ())]
+    has_own = any(found.role in ("input", "output") for found in passed)
+    members = _of_members(model, code, has_own) if model else ()
+    parts = (*_of_objects([found for found in objects if found is not model], code), *members)
+    values = [(role, list(each)) for role, each in parts]
+    used = use_of((step.name for step in group.steps), code.declarations).used
+    unknown = [value for value in _of("", values) if value.key in used and not value.problem]
     return Interface(
         inputs=_of("input", values),
         outputs=_of("output", values),
         parameters=_of("parameter", values),
         objects=tuple(found.object for found in objects),
         arguments={function.name: tuple(_arguments(function, passed)) for function in group.functions},
-        findings=tuple(_by_value(group.functions)),
+        findings=(*_by_value(group.functions), *direction_unknown(unknown, ADD_BY_HAND)),
+        others=(*_of("", values), *_of("internal", values), *_of("model", values)),
     )
 
 
@@ -116,7 +121,7 @@ def _role(parameter: Member) -> Role:
 def _wired(first: _Found, code: Code) -> Iterator[_Found]:
     """Objects that members of the first one have to point to."""
     record = code.declarations.records.get(first.type.key)
-    if record is None or first.role not in ("model", ""):
+    if record is None:
         return
     for member in record.members:
         kind = member.type
@@ -136,23 +141,25 @@ def _beside(model: str, end: str) -> str:
 # -- values -------------------------------------------------------------------------------------------------------
 
 
-def _values(found: _Found, code: Code) -> Iterator[Value]:
-    if found.role not in ("input", "output", "parameter"):
-        return
-    start = next((each.value for each in _variables_of(found.type, code) if each.value is not None), None)
-    yield from values_of(found.object.name, found.type, found.object.place, code, start)
+def _of_objects(objects: list[_Found], code: Code) -> Iterator[tuple[Role, Iterator[Value]]]:
+    for found in objects:
+        start = next((each.value for each in _variables_of(found.type, code) if each.value is not None), None)
+        yield found.role, values_of(found.object.name, found.type, found.object.place, code, start)
 
 
-def _nested(passed: list[_Found], code: Code) -> Iterator[tuple[Role, Iterator[Value]]]:
-    """Inputs and outputs that are members of the one object: `self->in.speed`."""
-    if any(found.role in ("input", "output") for found in passed):
-        return
-    for found in passed[:1]:
-        record = code.declarations.records.get(found.type.key)
-        for member in record.members if record else ():
-            role = role_of_words(member.name)
-            if member.type.kind == "record" and role in ("input", "output", "parameter"):
-                yield role, values_of(f"{found.object.name}.{member.name}", member.type, member.place, code)
+def _of_members(model: _Found, code: Code, has_own: bool) -> Iterator[tuple[Role, Iterator[Value]]]:
+    """Values in the model: `self->in.speed`, unless the calls take inputs and outputs of their own.
+
+    Other values of a model of Simulink are its timing and its states.
+    """
+    record = code.declarations.records.get(model.type.key)
+    for member in record.members if record else ():
+        if member.type.kind != "pointer":
+            role = role_of_words(member.name) if member.type.kind == "record" else ""
+            if has_own or (not role and is_model_of_the_generator(model.type.name)):
+                role = "internal"
+            expression = f"{model.object.name}.{member.name}"
+            yield role, values_of(expression, member.type, member.place, code, name=member.name, key=member.key)
 
 
 def _arguments(function: CFunction, passed: list[_Found]) -> Iterator[str]:

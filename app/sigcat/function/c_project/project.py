@@ -50,6 +50,8 @@ class Interface(NamedTuple):
     arguments: Mapping[str, tuple[str, ...]] = {}
     """Names of objects by the name of the call."""
     findings: tuple[Finding, ...] = ()
+    others: tuple[Value, ...] = ()
+    """Further values of the objects or the class, of which nothing tells what they are for."""
 
 
 class CodeProject(NamedTuple):
@@ -72,7 +74,9 @@ class CodeProject(NamedTuple):
     folder: Path = Path()
     expressions: frozenset[str] = frozenset()
     """Variables and members that the code has, whatever they are for: of `u.bus.speed` also `u.bus` and `u`."""
+    undivided: frozenset[str] = frozenset()
+    """Those whose parts are not among `expressions`: arrays, unions, pointers."""
     others: tuple[Value, ...] = ()
-    """Values of global variables, whether or not the calls use them."""
+    """Values of other variables and members, whether or not the calls use them."""
     left_out: tuple[CFunction, ...] = ()
     """Functions that the header of the calls declares, and nothing calls."""

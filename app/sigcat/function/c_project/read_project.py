@@ -64,7 +64,7 @@ def _project(files: CodeFiles, code: Code, group: Group, machine: str) -> CodePr
     linked = _linked(group, declarations, files)
     signature, whole = _interface(group, code, frozenset(linked))
     interface, left_out = usable(whole, declarations)
-    others = tuple(_values(code)) if signature == "globals" else ()
+    others = (*interface.others, *(_values(code) if signature == "globals" else ()))
     header = group.steps[0].place.file
     needed = {header, *linked, *(path for each in (header, *linked) for path in declarations.all_included(each))}
     missing = [each for each in missing_includes(declarations) if each.file in needed]
@@ -83,6 +83,7 @@ def _project(files: CodeFiles, code: Code, group: Group, machine: str) -> CodePr
         machine=machine,
         title=_title(files.texts.get(header, "")),
         expressions=frozenset(_expressions(whole, others)),
+        undivided=frozenset(each.expression for each in _all_values(whole, others) if each.length or each.problem),
         others=others,
         left_out=tuple(_left_out(group, code.declarations)),
         findings=in_order([*findings, *_word_size(machine, declarations)]),
@@ -106,9 +107,13 @@ def _values(code: Code) -> Iterator[Value]:
 
 def _expressions(interface: Interface, others: Iterable[Value]) -> Iterator[str]:
     """Everything that can be named, with what it is in."""
-    for value in (*interface.inputs, *interface.outputs, *interface.parameters, *others):
+    for value in _all_values(interface, others):
         yield value.expression
         yield from (value.expression[: match.start()] for match in re.finditer(r"[.\[]", value.expression))
+
+
+def _all_values(interface: Interface, others: Iterable[Value]) -> Iterator[Value]:
+    yield from (*interface.inputs, *interface.outputs, *interface.parameters, *others)
 
 
 def _left_out(group: Group, declarations: Declarations) -> Iterator[CFunction]:

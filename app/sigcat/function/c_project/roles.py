@@ -51,6 +51,11 @@ _WORDS: dict[Role, frozenset[str]] = {
 _NOT_A_NUMBER = re.compile(r"rt(?:Inf|MinusInf|NaN)F?|rtX|rt_\w+")
 
 
+def is_model_of_the_generator(type_name: str) -> bool:
+    """Whether a type is the one that Simulink makes for a model, with its timing and its error status."""
+    return any(role == "model" and pattern.fullmatch(type_name) for role, pattern in _TYPES)
+
+
 def is_of_the_generator(name: str) -> bool:
     """Whether a variable has a name of Simulink for what no model has as an input or an output."""
     return bool(_NOT_A_NUMBER.fullmatch(name))

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 from itertools import islice
 from typing import Any, NamedTuple
 
+from sigcat.catalogue.model.datatypes import INTEGER_RANGES
 from sigcat.function.c_project.c_types import vss_datatype
 from sigcat.function.c_project.comments import Comments
 from sigcat.function.c_project.declarations import Constant, CType, Declarations, Place
@@ -25,6 +26,8 @@ class Value(NamedTuple):
     remark: Remark
     length: int = 0
     """Elements of an array."""
+    bits: int = 0
+    """Bits of a bit field that does not fill its datatype; 0 of any other variable."""
     constants: tuple[Constant, ...] = ()
     """Constants of an enumeration."""
     start: Any = None
@@ -72,14 +75,14 @@ class _At(NamedTuple):
 
 
 def values_of(
-    expression: str, kind: CType, place: Place, code: Code, start: Any = None, name: str = ""
+    expression: str, kind: CType, place: Place, code: Code, start: Any = None, name: str = "", key: str = ""
 ) -> Iterator[Value]:
     """The values of a variable, in the order of its members, to the last struct within a struct.
 
     Of more than a model may have, one more than that: an array may have as many structs as its author likes.
     """
     yield from islice(
-        _values(_At(expression, name or expression, kind, place, start, expression), code, 0), CODE_VALUES + 1
+        _values(_At(expression, name or expression, kind, place, start, key or expression), code, 0), CODE_VALUES + 1
     )
 
 
@@ -114,7 +117,13 @@ def _part(start: Any, name: str, number: int) -> Any:
 def _value(at: _At, code: Code) -> Value:
     is_array = at.type.kind == "array"
     element = at.type.of if is_array and at.type.of else at.type
-    datatype = "boolean" if at.width == 1 else vss_datatype(element)
+    datatype = vss_datatype(element)
+    bits = at.width if at.width and datatype in INTEGER_RANGES and element.kind == "number" else 0
+    if at.width == 1:
+        datatype, bits = "boolean", 0
+    elif bits:  # the smallest one that holds it
+        whole = max(8, 1 << (bits - 1).bit_length())
+        datatype, bits = f"{datatype.rstrip('0123456789')}{whole}", bits % whole
     return Value(
         expression=at.expression,
         name=at.name,
@@ -123,6 +132,7 @@ def _value(at: _At, code: Code) -> Value:
         place=at.place,
         remark=code.remark(at.place, at.name),
         length=at.type.length if is_array else 0,
+        bits=bits,
         constants=code.declarations.enumerations.get(element.key, ()) if element.kind == "enumeration" else (),
         start=at.start,
         key=at.key,

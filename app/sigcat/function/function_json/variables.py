@@ -43,7 +43,9 @@ class CodeVariable(NamedTuple):
     members: tuple[tuple[str, str], ...] = ()
     """Members of a struct, as the catalogue and the code name them."""
     limits: tuple[Fraction | None, Fraction | None] = (None, None)
-    """Smallest and largest number that the variable holds, before scaling; None where nothing limits it."""
+    """Declared smallest and largest number of the variable, before scaling; None where there is none."""
+    is_replaced: bool = False
+    """Whether a value outside the limits is replaced: without an action it passes (adapter.md, section 5)."""
 
 
 def variables(function: FunctionJson) -> Iterator[CodeVariable]:
@@ -63,7 +65,9 @@ def _of_data(function: FunctionJson) -> Iterator[CodeVariable]:
             c_type, count = item.c_type, _count(item)
             members = tuple((each.name, each.member) for each in item.members or ())
             yield CodeVariable(
-                at, item.variable, place, name, item.datatype, item.defined_by, c_type, count, members, _limits(item)
+                *(at, item.variable, place, name, item.datatype, item.defined_by, c_type, count, members),
+                limits=_limits(item),
+                is_replaced=item.range_error_action in ("Default", "Init"),
             )
         if isinstance(item, DataQueue) and item.count_variable:
             at = (*pointer, "CountVariable")

@@ -18,6 +18,7 @@ from sigcat.function.declaration.declaration import Declaration, read_declaratio
 from sigcat.function.importing.added_entries import added, root_of
 from sigcat.function.importing.function_text import Draft, said_of
 from sigcat.function.importing.import_code import below, draft_of, shown
+from sigcat.function.importing.object_names import with_object_names
 from sigcat.function.importing.own_signals import checked_branch
 from sigcat.function.importing.signals import Signal
 from sigcat.function.importing.start_values import factor_of
@@ -68,7 +69,21 @@ class _Known(NamedTuple):
 
     def is_gone(self, variable: str) -> bool:
         """Whether the code has no such variable any more."""
-        return bool(_PLAIN.fullmatch(variable)) and variable not in self.project.expressions
+        return self._is_absent(variable) and (self.project.signature == "globals" or self._has_owner(variable))
+
+    def is_unknown(self, variable: str) -> bool:
+        """Whether nothing of the code tells where a variable is or was, such as a member of an object that a person added."""
+        return self._is_absent(variable) and not self.is_gone(variable)
+
+    def _is_absent(self, variable: str) -> bool:
+        """Whether the code names neither a variable nor an array, a union or a pointer that it is in."""
+        is_named = variable in self.project.expressions or any(
+            owner in self.project.undivided for owner in _with_owners(variable)
+        )
+        return bool(_PLAIN.fullmatch(variable)) and not is_named
+
+    def _has_owner(self, variable: str) -> bool:
+        return any(owner in self.project.expressions for owner in _with_owners(variable))
 
 
 def merge_code(
@@ -88,6 +103,7 @@ def merge_code(
         raise InputRefused(f"{file} cannot be updated: it has errors.", declared.findings)
     declaration = declared.declaration
     project = read_project(folder, declaration.function, model, definitions or _definitions(declaration))
+    project = with_object_names(project, declaration.code.objects if declaration.code else ())
     known = _Known(project, _values(project), {each.expression: each for each in project.others if not each.problem})
     text = data.decode("utf-8").removeprefix(_BOM).replace("\r\n", "\n")
     text, gone = _without_gone(text, known)
@@ -225,6 +241,8 @@ def _with_changes(text: str, known: _Known, catalogue: Catalogue, folder: str) -
     for entry in _entries(root):
         role, value = known.values.get(entry.variable, ("", known.others.get(entry.variable)))
         if value is None:
+            if known.is_unknown(entry.variable):
+                report.append(f"kept: {entry.variable} is not in the code; remove it by hand")
             continue
         if role and (role == "parameter") != (entry.kind == "parameters"):
             report.append(f"kept: {entry.variable} is {role} in the code; move it by hand")

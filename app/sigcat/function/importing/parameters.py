@@ -8,7 +8,7 @@ from sigcat.catalogue.model.catalogue import Node
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
 from sigcat.catalogue.model.vocabulary import Vocabulary
 from sigcat.function.c_project.values import Value
-from sigcat.function.importing.start_values import factor_of, start_of, stored_range
+from sigcat.function.importing.start_values import factor_of, start_of, stored_ends, stored_range
 from sigcat.function.importing.unique_names import unique_names
 from sigcat.function.importing.units import unit_of, without_unit
 from sigcat.function.importing.yaml_text import scalar
@@ -101,8 +101,12 @@ _Limit = float | int | None
 
 
 def _range(value: Value) -> tuple[_Limit, _Limit]:
-    """The range that the comment tells, if the value is in it; of a scaled value at least what the code can hold."""
-    widest = stored_range(value) if factor_of(value) is not None else (None, None)
+    """The range that the comment tells, if the value is in it; of a scaled value and of a bit field at least what the code can hold."""
+    widest: tuple[_Limit, _Limit] = (None, None)
+    if factor_of(value) is not None:
+        widest = stored_range(value)
+    elif value.bits:
+        widest = stored_ends(value)
     told = (value.remark.min, value.remark.max)
     if not _holds(value, *told):
         return widest
@@ -125,7 +129,7 @@ def _holds(value: Value, smallest: _Limit, largest: _Limit) -> bool:
     starts = start if isinstance(start, list) else [start]
     ends = [end for end in (smallest, largest) if end is not None]
     if value.datatype in INTEGER_RANGES and factor_of(value) is None:
-        low, high = INTEGER_RANGES[value.datatype]
+        low, high = stored_ends(value)
         if not all(low <= end <= high and end == int(end) for end in ends):
             return False
     is_above = smallest is None or all(each >= smallest for each in starts)

@@ -11,6 +11,7 @@ from sigcat.catalogue.model.datatypes import element_of, is_array
 from sigcat.catalogue.near_signals import PLACEHOLDER, Near, NearSignals, is_to_be_chosen
 from sigcat.function.c_project.values import Value
 from sigcat.function.function_json.conversion import between
+from sigcat.function.importing.start_values import factor_of, stored_ends, stored_range
 from sigcat.function.importing.unique_names import unique_names
 from sigcat.function.importing.units import unit_of
 from sigcat.names import camel_case, words
@@ -59,6 +60,7 @@ class Signal(NamedTuple):
         """Keys of the entry besides its path."""
         value, remark = self.value, self.value.remark
         is_scaled = value.datatype not in (*_FLOATING, "boolean")
+        least, most = self._limits()
         keys = {
             "role": self.role,
             "name": self.name,
@@ -69,12 +71,27 @@ class Signal(NamedTuple):
             "unit": self.unit,
             "factor": remark.factor if is_scaled else None,
             "offset": remark.offset if is_scaled else None,
-            "min": remark.min,
-            "max": remark.max,
+            "min": least,
+            "max": most,
+            "rangeErrorAction": "Init" if self._is_cut else None,
+            "init": min(max(0, least or 0), 0 if most is None else most) if self._is_cut else None,
             "values": dict(self.values),
             "asil": None if self.catalogue_asil else "QM",
         }
         return {key: each for key, each in keys.items() if each not in (None, "", {})}
+
+    @property
+    def _is_cut(self) -> bool:
+        """Whether the adapter writes a bit field, which would cut a number with too many bits."""
+        return self.role == "consumed" and bool(self.value.bits)
+
+    def _limits(self) -> tuple[float | int | None, float | int | None]:
+        """The range that the comment tells, and within a bit field that the adapter writes."""
+        least, most = self.value.remark.min, self.value.remark.max
+        if not self._is_cut:
+            return least, most
+        low, high = stored_ends(self.value) if factor_of(self.value) is None else stored_range(self.value)
+        return low if least is None else max(low, least), high if most is None else min(high, most)
 
     def to_be_chosen(self, path: str, near: tuple[str, ...], why: str) -> "Signal":
         """The same with a path to be chosen, signals near it, and why the nearest one was not chosen."""

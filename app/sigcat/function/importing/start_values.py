@@ -10,18 +10,29 @@ from sigcat.function.c_project.values import Value
 
 
 def factor_of(value: Value) -> float | int | None:
-    is_integer = value.datatype not in ("float", "double", "boolean")
-    return value.remark.factor if is_integer and value.remark.factor not in (0, 1) else None
+    """The factor of an integer that is scaled or has an offset; None of any other value."""
+    factor, is_moved = value.remark.factor, bool(value.remark.offset)
+    if value.datatype in ("float", "double", "boolean") or factor == 0 or (factor in (None, 1) and not is_moved):
+        return None
+    return factor or 1
 
 
 def stored_range(value: Value) -> tuple[float, float]:
-    """The range of physical values that the datatype of the code holds."""
-    ends = [_scaled(end, value) for end in INTEGER_RANGES[value.datatype]]
+    """The range of physical values that the variable holds."""
+    ends = [_scaled(end, value) for end in stored_ends(value)]
     return min(ends), max(ends)
 
 
+def stored_ends(value: Value) -> tuple[int, int]:
+    """The smallest and the largest number that an integer variable holds."""
+    least, most = INTEGER_RANGES[value.datatype]
+    if not value.bits:
+        return least, most
+    return (-(1 << value.bits - 1), (1 << value.bits - 1) - 1) if least else (0, (1 << value.bits) - 1)
+
+
 def _scaled(stored: int, value: Value) -> float:
-    factor, offset = Fraction(repr(value.remark.factor)), Fraction(repr(value.remark.offset or 0))
+    factor, offset = Fraction(repr(factor_of(value) or 1)), Fraction(repr(value.remark.offset or 0))
     return float(factor * stored + offset)
 
 
