@@ -77,6 +77,21 @@ def test_one_function_uses_what_another_one_defines(command, beta, capsys):
     assert "error" not in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("folder", [".", "functions", "functions/alpha", "functions/beta"])
+def test_a_folder_of_a_project_has_the_findings_that_the_project_has(folder, beta, capsys):
+    assert main(["lint", folder]) == 0
+    assert capsys.readouterr().out == "No findings.\n"
+
+
+def test_a_signal_that_no_function_of_the_project_provides_is_reported(beta, tmp_path, capsys):
+    alpha = tmp_path / "functions" / "alpha" / "function.yaml"
+    alpha.write_text(ALPHA.replace("role: provided", "role: consumed"))
+    assert main(["lint", "functions/beta"]) == 1
+    out = capsys.readouterr().out
+    assert "F103" in out
+    assert "alpha" not in out
+
+
 def test_a_function_that_needs_no_other_is_built_of_its_own_layers(beta, capsys):
     assert main(["function", "build", "functions/alpha/function.yaml"]) == 0
     assert "functions/beta" not in capsys.readouterr().out

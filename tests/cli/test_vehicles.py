@@ -53,6 +53,19 @@ components:
 """
 
 
+@pytest.mark.parametrize("pattern", ["Vehicle.Own", "Vehicle.Own*"])
+def test_a_branch_that_an_overlay_does_not_define_is_the_only_error(tmp_path, capsys, pattern):
+    project = PROJECT.replace('release = "shipped"', 'release = "shipped"\noverlays = ["own.vspec"]')
+    (tmp_path / "sigcat.toml").write_text(project.replace("Vehicle.Cabin.Sunroof", pattern))
+    overlay = "Vehicle.Own.Thing: {type: sensor, datatype: float, description: A thing.}\n"
+    (tmp_path / "own.vspec").write_text(overlay)
+    for command in (["lint", "own.vspec"], ["vehicles"], ["show", "-s", "vehicle:coupe", "Vehicle.Speed"]):
+        assert main(command) == 1
+        captured = capsys.readouterr()
+        assert "V020 Branch 'Vehicle.Own' is not defined" in captured.out + captured.err
+        assert "internal error" not in captured.err
+
+
 @pytest.fixture(autouse=True)
 def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)

@@ -52,6 +52,24 @@ def test_each_change_is_taken_once(tmp_path: Path):
     assert (service.taken, service.shown) == (1, [()])
 
 
+def test_a_file_that_a_wildcard_matches_comes_and_goes(tmp_path: Path):
+    file = tmp_path / "sigcat.toml"
+    file.write_text('[[catalogue]]\nid = "own"\noverlays = ["overlays/*.vspec"]\n')
+    service = Service()
+    watched = service.watched(file)
+    overlay = tmp_path / "overlays" / "seats.vspec"
+    overlay.parent.mkdir()
+    overlay.touch()
+    look_twice(watched)
+    assert service.taken == 1
+    (overlay.parent / "notes.txt").touch()
+    look_twice(watched)
+    assert service.taken == 1
+    overlay.unlink()
+    look_twice(watched)
+    assert service.taken == 2
+
+
 @pytest.mark.parametrize(
     ("error", "shown"),
     [

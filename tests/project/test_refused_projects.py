@@ -38,6 +38,12 @@ def test_wildcards_that_match_nothing(company, capsys):
     assert "There is no file 'overlay/*.vspec'." in capsys.readouterr().err
 
 
+def test_a_wildcard_for_folders_that_is_a_part_of_a_name(company, capsys):
+    Path("sigcat.toml").write_text(PROJECT.replace("overlays/*.vspec", "**overlays.vspec"))
+    assert main(["lint"]) == 2
+    assert "`**` in '**overlays.vspec' must be the whole name of a folder" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("command", [["lint"], ["search", "speed"], ["function", "validate"]], ids=" ".join)
 def test_a_catalogue_without_signals(company, capsys, command):
     Path("branches.vspec").write_text(BRANCHES)

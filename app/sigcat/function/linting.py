@@ -9,7 +9,7 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.findings import Finding
 from sigcat.function.code_files import CodeCheck
 from sigcat.function.sets.check_set import check_functions
-from sigcat.function.sets.others import with_others
+from sigcat.function.sets.others import other_functions, with_others
 from sigcat.rules.linting.options import CheckedFunctions
 
 _NOT_READ = frozenset(
@@ -36,7 +36,7 @@ def checked_functions(
 ) -> CheckedFunctions:
     """Check function files against a tree. `load_tree` loads it: an editor keeps it loaded; `check_code` checks headers.
 
-    A part of a set uses what other functions in `folders` define.
+    Functions use what others in `folders` define.
     """
     catalogue = load_tree(tree)
     of_units = [f for f in catalogue.findings if f.file in catalogue.vocabulary.faulty_files and f.severity != "info"]
@@ -44,13 +44,34 @@ def checked_functions(
     if of_tree and not catalogue.roots:  # it could not be read: a function has nothing to be checked against
         of_functions: Iterable[Finding] = of_tree
     else:
-        known = catalogue if is_whole else with_others(files, catalogue, folders)
-        checked = check_functions(files, known, is_whole=is_whole, check_code=check_code)
+        checked = (_checked_set if is_whole else _checked_part)(files, catalogue, folders, check_code)
         of_functions = _causes_first(checked, of_tree)
     findings = tuple(dict.fromkeys((*of_units, *of_functions)))
     return CheckedFunctions(
         findings, tuple(file.name for file in catalogue.files), frozenset(finding.file for finding in of_units)
     )
+
+
+def _checked_part(
+    files: Sequence[tuple[bytes, str]], catalogue: Catalogue, folders: Sequence[Path], check_code: CodeCheck | None
+) -> tuple[Finding, ...]:
+    known = with_others(files, catalogue, folders)
+    return check_functions(files, known, is_whole=False, check_code=check_code)
+
+
+def _checked_set(
+    files: Sequence[tuple[bytes, str]], catalogue: Catalogue, folders: Sequence[Path], check_code: CodeCheck | None
+) -> tuple[Finding, ...]:
+    """Findings of a set, which may be a folder of the project: others may define or provide what it lacks."""
+    findings = check_functions(files, catalogue, check_code=check_code)
+    if all(finding.severity == "info" for finding in findings):
+        return findings
+    others = other_functions(files, folders)
+    if not others:
+        return findings
+    names = {name for _, name in others}
+    together = check_functions([*files, *others], catalogue, check_code=check_code)
+    return tuple(finding for finding in together if finding.file not in names)
 
 
 def _causes_first(findings: Sequence[Finding], errors: Sequence[Finding]) -> Iterator[Finding]:

@@ -1,8 +1,11 @@
-"""The project file of a service that runs: a change of it takes effect at once, except for keys that need a new start."""
+"""The project file of a service that runs: a change of it, or of the files that its wildcards match, takes effect at once.
+
+Some keys need a new start.
+"""
 
 import logging
 import tomllib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +13,7 @@ from sigcat import codes
 from sigcat.catalogue.hosting.library import log_findings
 from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding
+from sigcat.project.project_file import PATH_LISTS, files_matching
 
 AT_START = ("watch", "service", "registry")
 """Keys that a service uses when it starts."""
@@ -82,10 +86,24 @@ def _settings_of(file: Path | None) -> Mapping[str, Any]:
     return content if isinstance(content, dict) else {}
 
 
-def _mark_of(file: Path | None) -> tuple[int, int] | None:
-    """Size and time of the file; None if there is none."""
+def _mark_of(file: Path | None) -> tuple[int, int, tuple[Path, ...]] | None:
+    """Size and time of the file, and the files that its wildcards match; None if there is none."""
     try:
         status = file.stat() if file is not None else None
     except OSError:
         return None
-    return (status.st_size, status.st_mtime_ns) if status is not None else None
+    if file is None or status is None:
+        return None
+    folder, patterns = file.parent, dict.fromkeys(_wildcards(_settings_of(file)))
+    matched = (path for text in patterns for path in sorted(files_matching(folder, text)))
+    return (status.st_size, status.st_mtime_ns, tuple(matched))
+
+
+def _wildcards(content: Mapping[str, Any]) -> Iterator[str]:
+    """The paths of every table that have a wildcard."""
+    for key, value in content.items():
+        for each in value if isinstance(value, list) else (value,):
+            if isinstance(each, dict):
+                yield from _wildcards(each)
+            elif isinstance(each, str) and "*" in each and key.replace("_", "-") in PATH_LISTS:
+                yield each

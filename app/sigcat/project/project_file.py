@@ -1,7 +1,7 @@
 """A project file while it is read: its places, its paths, and the findings so far."""
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +18,8 @@ TableReader = Callable[[Mapping[str, Any], Path], Any]
 _KINDS = {str: "text", bool: "true or false", list: "a list"}
 FOLDERS = frozenset(("include-dirs", "functions"))
 """Lists that name folders; all others name files."""
+PATH_LISTS = FOLDERS | {"overlays", "with", "units", "quantities", "types", "rules", "dbc"}
+"""Keys of lists of paths, in any table. A path of them may have a wildcard."""
 
 
 class Reading:
@@ -126,16 +128,28 @@ def _named(text: str, kind: str, reading: Reading) -> _Matches:
 def _matches(text: str, kind: str, reading: Reading) -> _Matches:
     """The files that match a wildcard. Folders are not meant, unless one is called like a tree."""
     path = reading.file.parent / Path(text).expanduser()
-    folder = Path(path.anchor)
-    matches = [reading.near(match) for match in sorted(folder.glob(str(path.relative_to(folder))))]
+    matches = [reading.near(match) for match in sorted(files_matching(reading.file.parent, text))]
     faults = {match: path_fault(match, kind) for match in matches}
     found = [match for match, fault in faults.items() if not fault]
     told = [fault for match, fault in faults.items() if fault and (match.suffix == ".vspec" or not match.is_dir())]
     return (found, told) if found or told else ([], [_without_matches(text, path, kind)])
 
 
+def files_matching(folder: Path, text: str) -> Iterator[Path]:
+    """The paths that a wildcard of a file in a folder matches; none if `**` is a part of a name."""
+    path = folder / Path(text).expanduser()
+    root = Path(path.anchor)
+    return root.glob(str(path.relative_to(root))) if _is_pattern(path) else iter(())
+
+
+def _is_pattern(path: Path) -> bool:
+    return all(name == "**" or "**" not in name for name in path.parts)
+
+
 def _without_matches(text: str, path: Path, kind: str) -> str:
     """A sentence about a wildcard that nothing matches: its folder cannot be read, or has no such file."""
+    if not _is_pattern(path):
+        return f"`**` in {text!r} must be the whole name of a folder, as in '**/*.vspec'."
     folder = next(parent for parent in path.parents if "*" not in str(parent))
     try:
         os.scandir(folder).close()

@@ -133,8 +133,9 @@ def _deleted(catalogue: Catalogue, vehicle: Vehicle, file: SourceFile) -> Iterat
             yield _unfit(setting, vehicle, "The root of the tree cannot be removed.")
         chosen |= {path: setting for path in matching if "." in path}
     for path, setting in chosen.items():
-        if not _is_below(path, chosen):
-            values = {} if path in catalogue.definitions else _stated(catalogue.definitions[paths[path]])
+        definition = catalogue.definitions.get(paths.get(path, path))
+        if definition is not None and not _is_below(path, chosen):  # a branch without a definition is an error already
+            values = {} if path in catalogue.definitions else _stated(definition)
             yield _statement(setting, path, file, {**values, "delete": True})
 
 

@@ -8,7 +8,7 @@ from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.findings import has_errors
 from sigcat.function.extension.extended_catalogue import extended
 from sigcat.function.folder_functions import folder_functions, name_of
-from sigcat.function.function_file import FunctionFile, read_function_file
+from sigcat.function.function_file import read_function_file
 from sigcat.function.sets.check_set import read_set
 from sigcat.limits import DEFAULT_LIMITS, Limits
 
@@ -24,7 +24,14 @@ def with_others(
     folders = tuple(folders)
     if not folders or not any(has_errors(each.findings) for each in read_set(files, catalogue, limits)[0]):
         return catalogue
-    own = {name_of(read_function_file(data, name, limits)) for data, name in files}
-    found = (read_function_file(path.read_bytes(), str(path), limits) for path in folder_functions(folders))
-    others: list[FunctionFile] = [each for each in found if name_of(each) not in own]
+    others = [read_function_file(data, name, limits) for data, name in other_functions(files, folders, limits)]
     return extended(catalogue, others).catalogue if others else catalogue
+
+
+def other_functions(
+    files: Sequence[tuple[bytes, str]], folders: Iterable[Path], limits: Limits = DEFAULT_LIMITS
+) -> list[tuple[bytes, str]]:
+    """Return the function files of folders whose functions are not among the files."""
+    own = {name_of(read_function_file(data, name, limits)) for data, name in files}
+    found = ((path.read_bytes(), str(path)) for path in folder_functions(folders))
+    return [(data, name) for data, name in found if name_of(read_function_file(data, name, limits)) not in own]
