@@ -15,7 +15,7 @@ from sigcat.cli.registry_options import (
     server_catalogue,
     server_of,
 )
-from sigcat.cli.tree_options import add_tree_options, read_tree
+from sigcat.cli.tree_options import add_tree_options, place_of
 from sigcat.findings import has_errors, in_order
 
 if TYPE_CHECKING:
@@ -80,4 +80,4 @@ def _with_overlay(arguments: argparse.Namespace, file: Path) -> "Catalogue":
     from sigcat.registry.candidates import overlay_trial
 
     layer = read_layer(file, arguments.include_dirs, is_overlay=True)
-    return overlay_trial(layer, read_tree(arguments, without=file)).catalogue
+    return overlay_trial(layer, place_of(arguments, file)).catalogue

@@ -15,7 +15,7 @@ from sigcat.cli.registry_options import (
     server_catalogue,
     server_of,
 )
-from sigcat.cli.tree_options import add_tree_options, read_tree
+from sigcat.cli.tree_options import add_tree_options, place_of
 from sigcat.errors import UsageError
 
 if TYPE_CHECKING:
@@ -87,8 +87,8 @@ def _candidates(arguments: argparse.Namespace, files: PublishedFiles) -> "Iterat
         named = [(file.read_bytes(), str(file)) for file in files.functions]
         yield from function_candidates(read_functions(named, tree_for_functions(arguments, named)), arguments.version)
     for file in files.overlays:
-        base = read_tree(arguments, without=file)
+        place = place_of(arguments, file)
         layer = read_layer(file, arguments.include_dirs, is_overlay=True)
-        yield overlay_candidate(layer, file.read_bytes(), base, arguments.version, arguments.owner)
+        yield overlay_candidate(layer, file.read_bytes(), place, arguments.version, arguments.owner)
     for file in files.trees:
         yield catalogue_candidate(read_catalogue(arguments, file), arguments.version, arguments.owner)

@@ -12,6 +12,9 @@ from sigcat.findings import has_errors
 from sigcat.real_path import real_path
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from sigcat.catalogue.comparing.trial import OverlayPlace
     from sigcat.catalogue.model.catalogue import Catalogue
     from sigcat.project.chosen_tree import TreeOptions
 
@@ -53,11 +56,12 @@ def add_dbc(group: argparse._ActionsContainer, text: str) -> None:
 
 
 def read_tree(
-    arguments: argparse.Namespace, *, expanded: bool = True, for_export: bool = False, without: Path | None = None
+    arguments: argparse.Namespace, *, expanded: bool = True, for_export: bool = False, below: Path | None = None
 ) -> "Catalogue":
     """The catalogue that the options name. Its warnings go to standard error; errors raise InputRefused.
 
-    `for_export`: an error with which vss-tools exports a tree does not refuse it. `without`: an overlay that is left out.
+    `for_export`: an error with which vss-tools exports a tree does not refuse it. `below`: an overlay that is left out,
+    with those after it.
     """
     from sigcat.catalogue.exporting.stopping import stops_export
     from sigcat.catalogue.hosting.source import load
@@ -65,20 +69,37 @@ def read_tree(
 
     project = project_of(arguments)
     source = chosen_tree(project, tree_options(arguments))
-    if without is not None:
-        source = source._replace(
-            overlays=tuple(each for each in source.overlays if real_path(each) != real_path(without))
-        )
+    if below is not None:
+        source = source._replace(overlays=_around(source.overlays, below)[0])
     is_of_project = source.vehicle is not None or source.id in (each.id for each in project.catalogues)
     catalogue = load(source if is_of_project else source._replace(id=source.spec.stem), expanded=expanded)
     refuse_overwriting(arguments, (*project.files, *(file.name for file in catalogue.files)))
     refused = any(map(stops_export, catalogue.findings)) if for_export else has_errors(catalogue.findings)
     if refused:
         raise InputRefused("the tree has errors; nothing was done", catalogue.findings)
-    if is_of_project and not catalogue.has_signals and without is None:
+    if is_of_project and not catalogue.has_signals and below is None:
         raise UsageError(without_signals(source.spec))
     print_findings(catalogue.findings)
     return catalogue
+
+
+def place_of(arguments: argparse.Namespace, overlay: Path) -> "OverlayPlace":
+    """The place of an overlay in the catalogue that the options name: on top, unless the catalogue has it."""
+    from sigcat.catalogue.comparing.trial import OverlayPlace
+    from sigcat.catalogue.reading.layers import read_layer
+    from sigcat.project.chosen_tree import chosen_tree
+
+    base = read_tree(arguments, below=overlay)
+    source = chosen_tree(project_of(arguments), tree_options(arguments))
+    later = _around(source.overlays, overlay)[1]
+    return OverlayPlace(base, tuple(read_layer(each, source.include_dirs, is_overlay=True) for each in later))
+
+
+def _around(overlays: "Sequence[Path]", overlay: Path) -> "tuple[tuple[Path, ...], tuple[Path, ...]]":
+    """The overlays before and after one; all are before one that is not among them."""
+    places = [number for number, each in enumerate(overlays) if real_path(each) == real_path(overlay)]
+    first = places[0] if places else len(overlays)
+    return tuple(overlays[:first]), tuple(overlays[first + 1 :])
 
 
 def tree_options(arguments: argparse.Namespace) -> "TreeOptions":

@@ -5,7 +5,7 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 from sigcat.cli.diff import is_coloured
-from sigcat.cli.tree_options import add_tree_options, read_tree
+from sigcat.cli.tree_options import add_tree_options, place_of, read_tree
 from sigcat.errors import existing_file
 from sigcat.findings import has_errors
 from sigcat.terminal_text import printable
@@ -21,7 +21,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "try",
         help="try an overlay: resulting nodes, findings and changes",
         description="Apply an overlay to a tree and show the result: findings, changes, nodes. Stores nothing. An overlay of the "
-        "project is applied to the tree without it.",
+        "project is applied at its place, below the overlays after it.",
         epilog="Exit status: 1 if the overlay brings errors.",
     )
     parser.add_argument("overlay", metavar="OVERLAY", help="overlay file; - for standard input")
@@ -43,16 +43,16 @@ def try_overlay(arguments: argparse.Namespace) -> int:
 
 
 def _trial(arguments: argparse.Namespace) -> "Trial":
-    """Try the overlay over the tree; over the tree without it, if it is one of the project's."""
+    """Try the overlay over the tree; at its place, if it is one of the project's."""
     from sigcat.catalogue.comparing import trial
     from sigcat.catalogue.reading.layers import read_layer
 
     if arguments.overlay == "-":
         return trial.try_overlay(read_tree(arguments), sys.stdin.buffer.read(), "standard input")
     path = existing_file(arguments.overlay)
-    return trial.try_layer(
-        read_tree(arguments, without=path), read_layer(path, arguments.include_dirs, is_overlay=True)
-    )
+    place = place_of(arguments, path)
+    layer = read_layer(path, arguments.include_dirs, is_overlay=True)
+    return trial.try_layer(place.base, layer, above=place.above)
 
 
 def _print_text(trial: "Trial") -> None:

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from sigcat import codes
 from sigcat.catalogue.comparing.diff_report import plain
-from sigcat.catalogue.comparing.trial import Trial, try_layer
+from sigcat.catalogue.comparing.trial import OverlayPlace, Trial, try_layer
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.reading.layers import Layer
 from sigcat.data import OVERLAYS, VSPEC
@@ -78,18 +78,18 @@ def _function_candidate(read: ReadFunction, version: str) -> Candidate:
 
 
 def overlay_candidate(
-    layer: Layer, content: bytes, base: Catalogue, version: str, owner: str = "", limits: Limits = DEFAULT_LIMITS
+    layer: Layer, content: bytes, place: OverlayPlace, version: str, owner: str = "", limits: Limits = DEFAULT_LIMITS
 ) -> Candidate:
-    """The candidate of an overlay over the catalogue without it. Raises InputRefused."""
-    trial = overlay_trial(layer, base, limits)
+    """The candidate of an overlay at its place in a catalogue. Raises InputRefused."""
+    trial = overlay_trial(layer, place, limits)
     resolved = _nodes_json({node.path: _values(node) for node in trial.nodes})
     name, after = PurePath(layer.name).stem, trial.catalogue
     return Candidate("overlay", name, version, owner, content, resolved, b"", layer.name, all_nodes(after), after)
 
 
-def overlay_trial(layer: Layer, base: Catalogue, limits: Limits = DEFAULT_LIMITS) -> Trial:
-    """Apply an overlay to the catalogue without it. Raises InputRefused if it brings errors."""
-    trial = try_layer(base, layer, limits)
+def overlay_trial(layer: Layer, place: OverlayPlace, limits: Limits = DEFAULT_LIMITS) -> Trial:
+    """Apply an overlay at its place in a catalogue. Raises InputRefused if it brings errors."""
+    trial = try_layer(place.base, layer, limits, place.above)
     if has_errors(trial.findings):
         raise InputRefused("the overlay has errors", trial.findings)
     return trial

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import PurePath
 from typing import NamedTuple
 
+from sigcat.catalogue.comparing.trial import OverlayPlace
 from sigcat.catalogue.hosting.variants import Choice, overlays_of, variant_of
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.reading.layers import Layer, layer_from_text
@@ -53,7 +54,7 @@ def posted_candidates(
         raise UsageError("An overlay has no version: give the parameter `version`.")
     functions = read_functions(posted.functions, catalogue, limits) if posted.functions else ()
     overlays = (
-        overlay_candidate(layer, data, _without(catalogue, name), version, owner, limits)
+        overlay_candidate(layer, data, _place(catalogue, name), version, owner, limits)
         for data, name, layer in _layers(posted.overlays, limits)
     )
     return (*function_candidates(functions, version), *overlays)
@@ -71,7 +72,7 @@ def _broken(connection: Snapshot, posted: Posted, catalogue: Catalogue, limits: 
         members = [file_member(each) for each in read_functions(posted.functions, catalogue, limits)]
         yield from (conflict.finding for conflict in broken_by_functions(connection, members))
     for _, name, layer in _layers(posted.overlays, limits):
-        trial = overlay_trial(layer, _without(catalogue, name), limits)
+        trial = overlay_trial(layer, _place(catalogue, name), limits)
         yield from broken_by_catalogue(connection, trial.catalogue, name)
 
 
@@ -80,7 +81,10 @@ def _layers(overlays: Sequence[File], limits: Limits) -> Iterator[tuple[bytes, s
         yield data, name, layer_from_text(data, name, limits=limits)
 
 
-def _without(catalogue: Catalogue, overlay: str) -> Catalogue:
-    """The catalogue without its own state of an overlay, which is known by its name."""
-    name = PurePath(overlay).stem
-    return variant_of(catalogue, Choice("", frozenset([name]))) if name in overlays_of(catalogue) else catalogue
+def _place(catalogue: Catalogue, overlay: str) -> OverlayPlace:
+    """The place of an overlay that the catalogue has, which is known by its name; else on top."""
+    name, names = PurePath(overlay).stem, overlays_of(catalogue)
+    if name not in names:
+        return OverlayPlace(catalogue)
+    number = names.index(name)
+    return OverlayPlace(variant_of(catalogue, Choice("", frozenset(names[number:]))), catalogue.overlays[number + 1 :])

@@ -1,5 +1,6 @@
 """Try an overlay on a catalogue before anything is stored: its changes and its errors."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat import codes
@@ -24,18 +25,33 @@ class Trial(NamedTuple):
     changes: tuple[Change, ...]
 
 
+class OverlayPlace(NamedTuple):
+    """The place of an overlay in a catalogue."""
+
+    base: Catalogue
+    """The catalogue below it."""
+    above: tuple[Layer, ...] = ()
+    """Overlays that apply after it."""
+
+
 def try_overlay(base: Catalogue, overlay_text: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Trial:
     """Apply an overlay given as text, which cannot include files. Nothing is stored, and `base` stays as it is."""
     return try_layer(base, layer_from_text(overlay_text, name, limits=limits), limits)
 
 
-def try_layer(base: Catalogue, overlay: Layer, limits: Limits = DEFAULT_LIMITS) -> Trial:
-    """Apply an overlay that has been read."""
-    catalogue = with_overlays(base, (overlay,), limits)
-    nodes = tuple(node for path, node in catalogue.nodes.items() if _is_changed(base.nodes.get(path), node))
-    known = frozenset(base.findings)
-    findings = tuple(_with_near_path(finding, base) for finding in catalogue.findings if finding not in known)
-    return Trial(catalogue, nodes, findings, compare(base, catalogue))
+def try_layer(base: Catalogue, overlay: Layer, limits: Limits = DEFAULT_LIMITS, above: Sequence[Layer] = ()) -> Trial:
+    """Apply an overlay that has been read, below others that may need it.
+
+    Errors of these others are findings of the trial.
+    """
+    before = with_overlays(base, above, limits)
+    catalogue = with_overlays(base, (overlay, *above), limits)
+    known = frozenset(base.findings) | {each for each in before.findings if each.severity != "error"}
+    findings = tuple(_with_near_path(finding, before) for finding in catalogue.findings if finding not in known)
+    is_needed = any(each.severity == "error" and each not in base.findings for each in before.findings)
+    left, right = (base, with_overlays(base, (overlay,), limits)) if is_needed else (before, catalogue)
+    nodes = tuple(node for path, node in right.nodes.items() if _is_changed(left.nodes.get(path), node))
+    return Trial(catalogue, nodes, findings, compare(left, right))
 
 
 def _with_near_path(finding: Finding, base: Catalogue) -> Finding:
