@@ -35,9 +35,18 @@ def test_a_number_in_quotes_is_written_without(text):
     assert number_advice(text).endswith(", without quotes.")
 
 
-@pytest.mark.parametrize("text", ["abc", "", "1e400", "9" * 6000, "0x10", "1 ms", "nan", "-", "e5"])
+@pytest.mark.parametrize("text", ["abc", "", "1e400", "9" * 6000, "0x10", "1 ms 2", "1,000,000", "nan", "-", "e5"])
 def test_other_texts_have_no_advice(text):
     assert number_advice(text) == ""
+
+
+@pytest.mark.parametrize(("text", "unit"), [("40ms", "ms"), ("-1.5 km/h", "km/h"), ("20%", "%"), ("3 °", "°")])
+def test_a_number_with_a_unit_is_written_without(text, unit):
+    assert number_advice(text) == f"Write the number without '{unit}', in the unit of the field."
+
+
+def test_a_number_with_a_comma_is_written_with_a_point():
+    assert number_advice("-1,5") == "Write -1.5, with a point."
 
 
 @pytest.mark.parametrize("text", ["1e-400", "-2.5E-330", "0.1e-350"])

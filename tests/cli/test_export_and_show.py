@@ -284,3 +284,10 @@ def test_the_history_of_a_node_is_that_of_the_pulled_releases(tmp_path, monkeypa
 def test_a_tree_of_no_release_has_no_history(tree, capsys):
     assert main(["show", "Vehicle.Speed", "--history", "-s", "tree.vspec"]) == 0
     assert "does not say which release of VSS" in capsys.readouterr().out
+
+
+def test_a_function_file_is_not_tried_as_an_overlay(tmp_path, capsys):
+    file = tmp_path / "function.yaml"
+    file.write_text("function: Demo\ndescription: A function.\nresponsible: Demo team\ncomponents: []\n")
+    assert main(["try", str(file)]) == 2
+    assert f"{file} is a function file, not an overlay: run `sigcat function validate` on it" in capsys.readouterr().err

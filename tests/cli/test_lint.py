@@ -379,3 +379,13 @@ def test_the_report_of_a_format_goes_to_a_file_as_utf8():
     Path("ü.vspec").write_text(ROOT + BAD)
     assert main(["lint", "ü.vspec", "--format", "sarif", "-o", "report.sarif"]) == 1
     assert len(json.loads(Path("report.sarif").read_bytes())["runs"][0]["results"]) == 1199
+
+
+def test_settings_of_the_service_are_checked_with_the_project(capsys):
+    Path("sigcat.toml").write_text(
+        '[[catalogue]]\nid = "own"\nrelease = "shipped"\n\n[service]\nprot = 80\nport = "x"\n'
+    )
+    assert main(["lint"]) == 1
+    out = capsys.readouterr().out
+    assert "sigcat.toml:6:1: error C002 Unknown setting 'prot' in [service]. Did you mean 'port'?" in out
+    assert "sigcat.toml:7:1: error C003 [service] port: " in out

@@ -139,6 +139,18 @@ def test_an_interface_that_is_given_twice_names_the_first_place(role):
     assert finding.message.endswith(f", first at function.yaml:{first}.")
 
 
+def test_two_values_of_one_number_are_one_finding():
+    text = changed(
+        (
+            "float, unit: m/s, min: 0, max: 100, asil: B, description: The output",
+            "string, allowed: [LOW, HIGH], asil: B, description: The output",
+        ),
+        (OUT, f"{OUT[:-1]}, values: {{LOW: 1, HIGH: 1}}}}"),
+    )
+    found = [each for each in check_function(text.encode(), "function.yaml", interfaces()) if each.rule == "F026"]
+    assert [each.message for each in found] == ["Two values have the same number."]
+
+
 def test_a_key_that_is_given_twice_names_the_first_place():
     (finding,) = check_function(f"{SOUND}\nfunction: Demo\n".encode(), "function.yaml", interfaces())
     assert "first at function.yaml:" in finding.message

@@ -38,6 +38,12 @@ def test_wildcards_that_match_nothing(company, capsys):
     assert "There is no file 'overlay/*.vspec'." in capsys.readouterr().err
 
 
+def test_a_misspelled_release_is_proposed(company, capsys):
+    Path("sigcat.toml").write_text(PROJECT.replace('release = "shipped"', 'release = "shiped"'))
+    assert main(["lint"]) == 2
+    assert "No file, folder or release is named 'shiped'. Did you mean shipped?" in capsys.readouterr().err
+
+
 def test_a_wildcard_for_folders_that_is_a_part_of_a_name(company, capsys):
     Path("sigcat.toml").write_text(PROJECT.replace("overlays/*.vspec", "**overlays.vspec"))
     assert main(["lint"]) == 2

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from sigcat.project.project import Project
     from sigcat.rules.linting.options import CheckedFunctions, LintOptions, LintResult
 
+_SERVICE = "service"
+"""Table of the settings of the service."""
 _INPUT, _INPUT_NAME = Path("-"), "standard input"
 
 
@@ -116,7 +118,7 @@ def _lint(arguments: argparse.Namespace) -> int:
     from sigcat.rules.linting.lint import lint_paths
 
     start = arguments.paths[0] if arguments.paths else Path()
-    project = project_of(arguments, start if start.is_dir() else start.parent)
+    project = project_of(arguments, start if start.is_dir() else start.parent, {_SERVICE: lambda table, _file: table})
     paths = arguments.paths or [_folder_of(project, arguments)]
     options = _chosen(arguments, project).options
     result = _lint_input(paths, project, arguments) if _INPUT in paths else lint_paths(paths, options)
@@ -190,7 +192,7 @@ def _chosen(arguments: argparse.Namespace, project: "Project", near: Path | None
         dbc=tuple(map(existing_file, arguments.dbc)) or options.dbc,
         baseline=arguments.baseline or (None if arguments.write_baseline else options.baseline),
         check_functions=partial(_check_functions, chosen.tree, project.functions),
-        check_project=partial(_check_vehicles, project) if project.vehicles else None,
+        check_project=partial(_check_project, project) if project.vehicles or project.tables.get(_SERVICE) else None,
     )
     return ChosenLint(options, chosen.tree)
 
@@ -229,11 +231,19 @@ def _check_functions(
     return checked_functions(tree, files, is_whole, load_tree=load, check_code=check_code, folders=folders)
 
 
-def _check_vehicles(project: "Project") -> "Iterator[Finding]":
-    """Yield the findings of vehicles; loaded only when there are any."""
+def _check_project(project: "Project") -> "Iterator[Finding]":
+    """Yield the findings of the settings of the service and of vehicles; loaded only when there are any."""
     from sigcat.project.vehicles import vehicle_findings
 
-    return vehicle_findings(project)
+    if project.file is not None and project.tables.get(_SERVICE):
+        from sigcat.api.read_settings import read_settings
+        from sigcat.project.read_project import read_project
+
+        try:
+            read_project(project.file, {_SERVICE: lambda table, file: read_settings(table, {}, file)})
+        except InputRefused as error:
+            yield from error.findings
+    yield from vehicle_findings(project)
 
 
 def _names(tree: "Catalogue") -> tuple[str, ...]:

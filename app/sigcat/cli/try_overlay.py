@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 from sigcat.cli.diff import is_coloured
 from sigcat.cli.tree_options import add_tree_options, place_of, read_tree
-from sigcat.errors import existing_file
+from sigcat.errors import UsageError, existing_file
+from sigcat.file_kind import holds_function
 from sigcat.findings import has_errors
 from sigcat.terminal_text import printable
 
@@ -50,6 +51,8 @@ def _trial(arguments: argparse.Namespace) -> "Trial":
     if arguments.overlay == "-":
         return trial.try_overlay(read_tree(arguments), sys.stdin.buffer.read(), "standard input")
     path = existing_file(arguments.overlay)
+    if holds_function(path.read_bytes()):
+        raise UsageError(f"{path} is a function file, not an overlay: run `sigcat function validate` on it")
     place = place_of(arguments, path)
     layer = read_layer(path, arguments.include_dirs, is_overlay=True)
     return trial.try_layer(place.base, layer, above=place.above)

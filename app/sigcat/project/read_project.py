@@ -280,9 +280,9 @@ def _base(values: Mapping[str, Any], number: int, reading: Reading) -> Source | 
         return None  # a misspelled key has its finding
     if (spec is None) == (release is None):
         fault = "neither `spec` nor `release`" if spec is None else "both `spec` and `release`"
-        reading.report(
-            codes.CATALOGUE_INCOMPLETE, f"The catalogue has {fault}; one of them is needed.", "catalogue", number
-        )
+        fix = 'Write `release = "shipped"`, or name a root .vspec file as `spec`.' if spec is None else "Remove one."
+        message = f"The catalogue has {fault}; one of them is needed."
+        reading.report(codes.CATALOGUE_INCOMPLETE, message, "catalogue", number, fix=fix)
         return None
     if isinstance(spec, str):
         path = reading.path(spec)

@@ -30,7 +30,7 @@ ADDRESS = "https://github.com/COVESA/vehicle_signal_specification/archive/refs/t
 RECORD = "release.json"
 
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._+-]{0,63}")
-_SHIPPED = ("vss", "interfaces")
+_SHIPPED = ("vss", "interfaces", "shipped")
 """Names of releases that are available without being pulled."""
 _VERSION = re.compile(r"[vV]?([0-9]+(?:\.[0-9]+){1,3}(?:[-._]?[A-Za-z][A-Za-z0-9.]*)?)")
 _STATED = "Vehicle.VersionVSS"

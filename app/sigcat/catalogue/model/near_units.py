@@ -11,6 +11,7 @@ _SPELLINGS: Mapping[str, str] = {
     "Celsius": "degC Cel degCel centigrade",
     "Fahrenheit": "degF [degF]",
     "degrees": "deg degree",
+    "radians": "rad radian",
     "degrees/s": "deg/s dps",
     "rad/s": "rads-1",
     "rpm": "1/min r/min rev/min min-1 {rev}/min",

@@ -7,6 +7,8 @@ from typing import Any
 
 _WRITTEN = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?P<exponent>[eE][-+]?\d+)?", re.ASCII)
 _WITH_EXPONENT = re.compile(r"[-+]?\d*\.\d*[eE][-+]\d+", re.ASCII)
+_WITH_UNIT = re.compile(r"[-+]?\d{1,20}(?:\.\d{1,20})? ?(?P<unit>(?![eEoxX]\d)[^\W\d_][\w/^%]{0,9}|[%°])")
+_WITH_COMMA = re.compile(r"[-+]?\d{1,20},\d{1,20}", re.ASCII)
 
 _WORDS = "Quote it: YAML reads words such as ON, OFF, YES and NO as true and false."
 _SMALLEST = "5.0e-324"
@@ -25,7 +27,7 @@ def number_advice(text: str, *, is_whole: bool = False) -> str:
     written = _WRITTEN.fullmatch(text)
     value = float(text) if written else None
     if written is None or value is None or not isfinite(value):
-        return ""
+        return _plain_number(text)
     if value == 0 and re.search(r"[1-9]", text.lower().partition("e")[0]):
         return f"Write a number of at least {_SMALLEST}: a double has none between it and 0."
     if is_whole and value != int(value):
@@ -34,6 +36,13 @@ def number_advice(text: str, *, is_whole: bool = False) -> str:
     if is_read_as_text(text):
         return f"Write {number}: YAML reads {text[:40]} as a text, as it has no point or no sign in its exponent."
     return f"Write {number}, without quotes."
+
+
+def _plain_number(text: str) -> str:
+    """The fix for a number with a unit or a comma."""
+    if with_unit := _WITH_UNIT.fullmatch(text):
+        return f"Write the number without {with_unit['unit']!r}, in the unit of the field."
+    return f"Write {text.replace(',', '.')}, with a point." if _WITH_COMMA.fullmatch(text) else ""
 
 
 def quote_it(value: Any) -> str:

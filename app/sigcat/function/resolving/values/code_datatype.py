@@ -23,8 +23,9 @@ def code_symbols(item: Item, at: Pointer, node: Node, context: Context) -> Symbo
         message = f"{item.path!r} must be an enumeration to have `values`: the catalogue allows no named values."
         context.problems.append(Problem(codes.ENUMERATION_MISCODED, (*at, "values"), message, "Remove `values`."))
         return None
-    context.problems.extend(_miscoded(item.values, symbols, (*at, "values")))
-    return item.values
+    miscoded = tuple(_miscoded(item.values, symbols, (*at, "values")))
+    context.problems.extend(miscoded)
+    return symbols if miscoded else item.values
 
 
 def _miscoded(values: Mapping[str, int], symbols: Symbols, at: Pointer) -> Iterator[Problem]:
@@ -70,7 +71,10 @@ def _other_datatype(own: str, wanted: str, symbols: Symbols | None) -> tuple[str
         return f"`datatype` must be the struct {own}, not {wanted}.", "Remove `datatype`."
     holds_numbers = element_of(own) != "string" or symbols is not None
     if is_array(own) != is_array(wanted) or holds_numbers == (element_of(wanted) == "string"):
-        return f"`datatype` must hold {own}, which the catalogue has; {wanted} cannot.", ""
+        held = f"{element_of(wanted)}{'[]' if is_array(own) else ''}"
+        fits = is_array(own) != is_array(wanted) and holds_numbers != (element_of(wanted) == "string")
+        fix = f"Write `{held}`, or remove `datatype`." if fits else "Remove `datatype`."
+        return f"`datatype` must hold {own}, which the catalogue has; {wanted} cannot.", fix
     if symbols is not None and element_of(wanted) not in INTEGER_RANGES:
         return f"`datatype` of an enumeration must be an integer, not {wanted}.", ""
     return "", ""

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.catalogue.model.catalogue import Node
+from sigcat.catalogue.model.near_units import advice, near_unit
 from sigcat.catalogue.model.vocabulary import Vocabulary
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
@@ -34,10 +35,8 @@ def code_unit(item: Item, at: Pointer, node: Node, context: Context) -> CodeUnit
     if known is None and vocabulary.may_define(item.unit):
         return CodeUnit(own, is_fit=False)
     if known is None:
-        fix = did_you_mean(item.unit, [each.key for each in vocabulary.distinct_units])
-        context.problems.append(
-            _problem(item, at, f"Unknown unit {item.unit!r}.", fix or (_convertible(own, vocabulary) if own else ""))
-        )
+        fix = _meant(item.unit, own, vocabulary) if own else advice(item.unit, vocabulary)
+        context.problems.append(_problem(item, at, f"Unknown unit {item.unit!r}.", fix))
         return CodeUnit(own, is_fit=False)
     if own is None:
         context.problems.append(_problem(item, at, f"{item.path!r} has no unit in the catalogue.", "Remove `unit`."))
@@ -49,14 +48,26 @@ def code_unit(item: Item, at: Pointer, node: Node, context: Context) -> CodeUnit
     return CodeUnit(known.key, conversion or IDENTITY, conversion is not None)
 
 
+def _meant(name: str, own: str, vocabulary: Vocabulary) -> str:
+    """A sentence that names the unit that is meant, if a value of the catalogue's unit can be held in it; else all of these."""
+    near = near_unit(name, vocabulary)
+    if near is not None and between(own, near.key):
+        return f"Write `{near.key}`: {near.name}."
+    return did_you_mean(name, (own, *_same_kind(own, vocabulary))) or _convertible(own, vocabulary)
+
+
 def _problem(item: Item, at: Pointer, message: str, fix: str) -> Problem:
     return Problem(codes.UNIT_NOT_CONVERTIBLE, (*at, "unit"), message, fix, Subject("data", item.path))
 
 
 def _convertible(own: str, vocabulary: Vocabulary) -> str:
     """A sentence that names the units in which a value of the catalogue's unit can be held, by their keys."""
-    kinds = [unit.key for unit in map(vocabulary.unit, same_kind(own)) if unit is not None]
+    kinds = _same_kind(own, vocabulary)
     return f"Use {own!r} or one that it converts to: {', '.join(kinds)}." if kinds else f"Use {own!r}."
+
+
+def _same_kind(own: str, vocabulary: Vocabulary) -> tuple[str, ...]:
+    return tuple(unit.key for unit in map(vocabulary.unit, same_kind(own)) if unit is not None)
 
 
 def scale_of(item: Item, at: Pointer, context: Context) -> Linear:
