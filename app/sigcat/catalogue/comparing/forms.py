@@ -8,7 +8,7 @@ from sigcat.catalogue.exporting.static_id import static_id_of
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.datatypes import element_of, is_array
 from sigcat.catalogue.model.definition import BRANCH, STRUCT
-from sigcat.catalogue.model.vocabulary import Unit
+from sigcat.catalogue.model.vocabulary import Unit, Vocabulary
 from sigcat.names import last_name, parent_path
 
 Values = Mapping[str, Any]
@@ -105,14 +105,19 @@ def _of_values(before: Node, after: Node, both: Trees) -> Iterator[str]:
     yield from (effect for effect, type_of in _TYPES.items() if type_of(old) != type_of(new))
     if old.get("unit") is not None and new.get("unit") is None:
         yield "unit-dropped"
-    if _are_of_two_quantities(both.old.unit(before), both.new.unit(after)):
+    if _are_of_two_quantities(both.old.unit(before), both.new.unit(after), both.new.vocabulary):
         yield "unit-quantity"
     if _has_labels(old) and _has_labels(new):
         yield from _of_labels(old["allowed"], new["allowed"])
 
 
-def _are_of_two_quantities(old: Unit | None, new: Unit | None) -> bool:
-    return old is not None and new is not None and old.quantity.lower() != new.quantity.lower()
+def _are_of_two_quantities(old: Unit | None, new: Unit | None, vocabulary: Vocabulary) -> bool:
+    """Whether two units have quantities that the new vocabulary tells apart: releases before 4.1 named some otherwise."""
+    if old is None or new is None:
+        return False
+    known = vocabulary.unit(old.key)
+    present = known if known is not None and known.name.lower() == old.name.lower() else old
+    return present.quantity.lower() != new.quantity.lower()
 
 
 def _known(values: Values, ignored: frozenset[str]) -> Values:

@@ -19,7 +19,7 @@ from scripts import ros2_environment
 from sigcat.catalogue.comparing.bindings import Binding
 from sigcat.catalogue.exporting.export import export
 from sigcat.catalogue.model.catalogue import Catalogue
-from tests.needs import BUF, C_COMPILERS, IDLC, buf, c_compiler, idlc
+from tests.needs import BUF, CPP_COMPILERS, IDLC, buf, cpp_compiler, idlc
 
 Files = Mapping[str, bytes]
 Verdict = Callable[[Files, Files, Path], bool]
@@ -99,15 +99,15 @@ def ids_break(old: Files, new: Files, _: Path) -> bool:
 
 def path_breaks(old: Files, new: Files, _: Path) -> bool:
     """Lookups of signals by path, which take the datatype of the value."""
-    return not _has(_signals(new), {path: {"datatype": node["datatype"]} for path, node in _signals(old).items()})
+    return not _has(signals(new), {path: {"datatype": node["datatype"]} for path, node in signals(old).items()})
 
 
 def json_breaks(old: Files, new: Files, _: Path) -> bool:
     """A reader of the exported JSON that expects nodes with their datatypes and identifiers."""
     kept = {
-        path: {key: node[key] for key in ("datatype", "constUID") if key in node} for path, node in _nodes(old).items()
+        path: {key: node[key] for key in ("datatype", "constUID") if key in node} for path, node in nodes(old).items()
     }
-    return not _has(_nodes(new), kept)
+    return not _has(nodes(new), kept)
 
 
 def _has(document: Mapping[str, object], expected: Mapping[str, Mapping[str, object]]) -> bool:
@@ -119,11 +119,11 @@ def _has(document: Mapping[str, object], expected: Mapping[str, Mapping[str, obj
     return bool(Draft202012Validator({"required": list(expected), "properties": properties}).is_valid(document))
 
 
-def _signals(files: Files) -> Mapping[str, Mapping[str, Any]]:
-    return {path: node for path, node in _nodes(files).items() if "datatype" in node}
+def signals(files: Files) -> Mapping[str, Mapping[str, Any]]:
+    return {path: node for path, node in nodes(files).items() if "datatype" in node}
 
 
-def _nodes(files: Files) -> Mapping[str, Mapping[str, Any]]:
+def nodes(files: Files) -> Mapping[str, Mapping[str, Any]]:
     """Nodes of an exported JSON by path."""
     found, waiting = (
         dict[str, Mapping[str, Any]](),
@@ -137,12 +137,26 @@ def _nodes(files: Files) -> Mapping[str, Mapping[str, Any]]:
 
 
 def dds_breaks(old: Files, new: Files, folder: Path) -> bool:
-    """A program in C with the types that `idlc` makes of the old IDL, compiled with those of the new one."""
+    """Whether a program with the types that `idlc` makes of the old IDL compiles with those of the new one."""
+    return bool(dds_types(old, new, folder))
+
+
+def dds_types(old: Files, new: Files, folder: Path) -> set[str]:
+    """Types that `idlc` makes of the old IDL, and whose uses do not compile with those of the new one.
+
+    C++ compiles them: in C an enumeration is a number.
+    """
     headers = [_idlc(files["tree"], folder / name) for name, files in (("old", old), ("new", new))]
-    consumer = folder / "consumer.c"
-    consumer.write_text("\n".join([f'#include "{headers[1]}"', *_uses_of_types(headers[0].read_text()), ""]))
-    command = [*C_COMPILERS[0], "-fsyntax-only", str(consumer)]
-    return subprocess.run(command, capture_output=True, check=False).returncode != 0
+    uses = [(name, use.replace("\n", " ")) for name, use in _uses_of_types(headers[0].read_text())]
+    consumer = folder / "consumer.cpp"
+    consumer.write_text("\n".join([f'#include "{headers[1]}"', *(use for _, use in uses), ""]))
+    compiler = CPP_COMPILERS[0]
+    without_limit = () if compiler == ("g++",) else ("-ferror-limit=0",)
+    command = [*compiler, "-fsyntax-only", *without_limit, str(consumer)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    found = re.findall(r"consumer\.cpp:(\d+):\d+: error", done.stderr)
+    assert bool(found) is (done.returncode != 0), done.stderr
+    return {uses[int(line) - 2][0] for line in found}
 
 
 def _idlc(idl: bytes, folder: Path) -> Path:
@@ -159,24 +173,26 @@ def _idlc(idl: bytes, folder: Path) -> Path:
 _OFFSET = "__builtin_offsetof"
 
 
-def _uses_of_types(header: str) -> Iterator[str]:
-    """Declarations that agree with a header in which each struct has these members, and each enumeration these values."""
+def _uses_of_types(header: str) -> Iterator[tuple[str, str]]:
+    """Types with declarations that agree with a header in which each struct has these members, and each enumeration these values."""
     types = re.findall(r"^typedef (?:struct|enum) \w+\s*\{([^}]*)\} (\w+);", header, re.MULTILINE)
     for body, name in dict.fromkeys(types):  # a header repeats types of sequences
         members = [each.strip() for each in body.split(";") if each.strip()]
         if ";" not in body:
             yield from (
-                f'_Static_assert({value} == {number}, "");' for number, value in enumerate(re.findall(r"\w+", body))
+                (name, f'static_assert({value} == {number}, "");')
+                for number, value in enumerate(re.findall(r"\w+", body))
             )
             continue
-        yield f"typedef struct {{{body}}} Old_{name};"
+        yield name, f"typedef struct {{{body}}} Old_{name};"
         for member in members:
             found = re.fullmatch(r"(.*?)(\w+)((?:\[\d+\])*)", member, re.DOTALL)
             assert found is not None, member
             kind, called, size = found.groups()
-            yield f"extern {kind} {name}_{called}{size}; extern __typeof__((({name} *)0)->{called}) {name}_{called};"
-            yield f'_Static_assert({_OFFSET}({name}, {called}) == {_OFFSET}(Old_{name}, {called}), "");'
-        yield f'_Static_assert(sizeof({name}) == sizeof(Old_{name}), "");'
+            use = f"{name}_{called}"
+            yield name, f"extern {kind} {use}{size}; extern __typeof__((({name} *)0)->{called}) {use};"
+            yield name, f'static_assert({_OFFSET}({name}, {called}) == {_OFFSET}(Old_{name}, {called}), "");'
+        yield name, f'static_assert(sizeof({name}) == sizeof(Old_{name}), "");'
 
 
 def hashes(folders: Sequence[Path]) -> Sequence[Mapping[str, str]]:
@@ -203,6 +219,6 @@ VERDICTS: Mapping[Binding, tuple[str, Verdict]] = {
     "dds": ("ddsidl", dds_breaks),
 }
 """By binding, the export and its tool."""
-NEEDS: Mapping[Binding, Sequence[pytest.MarkDecorator]] = {"protobuf": [buf], "dds": [idlc, c_compiler]}
+NEEDS: Mapping[Binding, Sequence[pytest.MarkDecorator]] = {"protobuf": [buf], "dds": [idlc, cpp_compiler]}
 EACH_BINDING = [pytest.param(name, marks=NEEDS.get(name, ())) for name in VERDICTS]
 """The bindings for `parametrize`."""
