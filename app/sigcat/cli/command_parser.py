@@ -1,6 +1,7 @@
 """The parser of every command: it proposes what was probably meant, and lists the commands where one is missing."""
 
 import argparse
+import os
 import sys
 from collections.abc import Callable, Sequence
 from itertools import takewhile
@@ -8,6 +9,8 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 Number = TypeVar("Number", int, float)
+_COLUMNS = 80
+"""Of output that is not a terminal."""
 _LARGEST = 1_000_000_000
 """More than anybody waits or reads; no clock counts to much more."""
 
@@ -26,6 +29,17 @@ def positive(kind: type[Number]) -> Callable[[str], Number]:
         return number
 
     return read
+
+
+def _columns() -> int:
+    """Columns of the terminal, or those that COLUMNS states."""
+    stated = os.environ.get("COLUMNS", "")
+    if stated.isdecimal() and int(stated):
+        return int(stated)
+    try:
+        return os.get_terminal_size(sys.__stdout__.fileno()).columns or _COLUMNS if sys.__stdout__ else _COLUMNS
+    except (OSError, ValueError):
+        return _COLUMNS
 
 
 class CommandParser(argparse.ArgumentParser):
@@ -56,6 +70,10 @@ class CommandParser(argparse.ArgumentParser):
         if unknown:
             self._refuse(unknown[0].partition("=")[0])
         return parsed, unknown
+
+    def _get_formatter(self) -> argparse.HelpFormatter:
+        """The formatter of help and errors, with the width of the terminal, for which argparse would load shutil."""
+        return self.formatter_class(self.prog, width=_columns() - 2)
 
     def _refuse_unknown(self, given: Sequence[str]) -> None:
         for argument in takewhile(lambda each: each != "--", given):

@@ -2,6 +2,7 @@
 
 import argparse
 import os
+import re
 import sys
 from contextlib import contextmanager
 from importlib import import_module
@@ -60,7 +61,7 @@ def server_of(arguments: argparse.Namespace) -> "Server | None":
         return None
     from sigcat.project.read_project import SERVER
 
-    if not SERVER.fullmatch(address):
+    if not re.fullmatch(SERVER, address):
         raise UsageError(f"--server must be an address such as https://signals.example, not {address[:80]!r}")
     with needing_extra():
         from sigcat.registry.remote import Server

@@ -47,7 +47,7 @@ CATALOGUE_KEYS: Mapping[str, type] = {
     "id": str, "title": str, "spec": str, "release": str, "standard-units": bool,
     **dict.fromkeys(("overlays", *_OF_CATALOGUES), list),
 }  # fmt: skip
-SERVER = re.compile(r"https?://[^\s/?#@]+(/[^\s?#]*)?")
+SERVER = r"https?://[^\s/?#@]+(/[^\s?#]*)?"
 """Address of a service: user names and passwords in it would be shown in messages."""
 REGISTRY_KEYS: Mapping[str, type] = {
     "database": str, "key": str, "server": str, "webhook-hosts": list, "webhook-networks": list,
@@ -312,7 +312,7 @@ def _deployment(data: Mapping[str, Any], reading: Reading) -> Path | None:
 def _check_server(values: Mapping[str, Any], reading: Reading) -> None:
     """Report an address that is not one, and a database beside it: one of both would be ignored."""
     server = values["server"]
-    if isinstance(server, str) and not SERVER.fullmatch(server):
+    if isinstance(server, str) and not re.fullmatch(SERVER, server):
         message = "[registry] `server` must be an address of HTTP or HTTPS."
         reading.report(
             codes.SETTING_UNFIT, message, "registry", 0, "server", 'Write `server = "https://signals.example"`.'

@@ -31,7 +31,7 @@ _NODE_NAMES: Mapping[str, Collection[str]] = {
 }  # fmt: skip
 _EXAMPLE_TEXTS = ("whole", "base", "overlay", "quantities", "units", "dbc")
 _EXAMPLE_KEYS = (*_EXAMPLE_TEXTS, "overlays", "files")
-_FILE_NAME = re.compile(r"\w[\w.-]*")
+_FILE_NAME = r"\w[\w.-]*"
 
 
 class Fault(NamedTuple):
@@ -148,7 +148,7 @@ def _are_files(value: Any) -> bool:
         isinstance(value, dict)
         and value != {}
         and all(
-            isinstance(name, str) and _FILE_NAME.fullmatch(name) and isinstance(text, str)
+            isinstance(name, str) and re.fullmatch(_FILE_NAME, name) and isinstance(text, str)
             for name, text in value.items()
         )
     )

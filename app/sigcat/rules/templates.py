@@ -7,7 +7,7 @@ from typing import Any
 from sigcat.names import did_you_mean
 
 _PLACEHOLDER = r"\{(\w+)(!r)?\}"
-_NEARLY_PLACEHOLDER = re.compile(r"\{([^{}\s]*)\}")
+_NEARLY_PLACEHOLDER = r"\{([^{}\s]*)\}"
 """Braces around text without a space, as other languages fill them; `{min: 0}` stays as it is."""
 OF_EVERY_CHECK = ("path", "name")
 """Facts of every problem."""
@@ -55,7 +55,7 @@ def template_faults(template: str, check: str) -> Iterator[tuple[str, str]]:
         yield "has a brace without its other half", "Write placeholders such as {name} or {name!r}."
         return
     known = placeholders(check)
-    for match in _NEARLY_PLACEHOLDER.finditer(template):
+    for match in re.finditer(_NEARLY_PLACEHOLDER, template):
         name = re.fullmatch(_PLACEHOLDER, match[0])
         if name is None or name[1] not in known:
             meant = did_you_mean(name[1], known) if name else ""

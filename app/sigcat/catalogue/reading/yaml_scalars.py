@@ -5,10 +5,11 @@ import re
 from math import isfinite
 from typing import Any
 
-_WRITTEN = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?P<exponent>[eE][-+]?\d+)?", re.ASCII)
-_WITH_EXPONENT = re.compile(r"[-+]?\d*\.\d*[eE][-+]\d+", re.ASCII)
-_WITH_UNIT = re.compile(r"[-+]?\d{1,20}(?:\.\d{1,20})? ?(?P<unit>(?![eEoxX]\d)[^\W\d_][\w/^%]{0,9}|[%°])")
-_WITH_COMMA = re.compile(r"[-+]?\d{1,20},\d{1,20}", re.ASCII)
+# Texts: compiled patterns would cost each start time, and few files need them.
+_WRITTEN = r"(?a)[-+]?(?:\d+\.?\d*|\.\d+)(?P<exponent>[eE][-+]?\d+)?"
+_WITH_EXPONENT = r"(?a)[-+]?\d*\.\d*[eE][-+]\d+"
+_WITH_UNIT = r"[-+]?\d{1,20}(?:\.\d{1,20})? ?(?P<unit>(?![eEoxX]\d)[^\W\d_][\w/^%]{0,9}|[%°])"
+_WITH_COMMA = r"(?a)[-+]?\d{1,20},\d{1,20}"
 
 _WORDS = "Quote it: YAML reads words such as ON, OFF, YES and NO as true and false."
 _SMALLEST = "5.0e-324"
@@ -24,7 +25,7 @@ def yaml_number(value: float) -> str:
 
 def number_advice(text: str, *, is_whole: bool = False) -> str:
     """The fix for a text in place of a number; empty for one that is not like a number, or is none of the whole ones."""
-    written = _WRITTEN.fullmatch(text)
+    written = re.fullmatch(_WRITTEN, text)
     value = float(text) if written else None
     if written is None or value is None or not isfinite(value):
         return _plain_number(text)
@@ -40,9 +41,9 @@ def number_advice(text: str, *, is_whole: bool = False) -> str:
 
 def _plain_number(text: str) -> str:
     """The fix for a number with a unit or a comma."""
-    if with_unit := _WITH_UNIT.fullmatch(text):
+    if with_unit := re.fullmatch(_WITH_UNIT, text):
         return f"Write the number without {with_unit['unit']!r}, in the unit of the field."
-    return f"Write {text.replace(',', '.')}, with a point." if _WITH_COMMA.fullmatch(text) else ""
+    return f"Write {text.replace(',', '.')}, with a point." if re.fullmatch(_WITH_COMMA, text) else ""
 
 
 def quote_it(value: Any) -> str:
@@ -56,5 +57,5 @@ def quote_it(value: Any) -> str:
 
 def is_read_as_text(written: Any) -> bool:
     """Whether YAML reads a number as a text because of the form of its exponent: `1e-12`."""
-    match = _WRITTEN.fullmatch(written) if isinstance(written, str) else None
-    return match is not None and match["exponent"] is not None and not _WITH_EXPONENT.fullmatch(written)
+    match = re.fullmatch(_WRITTEN, written) if isinstance(written, str) else None
+    return match is not None and match["exponent"] is not None and not re.fullmatch(_WITH_EXPONENT, written)

@@ -14,18 +14,19 @@ from sigcat.rules.problem import LineProblem, Problem, Repair
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
 
-_VERSION = re.compile(r"\s*v(?:ersion|ss)?\s*(\d+\.\d+(?:\.\d+)?)[\s:;,.–—-]*", re.IGNORECASE)
-_SUCCESSOR = re.compile(r"(?:(?:is|was|has been|got)\s+)?(?:moved|renamed)\s+(?:in)?to:?\s+", re.IGNORECASE)
-_REMOVAL = re.compile(r"(?:(?:is|was|has been|got|to be)\s+)?(?:removed|deleted)\b", re.IGNORECASE)
+# Texts: compiled patterns would cost each start time, and few trees need them.
+_VERSION = r"(?i)\s*v(?:ersion|ss)?\s*(\d+\.\d+(?:\.\d+)?)[\s:;,.–—-]*"
+_SUCCESSOR = r"(?i)(?:(?:is|was|has been|got)\s+)?(?:moved|renamed)\s+(?:in)?to:?\s+"
+_REMOVAL = r"(?i)(?:(?:is|was|has been|got|to be)\s+)?(?:removed|deleted)\b"
 
 
 def _deprecation(item: str) -> Repair:
     """The same successor or removal, in the words of VSS."""
-    version = _VERSION.match(item)
+    version = re.match(_VERSION, item)
     if not version:
         return Repair("capitalize")
     rest = item[version.end() :]
-    rest = _REMOVAL.sub("removed", _SUCCESSOR.sub("moved to ", rest, count=1), count=1)
+    rest = re.sub(_REMOVAL, "removed", re.sub(_SUCCESSOR, "moved to ", rest, count=1), count=1)
     return Repair("rewrite", f"V{version[1]} {rest}")
 
 
