@@ -58,6 +58,8 @@ _ZIG_CPP = tuple((*command[:-1], "c++") for command in _ZIG)
 CPP_COMPILERS = (*((name,) for name in ("g++", "clang++") if which(name)), *_ZIG_CPP)
 """Those of C++."""
 cpp_compiler = pytest.mark.skipif(not CPP_COMPILERS, reason="a C++ compiler: install g++")
+FMUSIM = which("fmusim")
+fmusim = pytest.mark.skipif(not FMUSIM, reason="fmusim, the importer of the Reference FMUs: build it")
 fmpy = pytest.mark.skipif(not find_spec("fmpy"), reason="FMPy: pip install fmpy")
 cmake = pytest.mark.skipif(
     not (which("cmake") and CPP_COMPILERS), reason="CMake and a C++ compiler: install cmake and g++"

@@ -12,8 +12,17 @@ import pytest
 from scripts.cases import ROOT, RUNS
 from sigcat.data import EXAMPLES
 from sigcat.runs.recording.cells import cell_of
-from tests.adapter.fmi.fmus import built, compare, differences, leaves_of, sampled, simulated, write_trace
-from tests.needs import cmake, slow
+from tests.adapter.fmi.fmus import (
+    built,
+    compare,
+    differences,
+    leaves_of,
+    run,
+    sampled,
+    simulated,
+    write_trace,
+)
+from tests.needs import FMUSIM, cmake, fmusim, slow
 
 fmpy = pytest.importorskip("fmpy", reason="FMPy: pip install fmpy")
 import numpy as np  # noqa: E402 -- FMPy brings it
@@ -112,6 +121,31 @@ def test_ecocontrol_in_the_master_of_fmpy(ecocontrol, step, tmp_path):
     compared, wrong = differences(ecocontrol, sent, tmp_path / "played.csv", step, 1000 * step)
     assert compared > 1000
     assert not wrong, wrong[:5]
+
+
+@fmusim
+@pytest.mark.parametrize("step", [10, 50, 70])
+def test_ecocontrol_in_the_importer_of_the_reference_fmus(ecocontrol, step, tmp_path):
+    step *= MILLISECOND
+    points = list(every_input_set(sampled(EXAMPLES / "ecocontrol/drive.csv", ecocontrol, step, 300 * step)))
+    write_trace(points, ecocontrol, tmp_path / "trace.csv")
+    sent = simulated(ecocontrol, tmp_path / "trace.csv", tmp_path / "sent.csv", 300 * step)
+    given = signals(ecocontrol, points)
+    with (tmp_path / "input.csv").open("w", newline="", encoding="utf-8") as file:
+        csv.writer(file).writerows([given.dtype.names, *(map(repr, map(as_number, row)) for row in given.tolist())])
+    outputs = [each.name for each in ecocontrol.variables if each.causality == "output" and each.length is None]
+    recorded = [word for name in outputs for word in ("--output-variable", name)]
+    run(
+        *(FMUSIM, "--stop-time", 300 * step / 1e9, "--output-interval", step / 1e9, *recorded),
+        *("--input-file", tmp_path / "input.csv", "--output-file", tmp_path / "played.csv", ecocontrol.file),
+    )
+    compared, wrong = differences(ecocontrol, sent, tmp_path / "played.csv", step, 300 * step)
+    assert compared > 1000
+    assert not wrong, wrong[:5]
+
+
+def as_number(value):
+    return int(value) if isinstance(value, bool) else value
 
 
 def every_input_set(points):

@@ -1,5 +1,7 @@
 """Two FMUs that are connected by their buses exchange the values that they exchange by connected signals."""
 
+import json
+import shutil
 import struct
 from contextlib import contextmanager
 from functools import cache
@@ -8,6 +10,7 @@ import pytest
 
 from tests.adapter.fmi.bus.made import HERE, made
 from tests.adapter.fmi.bus.operations import Instance, operations, settle_together
+from tests.adapter.fmi.fmus import run
 from tests.needs import cmake
 
 pytest.importorskip("fmpy", reason="FMPy: pip install fmpy")
@@ -84,6 +87,26 @@ def test_two_fmus_exchange_the_values_of_connected_signals(beside, files, step):
     with pair(files("beside")) as connected:
         assert values == list(over_signals(connected, times))
     assert values[-1][0] > 100
+
+
+@pytest.mark.skipif(
+    not shutil.which("fmucontainer"), reason="the FMU Manipulation Toolbox: pip install fmu-manipulation-toolbox"
+)
+def test_a_container_of_the_toolbox_connects_two_fmus_by_their_buses(beside, files, tmp_path):
+    import fmpy
+
+    for file in files("beside"):
+        shutil.copy(file, tmp_path)
+    ends = (("Wheel.fmu", "Display.fmu"), ("Display.fmu", "Wheel.fmu"))
+    links = [[*(one, f"Powertrain.Tx_{part}"), *(other, f"Powertrain.Rx_{part}")]
+             for one, other in ends for part in ("Data", "Clock")]  # fmt: skip
+    container = {"name": "both.fmu", "fmu": ["Wheel.fmu", "Display.fmu"], "step_size": STEP, "link": links}
+    (tmp_path / "both.json").write_text(json.dumps({**container, "auto_link": False}))
+    run("fmucontainer", "-fmu-directory", tmp_path, "-container", "both.json", "-fmi", "3")
+    outputs = ["Vehicle.Speed", "Vehicle.Answer"]
+    played = fmpy.simulate_fmu(str(tmp_path / "both.fmu"), stop_time=2.0, output_interval=STEP, output=outputs)
+    expected = list(over_the_bus(beside, [index * STEP for index in range(201)]))
+    assert [tuple(row[name].item() for name in outputs) for row in played] == expected
 
 
 def test_a_frame_is_received_at_the_end_of_the_step_in_which_it_is_sent(beside):
