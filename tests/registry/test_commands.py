@@ -532,3 +532,10 @@ def test_a_day_that_does_not_exist_is_reported_as_such(field: Run) -> None:
     assert (status, "The date must be a day that exists, not 2026-02-30." in text) == (1, True)
     status, text = field("registry", "deprecate", "CoreAcc@1.0.0", "--until", "30.2.2026")
     assert (status, "The date must be written as 2027-01-31" in text) == (1, True)
+
+
+def test_a_question_without_a_version_says_that_there_is_no_answer(field: Run) -> None:
+    status, text = field("can-i-deploy", "CoreAcc", "--to", "SUV-2025")
+    assert status == 1
+    assert "A version must be named as NAME@VERSION, not 'CoreAcc'" in text
+    assert "the registry has no answer" in text

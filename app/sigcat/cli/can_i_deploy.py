@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from sigcat.cli.project_options import add_project_options
 from sigcat.cli.registry_options import access_of, add_server, print_more
-from sigcat.errors import UsageError
+from sigcat.errors import InputRefused, UsageError
 from sigcat.limits import REGISTRY_ROWS
 from sigcat.terminal_text import printable
 
@@ -39,9 +39,12 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 def can_i_deploy(arguments: argparse.Namespace) -> int:
     """Print the answer with its reasons; 0 only if it is yes."""
     access, line = access_of(arguments), _line_of(arguments)
-    from sigcat.registry.reference import reference_of
+    from sigcat.registry.reference import NO_ANSWER, reference_of
 
-    references = [reference_of(text) for text in (arguments.function, *arguments.others)]
+    try:
+        references = [reference_of(text) for text in (arguments.function, *arguments.others)]
+    except InputRefused as error:  # a question changes nothing
+        raise InputRefused(NO_ANSWER, error.findings) from None
     answer = access.can_deploy(references, line)
     if arguments.format == "json":
         import json

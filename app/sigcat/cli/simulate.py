@@ -259,7 +259,7 @@ def _forms(arguments: argparse.Namespace) -> "list[tuple[Path | None, str]]":
     forms: list[tuple[Path | None, str]] = [(path, path.suffix.lower()) for path in arguments.output]
     for path, form in forms:
         if form not in FORMS and str(path) != "-":
-            raise UsageError(f"{path} must end in {', '.join(FORMS[:-1])} or {FORMS[-1]}: that says what is written")
+            raise UsageError(f"{path} must end in {', '.join(FORMS[:-1])} or {FORMS[-1]}, which tell its format")
     has_picture = any(form == SVG for _, form in forms)
     if has_picture and not arguments.plot:
         raise UsageError("pass `--plot NAME`, a signal for the picture")

@@ -51,7 +51,7 @@ def posted_candidates(
     """Candidates of posted files. Raises InputRefused, and UsageError for an overlay without a version."""
     posted = posted_files(files)
     if posted.overlays and not version:
-        raise UsageError("An overlay has no version: give the parameter `version`.")
+        raise UsageError("An overlay has no version of its own. Add the parameter `version`.")
     functions = read_functions(posted.functions, catalogue, limits) if posted.functions else ()
     overlays = (
         overlay_candidate(layer, data, _place(catalogue, name), version, owner, limits)

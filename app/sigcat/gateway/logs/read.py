@@ -124,7 +124,7 @@ def _form(path: Path) -> str:
     if form is None:
         forms = ", ".join(sorted((*_PACKED, *_OF_PATHS)))
         raise UsageError(
-            f"{path} must end in {forms}, or in {', '.join(sorted(_PACKED))} and .gz: that says what it is"
+            f"{path} must end in {forms}, or in {', '.join(sorted(_PACKED))} and .gz, which tell its format"
         )
     return form
 
