@@ -78,8 +78,8 @@ def test_twenty_writers_and_two_replicas_publish_each_version_once(server: Serve
     statuses: Counter[int] = Counter()
 
     def publish(addresses: Sequence[str], number: int) -> None:
-        while (answer := post(addresses[number % 2], f"1.{number}.0")).status_code == 503:
-            statuses[503] += 1
+        while (answer := post(addresses[number % 2], f"1.{number}.0")).status_code in (429, 503):
+            statuses[answer.status_code] += 1
             time.sleep(float(answer.headers["retry-after"]))
         statuses[answer.status_code] += 1
 
@@ -88,7 +88,7 @@ def test_twenty_writers_and_two_replicas_publish_each_version_once(server: Serve
         services = [stack.enter_context(serving(folder)) for folder in folders]
         with ThreadPoolExecutor(WRITERS) as pool:
             list(pool.map(lambda number: publish([each.address for each in services], number), range(PUBLISHES)))
-    assert statuses.keys() <= {201, 503}
+    assert statuses.keys() <= {201, 429, 503}  # a busy replica gives one client a share, and says when to come again
     assert statuses[201] == PUBLISHES
     assert sorted(stored(place)) == sorted(f"1.{number}.0" for number in range(PUBLISHES))
 

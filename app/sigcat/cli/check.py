@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.function_options import tree_for_functions
-from sigcat.cli.published_files import published_files, read_catalogue
+from sigcat.cli.published_files import published_files, read_catalogue, with_overlays
 from sigcat.cli.registry_options import (
     add_report,
     add_server,
@@ -50,7 +50,7 @@ def check(arguments: argparse.Namespace) -> int:
     """Report what breaks; 1 if anything does."""
     server = server_of(arguments)
     if server is not None:
-        findings = server.check(posted_files(arguments.files), server_catalogue(arguments))
+        findings = server.check(posted_files(arguments), server_catalogue(arguments))
     else:
         with read_registry(arguments) as connection:
             findings = tuple(in_order(_findings(arguments, connection)))
@@ -66,12 +66,14 @@ def _findings(arguments: argparse.Namespace, connection: "Snapshot") -> "Iterato
     files = published_files(arguments.files)
     if files.functions:
         named = [(file.read_bytes(), str(file)) for file in files.functions]
-        members = [file_member(each) for each in read_functions(named, tree_for_functions(arguments, named))]
+        tree = tree_for_functions(with_overlays(arguments, files.overlays), named)
+        members = [file_member(each) for each in read_functions(named, tree)]
         yield from (conflict.finding for conflict in broken_by_functions(connection, members))
-    for file in files.overlays:
-        yield from broken_by_catalogue(connection, _with_overlay(arguments, file), str(file))
+    for number, file in enumerate(files.overlays):
+        tree = _with_overlay(with_overlays(arguments, files.overlays[:number]), file)
+        yield from broken_by_catalogue(connection, tree, str(file))
     for file in files.trees:
-        yield from broken_by_catalogue(connection, read_catalogue(arguments, file), str(file))
+        yield from broken_by_catalogue(connection, read_catalogue(arguments, file)[1], str(file))
 
 
 def _with_overlay(arguments: argparse.Namespace, file: Path) -> "Catalogue":

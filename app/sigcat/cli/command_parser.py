@@ -73,7 +73,8 @@ class CommandParser(argparse.ArgumentParser):
 
     def _get_formatter(self) -> argparse.HelpFormatter:
         """The formatter of help and errors, with the width of the terminal, for which argparse would load shutil."""
-        return self.formatter_class(self.prog, width=_columns() - 2)
+        formatter: Callable[..., argparse.HelpFormatter] = self.formatter_class
+        return formatter(prog=self.prog, width=_columns() - 2)
 
     def _refuse_unknown(self, given: Sequence[str]) -> None:
         for argument in takewhile(lambda each: each != "--", given):

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sigcat.cli.function_options import tree_for_functions
-from sigcat.cli.published_files import PublishedFiles, published_files, read_catalogue
+from sigcat.cli.published_files import PublishedFiles, published_files, read_catalogue, with_overlays
 from sigcat.cli.registry_approvals import print_decisions
 from sigcat.cli.registry_options import (
     add_server,
@@ -68,7 +68,7 @@ def _published(arguments: argparse.Namespace) -> "tuple[Receipt, Change]":
     server = server_of(arguments)
     if server is not None:
         return server.publish(
-            posted_files(arguments.files), arguments.version, arguments.owner,
+            posted_files(arguments), arguments.version, arguments.owner,
             is_draft=arguments.draft, catalogue=server_catalogue(arguments),
         )  # fmt: skip
     registry = registry_of(arguments)
@@ -82,13 +82,17 @@ def _published(arguments: argparse.Namespace) -> "tuple[Receipt, Change]":
 def _candidates(arguments: argparse.Namespace, files: PublishedFiles) -> "Iterator[Candidate]":
     from sigcat.catalogue.reading.layers import read_layer
     from sigcat.registry.candidates import catalogue_candidate, function_candidates, overlay_candidate, read_functions
+    from sigcat.registry.catalogue_files import content_of_files, files_of
 
     if files.functions:
         named = [(file.read_bytes(), str(file)) for file in files.functions]
-        yield from function_candidates(read_functions(named, tree_for_functions(arguments, named)), arguments.version)
-    for file in files.overlays:
-        place = place_of(arguments, file)
+        tree = tree_for_functions(with_overlays(arguments, files.overlays), named)
+        yield from function_candidates(read_functions(named, tree), arguments.version)
+    for number, file in enumerate(files.overlays):
+        place = place_of(with_overlays(arguments, files.overlays[:number]), file)
         layer = read_layer(file, arguments.include_dirs, is_overlay=True)
         yield overlay_candidate(layer, file.read_bytes(), place, arguments.version, arguments.owner)
     for file in files.trees:
-        yield catalogue_candidate(read_catalogue(arguments, file), arguments.version, arguments.owner)
+        _, catalogue = read_catalogue(arguments, file)
+        content = content_of_files(files_of(catalogue))
+        yield catalogue_candidate(catalogue, content, arguments.version, arguments.owner)

@@ -6,11 +6,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from sigcat.cli.project_options import project_of
-from sigcat.cli.tree_options import read_tree
+from sigcat.cli.tree_options import read_tree, tree_options
 from sigcat.errors import UsageError, existing_file
 from sigcat.real_path import real_path
 
 if TYPE_CHECKING:
+    from sigcat.catalogue.hosting.source import Source
     from sigcat.catalogue.model.catalogue import Catalogue
 
 
@@ -39,9 +40,16 @@ def published_files(files: Sequence[Path]) -> PublishedFiles:
     return PublishedFiles(*map(tuple, sorted_by.values()))
 
 
-def read_catalogue(arguments: argparse.Namespace, tree: Path) -> "Catalogue":
+def with_overlays(arguments: argparse.Namespace, overlays: Sequence[Path]) -> argparse.Namespace:
+    """The options with more overlays: a file of a command may need those before it."""
+    return argparse.Namespace(**{**vars(arguments), "overlays": [*arguments.overlays, *overlays]})
+
+
+def read_catalogue(arguments: argparse.Namespace, tree: Path) -> "tuple[Source, Catalogue]":
     """The catalogue of the project that has this tree, else the tree with the overlays of the options."""
-    sources = project_of(arguments).catalogues
-    of_project = (source.id for source in sources if real_path(source.spec) == real_path(tree))
-    arguments.vspec = Path(next(of_project, str(tree)))
-    return read_tree(arguments)
+    from sigcat.project.chosen_tree import chosen_tree
+
+    project = project_of(arguments)
+    of_project = (source.id for source in project.catalogues if real_path(source.spec) == real_path(tree))
+    chosen = argparse.Namespace(**{**vars(arguments), "vspec": Path(next(of_project, str(tree)))})
+    return chosen_tree(project, tree_options(chosen)), read_tree(chosen)

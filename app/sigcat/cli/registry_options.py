@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, TypeAlias
 from sigcat.cli.output import write_text
 from sigcat.cli.output_options import FORMATS, add_output
 from sigcat.cli.project_options import add_project_options, project_of
-from sigcat.errors import UsageError, existing_file
+from sigcat.cli.published_files import published_files, read_catalogue
+from sigcat.errors import UsageError
 from sigcat.limits import REGISTRY_ROWS
 from sigcat.project.project import ServerUrl
 from sigcat.terminal_text import printable
@@ -80,9 +81,19 @@ def server_catalogue(arguments: argparse.Namespace) -> str:
     return "" if arguments.vspec is None else str(arguments.vspec)
 
 
-def posted_files(files: "Sequence[Path]") -> "tuple[tuple[bytes, str], ...]":
-    """Return content and name of each file. Raises UsageError."""
-    return tuple((existing_file(file).read_bytes(), str(file)) for file in dict.fromkeys(files))
+def posted_files(arguments: argparse.Namespace) -> "tuple[tuple[bytes, str], ...]":
+    """Return content and name of each file; a tree is sent with all files of its catalogue. Raises UsageError."""
+    files = published_files(arguments.files)
+    named = tuple((file.read_bytes(), str(file)) for file in (*files.functions, *files.overlays))
+    return (*named, *(_sent(arguments, file) for file in files.trees))
+
+
+def _sent(arguments: argparse.Namespace, tree: Path) -> tuple[bytes, str]:
+    """The document of a catalogue, and its name."""
+    from sigcat.registry.catalogue_files import ENDING, document_of
+
+    source, catalogue = read_catalogue(arguments, tree)
+    return document_of(source, catalogue), f"{tree}{ENDING}"
 
 
 def hosted_registry(project: "Project") -> "RegistrySettings | None":

@@ -1,9 +1,8 @@
 """Files to publish: read, resolved and checked against the catalogue of the project."""
 
 import json
-import os
 from collections.abc import Iterable, Mapping, Sequence
-from pathlib import Path, PurePath
+from pathlib import PurePath
 from typing import Any, NamedTuple
 
 from sigcat import codes
@@ -11,7 +10,6 @@ from sigcat.catalogue.comparing.diff_report import plain
 from sigcat.catalogue.comparing.trial import OverlayPlace, Trial, try_layer
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.reading.layers import Layer
-from sigcat.data import OVERLAYS, VSPEC
 from sigcat.errors import InputRefused
 from sigcat.findings import has_errors
 from sigcat.function.function_file import CheckedFunction
@@ -95,22 +93,11 @@ def overlay_trial(layer: Layer, place: OverlayPlace, limits: Limits = DEFAULT_LI
     return trial
 
 
-def catalogue_candidate(catalogue: Catalogue, version: str, owner: str = "") -> Candidate:
+def catalogue_candidate(catalogue: Catalogue, content: bytes, version: str, owner: str = "") -> Candidate:
     """The candidate of a tree with its overlays: its content is every file that it was read from."""
     nodes = all_nodes(catalogue)
-    paths = [Path(file.name) for file in catalogue.files]
-    files = {_name_of(path, paths[0].parent): path.read_bytes().decode("utf-8") for path in paths}
-    content = json.dumps({"files": files}, ensure_ascii=False, indent=1).encode()
     resolved = _nodes_json(nodes)
     return Candidate("catalogue", catalogue.name, version, owner, content, resolved, b"", "", nodes, catalogue)
-
-
-def _name_of(file: Path, folder: Path) -> str:
-    """The name of a file of a catalogue, which is the same on every machine."""
-    for shipped in (VSPEC, OVERLAYS):
-        if file.is_relative_to(shipped):
-            return f"sigcat/{shipped.name}/{file.relative_to(shipped).as_posix()}"
-    return Path(os.path.relpath(file, folder)).as_posix()
 
 
 def all_nodes(catalogue: Catalogue) -> Mapping[str, Mapping[str, Any]]:

@@ -36,7 +36,7 @@ router = APIRouter(prefix="/api/v1/registry", tags=["registry"])
 _Result = TypeVar("_Result")
 _FILES = (
     "A function or an overlay: the text of its file. Or several, as a JSON object with `files`, a list of objects with "
-    "`name` and `text`."
+    "`name` and `text`. `sigcat publish` sends a tree with all files of its catalogue as one file `….catalogue.json`."
 )
 Text = Annotated[str, Query(max_length=NAME_CHARACTERS)]
 FunctionVersion = Annotated[
