@@ -121,6 +121,16 @@ def test_headers_that_are_incomplete_are_not_compared(tmp_path, capsys):
     assert "F211" not in capsys.readouterr().out
 
 
+def test_a_header_that_does_not_compile_is_found_where_it_is_wrong(tmp_path, capsys):
+    file = project(tmp_path, HEADER.replace("extern float ratio;", "extern unsigned shrt ratio;"))
+    file.write_text(FUNCTION.format(datatype="uint32", role="consumed", variable="count", more=""))
+    assert main(["lint", str(file)]) == 1
+    out = capsys.readouterr().out
+    assert (
+        "code/Demo.h:6:21: error T010 The headers must compile to be compared with the declaration; clang says: " in out
+    )
+
+
 @pytest.mark.parametrize("variable", ["nothing", "bus.c"])
 @pytest.mark.parametrize("is_complete", [True, False], ids=["complete", "without a header of the system"])
 def test_a_variable_that_no_header_declares_is_found_where_all_headers_are_there(

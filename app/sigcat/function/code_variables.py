@@ -9,9 +9,9 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
-from sigcat.function.c_project.declarations import CFunction, CType, Declarations, Member, Record
+from sigcat.function.c_project.declarations import CFunction, CompilerError, CType, Declarations, Member, Record
 from sigcat.function.c_project.files import CodeFiles, headers_of
-from sigcat.function.c_project.parsing import lacks_system_header, parse_unit
+from sigcat.function.c_project.parsing import lacks_system_header, parse_unit, syntax_error
 from sigcat.function.code_calls import called_functions, lines_of, unfit_calls
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.code import CLASS, GLOBALS, POINTERS, CodeInterface, is_inside
@@ -62,6 +62,11 @@ def unfit_code(function: ResolvedFunction) -> Iterator[Finding]:
     called = tuple(called_functions(function, code))
     lines = [line for number, each in enumerate(called) for line in lines_of(each, number, code)]
     answers = _answers(code, texts, (*(each.text for each in questions), *lines))
+    if isinstance(answers, CompilerError):
+        message = f"The headers must compile to be compared with the declaration; clang says: {answers.message[:200]}."
+        at = (str(folder / answers.place.file), answers.place.line, answers.column)
+        yield codes.CODE_UNFIT.finding(message, *at, fix="Correct the header.")
+        return
     if answers is None:
         return
     before = len(_head(code))
@@ -88,7 +93,10 @@ def _head(code: CodeInterface) -> list[str]:
     return ["#include <stdint.h>", "#include <stdbool.h>", *(f'#include "{each}"' for each in code.headers or ())]
 
 
-def _answers(code: CodeInterface, texts: Mapping[str, str], lines: Iterable[str]) -> Declarations | None:
+def _answers(
+    code: CodeInterface, texts: Mapping[str, str], lines: Iterable[str]
+) -> Declarations | CompilerError | None:
+    """The answers of the compiler; an error of a header, or None if headers are not found."""
     unit = f"{_UNIT}.{'cpp' if code.signature == CLASS else 'c'}"
     text = "\n".join([*_head(code), *lines, ""])
     definitions = tuple(each.as_option for each in code.definitions or ())
@@ -101,7 +109,7 @@ def _answers(code: CodeInterface, texts: Mapping[str, str], lines: Iterable[str]
         not lacks_system_header(error) and not (error.place.file == unit and error.place.line > before)
         for error in found.errors
     )
-    return None if is_incomplete else found
+    return syntax_error(found.errors, texts) if is_incomplete else found
 
 
 # -- questions ----------------------------------------------------------------------------------------------------

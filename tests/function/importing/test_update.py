@@ -319,6 +319,37 @@ def test_what_a_person_took_from_the_code_is_not_gone(reentrant, capsys, variabl
     assert f"variable: {variable}" in file.read_text()
 
 
+@pytest.mark.parametrize("variable", ["'in.list[2]'", "(in.list[0])", "read(in.list)"])
+def test_what_the_file_names_in_part_or_in_an_expression_is_not_new(reentrant, capsys, variable):
+    file = reentrant / "function.yaml"
+    text = file.read_text().replace("variable: in.list\n", f"variable: {variable}\n")
+    assert text != file.read_text()
+    file.write_text(text)
+    capsys.readouterr()
+    update(reentrant)
+    assert "new:" not in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ("(Fan_State *s) { s->counter = 0; }", "(Fan_State *s) { s->counter = 0; "),
+        ("Fan_Step(Fan_State", "Fan_Step(Fan_State Fan_State"),
+    ],
+)
+def test_code_that_does_not_compile_changes_nothing(reentrant, capsys, before, after):
+    file = reentrant / "function.yaml"
+    text = file.read_text()
+    (reentrant / "Fan.c").write_text(REENTRANT_SOURCE.replace(before, after))
+    capsys.readouterr()
+    assert update(reentrant) == 1
+    said = capsys.readouterr().err
+    assert "Fan.c" in said
+    assert "S007 The code must compile to be read right" in said
+    assert "cannot be updated: the code does not compile" in said
+    assert file.read_text() == text
+
+
 def test_an_object_that_the_code_does_not_have_is_kept(reentrant, capsys):
     file = reentrant / "function.yaml"
     text = file.read_text().replace("variable: in.temp", "variable: extra.temp")

@@ -119,6 +119,8 @@ class CompilerError(NamedTuple):
     column: int = 0
     is_own: bool = False
     """Whether the code itself says so, by `#error`."""
+    is_syntax: bool = False
+    """Whether the text is not C: what follows may be read wrong."""
 
 
 class Declarations(NamedTuple):
@@ -161,7 +163,8 @@ def declarations_from(answer: Mapping[str, Any]) -> Declarations:
             for key, each in answer["enumerations"].items()
         },
         errors=tuple(
-            CompilerError(each["message"], _place(each), each["column"], each["own"]) for each in answer["errors"]
+            CompilerError(each["message"], _place(each), each["column"], each["own"], each["syntax"])
+            for each in answer["errors"]
         ),
         included={file: tuple(each) for file, each in answer["included"].items()},
     )

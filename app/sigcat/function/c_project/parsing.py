@@ -5,7 +5,7 @@ import re
 import subprocess
 import sys
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from importlib.util import find_spec
 from math import ceil
 from pathlib import Path
@@ -165,6 +165,14 @@ def missing_includes(declarations: Declarations) -> Iterator[Finding]:
         else:
             fix = "Import the folder that has it too, if the interface needs its types."
             yield codes.INCLUDE_NOT_FOUND.finding(message, *at, fix=fix)
+
+
+def syntax_error(errors: Iterable[CompilerError], files: Container[str]) -> CompilerError | None:
+    """The first place in files that is not C. None if a header is not found: then the compiler does not know all macros."""
+    known = [error for error in errors if error.place.file in files]
+    if any(_MISSING.match(error.message) for error in known if not lacks_system_header(error)):
+        return None
+    return next((error for error in known if error.is_syntax), None)
 
 
 def lacks_system_header(error: CompilerError) -> bool:

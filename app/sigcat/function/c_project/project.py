@@ -78,5 +78,7 @@ class CodeProject(NamedTuple):
     """Those whose parts are not among `expressions`: arrays, unions, pointers."""
     others: tuple[Value, ...] = ()
     """Values of other variables and members, whether or not the calls use them."""
+    is_broken: bool = False
+    """Whether a text of it is not C, so that what was read may be wrong."""
     left_out: tuple[CFunction, ...] = ()
     """Functions that the header of the calls declares, and nothing calls."""

@@ -11,10 +11,10 @@ from sigcat.findings import Finding, in_order
 from sigcat.function.c_project.calls import CallKind, Group, find_calls, main_files, reachable, use_of
 from sigcat.function.c_project.classes import class_interface
 from sigcat.function.c_project.comments import Comments
-from sigcat.function.c_project.declarations import CFunction, Declarations, Place, Variable
+from sigcat.function.c_project.declarations import CFunction, CompilerError, Declarations, Place, Variable
 from sigcat.function.c_project.files import HEADERS, CodeFiles, read_folder
 from sigcat.function.c_project.globals import global_interface
-from sigcat.function.c_project.parsing import missing_includes, parse
+from sigcat.function.c_project.parsing import missing_includes, parse, syntax_error
 from sigcat.function.c_project.pointers import pointer_interface, takes_pointers
 from sigcat.function.c_project.project import Call, CodeProject, Interface, Signature
 from sigcat.function.c_project.remarks import cycle_time_of
@@ -70,6 +70,7 @@ def _project(files: CodeFiles, code: Code, group: Group, machine: str) -> CodePr
     missing = [each for each in missing_includes(declarations) if each.file in needed]
     findings = [*files.findings, *missing, *interface.findings, *left_out, *_empty(interface, group)]
     findings += _undefined(whole, group, declarations, frozenset(linked))
+    broken = syntax_error(declarations.errors, needed)
     return CodeProject(
         model=group.name,
         signature=signature,
@@ -86,7 +87,8 @@ def _project(files: CodeFiles, code: Code, group: Group, machine: str) -> CodePr
         undivided=frozenset(each.expression for each in _all_values(whole, others) if each.length or each.problem),
         others=others,
         left_out=tuple(_left_out(group, code.declarations)),
-        findings=in_order([*findings, *_word_size(machine, declarations)]),
+        findings=in_order([*findings, *_word_size(machine, declarations), *((_broken(broken),) if broken else ())]),
+        is_broken=broken is not None,
     )
 
 
@@ -268,6 +270,11 @@ def _undefined(
         message = f"{variable.name!r}{more} must be defined: the sources use it, but it is in none of them, and no input or output."
         fix = "Import the folder with the source that defines it, or define it in your own source."
         yield codes.VARIABLE_UNDEFINED.finding(message, *variable.place, fix=fix)
+
+
+def _broken(error: CompilerError) -> Finding:
+    message = f"The code must compile to be read right; clang says: {error.message[:200]}."
+    return codes.CODE_INVALID.finding(message, *error.place, error.column, fix="Correct the code.")
 
 
 def _word_size(machine: str, declarations: Declarations) -> Iterator[Finding]:

@@ -103,6 +103,8 @@ def merge_code(
         raise InputRefused(f"{file} cannot be updated: it has errors.", declared.findings)
     declaration = declared.declaration
     project = read_project(folder, declaration.function, model, definitions or _definitions(declaration))
+    if project.is_broken:
+        raise InputRefused(f"{file} cannot be updated: the code does not compile.", shown(project, folder))
     project = with_object_names(project, declaration.code.objects if declaration.code else ())
     known = _Known(project, _values(project), {each.expression: each for each in project.others if not each.problem})
     text = data.decode("utf-8").removeprefix(_BOM).replace("\r\n", "\n")
@@ -132,11 +134,15 @@ def _values(project: CodeProject) -> dict[str, tuple[str, Value]]:
 
 
 def _new(project: CodeProject, variables: AbstractSet[str]) -> CodeProject:
-    """The project with those values alone that the file does not name, by themselves or as members of a struct."""
-    whole = project.interface
+    """The project with those values alone that the file does not name, by themselves, by their parts, or as members of a struct."""
+    whole, named = project.interface, "\n".join(sorted(variables))
+
+    def is_new(value: Value) -> bool:
+        parts = rf"(?<![\w.>]){re.escape(value.expression)}(?!\w)"
+        return variables.isdisjoint(_with_owners(value.expression)) and not re.search(parts, named)
+
     inputs, outputs, parameters = (
-        tuple(value for value in values if variables.isdisjoint(_with_owners(value.expression)))
-        for values in (whole.inputs, whole.outputs, whole.parameters)
+        tuple(value for value in values if is_new(value)) for values in (whole.inputs, whole.outputs, whole.parameters)
     )
     return project._replace(interface=whole._replace(inputs=inputs, outputs=outputs, parameters=parameters))
 

@@ -80,6 +80,7 @@ def _errors(unit: Any) -> Iterator[Json]:
             "line": each.location.line,
             "column": each.location.column,
             "own": each.category_name == "User-Defined Issue",
+            "syntax": each.category_name == "Parse Issue",
         }
 
 
