@@ -219,6 +219,7 @@ def _compared(
         compared=Types(
             datatypes={each.reference: each for each in function.function.datatypes},
             records=answers.records,
+            constants=answers.enumerations,
             members={},
             is_read=False,
             is_replaced=False,

@@ -1,12 +1,12 @@
 """Types of variables in C, compared with the datatypes that are declared for them."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
 from sigcat.function.c_project.c_types import vss_datatype
-from sigcat.function.c_project.declarations import CType, Member, Record
+from sigcat.function.c_project.declarations import Constant, CType, Member, Record
 from sigcat.function.function_json.datatype import Datatype, TypeField
 from sigcat.function.function_json.variables import CodeVariable
 from sigcat.names import did_you_mean
@@ -39,6 +39,8 @@ class Types(NamedTuple):
 
     datatypes: Mapping[str, Datatype]
     records: Mapping[str, Record]
+    constants: Mapping[str, tuple[Constant, ...]]
+    """Constants of the enumerations of the code."""
     members: Mapping[str, str]
     """Names of members in the code, by their names in the catalogue."""
     is_read: bool
@@ -182,6 +184,7 @@ def _differences(
         yield Misfit(f"{expression!r} must be {datatype.c_definition}; the header has {kind.name}.", _PLAIN)
     elif kind.kind == "enumeration":
         yield from _of_enumeration(expression, kind, datatype, is_read=types.is_read)
+        yield from _of_constants(expression, types.constants.get(kind.key, ()), datatype)
     elif kind.kind == "number" and "char" not in kind.names[-1:]:
         yield from _of_number(expression, kind, datatype, is_read=types.is_read)
 
@@ -247,6 +250,19 @@ def _of_enumeration(expression: str, kind: CType, datatype: Datatype, *, is_read
     if declared is not None and (declared.sort == "floating" or is_narrow):
         message = f"{expression!r} must be {datatype.c_definition}; the header has an enumeration of {bits} bits."
         yield Misfit(message)
+
+
+def _of_constants(expression: str, constants: Sequence[Constant], datatype: Datatype) -> Iterator[Misfit]:
+    """Yield names whose number is not that of the one constant that ends with the name: of `M_ECO`, that is `ECO`."""
+    for each in datatype.symbols or ():
+        same = [constant for constant in constants if _plain(constant.name).endswith(_plain(each.symbol))]
+        if len(same) == 1 and same[0].value != each.value:
+            message = f"{expression!r} must have {each.symbol} as {same[0].value}, the number of {same[0].name} in the header, not as {each.value}."
+            yield Misfit(message, "Correct `values`, or the code.")
+
+
+def _plain(name: str) -> str:
+    return re.sub(r"[\W_]", "", name).lower()
 
 
 def _of_number(expression: str, kind: CType, datatype: Datatype, *, is_read: bool) -> Iterator[Misfit]:

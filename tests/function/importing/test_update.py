@@ -319,6 +319,19 @@ def test_what_a_person_took_from_the_code_is_not_gone(reentrant, capsys, variabl
     assert f"variable: {variable}" in file.read_text()
 
 
+def test_what_was_typed_at_an_entry_stays_when_its_variable_is_renamed(reentrant, capsys):
+    file = reentrant / "function.yaml"
+    text = file.read_text().replace("name: temp\n", "name: temp  # ticket 77\n            timeout: 100\n")
+    assert "ticket 77" in text
+    file.write_text(text)
+    (reentrant / "Fan.h").write_text(REENTRANT.replace("float temp;", "float temperature;"))
+    (reentrant / "Fan.c").write_text(REENTRANT_SOURCE.replace("in->temp", "in->temperature"))
+    capsys.readouterr()
+    assert update(reentrant) == 0
+    assert capsys.readouterr().out == "renamed: in.temp → in.temperature; check that it is the same signal\n"
+    assert file.read_text() == text.replace("variable: in.temp\n", "variable: in.temperature\n")
+
+
 @pytest.mark.parametrize("variable", ["'in.list[2]'", "(in.list[0])", "read(in.list)"])
 def test_what_the_file_names_in_part_or_in_an_expression_is_not_new(reentrant, capsys, variable):
     file = reentrant / "function.yaml"

@@ -32,11 +32,13 @@ from sigcat.function.importing.yaml_edits import (
     value_at,
 )
 from sigcat.function.importing.yaml_text import comment, scalar
-from sigcat.names import last_name
+from sigcat.names import last_name, nearest
 
 _PLAIN = re.compile(r"[A-Za-z_]\w*(?:\.\w+|\[\d+\])*", re.ASCII)
 _MADE = re.compile(r"\s*# \S+\.(?:h|hh|hpp|hxx|c|cc|cpp|cxx):\d+\b")
 """A comment that the import wrote."""
+_SIMILAR = 60.0
+"""Least similarity of two names of a variable that was renamed, of 100."""
 _BOM = "\ufeff"
 
 
@@ -108,9 +110,10 @@ def merge_code(
     project = with_object_names(project, declaration.code.objects if declaration.code else ())
     known = _Known(project, _values(project), {each.expression: each for each in project.others if not each.problem})
     text = data.decode("utf-8").removeprefix(_BOM).replace("\r\n", "\n")
+    text, renamed = _with_new_names(text, known, set(_variables(declared.document.value)))
     text, gone = _without_gone(text, known)
     text, changed = _with_changes(text, known, catalogue, below(folder, file.parent))
-    new = _new(project, set(_variables(declared.document.value)))
+    new = _new(project, {*_variables(declared.document.value), *renamed.values()})
     draft = draft_of(declaration.function, new, folder, file.parent, catalogue, "", branch, *_taken(declaration))
     text = _in_place(added(text, draft), draft)
     if b"\r\n" in data:
@@ -118,7 +121,8 @@ def merge_code(
     merged = read_declaration(text.encode(), str(file))
     if merged.declaration is None:
         raise InputRefused(f"{file} cannot be updated: what it would become has errors.", merged.findings)
-    report = (*gone, *changed, *_new_entries(draft), *_calls_and_sources(declaration, project, draft))
+    names = (f"renamed: {before} → {now}; check that it is the same signal" for before, now in renamed.items())
+    report = (*names, *gone, *changed, *_new_entries(draft), *_calls_and_sources(declaration, project, draft))
     return Merged(text, report, shown(project, folder))
 
 
@@ -187,6 +191,33 @@ def _entries(root: Node | None) -> Iterator[_Entry]:
                     variable = text_of(value_at(node, "variable"))
                     if variable and isinstance(node, MappingNode) and isinstance(listed, SequenceNode):
                         yield _Entry(kind, listed, index, node, variable)
+
+
+def _with_new_names(text: str, known: _Known, variables: AbstractSet[str]) -> tuple[str, Mapping[str, str]]:
+    """With the present names of variables that were renamed: one is gone, and one is new with a similar name, the same role, type and comment."""
+    whole, edits, names = Text(text), list[Edit](), dict[str, str]()
+    gone = [each for each in _entries(root_of(text)) if each.kind == "data" and known.is_gone(each.variable)]
+    fresh = _new(known.project, variables).interface
+    by_role = {"consumed": fresh.inputs, "provided": fresh.outputs}
+    for entry in gone:
+        role, told = text_of(value_at(entry.node, "role")) or "", _told(entry, whole)
+        alike = [value for value in by_role.get(role, ()) if told and _said(value) == told]
+        rivals = [other for other in gone if _told(other, whole) == told]
+        if len(alike) == len(rivals) == 1 and nearest(entry.variable, [alike[0].expression], cutoff=_SIMILAR):
+            edits += whole.set_value(entry.node, "variable", alike[0].expression, "variable")
+            names[entry.variable] = alike[0].expression
+    return edited(text, edits), names
+
+
+def _told(entry: _Entry, whole: Text) -> str:
+    """Type and remark in the comment that the import wrote above an entry; empty if there is none."""
+    made = (line for _, line in whole.comments_above(entry.node) if _MADE.match(line))
+    return next((_MADE.sub("", line).strip() for line in made), "")
+
+
+def _said(value: Value) -> str:
+    """Type and remark of a value as the import writes them."""
+    return next(said_of(Signal(value, "consumed", "", ""), "")).partition(" ")[2]
 
 
 def _without_gone(text: str, known: _Known) -> tuple[str, tuple[str, ...]]:
