@@ -37,7 +37,7 @@ def test_a_common_unit_that_vss_does_not_define_is_defined(name, others, definit
 
 
 def test_the_definition_of_a_unit_can_be_used_as_it_is(tmp_path):
-    for name in ("K", "ug/m3", "ppm", "mA", "µg/m³", "foo bar", "a'b", "x\ny"):
+    for name in ("K", "ug/m3", "ppm", "mA", "µg/m³"):
         parts = advice(name, VSS).split("`")[1::2]
         quantities = [part for part in parts if "quantity" not in part and "{" in part]
         (tmp_path / "quantities.yaml").write_text("\n".join(quantities or ["smell: {definition: A smell.}"]))
@@ -45,6 +45,14 @@ def test_the_definition_of_a_unit_can_be_used_as_it_is(tmp_path):
         made = read_vocabulary([tmp_path / "units.yaml"], [tmp_path / "quantities.yaml"])
         assert made.findings == ()
         assert len(made.distinct_units) == 1
+
+
+@pytest.mark.parametrize("name", ["foo bar", "a'b", "x\ny", "bar/s"])
+def test_the_quantity_of_an_unknown_unit_is_not_guessed(name, tmp_path):
+    _, definition, _ = advice(name, VSS).rsplit("`", 2)
+    (tmp_path / "units.yaml").write_text(f"{definition}\n")
+    (finding,) = read_vocabulary([tmp_path / "units.yaml"], []).findings
+    assert (finding.rule, "KEY_OF_QUANTITY" in finding.message) == ("U002", True)
 
 
 def test_a_name_that_is_nearly_right_is_proposed():

@@ -78,12 +78,12 @@ def advice(name: str, vocabulary: Vocabulary) -> str:
     if common is not None:
         alike = [unit.key for unit in vocabulary.distinct_units if unit.quantity == common.quantity]
         use = f"Use a unit of {common.quantity} ({', '.join(alike)}), or define" if alike else "Define"
-        return f"{use} it in a units file: `{definition_of(name, vocabulary)}`.{_quantity_too(common, vocabulary)}"
+        return f"{use} it in a units file: `{definition_of(name)}`.{_quantity_too(common, vocabulary)}"
     by_text = {text: unit for unit in vocabulary.distinct_units for text in (unit.key, unit.name)}
     meant = dict.fromkeys(_shown(by_text[text]) for text in nearest(name, by_text))
     if meant:
         return f"Did you mean {either(meant)}?"
-    return f"`sigcat units` lists all. Define it in a units file: `{definition_of(name, vocabulary)}`."
+    return f"`sigcat units` lists all. Define it in a units file: `{definition_of(name)}`."
 
 
 def _shown(unit: Unit) -> str:
@@ -97,9 +97,9 @@ def _quantity_too(common: CommonUnit, vocabulary: Vocabulary) -> str:
     return f" Define its quantity in a quantities.yaml: `{common.quantity}: {{definition: {text}.}}`."
 
 
-def definition_of(name: str, vocabulary: Vocabulary) -> str:
+def definition_of(name: str) -> str:
     """Return a definition to copy into a units file, on one line."""
-    fields = ", ".join(f"{key}: {value}" for key, value in definition_fields(name, vocabulary))
+    fields = ", ".join(f"{key}: {value}" for key, value in definition_fields(name))
     return f"{key_of(name)}: {{{fields}}}"
 
 
@@ -111,13 +111,13 @@ def key_of(name: str) -> str:
     return name if _PLAIN_KEY.fullmatch(name) else f"'{quoted}'"
 
 
-def definition_fields(name: str, vocabulary: Vocabulary) -> Iterator[tuple[str, str]]:
+def definition_fields(name: str) -> Iterator[tuple[str, str]]:
     """Fields of a definition to copy."""
     common = common_unit(name)
     text = common.name if common else "name of the unit"
     yield "definition", f"{text[:1].upper()}{text[1:]}."
     yield "unit", text
-    yield "quantity", common.quantity if common else next(iter(vocabulary.quantities), "length")
+    yield "quantity", common.quantity if common else "KEY_OF_QUANTITY"
     yield "allowed-datatypes", "[numeric]"
 
 
