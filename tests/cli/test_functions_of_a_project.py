@@ -101,3 +101,15 @@ def test_a_function_without_a_project_does_not_know_it(beta, tmp_path, capsys):
     (tmp_path / "sigcat.toml").unlink()
     assert main(["lint", beta]) == 1
     assert "I304" in capsys.readouterr().out
+
+
+def test_a_signal_that_was_renamed_is_found_by_its_former_name(beta, tmp_path, capsys):
+    (tmp_path / "own.vspec").write_text(
+        "Vehicle.Demo: {type: branch, description: Signals of the test.}\n"
+        "Vehicle.Demo.Result: {type: sensor, datatype: float, fka: [Vehicle.Demo.Out], description: A signal.}\n"
+    )
+    project = '[[catalogue]]\nid = "own"\nrelease = "shipped"\noverlays = ["own.vspec"]\n'
+    (tmp_path / "sigcat.toml").write_text(project)
+    assert main(["lint", beta]) == 1
+    said = "It is 'Vehicle.Demo.Result' now, as the `fka` there says. `sigcat migrate` renames it in all files."
+    assert said in capsys.readouterr().out

@@ -42,9 +42,15 @@ def _unknown(path: str, at: Pointer, context: Context) -> Problem:
         message, fix = f"{path!r} must name an instance.", f"Name one, such as {instance!r}."
     else:
         message = f"The catalogue has no signal {path!r}."
-        fix = _defined(path, context) or proposed(path, context)
+        fix = _moved(path, context) or _defined(path, context) or proposed(path, context)
         fix = fix or "Define it under `define`, or pass the overlay that defines it with `-l OVERLAY`."
     return Problem(codes.SIGNAL_UNKNOWN, at, message, fix, Subject("data", path))
+
+
+def _moved(path: str, context: Context) -> str:
+    """A sentence that names the signal whose `fka` has the path; empty if none has."""
+    now = next((node.path for node in context.catalogue.nodes.values() if path in (node.values.get("fka") or ())), "")
+    return f"It is {now!r} now, as the `fka` there says. `sigcat migrate` renames it in all files." if now else ""
 
 
 def proposed(path: str, context: Context) -> str:
