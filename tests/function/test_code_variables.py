@@ -118,13 +118,15 @@ def test_a_type_that_is_not_that_of_the_header_is_found(datatype, role, variable
     ("values", "said"),
     [
         ("{'OFF': 0, 'ON': 1}", ""),
+        ("{'F': 2, 'N': 3}", ""),
         ("{'OFF': 0, 'ON': 2}", "'mode' must have ON as 1, the number of M_ON in the header, not as 2."),
         ("{'OFF': 1, 'ON': 0}", "'mode' must have OFF as 0, the number of M_OFF in the header, not as 1."),
     ],
 )
 def test_numbers_of_an_enumeration_are_those_of_the_header(values, said, tmp_path, capsys):
     file = project(tmp_path, HEADER)
-    datatype = "string, allowed: ['OFF', 'ON']"
+    names = ", ".join(each.partition(":")[0] for each in values.strip("{}").split(", "))
+    datatype = f"string, allowed: [{names}]"
     more = f", values: {values}"
     file.write_text(FUNCTION.format(datatype=datatype, role="provided", variable="mode", more=more))
     main(["lint", str(file)])

@@ -53,9 +53,8 @@ def _trial(arguments: argparse.Namespace) -> "Trial":
     path = existing_file(arguments.overlay)
     if holds_function(path.read_bytes()):
         raise UsageError(f"{path} is a function file, not an overlay: run `sigcat function validate` on it")
-    place = place_of(arguments, path)
     layer = read_layer(path, arguments.include_dirs, is_overlay=True)
-    return trial.try_layer(place.base, layer, above=place.above)
+    return trial.try_layer(place_of(arguments, path), layer)
 
 
 def _print_text(trial: "Trial") -> None:

@@ -9,7 +9,7 @@ from sigcat.function.c_project.c_types import vss_datatype
 from sigcat.function.c_project.declarations import Constant, CType, Member, Record
 from sigcat.function.function_json.datatype import Datatype, TypeField
 from sigcat.function.function_json.variables import CodeVariable
-from sigcat.names import did_you_mean
+from sigcat.names import did_you_mean, words
 
 _SIZED = re.compile(r"(?P<unsigned>u?)int(?P<bits>8|16|32|64)_t")
 _FLOATING = {"float": 32, "double": 64}
@@ -253,16 +253,17 @@ def _of_enumeration(expression: str, kind: CType, datatype: Datatype, *, is_read
 
 
 def _of_constants(expression: str, constants: Sequence[Constant], datatype: Datatype) -> Iterator[Misfit]:
-    """Yield names whose number is not that of the one constant that ends with the name: of `M_ECO`, that is `ECO`."""
+    """Yield names whose number is not that of the one constant that ends with the same words: of `ECO`, it is `M_ECO`."""
     for each in datatype.symbols or ():
-        same = [constant for constant in constants if _plain(constant.name).endswith(_plain(each.symbol))]
+        ending = _words(each.symbol)
+        same = [constant for constant in constants if _words(constant.name)[-len(ending) :] == ending]
         if len(same) == 1 and same[0].value != each.value:
             message = f"{expression!r} must have {each.symbol} as {same[0].value}, the number of {same[0].name} in the header, not as {each.value}."
             yield Misfit(message, "Correct `values`, or the code.")
 
 
-def _plain(name: str) -> str:
-    return re.sub(r"[\W_]", "", name).lower()
+def _words(name: str) -> list[str]:
+    return [word.lower() for word in words(name)]
 
 
 def _of_number(expression: str, kind: CType, datatype: Datatype, *, is_read: bool) -> Iterator[Misfit]:

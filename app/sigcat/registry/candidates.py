@@ -87,7 +87,7 @@ def overlay_candidate(
 
 def overlay_trial(layer: Layer, place: OverlayPlace, limits: Limits = DEFAULT_LIMITS) -> Trial:
     """Apply an overlay at its place in a catalogue. Raises InputRefused if it brings errors."""
-    trial = try_layer(place.base, layer, limits, place.above)
+    trial = try_layer(place, layer, limits)
     if has_errors(trial.findings):
         raise InputRefused("the overlay has errors", trial.findings)
     return trial

@@ -1,4 +1,4 @@
-"""A catalogue as one document with all of its files: a service composes it without reading any of its own files."""
+"""A catalogue as one document with all of its files: a service composes it from these files alone."""
 
 import errno
 import json
@@ -22,7 +22,7 @@ from sigcat.temporary_files import temporary_folder
 ENDING = ".catalogue.json"
 """End of the names of such documents, after the name of the tree."""
 _DEEPEST = 16
-"""Folders above the tree in which its files may be."""
+"""Folders above the tree in which its files may be. The temporary folder has as many, so that no `..` of a name leaves it."""
 
 _Name = Annotated[str, Field(min_length=1, max_length=NAME_CHARACTERS)]
 

@@ -61,7 +61,7 @@ def posted_candidates(
     """Candidates of posted files. Raises InputRefused, and UsageError for an overlay or a catalogue without a version."""
     posted = posted_files(files)
     if (posted.overlays or posted.catalogues) and not version:
-        raise UsageError("An overlay or a catalogue has no version of its own. Add the parameter `version`.")
+        raise UsageError("The file of an overlay or a catalogue has no version. Add the parameter `version`.")
     overlays: list[Candidate] = []
     for data, name, layer in _layers(posted.overlays, limits):
         overlays.append(overlay_candidate(layer, data, _place(catalogue, name), version, owner, limits))

@@ -103,9 +103,7 @@ def test_the_sources_in_an_fmu_compile_without_the_project(tmp_path):
 def test_ecocontrol_in_the_master_of_fmpy(ecocontrol, step, tmp_path):
     """The master sets every input before each step, and so does the simulation. FMPy 0.3.32 takes no table of arrays."""
     step *= MILLISECOND
-    points = list(every_input_set(sampled(EXAMPLES / "ecocontrol/drive.csv", ecocontrol, step, 1000 * step)))
-    write_trace(points, ecocontrol, tmp_path / "trace.csv")
-    sent = simulated(ecocontrol, tmp_path / "trace.csv", tmp_path / "sent.csv", 1000 * step)
+    points, sent = driven(ecocontrol, step, 1000 * step, tmp_path)
     outputs = [each for each in ecocontrol.variables if each.causality == "output"]
     result = fmpy.simulate_fmu(
         str(ecocontrol.file), stop_time=1000 * step / 1e9, output_interval=step / 1e9, input=signals(ecocontrol, points),
@@ -127,9 +125,7 @@ def test_ecocontrol_in_the_master_of_fmpy(ecocontrol, step, tmp_path):
 @pytest.mark.parametrize("step", [10, 50, 70])
 def test_ecocontrol_in_the_importer_of_the_reference_fmus(ecocontrol, step, tmp_path):
     step *= MILLISECOND
-    points = list(every_input_set(sampled(EXAMPLES / "ecocontrol/drive.csv", ecocontrol, step, 300 * step)))
-    write_trace(points, ecocontrol, tmp_path / "trace.csv")
-    sent = simulated(ecocontrol, tmp_path / "trace.csv", tmp_path / "sent.csv", 300 * step)
+    points, sent = driven(ecocontrol, step, 300 * step, tmp_path)
     given = signals(ecocontrol, points)
     with (tmp_path / "input.csv").open("w", newline="", encoding="utf-8") as file:
         csv.writer(file).writerows([given.dtype.names, *(map(repr, map(as_number, row)) for row in given.tolist())])
@@ -142,6 +138,13 @@ def test_ecocontrol_in_the_importer_of_the_reference_fmus(ecocontrol, step, tmp_
     compared, wrong = differences(ecocontrol, sent, tmp_path / "played.csv", step, 300 * step)
     assert compared > 1000
     assert not wrong, wrong[:5]
+
+
+def driven(made, step, end, folder):
+    """The drive of the example with every input set at each step, and what a simulation of it sends."""
+    points = list(every_input_set(sampled(EXAMPLES / "ecocontrol/drive.csv", made, step, end)))
+    write_trace(points, made, folder / "trace.csv")
+    return points, simulated(made, folder / "trace.csv", folder / "sent.csv", end)
 
 
 def as_number(value):

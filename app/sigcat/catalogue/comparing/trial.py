@@ -1,6 +1,5 @@
 """Try an overlay on a catalogue before anything is stored: its changes and its errors."""
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat import codes
@@ -36,14 +35,15 @@ class OverlayPlace(NamedTuple):
 
 def try_overlay(base: Catalogue, overlay_text: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Trial:
     """Apply an overlay given as text, which cannot include files. Nothing is stored, and `base` stays as it is."""
-    return try_layer(base, layer_from_text(overlay_text, name, limits=limits), limits)
+    return try_layer(OverlayPlace(base), layer_from_text(overlay_text, name, limits=limits), limits)
 
 
-def try_layer(base: Catalogue, overlay: Layer, limits: Limits = DEFAULT_LIMITS, above: Sequence[Layer] = ()) -> Trial:
-    """Apply an overlay that has been read, below others that may need it.
+def try_layer(place: OverlayPlace, overlay: Layer, limits: Limits = DEFAULT_LIMITS) -> Trial:
+    """Apply an overlay that has been read at its place, below others that may need it.
 
     Errors of these others are findings of the trial.
     """
+    base, above = place
     before = with_overlays(base, above, limits)
     catalogue = with_overlays(base, (overlay, *above), limits)
     known = frozenset(base.findings) | {each for each in before.findings if each.severity != "error"}

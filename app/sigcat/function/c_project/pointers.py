@@ -148,7 +148,7 @@ def _of_objects(objects: list[_Found], code: Code) -> Iterator[tuple[Role, Itera
 
 
 def _of_members(model: _Found, code: Code, has_own: bool) -> Iterator[tuple[Role, Iterator[Value]]]:
-    """Values in the model: `self->in.speed`, unless the calls take inputs and outputs of their own.
+    """Values in the model: `self->in.speed`, unless the calls take inputs or outputs.
 
     Other values of a model of Simulink are its timing and its states.
     """
