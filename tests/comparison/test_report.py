@@ -11,6 +11,7 @@ from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.host.shapes import Number
 from sigcat.comparison.effort import Counted
 from sigcat.comparison.recording import Built, CallTime, ProcessLoad, Recording
+from sigcat.comparison.report.drawing import SERIES
 from sigcat.comparison.report.html import html_page
 from sigcat.comparison.report.markdown import markdown
 from sigcat.comparison.report.model import read_report, to_json
@@ -431,9 +432,8 @@ def test_each_platform_has_a_colour_and_a_kind_of_line(style):
     colours = re.findall(r"--series-(\d): ([^;]+);", style)
     lines = re.findall(r"\.trace\.series-(\d) \{([^}]+)\}", style)
     for found in (colours, lines):
-        assert (
-            len({number for number, _ in found}) == len({look for _, look in found}) == len(RUNNERS) + 1
-        )  # a platform by hand
+        assert len({number for number, _ in found}) == len({look for _, look in found}) == SERIES
+    assert SERIES == len(RUNNERS) + 1  # a platform by hand
 
 
 # -- how long it took ---------------------------------------------------------------------------------------------

@@ -15,7 +15,7 @@ from sigcat.comparison.timing import BINS_PER_DECADE
 LEFT, WIDTH, RIGHT = 210, 720, 34
 _ROW, _HILL = 46, 30
 _PANEL, _GAP = 110, 46
-_SERIES = 6
+SERIES = 7
 """Kinds of lines; more platforms repeat them."""
 
 
@@ -81,7 +81,7 @@ def _hill(row: Row, base: int, low: int, high: int) -> Iterator[str]:
     words = f"{row.label}: median {duration(found.p50)}, p99 {duration(found.p99)}, worst {duration(found.worst)}"
     yield f"<g><title>{escape(words)}, of {found.total:,}</title>"
     yield f'<text class="end" x="{LEFT - 10}" y="{base - 8}">{escape(row.label)}</text>'
-    yield f'<path class="hill series-{row.series % _SERIES}" d="{path}V{base}Z"/>'
+    yield f'<path class="hill series-{row.series % SERIES}" d="{path}V{base}Z"/>'
     for value, name in ((found.p50, "median"), (found.p99, "p99")):
         yield f'<path class="{name}" d="M{_x(value, low, high):g} {base - _HILL - 4}V{base + 3}"/>'
     yield "</g>"
@@ -117,7 +117,7 @@ def _legend(names: Sequence[str], titles: Mapping[str, str]) -> Iterator[str]:
     x = 10
     for index, name in enumerate(names):
         title = titles.get(name, name)
-        yield f'<path class="trace series-{index % _SERIES}" d="M{x} 16h34"/>'
+        yield f'<path class="trace series-{index % SERIES}" d="M{x} 16h34"/>'
         yield f'<text x="{x + 42}" y="20">{escape(title)}</text>'
         x += 64 + 7 * len(title)
 
@@ -135,7 +135,7 @@ def _panel(trace: Trace, names: Sequence[str], top: int, first: int, last: int) 
     for line in trace.lines:
         path = _path(line, first, last, low, high, top)
         if path:
-            yield f'<path class="trace series-{names.index(line.platform) % _SERIES}" d="{path}"/>'
+            yield f'<path class="trace series-{names.index(line.platform) % SERIES}" d="{path}"/>'
 
 
 def _range(values: Sequence[float]) -> tuple[float, float]:
