@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from sigcat.cli import main
+from tests.project.company import OVERLAY, write_company
 
 OWN = "ppm:\n  definition: Parts per million.\n  unit: parts per million\n  quantity: relation\n  allowed-datatypes: ['numeric']\n"
 
@@ -70,3 +71,11 @@ def test_a_unit_that_is_missing_comes_with_its_definition(capsys, tmp_path, monk
 def test_json_has_factor_and_origin(capsys):
     (unit,) = json.loads(output(capsys, "kmh", "--format", "json"))
     assert (unit["key"], unit["base"], unit["factor"], unit["offset"]) == ("km/h", "m/s", 5 / 18, 0)
+
+
+def test_units_are_listed_while_the_tree_has_errors(tmp_path, monkeypatch, capsys):
+    write_company(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    Path("overlays/acme.vspec").write_text(OVERLAY.replace("unit: ppm", "unit: pmm"))
+    assert main(["units", "parts"]) == 0
+    assert "parts per million" in capsys.readouterr().out

@@ -433,7 +433,7 @@ def test_each_platform_has_a_colour_and_a_kind_of_line(style):
     lines = re.findall(r"\.trace\.series-(\d) \{([^}]+)\}", style)
     for found in (colours, lines):
         assert len({number for number, _ in found}) == len({look for _, look in found}) == SERIES
-    assert SERIES == len(RUNNERS) + 1  # a platform by hand
+    assert len(RUNNERS) + 1 == SERIES  # a platform by hand
 
 
 # -- how long it took ---------------------------------------------------------------------------------------------

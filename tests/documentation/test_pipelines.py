@@ -20,7 +20,7 @@ from sigcat.project.starting.ci import pipeline_text
 from tests.documentation.pages import ROOT, blocks, text_of
 
 PIPELINE = "docs/how-to/pipeline.md"
-SOURCE = "git+https://example.org/your/copy/of/sigcat@REVISION"
+SOURCE = "sigcat[c] @ git+https://example.org/your/copy/of/sigcat@REVISION"
 TITLES = {"github": ".github/workflows/signals.yml", "gitlab": ".gitlab-ci.yml"}
 MARK = "<!-- sigcat diff -->"
 NOISE = """\

@@ -63,7 +63,8 @@ def test_the_catalogues_of_the_configuration_are_some(folder, monkeypatch):
     (folder / "overlays").mkdir()
     (folder / "functions").mkdir()
     (folder / "can").mkdir()
-    for name in ("our-rules.yaml", "units.yaml", "quantities.yaml", "can/vehicle.dbc", "deployment.yaml"):
+    (folder / "common").mkdir()
+    for name in ("our-rules.yaml", "common/units.yaml", "common/quantities.yaml", "can/vehicle.dbc", "deployment.yaml"):
         (folder / name).write_text("")
     for name in ("Own.vspec", "units.yaml", "quantities.yaml", "types.vspec"):
         (folder / "trees" / name).write_text("")

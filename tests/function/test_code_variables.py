@@ -193,6 +193,7 @@ FLOATS = "'float[]', arraysize: "
 SHAPED = {
     "as many elements": (FLOATS + "5", "list", "", ""),
     "fewer elements": (FLOATS + "4", "list", "", "'list' must have 4 elements; the header has 5."),
+    "an array without a length": ("'float[]'", "list", "", "The length of 'list' must be known; the datatype has none, and the header 5. Set `arraysize: 5` of the signal."),
     "one value": (FLOATS + "4", "point.x", "", "'point.x' must be an array of 4; the header has float."),
     "an array for one value": ("float", "list", "", "'list' must be one value; the header has an array of 5."),
     "a struct for one value": ("float", "point", "", "'point' must be one value; the header has the struct point_T."),

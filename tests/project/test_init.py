@@ -69,7 +69,7 @@ def test_sigcat_from_git_is_installed_from_the_same_commit(monkeypatch):
     origin = '{"url": "https://example.org/sigcat", "vcs_info": {"vcs": "git", "commit_id": "0abc"}}'
     installed = type("Distribution", (), {"read_text": lambda _self, _name: origin})()
     monkeypatch.setattr(ci, "distribution", lambda _name: installed)
-    assert ci.installed_source() == "git+https://example.org/sigcat@0abc"
+    assert ci.installed_source() == "sigcat[c] @ git+https://example.org/sigcat@0abc"
 
 
 def test_nothing_is_written_over(folder, capsys):
@@ -86,6 +86,19 @@ def test_a_run_that_was_interrupted_is_completed(folder):
     Path("rules.yaml").unlink()
     assert main(["init"]) == 0
     assert {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()} == whole
+
+
+def test_a_project_that_is_there_gets_a_pipeline_alone(folder, capsys):
+    assert main(["init"]) == 0
+    Path("sigcat.toml").write_text('[[catalogue]]\nid = "own"\nrelease = "shipped"\n')
+    capsys.readouterr()
+    assert main(["init", "--ci", "gitlab"]) == 0
+    assert capsys.readouterr().out == ".gitlab-ci.yml\n"
+
+
+def test_a_source_that_only_an_index_has_is_named(folder, capsys):
+    assert main(["init", "--ci", "gitlab"]) == 0
+    assert f"The pipeline installs {ci.installed_source()}. If your package index" in capsys.readouterr().err
 
 
 # -- from a folder ------------------------------------------------------------------------------------------------

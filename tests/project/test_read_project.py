@@ -263,3 +263,21 @@ def test_folders_of_functions_must_be_there(folder, text, message):
 def test_a_setting_in_the_wrong_table_is_told_with_the_right_one(folder, line, fix):
     ((_, _, _, advice),) = findings(folder, f"{line}\n")
     assert advice.startswith(fix)
+
+
+def test_units_and_quantities_beside_the_file_need_no_entry(tmp_path):
+    file = tmp_path / "sigcat.toml"
+    file.write_text('[[catalogue]]\nid = "own"\nrelease = "shipped"\n')
+    for name in ("units.yaml", "quantities.yaml"):
+        (tmp_path / name).write_text("")
+    read = read_project(file)
+    assert (read.units, read.quantities) == ((tmp_path / "units.yaml",), (tmp_path / "quantities.yaml",))
+    assert read.catalogues[0].units == read.units
+
+
+def test_units_beside_a_tree_are_those_of_the_tree(tmp_path):
+    file = tmp_path / "sigcat.toml"
+    file.write_text('[[catalogue]]\nid = "own"\nspec = "Own.vspec"\n')
+    for name in ("units.yaml", "Own.vspec"):
+        (tmp_path / name).write_text("")
+    assert read_project(file).units == ()

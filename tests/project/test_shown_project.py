@@ -1,9 +1,11 @@
 """`sigcat config --show`: every value, and where it comes from."""
 
+from pathlib import Path
+
 import pytest
 
 from sigcat.cli import main
-from tests.project.company import write_company
+from tests.project.company import UNITS, write_company
 
 
 @pytest.fixture(autouse=True)
@@ -46,3 +48,11 @@ def test_without_a_project_the_shipped_catalogue_is_shown(capsys):
     assert lines["project = none"] == "--isolated"
     assert lines["catalogue (default) = interfaces"] == "shipped"
     assert lines["shipped functions = yes"] == "default"
+
+
+def test_units_that_are_found_have_no_line(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    Path("sigcat.toml").write_text('[[catalogue]]\nid = "own"\nrelease = "shipped"\n')
+    Path("units.yaml").write_text(UNITS)
+    assert main(["config", "--show"]) == 0
+    assert capsys.readouterr().out.count("beside the project file") == 2

@@ -12,6 +12,17 @@ SENSOR = "  type: sensor\n  datatype: {}\n  description: A value.\n"
 STRING, NUMBER = (f"Vehicle.Value:\n{SENSOR.format(datatype)}" for datatype in ("string", "uint8"))
 SEATS = "Vehicle.Seat:\n  type: branch\n  description: Seats.\n"
 BRANCH = "Vehicle.{}: {{type: branch, description: A.}}\n"
+OWNER = """\
+ACME001:
+  name: owner-missing
+  title: Each node has an owner.
+  severity: error
+  why: Questions need an answer.
+  check: required
+  nodes: {{overlay: {}}}
+  options: {{attributes: [owner]}}
+  source: Guide of Acme
+"""
 STEP = """\
 Vehicle.Function.F.Scheduling.Step:
   type: branch
@@ -194,3 +205,35 @@ def test_keys_of_units_that_differ_in_case_only_are_told_with_both(tmp_path):
     (finding,) = lint_paths([tmp_path / "units.yaml"]).findings
     assert (finding.rule, finding.line) == ("U004", 2)
     assert "'MW' replaces 'mW'" in finding.message
+
+
+@pytest.mark.parametrize(
+    ("instances", "fix"),
+    [
+        ("[1-3]", "Write Seat[1,3] for each number from 1 to 3."),
+        ("Row1..4", "Write Seat[1,4] for each number from 1 to 4."),
+        ("[Left Right]", "Write Left, Right for 2 instances, or one name such as 'LeftRight'."),
+        ("[left right]", "Use a name such as 'LeftRight'."),
+    ],
+)
+def test_a_label_that_is_several_says_how_to_write_them(tmp_path, instances, fix):
+    (finding,) = linted(tmp_path, f"{SEATS}  instances: {instances}\n", "V115").findings
+    assert finding.fix == fix
+
+
+@pytest.mark.parametrize(
+    ("is_overlay", "found"), [("true", ["Vehicle.Cabin.Own"]), ("false", ["Vehicle.Cabin", "Vehicle.Cabin.Own"])]
+)
+def test_a_rule_can_be_about_what_overlays_add(tmp_path, is_overlay, found):
+    texts = {
+        "Tree.vspec": "Vehicle.Cabin: {type: branch, description: A.}\n",
+        "own.vspec": "Vehicle.Cabin: {comment: Changed.}\nVehicle.Cabin.Own: {type: branch, description: B.}\n",
+        "rules.yaml": OWNER.format(is_overlay),
+    }
+    for name, text in texts.items():
+        (tmp_path / name).write_text(text)
+    options = LintOptions(
+        select=("ACME",), base=tmp_path / "Tree.vspec", rule_files=(tmp_path / "rules.yaml",), root=tmp_path
+    )
+    result = lint_paths([tmp_path / "Tree.vspec", tmp_path / "own.vspec"], options)
+    assert sorted({finding.path for finding in result.findings} - {"Vehicle"}) == found

@@ -71,7 +71,7 @@ def test_a_reaction_that_another_function_decided_is_not_this_ones(file: Path) -
         (["1,F_Step,0.5,,,", "2,F_St"], "The row must have 6 cells"),
         (["1,F_Step,0.5,,,", "2,F_Step,fast,,,"], "Speed must be a number, not 'fast'"),
         (["1,F_Step,0.5,,,", "nan,F_Step,1,,,"], "The time must be in seconds"),
-        (["1,F_Step,0.5,,,", "0.5,F_Step,1,,,"], "The time must be at least that of the row above"),
+        (["1,F_Step,0.5,,,", "0.5,F_Step,1,,,"], "The time must be at least 1, that of the row above"),
         (["1,F_Step,0.5,,,", '2,"F_Step,1,,,'], "A cell that begins with a quote"),
         (["1,F_Step,0.5,,,", "2,F_Step,,,MAYBE,"], "Lost must be PASSED or FAILED"),
     ],

@@ -121,12 +121,12 @@ def test_each_column_is_known(read, header, expected):
 
 
 ROWS = {
-    "0": "2:1: error T001 The row must have 8 cells, as the header has, not 1.",
-    "-1,,,,,,,": "2:1: error T004 The time must be in seconds, from 0 to 9,223,372,036, not '-1'.",
-    ",,,,,,,": "2:1: error T004 The time must be in seconds, from 0 to 9,223,372,036, not ''.",
-    "nan,,,,,,,": "2:1: error T004 The time must be in seconds, from 0 to 9,223,372,036, not 'nan'.",
-    "1e99999999999,,,,,,,": "2:1: error T004 The time must be in seconds, from 0 to 9,223,372,036, not '1e99999999999'.",
-    "1_0,,,,,,,": "2:1: error T004 The time must be in seconds, from 0 to 9,223,372,036, not '1_0'.",
+    "0": "2:1: error T001 The row must have 8 cells, as the header has, not 1. Leave a cell empty that has no value. Write decimals with a point.",
+    "-1,,,,,,,": "2:1: error T004 The time must be in seconds, from 0 to 9,223,372,036, not '-1'. Write a number alone, such as 0.5.",
+    ",,,,,,,": "2:1: error T004 The time must be in seconds, from 0 to 9,223,372,036, not ''. Write a number alone, such as 0.5.",
+    "nan,,,,,,,": "2:1: error T004 The time must be in seconds, from 0 to 9,223,372,036, not 'nan'. Write a number alone, such as 0.5.",
+    "1e99999999999,,,,,,,": "2:1: error T004 The time must be in seconds, from 0 to 9,223,372,036, not '1e99999999999'. Write a number alone, such as 0.5.",
+    "1_0,,,,,,,": "2:1: error T004 The time must be in seconds, from 0 to 9,223,372,036, not '1_0'. Write a number alone, such as 0.5.",
     "0,fast,,,,,,": "2:3: error T005 Vehicle.Speed must be a number, not 'fast'.",
     "0,1e39,,,,,,": "2:3: error T005 Vehicle.Speed must fit a float, not '1e39'.",
     "0,1e999,,,,,,": "2:3: error T005 Vehicle.Speed must fit a float, not '1e999'.",
@@ -142,8 +142,8 @@ ROWS = {
     '0,,,,,"{""X"": 1, ""Kind"": ""A"", ""X"": 2}",,': "2:7: error T005 Vehicle.Point must have each member once, and 'X' is given twice.",
     '0,,,,"[1, 2]",,ONN,': "2:16: error T005 Demo_Mode_In must be OFF or ON, not 'ONN'. Did you mean 'ON'?",
     "0,,,,,,,-1": "2:9: error T005 Demo_Step must be a time in seconds, from 0 to 9,223,372,036, not '-1'.",
-    '0,,,,"[1, 2],,,': "2:6: error T001 A cell that begins with a quote must end with one, in the same row; a quote within is doubled.",
-    '0,1"2,,,,,,': "2:3: error T001 A cell that begins with a quote must end with one, in the same row; a quote within is doubled.",
+    '0,,,,"[1, 2],,,': "2:6: error T001 A cell that begins with a quote must end with one, in the same row; a quote within is doubled. Remove the quote, or close it.",
+    '0,1"2,,,,,,': "2:3: error T001 A cell that begins with a quote must end with one, in the same row; a quote within is doubled. Remove the quote, or close it.",
 }
 
 
@@ -156,7 +156,9 @@ def test_what_is_wrong_with_a_row_is_told_where_it_stands(read, row, expected):
 def test_times_do_not_go_back(read):
     found, findings = read("time,Vehicle.Speed\n0.2,1\n0.1,2\n0.2,3\n")
     assert [moment.time for moment in found] == [200_000_000, 200_000_000]
-    assert findings == ["3:1: error T004 The time must be at least that of the row above, not '0.1'."]
+    assert findings == [
+        "3:1: error T004 The time must be at least 0.2, that of the row above, not '0.1'. Sort the rows by time."
+    ]
 
 
 def test_what_is_no_utf_8_is_told(read):

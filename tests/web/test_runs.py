@@ -319,7 +319,7 @@ NO_CORE_COLUMNS = f"time,call,{MODE}\n0,CoreAcc_Init,OFF\n"
         (RUN.replace("0.5,,PASSED", "fast,,PASSED"), "must be a number, not 'fast'"),
         (RUN.replace("FAILED", "<b>"), "must be PASSED or FAILED, not '<b>'"),
         (RUN.replace("\n3,", "\nNaN,"), "must be in seconds"),
-        (RUN.replace("\n3,", "\n0.5,"), "must be at least that of the row above"),
+        (RUN.replace("\n3,", "\n0.5,"), "that of the row above"),
         (RUN.replace("\n3,", "\n1e99,"), "must be in seconds"),
         (RUN.encode()[:-30] + b"\xff\xfe\n", "must be in UTF-8"),
         (RUN.encode() + b"\0" * 1000 + b"\n", "must have 7 cells"),

@@ -26,7 +26,11 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument(
         "folder", nargs="?", type=Path, metavar="FOLDER", help="folder to write into (default: the current folder)"
     )
-    parser.add_argument("--ci", choices=_SERVERS, help="write the pipeline for this server, too")
+    parser.add_argument(
+        "--ci",
+        choices=_SERVERS,
+        help="write the pipeline for this server, too; beside a sigcat.toml, only the pipeline",
+    )
     parser.add_argument(
         "--from", dest="existing", type=Path, metavar="REPO_FOLDER",
         help="write only the sigcat.toml that fits the trees, overlays, units, functions and rules in this folder "
@@ -38,17 +42,28 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 def init(arguments: argparse.Namespace) -> int:
     """Write the files, and say what to do next."""
     folder: Path = arguments.folder or arguments.existing or Path()
-    texts = _existing(arguments.existing, folder) if arguments.existing else _new(folder)
-    texts = {**texts, **_pipelines(arguments.ci)}
+    texts = {**_project(arguments, folder), **_pipelines(arguments.ci)}
     taken = [str(folder / name) for name, text in texts.items() if _would_lose(folder / name, text)]
     if taken:
         raise UsageError(f"nothing was written: {', '.join(taken)} {'is' if len(taken) == 1 else 'are'} there already")
     for name, text in texts.items():
         write_text(text, folder / name)
         print(folder / name)
-    run = "`sigcat lint`" if arguments.existing else f"`sigcat lint`, `{_SIMULATE}` and `sigcat serve`"
+    run = f"`sigcat lint`, `{_SIMULATE}` and `sigcat serve`" if _RULES in texts else "`sigcat lint`"
     print(f"Try {run}{'' if folder == Path() else f' in {folder}'}.", file=sys.stderr)
+    if arguments.ci:
+        _tell_source()
     return 0
+
+
+def _project(arguments: argparse.Namespace, folder: Path) -> "Mapping[str, str]":
+    """The files of a project; none where only a pipeline is missing."""
+    from sigcat.project.project import FILE_NAME
+
+    if arguments.existing:
+        return _existing(arguments.existing, folder)
+    texts = _new(folder)
+    return {} if arguments.ci and _would_lose(folder / FILE_NAME, texts[FILE_NAME]) else texts
 
 
 def _would_lose(path: Path, text: str) -> bool:
@@ -56,6 +71,7 @@ def _would_lose(path: Path, text: str) -> bool:
     return os.path.lexists(path) and not (path.is_file() and path.read_bytes() == text.encode())
 
 
+_RULES = "rules.yaml"
 _SIMULATE = "sigcat simulate --trace functions/cabin_air/trace.csv"
 
 
@@ -81,3 +97,14 @@ def _pipelines(server: str | None) -> "Mapping[str, str]":
     from sigcat.project.starting.ci import PIPELINES, installed_source, pipeline_text
 
     return {PIPELINES[server][0]: pipeline_text(server, installed_source())} if server else {}
+
+
+def _tell_source() -> None:
+    from sigcat.project.starting.ci import installed_source, is_from_index
+
+    source = installed_source()
+    if is_from_index(source):
+        print(
+            f"The pipeline installs {source}. If your package index does not have it, set SIGCAT in the pipeline.",
+            file=sys.stderr,
+        )

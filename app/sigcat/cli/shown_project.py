@@ -31,7 +31,7 @@ class Shown(NamedTuple):
 def shown_project(project: Project, given: TreeOptions) -> Iterator[Shown]:
     """Yield the values of the project, then those of its catalogues and of the one that commands use."""
     for name in _OF_PROJECT:
-        yield from (Shown(name, str(path), project.line("", 0, _key(name))) for path in getattr(project, name))
+        yield from (Shown(name, str(path), _place(name, project)) for path in getattr(project, name))
     if project.deployment is not None:
         yield Shown("deployment", str(project.deployment), project.line("", 0, "deployment"))
     yield from _registry(project)
@@ -47,6 +47,12 @@ def shown_project(project: Project, given: TreeOptions) -> Iterator[Shown]:
             yield from _catalogue("catalogue", source, project, TreeOptions())
     for vehicle in project.vehicles:
         yield from _vehicle(vehicle)
+
+
+def _place(name: str, project: Project) -> str:
+    """Return the place of a list of the project; units and quantities are found without one."""
+    is_found = name in ("units", "quantities") and not project.has_key(name)
+    return "beside the project file" if is_found else project.line("", 0, _key(name))
 
 
 def _registry(project: Project) -> Iterator[Shown]:
@@ -112,7 +118,7 @@ def _origin(name: str, path: Path, source: Source, number: int | None, project: 
     if path in getattr(given, name):
         return _OPTIONS[name]
     if path in getattr(project, name, ()):
-        return project.line("", 0, _key(name))
+        return _place(name, project)
     if path.parent == source.spec.parent and name != "overlays":
         return "beside the tree"
     if path == STANDARD_UNITS:

@@ -56,12 +56,17 @@ def add_dbc(group: argparse._ActionsContainer, text: str) -> None:
 
 
 def read_tree(
-    arguments: argparse.Namespace, *, expanded: bool = True, for_export: bool = False, below: Path | None = None
+    arguments: argparse.Namespace,
+    *,
+    expanded: bool = True,
+    for_export: bool = False,
+    for_units: bool = False,
+    below: Path | None = None,
 ) -> "Catalogue":
     """The catalogue that the options name. Its warnings go to standard error; errors raise InputRefused.
 
-    `for_export`: an error with which vss-tools exports a tree does not refuse it. `below`: an overlay that is left out,
-    with those after it.
+    `for_export`: an error with which vss-tools exports a tree does not refuse it. `for_units`: only an error of a units
+    file does. `below`: an overlay that is left out, with those after it.
     """
     from sigcat.catalogue.exporting.stopping import stops_export
     from sigcat.catalogue.hosting.source import load
@@ -74,12 +79,13 @@ def read_tree(
     is_of_project = source.vehicle is not None or source.id in (each.id for each in project.catalogues)
     catalogue = load(source if is_of_project else source._replace(id=source.spec.stem), expanded=expanded)
     refuse_overwriting(arguments, (*project.files, *(file.name for file in catalogue.files)))
-    refused = any(map(stops_export, catalogue.findings)) if for_export else has_errors(catalogue.findings)
+    findings = catalogue.vocabulary.findings if for_units else catalogue.findings
+    refused = any(map(stops_export, findings)) if for_export else has_errors(findings)
     if refused:
-        raise InputRefused("the tree has errors; nothing was done", catalogue.findings)
+        raise InputRefused("the tree has errors; nothing was done", findings)
     if is_of_project and not catalogue.has_signals and below is None:
         raise UsageError(without_signals(source.spec))
-    print_findings(catalogue.findings)
+    print_findings(findings)
     return catalogue
 
 

@@ -36,7 +36,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def units(arguments: argparse.Namespace) -> int:
     """Print the units, or a number that is converted. Raises NotFound where nothing matches."""
-    vocabulary = read_tree(arguments, expanded=False).vocabulary
+    vocabulary = read_tree(arguments, expanded=False, for_units=True).vocabulary
     if arguments.words[:1] == [_CONVERT]:
         print(_converted(arguments.words[1:], vocabulary))
         return 0

@@ -195,6 +195,9 @@ def _of_array(
     if kind.kind in ("number", "record"):
         yield Misfit(f"{expression!r} must be {_expected(datatype)}; the header has {_shown(kind)}.")
     elif kind.kind == "array" and kind.of:
+        if not datatype.length:
+            message = f"The length of {expression!r} must be known; the datatype has none, and the header {kind.length or 'none'}."
+            yield Misfit(message, f"Set `arraysize: {kind.length or 'COUNT'}` of the signal.")
         if datatype.length and kind.length and datatype.length != kind.length:
             yield Misfit(f"{expression!r} must have {datatype.length} elements; the header has {kind.length}.")
         element = types.datatypes.get(datatype.element or "")

@@ -108,6 +108,7 @@ def rules_schema() -> Schema:
         "datatypes": {"type": "array", "items": {"enum": sorted(DATATYPES)}},
         "interfaces": {"type": "array", "items": {"enum": [*CATEGORIES]}},
         "path": {**_TEXT, "description": "A glob of paths."},
+        "overlay": {"type": "boolean", "description": "Only nodes that an overlay adds."},
     }
     known: Mapping[str, Schema] = {
         "severity": {"enum": [*SEVERITIES]},

@@ -87,6 +87,11 @@ class Project(NamedTuple):
         prefix = "tool.sigcat" if self.file is not None and self.file.name == "pyproject.toml" else ""
         return f"{self.file}:{self.lines.line('.'.join(filter(None, (prefix, table))), number, key)}"
 
+    def has_key(self, key: str) -> bool:
+        """Whether the file has a key before its tables."""
+        table = "tool.sigcat" if self.file is not None and self.file.name == "pyproject.toml" else ""
+        return self.lines.has(table, key)
+
     @property
     def files(self) -> tuple[Path, ...]:
         """The project file and the files that it names: no command writes over them."""

@@ -25,8 +25,10 @@ from typing import Any
 from sigcat import codes
 from sigcat.catalogue.hosting.source import Source
 from sigcat.catalogue.hosting.sources import release_source, shipped_sources
+from sigcat.catalogue.model.vocabulary import files_beside
 from sigcat.catalogue.reading.toml_lines import Lines
 from sigcat.errors import InputRefused, NotFound, UsageError
+from sigcat.file_kind import QUANTITY_NAMES, UNIT_NAMES
 from sigcat.findings import Finding, first_at, in_order, shown
 from sigcat.limits import CONFIGURATION_BYTES
 from sigcat.names import nearest
@@ -43,6 +45,8 @@ from sigcat.text_lines import lines_of
 
 _OF_CATALOGUES = ("units", "quantities", "types", "include-dirs")
 """Lists that a catalogue may have, and the project for all of its catalogues."""
+_FOUND = {"units": UNIT_NAMES, "quantities": QUANTITY_NAMES}
+"""Names of files beside the project file, which it need not list."""
 CATALOGUE_KEYS: Mapping[str, type] = {
     "id": str, "title": str, "spec": str, "release": str, "standard-units": bool,
     **dict.fromkeys(("overlays", *_OF_CATALOGUES), list),
@@ -122,6 +126,7 @@ def _project(data: Mapping[str, Any], reading: "Reading", readers: Mapping[str, 
         name.replace("-", "_"): paths_of(data, name, "", 0, reading)
         for name in ("functions", "rules", *_OF_CATALOGUES, "dbc")
     }
+    lists |= _vocabulary_beside(data, reading)
     lint = reading.table("lint", data, options_of) or LintOptions()
     project = Project(
         reading.file,
@@ -149,6 +154,17 @@ def _ids(listed: Any) -> Sequence[str]:
 
 def _is_tables(listed: Any) -> bool:
     return isinstance(listed, list) and all(isinstance(values, dict) for values in listed)
+
+
+def _vocabulary_beside(data: Mapping[str, Any], reading: "Reading") -> Mapping[str, tuple[Path, ...]]:
+    """The files of units and quantities beside the project file that it does not list. Beside a tree, they are of the tree."""
+    catalogues = data.get("catalogue")
+    if not isinstance(catalogues, list):
+        return {}
+    specs = [each.get("spec") for each in catalogues if isinstance(each, dict)]
+    if any(reading.path(spec).parent == reading.file.parent for spec in specs if isinstance(spec, str)):
+        return {}
+    return {name: files_beside([reading.file], names) for name, names in _FOUND.items() if name not in data}
 
 
 def _check_one_tree(data: Mapping[str, Any], reading: "Reading") -> None:

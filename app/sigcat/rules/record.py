@@ -30,6 +30,8 @@ class Nodes(NamedTuple):
     interfaces: frozenset[str] = frozenset()
     path: str = ""
     """A glob, in which `*` matches any text."""
+    is_of_overlay: bool = False
+    """Whether only nodes count that an overlay adds."""
 
 
 class Rule(NamedTuple):
@@ -195,7 +197,7 @@ def _nodes(values: dict[str, Any]) -> Nodes:
     if "signals" in types:
         types = types - {"signals"} | frozenset(SIGNALS)
     datatypes, interfaces = (frozenset(values.get(key, ())) for key in ("datatypes", "interfaces"))
-    return Nodes(types, datatypes, interfaces, values.get("path", ""))
+    return Nodes(types, datatypes, interfaces, values.get("path", ""), values.get("overlay", False))
 
 
 def _examples(given: Any) -> tuple[Any, ...]:

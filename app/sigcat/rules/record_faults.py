@@ -97,12 +97,14 @@ def _of_nodes(values: Any) -> Iterator[Fault]:
     if not isinstance(values, dict):
         yield Fault(f"`nodes` must be a mapping, not {shown(values)}.", "nodes")
         return
-    known = (*_NODE_NAMES, "path")
+    known = (*_NODE_NAMES, "path", "overlay")
     for key in values:
         if key not in known:
             yield Fault(f"Unknown field {key!r} in `nodes`.", "nodes", did_you_mean(str(key), known))
     if not isinstance(values.get("path", ""), str):
         yield Fault(f"`path` must be a glob such as Vehicle.Body.*, not {shown(values['path'])}.", "nodes")
+    if not isinstance(values.get("overlay", False), bool):
+        yield Fault(f"`overlay` must be true or false, not {shown(values['overlay'])}.", "nodes")
     for key, names in _NODE_NAMES.items():
         yield from _of_names(key, values.get(key, []), names)
 

@@ -28,13 +28,15 @@ class NodeRule(NamedTuple):
     needs: tuple[str, ...]
     path: Callable[[str], object] | None
     is_for_all: bool
-    """Whether it is about nodes of any datatype, at any path."""
+    """Whether it is about nodes of any datatype, at any path, of trees and overlays."""
 
     def concerns(self, definition: Definition) -> bool:
-        """Whether the datatype and the path of a node are those that the rule is about."""
-        datatypes = self.rule.nodes.datatypes
-        return (not datatypes or str(definition.values.get("datatype")) in datatypes) and (
-            self.path is None or bool(self.path(definition.path))
+        """Whether the datatype, the path and the first file of a node are those that the rule is about."""
+        nodes = self.rule.nodes
+        return (
+            (not nodes.datatypes or str(definition.values.get("datatype")) in nodes.datatypes)
+            and (self.path is None or bool(self.path(definition.path)))
+            and (not nodes.is_of_overlay or definition.is_added)
         )
 
 
@@ -145,7 +147,7 @@ def _node_rule(rule: Rule, check: NodeCheck) -> NodeRule:
     needs = check.needs[1:] if check.needs.startswith("=") else str(rule.options.get(check.needs, ""))
     path = _matcher(rule.nodes.path) if rule.nodes.path else None
     names = tuple(name.partition(".")[0] for name in needs.split("|") if name)
-    return NodeRule(rule, check, names, path, path is None and not rule.nodes.datatypes)
+    return NodeRule(rule, check, names, path, path is None and not (rule.nodes.datatypes or rule.nodes.is_of_overlay))
 
 
 @cache

@@ -95,7 +95,12 @@ def value_of(item: Interface, at: Pointer, context: Context, *, to_code: bool) -
     parts, what = parts_of(item.datatype, members, context)
     if not parts:
         message = f"{item.name} cannot be carried: {what}."
-        context.report(codes.VALUE_NOT_CARRIED, (*at, "Datatype"), message, "Give it another datatype.")
+        context.report(
+            codes.VALUE_NOT_CARRIED,
+            (*at, "Datatype"),
+            message,
+            "Give it another datatype; an array needs an `arraysize`.",
+        )
         return None
     is_struct = any(part.keys for part in parts)
     leaves = tuple([_leaf(item, part, context.arithmetic, to_code=to_code, is_struct=is_struct) for part in parts])

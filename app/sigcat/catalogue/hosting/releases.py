@@ -130,6 +130,8 @@ def find_release(name: str, data: Path | None = None) -> Release:
         if _VERSION.fullmatch(wanted):
             raise NotFound(f"release {wanted} is not pulled.{there} Run `sigcat pull {wanted}`.", near)
         hint = f" Did you mean {' or '.join(near)}?" if near else ""
+        if not near and wanted.lstrip("vV")[:1].isdigit():
+            hint = " Releases of VSS have names such as v5.0; `sigcat pull v5.0` fetches one."
         raise NotFound(f"no file, folder or release is named {wanted!r}.{hint}{there}", near)
     return pulled[wanted]
 

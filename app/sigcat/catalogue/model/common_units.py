@@ -73,8 +73,11 @@ class CommonUnit(NamedTuple):
 
 
 def common_unit(name: str) -> CommonUnit | None:
-    """Return the unit outside VSS that a spelling means."""
-    plain = plain_spelling(name)
+    """Return the unit outside VSS that a spelling means, also in the plural."""
+    return _unit_spelled(plain_spelling(name)) or _unit_spelled(plain_spelling(name).removesuffix("s"))
+
+
+def _unit_spelled(plain: str) -> CommonUnit | None:
     folded = [unit for code, unit in _BY_CODE.items() if code.lower() == plain.lower()]
     return _BY_CODE.get(plain) or (folded[0] if len(folded) == 1 else None)
 

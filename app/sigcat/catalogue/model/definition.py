@@ -76,6 +76,11 @@ class Definition:
         value = self.values.get("type")
         return value if isinstance(value, str) else ""
 
+    @property
+    def is_added(self) -> bool:
+        """Whether an overlay adds the node."""
+        return bool(self.statements and self.statements[0].file.overlay)
+
     def origin(self, attribute: str = "") -> Origin:
         """Return the last place of the value of an attribute; without one, the first place of the node."""
         if attribute:

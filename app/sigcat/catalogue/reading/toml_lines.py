@@ -46,6 +46,10 @@ class Lines:
         """Line of a key of the table that is the `number`th of its name; of its header without a key."""
         return self.position(table, number, key)[0]
 
+    def has(self, table: str, key: str) -> bool:
+        """Whether the first table of this name has a key."""
+        return (table, 0, key) in self._positions
+
     def position(self, table: str, number: int = 0, key: str = "", value: str = "") -> Position:
         """Position of a key, or of a text in its value; of the header of its table without one."""
         at_key = self._positions.get((table, number, key))

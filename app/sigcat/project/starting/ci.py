@@ -23,13 +23,22 @@ def hooks_text() -> str:
     return (FILES / "pre-commit.yaml").read_text(encoding="utf-8")
 
 
+EXTRAS = "c"
+"""Extra that lint needs to compare functions with their headers."""
+
+
 def installed_source() -> str:
-    """Return what pip needs to install this sigcat elsewhere: the commit that it is from, else its version."""
+    """Return what pip needs to install this sigcat elsewhere, with `EXTRAS`: the commit that it is from, else its version."""
     try:
         origin = json.loads(distribution("sigcat").read_text("direct_url.json") or "{}")
     except PackageNotFoundError:
         origin = {}
     versioned = origin.get("vcs_info", {})
     if versioned.get("vcs") == "git":
-        return f"git+{origin['url']}@{versioned['commit_id']}"
-    return f"sigcat=={__version__}"
+        return f"sigcat[{EXTRAS}] @ git+{origin['url']}@{versioned['commit_id']}"
+    return f"sigcat[{EXTRAS}]=={__version__}"
+
+
+def is_from_index(source: str) -> bool:
+    """Whether pip looks for a source in a package index."""
+    return "==" in source

@@ -46,9 +46,22 @@ def instance_name(rule: Rule, _tree: Tree) -> NodeTest:
                 message = f"Instance {label!r} must match {pattern.text}."
                 fix = f"Use a name such as {proposal!r}." if pattern.matches(proposal) else ""
                 facts = {"name": label, "proposal": proposal}
+                fix = _separate(label, definition, pattern) or fix
                 yield Problem(definition, message, "instances", fix, facts, within=within)
 
     return test
+
+
+def _separate(label: str, definition: Definition, pattern: Pattern) -> str:
+    """The fix of a label that is several: `1-3`, `Left Right`; empty for others."""
+    if numbers := re.fullmatch(r"\w*?(\d+) *(?:-|\.\.) *(\d+)", label):
+        return f"Write {last_name(definition.path)}[{numbers[1]},{numbers[2]}] for each number from {numbers[1]} to {numbers[2]}."
+    names = label.split()
+    if len(names) > 1 and all(pattern.matches(name) for name in names):
+        return (
+            f"Write {', '.join(names)} for {len(names)} instances, or one name such as {camel_case(_plain(label))!r}."
+        )
+    return ""
 
 
 def _pattern(rule: Rule) -> Pattern:

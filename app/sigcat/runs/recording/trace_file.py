@@ -18,7 +18,7 @@ from sigcat.findings import Finding, RuleCode, has_errors, shown
 from sigcat.limits import TRACE_FINDINGS, TRACE_ROW_BYTES
 from sigcat.names import did_you_mean
 from sigcat.runs.recording.cells import Unfit, value_of
-from sigcat.runs.recording.times import LIMITS, nanoseconds
+from sigcat.runs.recording.times import LIMITS, nanoseconds, seconds
 
 TIME, CALL = RUN_COLUMNS
 """Columns that every recording has: `call` is in what a simulation writes, and says nothing here."""
@@ -180,8 +180,7 @@ class _Header(NamedTuple):
         if not self.names or self.names[0] != TIME:
             first = self.names[0] if self.names else ""
             message = f"The first column must be `{TIME}`, not {shown(first)}."
-            fix = "Separate cells by commas." if re.search("[;\t|]", first) else "Give the time of each row in seconds."
-            yield self._finding(codes.TRACE_MALFORMED, 0, message, fix)
+            yield self._finding(codes.TRACE_MALFORMED, 0, message, _fix_of_first(first))
             return
         seen = {TIME}
         for index, name in enumerate(self.names[1:], 1):
@@ -207,6 +206,13 @@ class _Header(NamedTuple):
         return rule.finding(message, self.file, self.row.line, _column(self.row, index), fix=fix)
 
 
+def _fix_of_first(name: str) -> str:
+    """The fix of a header whose first column is not the time."""
+    if name.strip().casefold() == TIME:
+        return f"Write `{TIME}`."
+    return "Separate cells by commas." if re.search("[;\t|]", name) else "Give the time of each row in seconds."
+
+
 def missing_inputs(known: Known, columns: Collection[str], file: str) -> Iterator[Finding]:
     """A note about inputs that a trace does not have."""
     missing = dict.fromkeys(names[0] for names in known.inputs if not set(names) & set(columns))
@@ -229,10 +235,11 @@ def _moment(trace: Trace, row: _Row, last: int, findings: list[Finding]) -> Mome
     """Return the values at the time of a row; findings of its cells are added to the list."""
     if len(row.cells) != len(trace.columns):
         message = f"The row must have {len(trace.columns)} cells, as the header has, not {len(row.cells)}."
-        return codes.TRACE_MALFORMED.finding(message, *trace.place(row.line, 1))
+        fix = "Leave a cell empty that has no value. Write decimals with a point."
+        return codes.TRACE_MALFORMED.finding(message, *trace.place(row.line, 1), fix=fix)
     time = nanoseconds(row.cells[0])
     if time is None or time < last:
-        return _unfit_time(trace, row, is_number=time is not None)
+        return _unfit_time(trace, row, last if time is not None else None)
     values = []
     for index, shape in trace.taken:
         cell = row.cells[index]
@@ -244,12 +251,17 @@ def _moment(trace: Trace, row: _Row, last: int, findings: list[Finding]) -> Mome
     return Moment(time, tuple(values), row.cells[trace.call] if trace.call is not None else "", row.line)
 
 
-def _unfit_time(trace: Trace, row: _Row, *, is_number: bool) -> Finding:
+def _unfit_time(trace: Trace, row: _Row, above: int | None) -> Finding:
+    """The finding about a time before that of the row above, in nanoseconds, or about a text that is not a time."""
     text = shown(row.cells[0])
-    message = f"The time must be at least that of the row above, not {text}."
-    if not is_number:
-        message = f"The time must be in seconds, {LIMITS}, not {text}."
-    return codes.TRACE_TIME_UNFIT.finding(message, *trace.place(row.line, _column(row, 0)))
+    if above is None:
+        message, fix = f"The time must be in seconds, {LIMITS}, not {text}.", "Write a number alone, such as 0.5."
+    else:
+        message = (
+            f"The time must be at least {seconds(above).rstrip('0').rstrip('.')}, that of the row above, not {text}."
+        )
+        fix = "Sort the rows by time."
+    return codes.TRACE_TIME_UNFIT.finding(message, *trace.place(row.line, _column(row, 0)), fix=fix)
 
 
 def _unfit_value(trace: Trace, row: _Row, index: int, reason: Unfit) -> Finding:
@@ -290,7 +302,8 @@ def _row(line: bytes, number: int, file: str) -> _Row | Finding | None:
     found = _quoted(text)
     if isinstance(found, int):
         message = "A cell that begins with a quote must end with one, in the same row; a quote within is doubled."
-        return codes.TRACE_MALFORMED.finding(message, file, number, found + 1)
+        fix = "Remove the quote, or close it."
+        return codes.TRACE_MALFORMED.finding(message, file, number, found + 1, fix=fix)
     return _Row(number, text, [_unquoted(cell) for cell in found])
 
 
