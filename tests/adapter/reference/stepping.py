@@ -23,6 +23,7 @@ def set_input(running: Running, name: str, t: int) -> None:
     t = running.tick(t)
     running.close_windows(t)
     running.graph.report(name)
+    running.calls[name].activations.take()
     for each in running.calls[name].inputs:
         each.evaluate(t)
         if not each.input.is_immediate:

@@ -74,5 +74,8 @@ class Activations:
         self.next_release += late * (self.timing.cycle or 0)
         self.missed += max(late - 1, 0)
         self.overrun = late > 1
-        self.events = max(self.events - self.timing.events_per_call, 0)
         self.is_active = True
+
+    def take(self) -> None:
+        """Its snapshot is taken: the events of its values are over."""
+        self.events = max(self.events - self.timing.events_per_call, 0)
