@@ -8,7 +8,7 @@ import pytest
 from scripts import ros2_environment
 from sigcat.adapter.toolchain import toolchain
 from sigcat.comparison.behaviour import in_lock_step
-from sigcat.comparison.recording import Sent
+from sigcat.comparison.recording import Recording, Sent
 from sigcat.comparison.running.runner import Drive, Subject
 from sigcat.comparison.running.table import RUNNERS
 from sigcat.integration.reading import read_functions
@@ -25,27 +25,46 @@ INSTALLED = {"AMENT_PREFIX_PATH": str(ros2_environment.ENVIRONMENT)}
 
 pytestmark = [needs.ros2, pytest.mark.parametrize("language", USUAL)]
 RUNNER = {"C++": "ros2-cpp", "Python": "ros2-py"}
+BURST_COUNT = 20
 
 
 def played(language: str, case: Path, folder: Path) -> list[Mapping[str, tuple[Sent, ...]]]:
     """Values that the simulation sends, then those of a node of the function."""
+    drive = Drive(case / "trace.csv", 10**8)
+    return [recorded(name, case, folder, drive).sent for name in ("simulate", RUNNER[language])]
+
+
+def recorded(platform: str, case: Path, folder: Path, drive: Drive) -> Recording:
+    """A drive that was played to a function on a platform."""
     path, deployment = case / "function.yaml", case / "deployment.yaml"
     functions, _ = read_functions([(path.read_bytes(), str(path))], interfaces())
     chosen = deployment_of_file(deployment, INSTALLED) if deployment.exists() else DEFAULT_DEPLOYMENT
     subject = Subject(functions, prepare(functions), chosen)
-    sent: list[Mapping[str, tuple[Sent, ...]]] = []
-    for name in ("simulate", RUNNER[language]):
-        built = RUNNERS[name].build(subject, folder / name, toolchain())
-        recording = RUNNERS[name].play(built, subject, Drive(case / "trace.csv", 10**8))
-        assert recording.last_words == ""
-        sent.append(dict(recording.sent))
-    return sent
+    built = RUNNERS[platform].build(subject, folder / platform, toolchain())
+    recording = RUNNERS[platform].play(built, subject, drive)
+    assert recording.last_words == ""
+    return recording
 
 
 def test_a_call_that_runs_several_times_in_a_step_loses_nothing(language, tmp_path):
     expected, found = played(language, BURSTS, tmp_path)
     assert len(expected["Vehicle.Burst.Last"]) > 10
     assert in_lock_step(expected, found).is_equal
+
+
+def test_a_free_run_has_the_value_of_each_call_of_a_burst(language, tmp_path):
+    """Calls follow each other at once, and the topic keeps one value for late subscribers."""
+    found = recorded(RUNNER[language], BURSTS, tmp_path, Drive(bursts(tmp_path / "bursts.csv"), 10**9, "free run"))
+    assert len(found.calls) > 2 * BURST_COUNT
+    assert len(found.sent["Vehicle.Burst.Last"]) == len(found.calls)
+
+
+def bursts(path: Path) -> Path:
+    """A trace with bursts that fill the queue of the function, and time to take the last one."""
+    times = [f"{index * 0.02:.3f}" for index in range(BURST_COUNT) for _ in range(12)]
+    rows = [f"{time},{number}" for number, time in enumerate(times)]
+    path.write_text("\n".join(["time,Vehicle.Burst.Command", *rows, ""]))
+    return path
 
 
 def test_signals_travel_in_messages_that_exist(language, tmp_path):

@@ -207,7 +207,8 @@ def _free_run(report: Report) -> Section:
     ]  # fmt: skip
     lead = (
         "In free run every process keeps its own time. A call may see an input one cycle earlier or later than in the reference. "
-        "Those values are counted separately. Other values differ for another reason, usually internal state left by an earlier shift."
+        "Those values are counted separately. Other values differ for another reason, usually "
+        "internal state left by an earlier shift, or a burst of a queue that calls took in other portions."
     )
     head = "platform|drive|values|equal|a call earlier or later|other|steps"
     parts = (

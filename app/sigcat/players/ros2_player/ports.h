@@ -205,8 +205,8 @@ private:
 
 class Ports final {
 public:
-    /// `keeps_all`: in lock step nothing may be lost, however many messages a step sends.
-    Ports(rclcpp::Node& node, Record& record, bool keeps_all) : node_{node}, record_{record}, keeps_all_{keeps_all} {}
+    Ports(rclcpp::Node& node, Record& record, bool is_lock_step)
+        : node_{node}, record_{record}, is_lock_step_{is_lock_step} {}
 
     template <typename MessageT>
     OutOf<MessageT>& Offer(const std::string& topic, const rclcpp::QoS& quality, const Takers& takers) {
@@ -224,11 +224,10 @@ public:
         };
     }
 
+    /// Keeps all, whatever depth the topic has: calls that follow each other at once send several values, and each is recorded.
     template <typename MessageT, typename ValuesT>
     void Hear(const std::string& topic, rclcpp::QoS quality, std::size_t node, const Takers& takers, ValuesT values) {
-        if (keeps_all_) {
-            quality.keep_last(kRoom);
-        }
+        quality.keep_last(kRoom);
         Takers others = takers;
         others.erase(node);
         subscriptions_.push_back(node_.create_subscription<MessageT>(
@@ -263,11 +262,11 @@ private:
         return static_cast<std::int64_t>(time.sec) * kSecond + static_cast<std::int64_t>(time.nanosec);
     }
     /// The time of a message that has none.
-    std::int64_t Now() const { return keeps_all_ ? record_.Now() : node_.now().nanoseconds(); }
+    std::int64_t Now() const { return is_lock_step_ ? record_.Now() : node_.now().nanoseconds(); }
 
     rclcpp::Node& node_;
     Record& record_;
-    bool keeps_all_;
+    bool is_lock_step_;
     std::vector<std::unique_ptr<Out>> outs_;
     std::map<std::string, std::function<void(const std::string&)>> columns_;
     std::vector<std::shared_ptr<void>> subscriptions_;
