@@ -271,6 +271,13 @@ def test_files_of_a_bag_that_overlap_in_time_are_one_trace(tmp_path):
     assert [row.split(",")[1] for row in text.splitlines()[1:]] == ["1.0", "2.0", "3.0", "4.0"]
 
 
+def test_each_message_of_a_burst_has_its_own_time(tmp_path):
+    """A node may have taken several with one call: no time says so, and none of them is joined."""
+    burst = [("/vehicle/speed", "Speed", 1 + number / 10**6, stamped(speed=number)) for number in range(3)]
+    text, _ = rows(bag(tmp_path / "a.mcap", *burst, schemas={"Speed": SPEED}), tmp_path)
+    assert text.splitlines()[1:] == ["0.000000000,0.0", "0.000001000,1.0", "0.000002000,2.0"]
+
+
 # -- the forms in which `ros2 bag record` stores a bag ------------------------------------------------------------
 
 SCHEMA = """
