@@ -103,7 +103,7 @@ def _registry(folder: Path, functions: int, paths: Sequence[str]) -> Path:
         for number in range(functions):
             name = f"Function{number}"
             uses = to_json(_uses(name, chance.sample(paths, _USES)))
-            digests = {"content": ledger.put(name.encode()), "resolved": ledger.put(b"{}"), "uses": ledger.put(uses)}
+            digests = dict(zip(("content", "resolved", "uses"), ledger.put(name.encode(), b"{}", uses), strict=True))
             data = {"kind": "function", "name": name, "version": "1.0.0", "state": "published", "owner": "A team"}
             ledger.append("publish", data | digests)
             ledger.append("release", {"line": f"Line{number % _LINES}", "name": name, "version": "1.0.0"})

@@ -80,9 +80,9 @@ def add(connection: Connection, *candidates: Candidate) -> None:
             "owner": each.owner,
         }
         digests = {
-            "content": ledger.put(each.content),
-            "resolved": ledger.put(each.resolved),
-            "uses": ledger.put(each.uses),
+            **dict(
+                zip(("content", "resolved", "uses"), ledger.put(each.content, each.resolved, each.uses), strict=True)
+            ),
         }
         ledger.append("publish", data | digests)
 

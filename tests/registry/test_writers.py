@@ -184,16 +184,16 @@ def test_a_place_that_cannot_be_written_is_a_finding(folder: str) -> None:
 
 
 def test_tables_that_another_process_creates_meanwhile_are_those_of_the_registry(tmp_path: Path, monkeypatch) -> None:
-    file, read = tmp_path / "registry.db", store._number
+    file, read = tmp_path / "registry.db", store._header
 
-    def meanwhile(connection: Connection, name: str) -> int:
-        number = read(connection, name)
-        if name == "application_id" and number == 0:
+    def meanwhile(connection: Connection) -> tuple[int, int]:
+        schema, application = read(connection)
+        if application == 0:
             other = sqlite3.connect(file, timeout=0, isolation_level=None)
             with suppress(sqlite3.OperationalError):  # it has to wait
                 other.executescript("BEGIN EXCLUSIVE; CREATE TABLE names (id INTEGER); COMMIT")
             other.close()
-        return number
+        return schema, application
 
-    monkeypatch.setattr(store, "_number", meanwhile)
+    monkeypatch.setattr(store, "_header", meanwhile)
     assert _publish_same(file) == "published"

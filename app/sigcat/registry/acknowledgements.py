@@ -13,7 +13,7 @@ from sigcat.registry.approvals import check_author
 from sigcat.registry.published import Published, all_versions, version_named
 from sigcat.registry.reference import Kind, Reference, refused
 from sigcat.registry.storing.content import content_of
-from sigcat.registry.storing.ledger import Registry, head, ledger_of
+from sigcat.registry.storing.ledger import Registry, ledger_of
 from sigcat.registry.storing.tables import ACKNOWLEDGEMENTS
 from sigcat.registry.use import from_json
 from sigcat.registry.users import direct_users
@@ -89,5 +89,5 @@ def acknowledge(registry: Registry, kind: Kind, reference: Reference, owner: str
         if not known[owner].at:
             data = {"kind": kind, "name": reference.name, "version": reference.version, "owner": owner}
             ledger.append("acknowledge", data)
-        last = head(ledger.connection)
+        last = ledger.head
         return last.hash if last else ""

@@ -12,7 +12,7 @@ from sigcat.names import did_you_mean
 from sigcat.registry.published import Published, all_versions, version_named
 from sigcat.registry.reference import Kind, Reference, refused
 from sigcat.registry.storing.entry import Action, now, time_text
-from sigcat.registry.storing.ledger import Registry, head, ledger_of
+from sigcat.registry.storing.ledger import Registry, ledger_of
 from sigcat.registry.storing.tables import APPROVALS
 
 VALID_DAYS = 30
@@ -121,7 +121,7 @@ def _decide(
         _check_owner(reference, owner, approvals_of(ledger.connection, version))
         data = {"kind": kind, "name": reference.name, "version": reference.version, "owner": owner}
         ledger.append(action, {**data, "content": version.content, "uses": version.uses, **decision})
-        last = head(ledger.connection)
+        last = ledger.head
         return Decided(approvals_of(ledger.connection, version), last.hash if last else "")
 
 

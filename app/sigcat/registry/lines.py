@@ -17,7 +17,7 @@ from sigcat.registry.reference import (
     unknown,
 )
 from sigcat.registry.storing.entry import Action, is_past
-from sigcat.registry.storing.ledger import Ledger, Registry, head, ledger_of
+from sigcat.registry.storing.ledger import Ledger, Registry, ledger_of
 
 
 def record(registry: Registry, action: Action, line: str, reference: Reference) -> str:
@@ -35,7 +35,7 @@ def record(registry: Registry, action: Action, line: str, reference: Reference) 
         _check_owner(ledger, reference.name, owner)
         if not (action == "release" and _runs(ledger.connection, line, reference)):
             ledger.append(action, {"line": line, "name": reference.name, "version": reference.version})
-        return _head(ledger.connection)
+        return _head(ledger)
 
 
 def set_state(
@@ -63,7 +63,7 @@ def set_state(
         _check_retired(ledger.connection, reference, state)
         data = {"kind": kind, "name": reference.name, "version": reference.version, "state": state}
         ledger.append("state", {**data, "until": until, "successor": successor})
-        return _head(ledger.connection)
+        return _head(ledger)
 
 
 def set_rule(registry: Registry, kind: Kind, name: str, rule: Rule) -> str:
@@ -74,7 +74,7 @@ def set_rule(registry: Registry, kind: Kind, name: str, rule: Rule) -> str:
             raise unknown(kind, name, known)
         _check_owner(ledger, name, *(each.owner for each in all_versions(ledger.connection, kind, name)[-1:]))
         ledger.append("rule", {"kind": kind, "name": name, "rule": rule})
-        return _head(ledger.connection)
+        return _head(ledger)
 
 
 def _check_owner(ledger: Ledger, name: str, *owners: str) -> None:
@@ -119,6 +119,6 @@ def _check_date(text: str) -> None:
         raise refused(codes.VERSION_NOT_DEPLOYABLE.finding(message))
 
 
-def _head(connection: Connection) -> str:
-    last = head(connection)
+def _head(ledger: Ledger) -> str:
+    last = ledger.head
     return last.hash if last else ""

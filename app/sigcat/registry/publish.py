@@ -4,21 +4,22 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Literal, NamedTuple
 
-from sqlalchemy import Connection, bindparam, select
+from sqlalchemy import Connection, and_, bindparam, outerjoin, select
 
 from sigcat import codes
 from sigcat.catalogue.comparing.changelog import next_version, part_of
 from sigcat.catalogue.comparing.changes import CLASSES
+from sigcat.digest import digest_of
 from sigcat.findings import Finding, shown
 from sigcat.registry.approvals import Approval, approvals_of, approving
 from sigcat.registry.candidate import Candidate
 from sigcat.registry.changes import UseChange, function_changes, node_changes
 from sigcat.registry.compatibility.affected import Affected, affected_owners
 from sigcat.registry.owners import alike_problem
-from sigcat.registry.published import PUBLISHED, Published, all_versions, version_named
+from sigcat.registry.published import COLUMNS, PUBLISHED, Published, all_versions, version_named
 from sigcat.registry.reference import CHANGEABLE, DEPLOYABLE, Kind, Reference, Rule, name_problem, refused
 from sigcat.registry.storing.content import content_of
-from sigcat.registry.storing.ledger import Ledger, Registry, head, ledger_of
+from sigcat.registry.storing.ledger import Ledger, Registry, ledger_of
 from sigcat.registry.storing.tables import NAMES, VERSIONS
 from sigcat.registry.use import from_json
 from sigcat.registry.version import RELEASED, is_enough, raised_part, version_of, version_problem
@@ -60,15 +61,28 @@ def publish(registry: Registry, candidates: Sequence[Candidate], *, is_draft: bo
     outcomes: list[Outcome] = []
     with ledger_of(registry) as ledger:
         for each in candidates:
-            known = _same_release(ledger.connection, each)
+            known = _known(ledger.connection, each)
             problems = list(_problems(ledger, each, known, is_draft=is_draft))
             findings += problems
             if not problems:
                 outcomes.append(_publish(ledger, each, known, candidates, is_draft=is_draft))
         if findings:
             raise refused(*findings)
-        last = head(ledger.connection)
+        last = ledger.head
     return Receipt(tuple(outcomes), last.hash if last else "")
+
+
+class _Known(NamedTuple):
+    """Facts about the name of a candidate before it is published."""
+
+    name: str = ""
+    """The name as it is published; it may differ in case. Empty for a new one."""
+    rule: Rule | None = None
+    release: Published | None = None
+    """The published version that differs at most in build metadata."""
+    newest_owner: str | None = None
+    """Owner of the newest other version."""
+    newest_precedence: str = ""
 
 
 def _malformed(candidate: Candidate) -> Iterator[Finding]:
@@ -81,20 +95,22 @@ def _malformed(candidate: Candidate) -> Iterator[Finding]:
 
 
 def _publish(
-    ledger: Ledger, candidate: Candidate, known: Published | None, together: Sequence[Candidate], *, is_draft: bool
+    ledger: Ledger, candidate: Candidate, before: _Known, together: Sequence[Candidate], *, is_draft: bool
 ) -> Outcome:
+    known = before.release
+    content, resolved, uses = ledger.put(candidate.content, candidate.resolved, candidate.uses)
     data = {
         "kind": candidate.kind, "name": candidate.name, "version": candidate.version,
-        "owner": candidate.owner, "content": ledger.put(candidate.content), "resolved": ledger.put(candidate.resolved),
-        "uses": ledger.put(candidate.uses),
+        "owner": candidate.owner, "content": content, "resolved": resolved, "uses": uses,
     }  # fmt: skip
     is_same = known is not None and (known.content, known.uses) == (data["content"], data["uses"])
     if known is not None and is_same and (known.state not in CHANGEABLE or (known.state == "draft" and is_draft)):
         return Outcome(candidate.kind, known.reference, "unchanged", owner=known.owner)
-    previous = _previous_owner(ledger.connection, candidate)
+    previous = _previous_owner(candidate, before)
     if previous:
         data["previous_owner"] = previous
-    affected = {} if is_draft else _asked_owners(ledger.connection, candidate, together)
+    is_asking = before.rule == "approval" and not is_draft
+    affected = _asked_owners(ledger.connection, candidate, together) if is_asking else {}
     if affected.keys() <= _approving(ledger.connection, known, data):
         state: Status = "draft" if is_draft else "published"
         ledger.append("publish", {**data, "state": state})
@@ -103,14 +119,10 @@ def _publish(
     return asked._replace(owner=candidate.owner, previous_owner=previous)
 
 
-def _previous_owner(connection: Connection, candidate: Candidate) -> str:
+def _previous_owner(candidate: Candidate, before: _Known) -> str:
     """Owner of the newest version of the name, if the candidate is newer and has another one."""
-    version = version_of(candidate.version)
-    others = [
-        each for each in all_versions(connection, candidate.kind, candidate.name) if each.version != candidate.version
-    ]
-    newer = (each.owner for each in others[-1:] if version is not None and each.precedence < version)
-    return "".join(owner for owner in newer if owner != candidate.owner)
+    is_newer = before.newest_precedence < _key(candidate)["before"]
+    return before.newest_owner or "" if is_newer and before.newest_owner != candidate.owner else ""
 
 
 def _approving(connection: Connection, known: Published | None, data: Mapping[str, str]) -> frozenset[str]:
@@ -119,18 +131,10 @@ def _approving(connection: Connection, known: Published | None, data: Mapping[st
 
 def _asked_owners(connection: Connection, candidate: Candidate, together: Sequence[Candidate]) -> Affected:
     """Owners that the rule `approval` asks: a new major version breaks no vehicle that keeps the version before it."""
-    if _rule(connection, candidate) != "approval":
-        return {}
     base, version = _baseline(connection, candidate), version_of(candidate.version)
     if base is not None and version is not None and raised_part(base.precedence, version) == "major":
         return {}
     return affected_owners(connection, candidate, together, base.owner if base else candidate.owner)
-
-
-def _rule(connection: Connection, candidate: Candidate) -> Rule | None:
-    key = {"of_kind": candidate.kind, "of_folded": candidate.name.casefold()}
-    rule: Rule | None = connection.execute(_RULE, key).scalar()
-    return rule
 
 
 def _ask(
@@ -149,10 +153,13 @@ def _asked(connection: Connection, version: Published) -> Mapping[str, str]:
     return {each.owner: each.functions for each in approvals_of(connection, version)}
 
 
-def _problems(ledger: Ledger, candidate: Candidate, known: Published | None, *, is_draft: bool) -> Iterator[Finding]:
-    connection = ledger.connection
-    yield from _other_spelling(connection, candidate)
-    yield from _other_owner(connection, candidate)
+def _problems(ledger: Ledger, candidate: Candidate, before: _Known, *, is_draft: bool) -> Iterator[Finding]:
+    connection, known = ledger.connection, before.release
+    if before.name not in ("", candidate.name):
+        message = f"The name must be {before.name!r}, as it is published, not {candidate.name!r}."
+        yield codes.PUBLISHED_NAME_UNFIT.finding(message, candidate.file, fix="Use the same case.")
+    if candidate.owner != before.newest_owner:
+        yield from _other_owner(connection, candidate)
     if ledger.author.owner:
         owners = [each.owner for each in all_versions(connection, candidate.kind, candidate.name)]
         for problem in ledger.author.refusals(candidate.name, [*owners[-1:], candidate.owner]):
@@ -163,18 +170,6 @@ def _problems(ledger: Ledger, candidate: Candidate, known: Published | None, *, 
         yield from _too_low(connection, candidate)
 
 
-_SAME_FOLDED = select(NAMES.c.name).where(
-    NAMES.c.kind == bindparam("of_kind"), NAMES.c.folded == bindparam("of_folded")
-)
-
-
-def _other_spelling(connection: Connection, candidate: Candidate) -> Iterator[Finding]:
-    known = connection.execute(_SAME_FOLDED, _key(candidate)).scalar()
-    if known is not None and known != candidate.name:
-        message = f"The name must be {known!r}, as it is published, not {candidate.name!r}."
-        yield codes.PUBLISHED_NAME_UNFIT.finding(message, candidate.file, fix="Use the same case.")
-
-
 def _other_owner(connection: Connection, candidate: Candidate) -> Iterator[Finding]:
     """Report an owner whose name looks like that of another one."""
     if message := alike_problem(connection, candidate.owner):
@@ -182,10 +177,16 @@ def _other_owner(connection: Connection, candidate: Candidate) -> Iterator[Findi
         yield codes.PUBLISHED_NAME_UNFIT.finding(message, candidate.file, path=candidate.name, fix=fix)
 
 
-def _same_release(connection: Connection, candidate: Candidate) -> Published | None:
-    """The published version that differs at most in build metadata."""
-    row = connection.execute(_OF_RELEASE, _key(candidate)).first()
-    return None if row is None else Published._make(row)
+def _known(connection: Connection, candidate: Candidate) -> _Known:
+    key = _key(candidate)
+    row = connection.execute(_NAME_AND_RELEASE, key).first()
+    if row is None:
+        return _Known()
+    published = Published._make(row)
+    if published.name != candidate.name:
+        return _Known(published.name, published.rule)
+    newest = connection.execute(_NEWEST_OTHER, {**key, "is_version": candidate.version}).first()
+    return _Known(published.name, published.rule, published if row.id is not None else None, *(newest or ()))
 
 
 def _key(candidate: Candidate) -> Mapping[str, str]:
@@ -200,8 +201,18 @@ def _key(candidate: Candidate) -> Mapping[str, str]:
 _OF_NAME = PUBLISHED.where(
     NAMES.c.kind == bindparam("of_kind"), NAMES.c.folded == bindparam("of_folded"), NAMES.c.name == bindparam("of_name")
 )
-_RULE = select(NAMES.c.rule).where(NAMES.c.kind == bindparam("of_kind"), NAMES.c.folded == bindparam("of_folded"))
-_OF_RELEASE = _OF_NAME.where(VERSIONS.c.release == bindparam("is_release"))
+_NEWEST_OTHER = (
+    select(VERSIONS.c.owner, VERSIONS.c.precedence).join(NAMES)
+    .where(NAMES.c.kind == bindparam("of_kind"), NAMES.c.folded == bindparam("of_folded"))
+    .where(NAMES.c.name == bindparam("of_name"), VERSIONS.c.version != bindparam("is_version"))
+    .order_by(VERSIONS.c.precedence.desc(), VERSIONS.c.id.desc()).limit(1)
+)  # fmt: skip
+_OF_RELEASE = and_(VERSIONS.c.name_id == NAMES.c.id, VERSIONS.c.release == bindparam("is_release"))
+_NAME_AND_RELEASE = (
+    select(*COLUMNS)
+    .select_from(outerjoin(NAMES, VERSIONS, _OF_RELEASE))
+    .where(NAMES.c.kind == bindparam("of_kind"), NAMES.c.folded == bindparam("of_folded"))
+)
 _RELEASES_BEFORE = (
     _OF_NAME.where(VERSIONS.c.state.in_(sorted(DEPLOYABLE)), VERSIONS.c.precedence < bindparam("before"))
     .where(VERSIONS.c.precedence.endswith(RELEASED)).order_by(VERSIONS.c.precedence.desc()).limit(1)
@@ -255,6 +266,8 @@ def _baseline(connection: Connection, candidate: Candidate) -> Published | None:
 
 def _changes(connection: Connection, base: Published, candidate: Candidate) -> tuple[UseChange, ...]:
     if candidate.kind == "function":
+        if base.uses == digest_of(candidate.uses):
+            return ()  # most versions change code alone
         old = from_json(content_of(connection, base.uses))
         return tuple(function_changes(old, from_json(candidate.uses)))
     nodes: Mapping[str, Mapping[str, object]] = json.loads(content_of(connection, base.resolved))

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from functools import cached_property
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -10,7 +11,7 @@ from sqlalchemy import Connection, insert, select
 from sigcat.digest import digest_of
 from sigcat.limits import REGISTRY_SECONDS
 from sigcat.registry.author import ANYONE, Author
-from sigcat.registry.storing.content import has_content
+from sigcat.registry.storing.content import stored
 from sigcat.registry.storing.database import Place, writing
 from sigcat.registry.storing.entry import BEGIN, Action, Entry, Link, linked, now
 from sigcat.registry.storing.replay import apply
@@ -28,37 +29,46 @@ class Registry(NamedTuple):
     """Time to wait until others have written."""
 
 
-class Ledger(NamedTuple):
-    """A transaction that writes."""
+class Ledger:
+    """A transaction that writes. Nobody else writes meanwhile, so it knows the last entry."""
 
-    connection: Connection
-    key: Path | None
-    author: Author = ANYONE
+    def __init__(self, connection: Connection, key: Path | None, author: Author = ANYONE) -> None:
+        self.connection = connection
+        self.author = author
+        self._key = key
 
-    def put(self, data: bytes) -> str:
-        """Store content, and return its digest."""
-        digest = digest_of(data)
-        if not has_content(self.connection, digest):
-            self.connection.execute(_INSERT_CONTENT, {"digest": digest, "data": data})
-        return digest
+    @cached_property
+    def head(self) -> Link | None:
+        """The last entry of the log."""
+        return head(self.connection)
+
+    def put(self, *contents: bytes) -> tuple[str, ...]:
+        """Store contents, and return their digests."""
+        digests = tuple(map(digest_of, contents))
+        known = stored(self.connection, digests)
+        new = {digest: data for digest, data in zip(digests, contents, strict=True) if digest not in known}
+        if new:
+            self.connection.execute(_INSERT_CONTENT, [{"digest": digest, "data": data} for digest, data in new.items()])
+        return digests
 
     def append(self, action: Action, data: Mapping[str, Any]) -> None:
         """Write an entry behind the last one, and change the tables."""
-        last = head(self.connection)
+        last = self.head
         entry = Entry(last.number + 1 if last else 1, now(), action, {**data, **self.author.entry_data})
         self._write(linked(entry, last.hash if last else BEGIN))
 
     def _write(self, link: Link) -> None:
         signed = link._replace(signature=self._signature(link.hash))
         self.connection.execute(_INSERT_LINK, signed._asdict())
+        self.head = signed
         apply(self.connection, link.entry)
 
     def _signature(self, text: str) -> str:
-        if self.key is None:
+        if self._key is None:
             return ""
         from sigcat.registry.storing.signing import signature_of
 
-        return signature_of(text, self.key)
+        return signature_of(text, self._key)
 
 
 _INSERT_CONTENT, _INSERT_LINK = insert(CONTENTS), insert(LOG)

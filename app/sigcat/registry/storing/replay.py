@@ -25,9 +25,11 @@ def apply(connection: Connection, entry: Entry) -> None:
 
 
 _INSERT_VERSION, _INSERT_USES = insert(VERSIONS), insert(USES)
-_OF_RELEASE = select(VERSIONS.c.id).where(
-    VERSIONS.c.name_id == bindparam("of"), VERSIONS.c.release == bindparam("is_release")
+_IS_RELEASE = and_(VERSIONS.c.name_id == bindparam("of"), VERSIONS.c.release == bindparam("is_release"))
+_OF_RELEASE = select(
+    select(VERSIONS.c.id).where(_IS_RELEASE).scalar_subquery(), select(func.max(VERSIONS.c.id)).scalar_subquery()
 )
+"""Ids of the release and of the last version; none if there is none."""
 _NEWEST = (
     select(VERSIONS.c.id)
     .where(VERSIONS.c.name_id == NAMES.c.id, VERSIONS.c.state.in_(sorted(DEPLOYABLE)))
@@ -47,10 +49,10 @@ def _publish(connection: Connection, data: _Data, at: str) -> None:
         "at": at, "until": "", "successor": "",
     }  # fmt: skip
     release = version.release if version else data["version"]
-    version_id = connection.execute(_OF_RELEASE, {"of": name_id, "is_release": release}).scalar()
-    is_known = version_id is not None
-    if version_id is None:
-        version_id = _next(connection, VERSIONS.c.id)
+    found, last = connection.execute(_OF_RELEASE, {"of": name_id, "is_release": release}).one()
+    is_known = found is not None
+    version_id = found if is_known else (last or 0) + 1
+    if not is_known:
         row = {"id": version_id, "name_id": name_id, "release": release, **values}
         connection.execute(_INSERT_VERSION, row)
     else:
@@ -196,7 +198,7 @@ def _next(connection: Connection, column: "Column[int]") -> int:
     return int(connection.execute(_LAST[column]).scalar() or 0) + 1
 
 
-_LAST = {table.c.id: select(func.max(table.c.id)) for table in (NAMES, VERSIONS, RELIANCES, DEPLOYMENTS)}
+_LAST = {table.c.id: select(func.max(table.c.id)) for table in (NAMES, RELIANCES, DEPLOYMENTS)}
 
 
 def _version_id(connection: Connection, kind: str, name: str, version: str) -> int:

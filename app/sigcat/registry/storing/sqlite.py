@@ -28,6 +28,9 @@ _ADVICE: Mapping[int, str] = {
     sqlite3.SQLITE_NOTADB: "Name a file of sigcat, or a new one, as `database` in [registry].",
     sqlite3.SQLITE_CORRUPT: "Restore the file from a backup or an export.",
 }
+_HEADER = "SELECT user_version, application_id FROM pragma_user_version, pragma_application_id"
+_WAITS, _IN_WAL = "busy timeout", "journal mode is WAL"
+"""Facts about a connection that need no question while it is open."""
 _INDEX_BYTES = 32 * 1024
 """Bytes of the smallest index of a log (`-shm`)."""
 _PRIMARY = 0xFF
@@ -62,7 +65,7 @@ class SqliteStore(NamedTuple):
     def _is_at_rest(self) -> bool:
         """Whether no process writes, and this one may not: SQLite would leave files beside it that no process removes."""
         is_writable = os.access(self.file, os.W_OK) and os.access(self.file.parent, os.W_OK)
-        return self.exists() and not is_writable and not self._log.exists()
+        return not is_writable and self.exists() and not self._log.exists()
 
     @property
     def _has_no_room(self) -> bool:
@@ -70,7 +73,7 @@ class SqliteStore(NamedTuple):
 
         Reading continues without it. An index that is there needs no more room.
         """
-        if not self.exists() or _size(self._log) or _size(self.file.with_name(f"{self.file.name}-shm")) >= _INDEX_BYTES:
+        if _size(self._log) or not self.exists() or _size(self.file.with_name(f"{self.file.name}-shm")) >= _INDEX_BYTES:
             return False
         return disk_usage(self.file.parent).free < 2 * _INDEX_BYTES
 
@@ -92,13 +95,21 @@ class SqliteStore(NamedTuple):
     @contextmanager
     def exclusive(self, connection: Connection, seconds: float) -> Iterator[None]:
         """A transaction that writes."""
-        connection.exec_driver_sql(f"PRAGMA busy_timeout = {seconds * 1000:.0f}")
+        if connection.info.get(_WAITS) != seconds:
+            connection.exec_driver_sql(f"PRAGMA busy_timeout = {seconds * 1000:.0f}")
+            connection.info[_WAITS] = seconds
+        if not connection.info.get(_IN_WAL):
+            self._begin_wal(connection, seconds)
+            connection.info[_IN_WAL] = True
+        with _transaction(connection, "BEGIN IMMEDIATE"):
+            yield
+
+    def _begin_wal(self, connection: Connection, seconds: float) -> None:
+        """Have the file use a log. It does so as long as this connection is open."""
         if connection.exec_driver_sql("PRAGMA journal_mode").scalar_one() != "wal":
             with self.snapshot(connection):
                 self.schema(connection)  # the file of another program stays as it is
             _use_wal(connection, seconds)
-        with _transaction(connection, "BEGIN IMMEDIATE"):
-            yield
 
     @contextmanager
     def snapshot(self, connection: Connection) -> Iterator[None]:
@@ -111,7 +122,7 @@ class SqliteStore(NamedTuple):
 
         It reads the header up to three times, so it needs a transaction: another process may create the tables in between.
         """
-        schema, application = _number(connection, "user_version"), _number(connection, "application_id")
+        schema, application = _header(connection)
         if application != APPLICATION and (application or _has_tables(connection)):
             message = "The database belongs to another program."
             fix = _ADVICE[sqlite3.SQLITE_NOTADB]
@@ -243,12 +254,14 @@ def _use_wal(connection: Connection, seconds: float) -> None:
             return
 
 
+def _header(connection: Connection) -> tuple[int, int]:
+    """The schema and the number of the application."""
+    schema, application = connection.exec_driver_sql(_HEADER).one()
+    return schema, application
+
+
 def _has_tables(connection: Connection) -> bool:
     return bool(connection.exec_driver_sql("SELECT count(*) FROM sqlite_master").scalar_one())
-
-
-def _number(connection: Connection, name: str) -> int:
-    return int(connection.exec_driver_sql(f"PRAGMA {name}").scalar_one())
 
 
 def _code(error: DBAPIError) -> int:
