@@ -84,7 +84,7 @@ INTEGRATION_JSON = (
         "integration json",
         FUNCTION_JSON.keys | {"CommunicationList"},
         "Integration JSON for ROS 2",
-        "For ARXML, run `sigcat integrate autosar-adaptive` on the functions.",
+        "For ARXML, run `sigcat integrate autosar-adaptive` or `sigcat integrate autosar-classic` on the functions.",
         "ros2",
     ),
 )

@@ -183,3 +183,12 @@ def test_many_nodes_and_words_are_found_as_few_are():
 def test_a_name_that_was_cut_short_is_completed_where_nothing_is_near():
     assert nearest("v5", ["v5.0", "v4.2", "interfaces"]) == ("v5.0",)
     assert nearest("V1", [f"V10{number}" for number in range(9)]) == ()
+
+
+def test_labels_of_instances_with_dots_are_searched():
+    tree = (
+        ROOT
+        + "Vehicle.Wheel:\n  type: branch\n  instances: Left..Right\n  description: W.\n"
+        + sensor("Vehicle.Wheel.Speed")
+    )
+    assert paths(SearchIndex(catalogue_of(tree)).search("speed")) == ["Vehicle.Wheel.Left..Right.Speed"]

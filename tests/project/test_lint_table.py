@@ -1,5 +1,6 @@
 """The table `[lint]`: where it is found, and its faults by line."""
 
+import json
 from pathlib import Path
 
 import pytest
@@ -99,3 +100,28 @@ def test_a_unit_of_the_project_with_the_name_of_a_standard_one_is_reported(
         (tmp_path / "own.vspec").write_text("Vehicle: {type: branch, description: A vehicle.}\n")
     main(["lint", *paths])
     assert "units.yaml:7:1: warning U001 Units 'Celsius' and 'degC' share the name" in capsys.readouterr().out
+
+
+UNITS_OF_ANOTHER_NAME = (
+    "km: {definition: A knot mile., unit: knot mile, quantity: length, allowed-datatypes: [numeric]}\n"
+)
+
+
+@pytest.mark.parametrize("paths", [[], ["common"], ["common/acme_units.yaml"]])
+def test_a_listed_file_of_units_is_one_whatever_its_name(tmp_path, monkeypatch, capsys, paths):
+    write_company(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    config = Path("sigcat.toml")
+    config.write_text(config.read_text().replace('["units.yaml"]', '["units.yaml", "common/acme_units.yaml"]'))
+    Path("common").mkdir()
+    Path("common/acme_units.yaml").write_text(UNITS_OF_ANOTHER_NAME)
+    main(["lint", *paths, "--format", "json"])
+    found = [each for each in json.loads(capsys.readouterr().out)["findings"] if "acme_units" in each["file"]]
+    assert [each["rule"] for each in found] == ["U004"]
+
+
+def test_a_setting_of_the_project_within_a_catalogue_is_placed(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    Path("sigcat.toml").write_text('[[catalogue]]\nid = "own"\nrelease = "shipped"\nfunctions = ["functions"]\n')
+    assert main(["lint"]) == 2
+    assert "Write `functions` before the first table." in capsys.readouterr().err

@@ -95,10 +95,13 @@ def words_of_names(numbered: Iterable[tuple[int, Node]]) -> Numbered:
 
 
 def words_of_paths(numbered: Iterable[tuple[int, Node]]) -> Numbered:
-    """Words of every name of each node's path; parents come before what is below them."""
+    """Words of every name of each node's path; parents come before what is below them.
+
+    The label of an instance may have dots (V115): the path above the last one is then no node.
+    """
     known: dict[str, frozenset[str]] = {"": frozenset()}
     for number, node in numbered:
-        tokens = known[parent_path(node.path)] | _tokens(node.name)
+        tokens = known.get(parent_path(node.path), frozenset()) | _tokens(node.name)
         if node.children:
             known[node.path] = tokens
         yield number, tokens

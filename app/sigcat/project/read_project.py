@@ -179,6 +179,12 @@ def _check_one_tree(data: Mapping[str, Any], reading: "Reading") -> None:
             reading.report(codes.SETTING_UNFIT, message, "lint", 0, key, fix)
 
 
+def _before_tables(key: str) -> str:
+    """The place of a setting that belongs before all tables; empty if it does not."""
+    near = nearest(key.replace("_", "-"), TOP_KEYS, 1)
+    return f"Write `{near[0]}` before the first table." if near else ""
+
+
 def _elsewhere(key: str) -> str:
     """The table that a setting before all tables belongs to; empty if it is none of them."""
     tables = {"[[catalogue]]": CATALOGUE_KEYS, "[[vehicle]]": VEHICLE_KEYS, "[lint]": LINT_KEYS}
@@ -250,7 +256,7 @@ def _catalogues(listed: Any, reading: Reading) -> Iterator[Source]:
             reading.report(codes.SETTING_UNFIT, "`catalogue` must be tables: [[catalogue]].", "", 0, "catalogue")
             return
         before = len(reading.findings)
-        reading.check(values, CATALOGUE_KEYS, "catalogue", number)
+        reading.check(values, CATALOGUE_KEYS, "catalogue", number, _before_tables)
         _check_id(values, number, known, reading)
         overlays = paths_of(values, "overlays", "catalogue", number, reading)
         lists = {
@@ -350,7 +356,7 @@ def _registry(data: Mapping[str, Any], reading: Reading) -> RegistrySettings | N
     values = data.get("registry")
     if not isinstance(values, dict):
         return None
-    reading.check(values, REGISTRY_KEYS, "registry")
+    reading.check(values, REGISTRY_KEYS, "registry", elsewhere=_before_tables)
     database, key = values.get("database"), values.get("key")
     if "server" in values:
         _check_server(values, reading)

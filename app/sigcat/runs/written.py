@@ -6,7 +6,7 @@ from typing import BinaryIO, NamedTuple, Protocol
 
 from sigcat.adapter.host.shapes import SECONDS, Number, Shape
 from sigcat.errors import UsageError
-from sigcat.names import did_you_mean
+from sigcat.names import did_you_mean, either, last_name
 from sigcat.runs.converting.layout import ShapeTables, Unfit, csv_tables, mcap_tables
 from sigcat.runs.converting.library import Writer
 from sigcat.runs.prepare import Prepared
@@ -43,9 +43,16 @@ def check_plotted(names: Sequence[str], signals: Signals) -> None:
     """Raise UsageError if one of these cannot be drawn."""
     for name in names:
         if name not in signals.shapes:
-            raise UsageError(f"the run has no {name!r}. {did_you_mean(name, signals.shapes)}".rstrip(". "))
+            near = did_you_mean(name, signals.shapes) or _with_last_name(name, signals)
+            raise UsageError(f"the run has no {name!r}. {near}".rstrip(". "))
         if not isinstance(signals.shapes[name], Number):
             raise UsageError(f"{name} cannot be drawn: it is not one number")
+
+
+def _with_last_name(name: str, signals: Signals) -> str:
+    """The fix of a name that is only the end of others; else all names."""
+    same = [each for each in signals.shapes if last_name(each).casefold() == name.casefold()]
+    return f"Write {either(same)}." if same else f"It has {', '.join(signals.shapes)}."
 
 
 class Form(Protocol):

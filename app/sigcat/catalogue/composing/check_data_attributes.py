@@ -110,6 +110,14 @@ def _broken(rule: RuleCode, datatype: str, value: Any) -> RuleCode:
     return codes.NUMBER_NOT_FINITE if is_infinite else rule
 
 
+def _equal_numbers(enum: Mapping[str, Any]) -> Iterator[Problem]:
+    names: dict[Any, str] = {}
+    for i, (name, value) in enumerate(enum.items()):
+        if names.setdefault(value, name) != name:
+            message = f"{names[value]!r} and {name!r} of the `enum` have the same number, {value}."
+            yield Problem(codes.ENUM_INVALID, "enum", message, "Give each name its own number.", within=(i,))
+
+
 def _check_enum(values: Mapping[str, Any], datatype: str, scope: Scope) -> Iterator[Problem]:
     enum = values.get("enum")
     if not enum:
@@ -118,9 +126,7 @@ def _check_enum(values: Mapping[str, Any], datatype: str, scope: Scope) -> Itera
         message = f"`enum` needs an integer datatype, not {datatype}."
         yield Problem(codes.ENUM_INVALID, "enum", message, "Use one such as uint8.")
         return
-    if len(set(enum.values())) < len(enum):
-        message = "Two names of the `enum` have the same number."
-        yield Problem(codes.ENUM_INVALID, "enum", message, "Give each name its own number.")
+    yield from _equal_numbers(enum)
     for i, (key, value) in enumerate(enum.items()):
         yield from _check_enum_name(key, i)
         if not holds(element_of(datatype), value):

@@ -201,6 +201,6 @@ def _wrong_datatype(datatype: Any, scope: Scope) -> Problem:
     fix = (
         did_you_mean(datatype, (*sorted(DATATYPES), *scope.structs))
         or did_you_mean_last(datatype, {struct: last_name(struct) for struct in scope.structs})
-        or "Use one such as uint8, float or string, or a struct of the file of types (-t)."
+        or "Use one such as uint8, float or string, or a struct: list its file as `types` in sigcat.toml, or pass it with -t."
     )
     return Problem(codes.DATATYPE_UNKNOWN, "datatype", f"{datatype!r} is not a datatype.", fix)

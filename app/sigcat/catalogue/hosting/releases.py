@@ -132,6 +132,8 @@ def find_release(name: str, data: Path | None = None) -> Release:
         hint = f" Did you mean {' or '.join(near)}?" if near else ""
         if not near and wanted.lstrip("vV")[:1].isdigit():
             hint = " Releases of VSS have names such as v5.0; `sigcat pull v5.0` fetches one."
+        if ".." in wanted:
+            hint = f" For revisions, write git:{wanted}."
         raise NotFound(f"no file, folder or release is named {wanted!r}.{hint}{there}", near)
     return pulled[wanted]
 

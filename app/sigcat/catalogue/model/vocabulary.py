@@ -274,11 +274,13 @@ def _quantity(entry: Statement, findings: list[Finding]) -> Quantity:
 
 def _unit(entry: Statement, quantities: _Quantities, findings: list[Finding]) -> Unit | None:
     values = entry.values
-    if not isinstance(values.get("definition"), str) or not ("unit" in values or "label" in values):
-        message = f"Unit {entry.path!r} must have a `definition` and a `unit`."
-        findings.append(_about(entry, codes.UNIT_INCOMPLETE, message))
-        return None
     findings.extend(_unknown_fields(entry, "Unit", _UNIT_FIELDS))
+    has = {"definition": isinstance(values.get("definition"), str), "unit": "unit" in values or "label" in values}
+    if missing := [f"a `{name}`" for name, is_there in has.items() if not is_there]:
+        message = f"Unit {entry.path!r} must have {' and '.join(missing)}."
+        fix = "" if "quantity" in values or has["unit"] else "A quantity belongs in a file of `quantities`."
+        findings.append(_about(entry, codes.UNIT_INCOMPLETE, message, fix=fix))
+        return None
     quantity = _quantity_of(values)
     if not quantities.is_known(quantity.lower()):
         from sigcat.catalogue.model.common_units import quantity_advice  # its tables take time at start-up

@@ -23,6 +23,16 @@ def all_types(options: LintOptions) -> tuple[Path, ...]:
     return each_once((*options.types, *(path for source in options.catalogues for path in source.types)))
 
 
+def all_units(options: LintOptions) -> tuple[Path, ...]:
+    """The files that are known to have units."""
+    return each_once((*options.units, *(path for source in options.catalogues for path in source.units)))
+
+
+def all_quantities(options: LintOptions) -> tuple[Path, ...]:
+    """The files that are known to have quantities."""
+    return each_once((*options.quantities, *(path for source in options.catalogues for path in source.quantities)))
+
+
 def of_tree(root: Path, options: LintOptions) -> LintOptions:
     """The options of the catalogue with this tree; those given if there is none."""
     return next((options.over(s) for s in options.catalogues if real_path(s.spec) == real_path(root)), options)

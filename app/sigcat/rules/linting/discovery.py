@@ -68,6 +68,7 @@ def discover(
     types: Iterable[Path] = (),
     trees: Sequence[Path] = (),
     rules: Iterable[Path] = (),
+    vocabulary: Iterable[Path] = (),
 ) -> tuple[Source, ...]:
     """The files to lint in `paths`, each once. The others are files whose kind is known. Raises NotFound."""
     found = _files_in(paths)
@@ -77,6 +78,7 @@ def discover(
     known.update({real_path(path): "overlay" for path in overlays})
     known.update({real_path(path): "types" for path in types})
     known.update({real_path(path): "rules" for path in rules})
+    known.update({real_path(path): "vocabulary" for path in vocabulary})
     look = _Look(includes, next(iter(trees), None))
     sources = []
     for path, named in found.items():

@@ -29,7 +29,16 @@ from sigcat.path_faults import path_fault
 from sigcat.real_path import real_path
 from sigcat.rules.compiled import compiled_rules
 from sigcat.rules.engine import Found, found_in, lint_lines
-from sigcat.rules.linting.catalogues import all_overlays, all_trees, all_types, by_catalogue, of_tree, of_types
+from sigcat.rules.linting.catalogues import (
+    all_overlays,
+    all_quantities,
+    all_trees,
+    all_types,
+    all_units,
+    by_catalogue,
+    of_tree,
+    of_types,
+)
 from sigcat.rules.linting.context import (
     base_of,
     compose_tree,
@@ -68,11 +77,15 @@ Texts = Literal["vspec", "comments", "nothing"]
 class _Lint:
     """One run, and what it has gathered so far. Not a dataclass: to load that module takes a twentieth of a short run."""
 
-    def __init__(self, options: LintOptions, rules: RuleSet, units: frozenset[str]) -> None:
+    def __init__(
+        self, options: LintOptions, rules: RuleSet, units: frozenset[str], quantities: Collection[Path] = ()
+    ) -> None:
         self.options = options
         self.rules = rules
         self.units = units
         """Files of units and quantities that are linted."""
+        self.quantities = frozenset(map(real_path, quantities))
+        """Files that are known to have quantities, whatever their names."""
         self.found: dict[Finding, Repair | None] = {}
         self.files: dict[str, Texts] = {}
         """The files that were looked at."""
@@ -120,14 +133,22 @@ def lint_paths(paths: Sequence[Path], options: LintOptions | None = None) -> Lin
 
 def _lint_paths(paths: Sequence[Path], options: LintOptions) -> LintResult:
     every_rule = rules_for(options)
-    discovered = discover(paths, all_overlays(options), all_types(options), all_trees(options), options.rule_files)
+    quantities = all_quantities(options)
+    discovered = discover(
+        paths,
+        all_overlays(options),
+        all_types(options),
+        all_trees(options),
+        options.rule_files,
+        (*all_units(options), *quantities),
+    )
     sources = [s for s in discovered if not _is_excluded(s.path, options) and not _is_project(s.path, options)]
     units = [source for source in sources if source.kind == "vocabulary"]
     named = [source.path for source in units if source.named]
     options = _with_units(options._replace(types=type_files(sources, options)), named)
     rules = selected(every_rule, options)
     linted_units = frozenset(str(source.path) for source in units)
-    lint = _Lint(options, made_once("rule set", rules, lambda: RuleSet(rules)), linted_units)
+    lint = _Lint(options, made_once("rule set", rules, lambda: RuleSet(rules)), linted_units, quantities)
     if not _has_project(paths, options):
         _refuse_empty(paths, discovered)
     trees = _lint_trees([s.path for s in sources if s.kind == "tree"], lint)
@@ -324,7 +345,7 @@ def _lint_vocabulary(source: Source, lint: _Lint) -> None:
     listed = [source.spec for source in options.catalogues][:1]
     tree = options.base or (listed[0] if listed else default_tree(path)) or ROOT_FILE
     units, quantities = (*options.units, path), options.quantities
-    if path.name in QUANTITY_NAMES:
+    if path.name in QUANTITY_NAMES or real_path(path) in lint.quantities:
         units, quantities = options.units, (*options.quantities, path)
     vocabulary = read_units(
         tree, units, quantities, overlays=(path,), has_standard=options.has_standard_units
