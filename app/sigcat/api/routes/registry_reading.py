@@ -175,10 +175,10 @@ def get_registry_content(
     digest: Annotated[str, Query(description="SHA-256 of the content.", pattern="^[0-9a-f]{64}$", max_length=64)],
 ) -> Response:
     """Content by its digest, such as the Function JSON of a version. It never changes."""
-    from sigcat.registry.storing.content import content_of, stored
+    from sigcat.registry.storing.content import content_of, has_content
 
     with registry.reading() as connection:
-        if not stored(connection, [digest]):
+        if not has_content(connection, digest):
             raise NotFound("The registry has no content with this digest.")
         data = content_of(connection, digest)
     mark_state(request, digest[:24], is_fixed=True)

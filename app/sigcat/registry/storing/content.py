@@ -1,16 +1,16 @@
 """Content by its digest, which is checked whenever content is read."""
 
-from collections.abc import Iterator, Sequence
-from functools import lru_cache
+from collections.abc import Iterator
 from typing import Any
 
-from sqlalchemy import Connection, Select, bindparam, or_, select
+from sqlalchemy import Connection, bindparam, select
 
 from sigcat import codes
 from sigcat.digest import digest_of
 from sigcat.registry.reference import refused
 from sigcat.registry.storing.tables import CONTENTS
 
+_DIGEST = select(CONTENTS.c.digest).where(CONTENTS.c.digest == bindparam("of"))
 _DATA = select(CONTENTS.c.data).where(CONTENTS.c.digest == bindparam("of"))
 
 
@@ -19,16 +19,9 @@ def content_of(connection: Connection, digest: str) -> bytes:
     return _checked(digest, connection.execute(_DATA, {"of": digest}).scalar())
 
 
-def stored(connection: Connection, digests: Sequence[str]) -> frozenset[str]:
-    """Return those of the digests that have content."""
-    values = {f"of{number}": digest for number, digest in enumerate(digests)}
-    return frozenset(connection.execute(_stored(len(digests)), values).scalars())
-
-
-@lru_cache(maxsize=8)
-def _stored(count: int) -> Select[str]:
-    """The digests that there are, of a number of them. A list as one parameter takes three times as long."""
-    return select(CONTENTS.c.digest).where(or_(*(CONTENTS.c.digest == bindparam(f"of{each}") for each in range(count))))
+def has_content(connection: Connection, digest: str) -> bool:
+    """Whether there is content with a digest."""
+    return connection.execute(_DIGEST, {"of": digest}).first() is not None
 
 
 def all_content(connection: Connection) -> Iterator[tuple[str, bytes]]:

@@ -6,16 +6,15 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from sqlalchemy import Connection, insert, select
+from sqlalchemy import Connection, insert, select, text
 
 from sigcat.digest import digest_of
 from sigcat.limits import REGISTRY_SECONDS
 from sigcat.registry.author import ANYONE, Author
-from sigcat.registry.storing.content import stored
 from sigcat.registry.storing.database import Place, writing
 from sigcat.registry.storing.entry import BEGIN, Action, Entry, Link, linked, now
 from sigcat.registry.storing.replay import apply
-from sigcat.registry.storing.tables import CONTENTS, LOG
+from sigcat.registry.storing.tables import LOG
 
 
 class Registry(NamedTuple):
@@ -45,10 +44,8 @@ class Ledger:
     def put(self, *contents: bytes) -> tuple[str, ...]:
         """Store contents, and return their digests."""
         digests = tuple(map(digest_of, contents))
-        known = stored(self.connection, digests)
-        new = {digest: data for digest, data in zip(digests, contents, strict=True) if digest not in known}
-        if new:
-            self.connection.execute(_INSERT_CONTENT, [{"digest": digest, "data": data} for digest, data in new.items()])
+        rows = [{"digest": digest, "data": data} for digest, data in zip(digests, contents, strict=True)]
+        self.connection.execute(_INSERT_CONTENT, rows)
         return digests
 
     def append(self, action: Action, data: Mapping[str, Any]) -> None:
@@ -71,7 +68,8 @@ class Ledger:
         return signature_of(text, self._key)
 
 
-_INSERT_CONTENT, _INSERT_LINK = insert(CONTENTS), insert(LOG)
+_INSERT_CONTENT = text("INSERT INTO contents (digest, data) VALUES (:digest, :data) ON CONFLICT (digest) DO NOTHING")
+_INSERT_LINK = insert(LOG)
 _HEAD = select(LOG).order_by(LOG.c.number.desc()).limit(1)
 
 

@@ -4,11 +4,12 @@ import atexit
 import os
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from functools import lru_cache
-from typing import NamedTuple
+from functools import lru_cache, partial
+from time import monotonic
+from typing import Any, NamedTuple
 
-from sqlalchemy import URL, Connection, Engine, create_engine, make_url, text
-from sqlalchemy.exc import ArgumentError, DBAPIError
+from sqlalchemy import URL, Connection, Dialect, Engine, create_engine, event, make_url, text
+from sqlalchemy.exc import ArgumentError, DBAPIError, InvalidatePoolError
 
 from sigcat import codes
 from sigcat.project.project import ServerUrl
@@ -25,6 +26,18 @@ _ADVICE: Mapping[str, str] = {
     "57": "Run the command again when the server is there.",
 }
 """Advice by the class of an SQLSTATE, which an error of the connection does not have."""
+
+
+_LOCK = text(
+    "SELECT set_config('lock_timeout', :wait, true), set_config('synchronous_commit', 'on', true),"
+    f" pg_advisory_xact_lock({APPLICATION})"
+)
+"""One question of three to the server: the settings act at once, in the order of the list."""
+_REVISIONS = text("SELECT version_num FROM alembic_version")
+_HAS_TABLES, _USED = "has tables", "time of last use"
+"""Facts about a connection, which need no question to the server."""
+_FRESH_SECONDS = 0.05
+"""Time within which no server ends and starts again."""
 
 
 class PostgresqlStore(NamedTuple):
@@ -51,9 +64,7 @@ class PostgresqlStore(NamedTuple):
     def exclusive(self, connection: Connection, seconds: float) -> Iterator[None]:
         """A transaction that writes. Each of its statements sees what writers before it committed."""
         with connection.begin():
-            connection.execute(text(f"SET LOCAL lock_timeout = '{seconds * 1000:.0f}ms'"))
-            connection.execute(text("SET LOCAL synchronous_commit = on"))
-            connection.execute(text(f"SELECT pg_advisory_xact_lock({APPLICATION})"))
+            connection.execute(_LOCK, {"wait": f"{seconds * 1000:.0f}ms"})
             yield
 
     @contextmanager
@@ -65,9 +76,11 @@ class PostgresqlStore(NamedTuple):
 
     def schema(self, connection: Connection) -> int:
         """The revision of Alembic."""
-        if connection.execute(text("SELECT to_regclass('alembic_version')")).scalar() is None:
-            return 0
-        revisions = connection.execute(text("SELECT version_num FROM alembic_version")).scalars().all()
+        if not connection.info.get(_HAS_TABLES):
+            if connection.execute(text("SELECT to_regclass('alembic_version')")).scalar() is None:
+                return 0
+            connection.info[_HAS_TABLES] = True
+        revisions = connection.execute(_REVISIONS).scalars().all()
         if len(revisions) != 1 or not revisions[0].isdecimal():
             message, fix = "The database belongs to another program.", "Create a database for the registry alone."
             raise unusable(codes.REGISTRY_UNUSABLE.finding(message, self.name, fix=fix))
@@ -95,10 +108,26 @@ def _url(url: ServerUrl) -> URL:
         raise unusable(codes.REGISTRY_UNUSABLE.finding(message, fix=fix)) from None
 
 
+def _returned(_connection: Any, record: Any) -> None:
+    record.info[_USED] = monotonic()
+
+
+def _taken(dialect: Dialect, connection: Any, record: Any, _proxy: Any) -> None:
+    """Ask the server whether it still has a connection; one that was used just now needs no question."""
+    if monotonic() - record.info.get(_USED, 0) < _FRESH_SECONDS:
+        return
+    try:
+        dialect.do_ping(connection)
+    except dialect.loaded_dbapi.Error as error:
+        raise InvalidatePoolError from error  # all of its connections are replaced
+
+
 @lru_cache(maxsize=8)
 def _engine(url: ServerUrl) -> Engine:
     options = {"connect_timeout": _CONNECT_SECONDS, "application_name": "sigcat"}
-    engine = create_engine(_url(url), pool_pre_ping=True, max_overflow=-1, connect_args=options)
+    engine = create_engine(_url(url), max_overflow=-1, connect_args=options)
+    event.listen(engine, "checkin", _returned)
+    event.listen(engine, "checkout", partial(_taken, engine.dialect))
     # a forked process would share the connection, and its server process with it
     os.register_at_fork(before=engine.dispose)
     atexit.register(engine.dispose)
