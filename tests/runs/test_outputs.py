@@ -110,6 +110,15 @@ def test_what_cannot_be_written_is_told_before_anything_runs(run, tmp_path, opti
     assert (CASE / "trace.csv").read_text().startswith("time,")
 
 
+def test_a_trace_of_another_function_is_not_written_over_and_a_run_is(run, tmp_path):
+    other = tmp_path / "outer.csv"
+    other.write_text("time,Vehicle.Speed\n0,1\n")
+    status, said = run("-o", "outer.csv")
+    assert (status, "outer.csv is a trace and would be lost" in said) == (2, True), said
+    assert other.read_text() == "time,Vehicle.Speed\n0,1\n"
+    assert [run("-o", "out.csv")[0] for _ in range(2)] == [0, 0]
+
+
 def test_what_one_run_writes_can_be_the_trace_of_another(run, tmp_path, capfd):
     """Outputs of the functions are skipped, each with a note."""
     run("-o", "out.csv")

@@ -256,6 +256,8 @@ def _forms(arguments: argparse.Namespace) -> "list[tuple[Path | None, str]]":
     """The files to write, and their forms. Raises UsageError."""
     from sigcat.runs.written import CSV, FORMS, SVG
 
+    for path in arguments.output:
+        _refuse_trace(path)
     forms: list[tuple[Path | None, str]] = [(path, path.suffix.lower()) for path in arguments.output]
     for path, form in forms:
         if form not in FORMS and str(path) != "-":
@@ -266,6 +268,17 @@ def _forms(arguments: argparse.Namespace) -> "list[tuple[Path | None, str]]":
     if arguments.plot and not has_picture:
         raise UsageError("name a file for the picture: -o FILE.svg")
     return [(path, form or CSV) for path, form in forms] or [(None, CSV)]
+
+
+def _refuse_trace(path: Path) -> None:
+    """Raise UsageError for a trace, which people write: a run has the column of calls, a trace need not."""
+    from sigcat.file_kind import RUN_COLUMNS
+    from sigcat.function.hosted_runs import recorded_columns
+
+    if path.suffix.lower() == ".csv" and path.is_file():
+        columns = recorded_columns(path)
+        if columns and columns[: len(RUN_COLUMNS)] != RUN_COLUMNS:
+            raise UsageError(f"{path} is a trace and would be lost: name another file to write")
 
 
 def _prepared(
