@@ -11,10 +11,10 @@ from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.host.shapes import Number
 from sigcat.comparison.effort import Counted
 from sigcat.comparison.recording import Built, CallTime, ProcessLoad, Recording
-from sigcat.comparison.report.drawing import SERIES
+from sigcat.comparison.report.drawing import SERIES, traces
 from sigcat.comparison.report.html import html_page
 from sigcat.comparison.report.markdown import markdown
-from sigcat.comparison.report.model import read_report, to_json
+from sigcat.comparison.report.model import Line, Trace, read_report, to_json
 from sigcat.comparison.report.style import STYLE
 from sigcat.comparison.running.table import RUNNERS
 from sigcat.comparison.telling.material import Material, Played, PlayedFault, WrittenLines
@@ -434,6 +434,16 @@ def test_each_platform_has_a_colour_and_a_kind_of_line(style):
     for found in (colours, lines):
         assert len({number for number, _ in found}) == len({look for _, look in found}) == SERIES
     assert len(RUNNERS) + 1 == SERIES  # a platform by hand
+
+
+def test_titles_of_many_platforms_are_within_the_drawing():
+    lines = tuple(Line(platform=f"platform{number}", points=((0, 1.0), (10, 2.0))) for number in range(7))
+    names = {line.platform: "A platform with a long name" for line in lines}
+    drawn = traces([Trace(name="Vehicle.Speed", lines=lines)], names)
+    ((width, _),) = re.findall(r'viewBox="0 0 (\d+) (\d+)"', drawn)
+    titles = re.findall(r'<text x="(\d+)" y="(\d+)">A platform', drawn)
+    assert (len(titles), len(set(titles))) == (7, 7)
+    assert all(int(x) + 7 * len("A platform with a long name") <= int(width) for x, _ in titles)
 
 
 # -- how long it took ---------------------------------------------------------------------------------------------

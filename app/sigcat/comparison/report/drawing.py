@@ -98,10 +98,11 @@ def traces(found: Sequence[Trace], titles: Mapping[str, str]) -> str:
     first, last = (min(times), max(times)) if times else (0, 1)
     last = max(last, first + 1)
     names = list(dict.fromkeys(line.platform for trace in found for line in trace.lines))
-    top = 54
+    places = _legend_places([titles.get(name, name) for name in names])
+    top = max((place.y for place in places), default=16) + 38
     height = top + len(found) * (_PANEL + _GAP) + 6
     parts = [_opened(LEFT + WIDTH + RIGHT, height, "Signals of all platforms over each other")]
-    parts += _legend(names, titles)
+    parts += _legend(places)
     for index, trace in enumerate(found):
         parts += _panel(trace, names, top + index * (_PANEL + _GAP), first, last)
     parts += _seconds(first, last, top + len(found) * (_PANEL + _GAP) - _GAP)
@@ -113,13 +114,29 @@ def _opened(width: int, height: int, title: str) -> str:
     return f'<svg class="diagram comparison" {size} role="img" aria-label="{escape(title)}">'
 
 
-def _legend(names: Sequence[str], titles: Mapping[str, str]) -> Iterator[str]:
-    x = 10
-    for index, name in enumerate(names):
-        title = titles.get(name, name)
-        yield f'<path class="trace series-{index % SERIES}" d="M{x} 16h34"/>'
-        yield f'<text x="{x + 42}" y="20">{escape(title)}</text>'
-        x += 64 + 7 * len(title)
+class _Place(NamedTuple):
+    title: str
+    x: int
+    y: int
+
+
+def _legend_places(titles: Sequence[str]) -> list[_Place]:
+    """Places of titles, in rows as wide as the drawing."""
+    places: list[_Place] = []
+    x, y = 10, 16
+    for title in titles:
+        width = 64 + 7 * len(title)
+        if x + width > LEFT + WIDTH + RIGHT:
+            x, y = 10, y + 22
+        places.append(_Place(title, x, y))
+        x += width
+    return places
+
+
+def _legend(places: Sequence[_Place]) -> Iterator[str]:
+    for index, (title, x, y) in enumerate(places):
+        yield f'<path class="trace series-{index % SERIES}" d="M{x} {y}h34"/>'
+        yield f'<text x="{x + 42}" y="{y + 4}">{escape(title)}</text>'
 
 
 def _panel(trace: Trace, names: Sequence[str], top: int, first: int, last: int) -> Iterator[str]:
