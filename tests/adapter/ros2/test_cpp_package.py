@@ -41,6 +41,20 @@ def test_the_same_document_gives_the_same_bytes(made):
     assert made.__wrapped__() == made.__wrapped__()
 
 
+def test_sets_with_a_function_of_one_name_install_nothing_under_the_same_name():
+    """Their libraries share a folder; executables and files of each package have a folder of their own."""
+    sets = [
+        generated.files(generated.integration(FULL / "function.yaml", deployment={"name": name}))
+        for name in ("One", "Other")
+    ]
+    texts = ["".join(text for name, text in made.items() if name.endswith("CMakeLists.txt")) for made in sets]
+    libraries = [{name for name, _ in re.findall(r"add_library\((\w+) (SHARED|STATIC)", text)} for text in texts]
+    assert [len(names) for names in libraries] == [3, 3]
+    assert libraries[0].isdisjoint(libraries[1])
+    folders = [re.findall(r"install\(TARGETS \w+_node RUNTIME DESTINATION (\S+)\)", text) for text in texts]
+    assert folders == [["lib/${PROJECT_NAME}"]] * 2
+
+
 def test_each_value_is_traced_to_its_path_and_unit():
     """At the place where a message meets the core, the reader finds the catalogue's path and unit."""
     text = source(generated.ecocontrol(), "core_acc")
