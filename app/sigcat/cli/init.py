@@ -49,7 +49,9 @@ def init(arguments: argparse.Namespace) -> int:
     for name, text in texts.items():
         write_text(text, folder / name)
         print(folder / name)
-    run = f"`sigcat lint`, `{_SIMULATE}` and `sigcat serve`" if _RULES in texts else "`sigcat lint`"
+    run = (
+        f"`sigcat lint`, `sigcat simulate --trace {_TRACE}` and `sigcat serve`" if _TRACE in texts else "`sigcat lint`"
+    )
     print(f"Try {run}{'' if folder == Path() else f' in {folder}'}.", file=sys.stderr)
     if arguments.ci:
         _tell_source()
@@ -71,8 +73,7 @@ def _would_lose(path: Path, text: str) -> bool:
     return os.path.lexists(path) and not (path.is_file() and path.read_bytes() == text.encode())
 
 
-_RULES = "rules.yaml"
-_SIMULATE = "sigcat simulate --trace functions/cabin_air/trace.csv"
+_TRACE = "functions/cabin_air/trace.csv"
 
 
 def _new(folder: Path) -> "Mapping[str, str]":

@@ -78,7 +78,7 @@ class _Lint:
     """One run, and what it has gathered so far. Not a dataclass: to load that module takes a twentieth of a short run."""
 
     def __init__(
-        self, options: LintOptions, rules: RuleSet, units: frozenset[str], quantities: Collection[Path] = ()
+        self, options: LintOptions, rules: RuleSet, units: frozenset[str], quantities: Collection[Path]
     ) -> None:
         self.options = options
         self.rules = rules
