@@ -143,3 +143,14 @@ def test_a_service_without_a_project_watches_nothing():
     service = Service()
     look_twice(service.watched(None))
     assert service.taken == 0
+
+
+def test_units_beside_the_file_come_and_go(tmp_path: Path):
+    file, units = tmp_path / "sigcat.toml", tmp_path / "units.yaml"
+    file.write_text('[[catalogue]]\nid = "own"\nrelease = "shipped"\n')
+    service = Service()
+    watched = service.watched(file)
+    for change, taken in ((units.touch, 1), (units.unlink, 2)):
+        change()
+        look_twice(watched)
+        assert service.taken == taken

@@ -1,4 +1,4 @@
-"""The project file of a service that runs: a change of it, or of the files that its wildcards match, takes effect at once.
+"""The project file of a service that runs: a change of it, or of the files that it finds, takes effect at once.
 
 Some keys need a new start.
 """
@@ -11,7 +11,9 @@ from typing import Any
 
 from sigcat import codes
 from sigcat.catalogue.hosting.library import log_findings
+from sigcat.catalogue.model.vocabulary import files_beside
 from sigcat.errors import InputRefused, UsageError
+from sigcat.file_kind import QUANTITY_NAMES, UNIT_NAMES
 from sigcat.findings import Finding
 from sigcat.project.project_file import PATH_LISTS, files_matching
 
@@ -87,7 +89,7 @@ def _settings_of(file: Path | None) -> Mapping[str, Any]:
 
 
 def _mark_of(file: Path | None) -> tuple[int, int, tuple[Path, ...]] | None:
-    """Size and time of the file, and the files that its wildcards match; None if there is none."""
+    """Size and time of the file, and the files that it finds: those that its wildcards match, and units beside it."""
     try:
         status = file.stat() if file is not None else None
     except OSError:
@@ -96,7 +98,7 @@ def _mark_of(file: Path | None) -> tuple[int, int, tuple[Path, ...]] | None:
         return None
     folder, patterns = file.parent, dict.fromkeys(_wildcards(_settings_of(file)))
     matched = (path for text in patterns for path in sorted(files_matching(folder, text)))
-    return (status.st_size, status.st_mtime_ns, tuple(matched))
+    return (status.st_size, status.st_mtime_ns, (*matched, *files_beside([file], (*UNIT_NAMES, *QUANTITY_NAMES))))
 
 
 def _wildcards(content: Mapping[str, Any]) -> Iterator[str]:

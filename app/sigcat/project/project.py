@@ -84,13 +84,16 @@ class Project(NamedTuple):
 
     def line(self, table: str, number: int = 0, key: str = "") -> str:
         """The place of a key of a table: FILE:LINE."""
-        prefix = "tool.sigcat" if self.file is not None and self.file.name == "pyproject.toml" else ""
-        return f"{self.file}:{self.lines.line('.'.join(filter(None, (prefix, table))), number, key)}"
+        return f"{self.file}:{self.lines.line(self._table(table), number, key)}"
 
     def has_key(self, key: str) -> bool:
         """Whether the file has a key before its tables."""
-        table = "tool.sigcat" if self.file is not None and self.file.name == "pyproject.toml" else ""
-        return self.lines.has(table, key)
+        return self.lines.has(self._table(""), key)
+
+    def _table(self, name: str) -> str:
+        """The name of a table in the file."""
+        prefix = "tool.sigcat" if self.file is not None and self.file.name == "pyproject.toml" else ""
+        return ".".join(filter(None, (prefix, name)))
 
     @property
     def files(self) -> tuple[Path, ...]:
