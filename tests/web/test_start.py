@@ -1,5 +1,6 @@
 """The start page: catalogues and functions with their state."""
 
+import re
 from pathlib import Path
 
 from sigcat.catalogue.hosting.library import Library, Source, shipped_sources
@@ -26,9 +27,19 @@ def test_it_names_catalogues_functions_and_what_to_do() -> None:
         "VSS 6.0",
         "CoreAcc",
         "All functions are valid",
+        "Recent changes",
     ):
         assert text in page
     assert 'class="bad"' not in page
+
+
+def test_changes_of_the_default_catalogue_are_counted_and_lead_to_their_page() -> None:
+    page = asker(create_site(Library(shipped_sources())))
+    (link,) = re.findall(r'<a href="(/changes[^"]+)">VSS 6.0 → VSS 6.0 with function interfaces</a>', page("/").text)
+    (counted,) = re.findall(r">([0-9,]+)\u00a0changes<", page("/").text)
+    assert f"{counted}\u00a0changes: " in page(link.replace("&amp;", "&")).text
+    alone = asker(create_site(Library([Source("bare", "Bare", TREE / "tree.vspec")])))
+    assert "Recent changes" not in alone("/").text
 
 
 def test_errors_of_a_catalogue_lead_to_its_findings() -> None:

@@ -59,7 +59,7 @@ def _page(
     below: str,
     bindings: Sequence[Binding],
 ) -> Response:
-    before, after = _sides(visit.library, old, new)
+    before, after = sides_of(visit.library, old, new)
     compared = changes_between(before.catalogue, after.catalogue)
     changes = for_bindings(compared, bindings)
     within = [change for change in changes if not below or f"{place_of(change)}.".startswith(f"{below}.")]
@@ -96,7 +96,7 @@ def changes_between(old: Catalogue, new: Catalogue) -> tuple[Change, ...]:
     return compare(old, new)
 
 
-def _sides(library: Library, old: str | None, new: str | None) -> tuple[Hosted, Hosted]:
+def sides_of(library: Library, old: str | None, new: str | None) -> tuple[Hosted, Hosted]:
     """The two catalogues; without names, the second one and the default one."""
     hosted = list(library)
     after = find_hosted(library, new) if new else library.default
