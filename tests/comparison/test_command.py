@@ -118,3 +118,17 @@ def test_the_machine_is_told(tmp_path: Path):
     assert main(["compare", SET, *QUICK, "-o", str(out)]) == 0
     told = json.loads(out.read_bytes())
     assert dict(told["machine"]).keys() >= {"processor", "cores", "system", "compiler", "Python"}
+
+
+@needs.cmake
+@pytest.mark.parametrize("begin", [2, 1_700_000_000])
+def test_a_drive_that_begins_later_ends_with_its_last_row(begin: int, tmp_path: Path, capsys):
+    """Times of a log are those of its clock. In a free run nothing would be played before their time."""
+    trace, out = tmp_path / "trace.csv", tmp_path / "comparison.json"
+    speeds = "".join(f"{begin + row / 4},{20 + row}\n" for row in range(5))
+    trace.write_text(f"time,Vehicle.Speed\n{speeds}")
+    options = ("--platforms", "simulate,autosar-classic", "--free-run", "1", "--no-faults", "--trace", str(trace))
+    assert main(["compare", SET, *options, "-o", str(out)]) == 0
+    (played,) = json.loads(out.read_bytes())["behaviour"]
+    assert (played["seconds"], played["platform"]) == (1, "autosar-classic")
+    assert f"No free run: the drive begins at {begin} s." in capsys.readouterr().err

@@ -191,3 +191,11 @@ def test_code_that_is_there_is_kept(folder, capsys):
     assert main(["function", "new", "Park"]) == 2
     assert "Park/Park.c is there already" in capsys.readouterr().err
     assert [path.name for path in Path("Park").iterdir()] == ["Park.c"]
+
+
+@pytest.mark.parametrize(
+    ("name", "catalogue"), [("vss", "own-vss"), ("v6.0", "own-v6.0"), ("shipped", "own-shipped"), ("VSS 2", "vss-2")]
+)
+def test_a_new_catalogue_hides_no_shipped_tree_and_no_release(folder, name, catalogue):
+    assert main(["init", name]) == 0
+    assert tomllib.loads((folder / name / "sigcat.toml").read_text())["catalogue"][0]["id"] == catalogue

@@ -539,3 +539,11 @@ def test_a_question_without_a_version_says_that_there_is_no_answer(field: Run) -
     assert status == 1
     assert "A version must be named as NAME@VERSION, not 'CoreAcc'" in text
     assert "the registry has no answer" in text
+
+
+@pytest.mark.parametrize("owner", ["", " "])
+def test_an_owner_without_a_name_is_refused(run: Run, tmp_path: Path, owner: str) -> None:
+    """A variable of a pipeline that is not set would remove the owner."""
+    (tmp_path / "signals.vspec").write_text("Vehicle.Own: {type: branch, description: Own.}\n")
+    status, said = run("publish", "signals.vspec", "--version", "1.0.0", "--owner", owner)
+    assert (status, "--owner must be the name of a team" in said) == (2, True), said

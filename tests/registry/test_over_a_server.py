@@ -404,6 +404,16 @@ def test_an_answer_that_is_not_one_of_sigcat_is_reported(run: Run, tmp_path: Pat
     assert (ended, address in told, "internal error" in told) == (2, True, False), told
 
 
+def test_a_service_without_its_database_names_itself_and_the_cause(run: Run, tmp_path: Path) -> None:
+    write(tmp_path, PROJECT)
+    finding = {"rule": "E011", "severity": "error", "message": "The database cannot be used: connection refused."}
+    body = json.dumps({"detail": "The registry cannot be used now.", "findings": [finding]}).encode()
+    with answering(503, {}, body) as (address, _):
+        status, _, told = run(tmp_path, f"registry list --server {address}")
+    cause = "The database cannot be used: connection refused. Run the command again."
+    assert (status, told) == (2, f"sigcat: {address}: The registry cannot be used now. {cause}\n")
+
+
 def test_a_token_is_not_sent_to_where_a_server_redirects(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

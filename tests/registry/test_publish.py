@@ -231,6 +231,13 @@ def test_a_newer_version_of_another_owner_names_both(registry: Registry) -> None
     assert published("3.0.0", "") == "overlay Body 3.0.0: published, owner changed from Team Beta to none"
 
 
+def test_a_draft_that_another_owner_publishes_names_both(registry: Registry) -> None:
+    draft = plain_candidate("Body", "1.0.0")._replace(owner="Team Alpha")
+    publish(registry, [draft], is_draft=True)
+    (found,) = publish(registry, [draft._replace(owner="Team Beta")]).outcomes
+    assert found.sentence == "overlay Body 1.0.0: published, owner changed from Team Alpha to Team Beta"
+
+
 @pytest.mark.parametrize(("first", "again", "said"), [
     ("Team Alpha", "Team Alpha", []), ("Team Alpha", "", []),
     ("", "Team Alpha", ["Body 1.0.0 is published with no owner, not with the owner 'Team Alpha'."]),

@@ -163,12 +163,19 @@ def _asked(arguments: argparse.Namespace, folder: Path) -> "Asked":
     first, last = _span(existing_file(trace), subject)
     end = last if arguments.duration is None else min(last, first + round(arguments.duration * NANOSECONDS))
     free = min(end, round(arguments.free_run * NANOSECONDS))
+    if 0 < free <= first:
+        _tell(
+            f"No free run: the drive begins at {first / NANOSECONDS:.10g} s. `sigcat gateway --from-zero` writes one that begins at 0."
+        )
+        free = 0
     faults = None if arguments.no_faults else arguments.faults or compared.faults
     named = _scenarios(faults, trace, subject) if faults else ()
     scenarios, notes = tuple(each for each in named if each.end <= end), tuple(_beyond(named, end))
     translation = carried.translation_ns if carried else ()
     runs = arguments.runs
-    return Asked(compared, subject, trace.absolute(), end, platforms, free, folder, scenarios, translation, notes, runs)
+    return Asked(
+        compared, subject, trace.absolute(), end, platforms, free, folder, scenarios, translation, notes, runs, first
+    )
 
 
 def _converted_bag(bag: Path, folder: Path, subject: "Subject") -> Path:

@@ -43,7 +43,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument(
         "--version", metavar="V", default="", help="version of SemVer 2.0 (default: that of the function file)"
     )
-    parser.add_argument("--owner", metavar="TEAM", default="", help="owner of an overlay or a catalogue")
+    parser.add_argument("--owner", metavar="TEAM", help="owner of an overlay or a catalogue")
     parser.add_argument("--draft", action="store_true", help="publish a draft, which may change")
     add_server(parser)
     add_tree_options(parser)
@@ -62,13 +62,15 @@ def publish(arguments: argparse.Namespace) -> int:
 
 def _published(arguments: argparse.Namespace) -> "tuple[Receipt, Change]":
     """Publish with the service or the database, and return what became of the files."""
+    if arguments.owner is not None and not arguments.owner.strip():
+        raise UsageError("--owner must be the name of a team; without it, the version has no owner")
     files = published_files(arguments.files)
     if (files.overlays or files.trees) and not arguments.version:
         raise UsageError("an overlay or a catalogue has no version: pass `--version V`")
     server = server_of(arguments)
     if server is not None:
         return server.publish(
-            posted_files(arguments), arguments.version, arguments.owner,
+            posted_files(arguments), arguments.version, arguments.owner or "",
             is_draft=arguments.draft, catalogue=server_catalogue(arguments),
         )  # fmt: skip
     registry = registry_of(arguments)
@@ -91,8 +93,8 @@ def _candidates(arguments: argparse.Namespace, files: PublishedFiles) -> "Iterat
     for number, file in enumerate(files.overlays):
         place = place_of(with_overlays(arguments, files.overlays[:number]), file)
         layer = read_layer(file, arguments.include_dirs, is_overlay=True)
-        yield overlay_candidate(layer, file.read_bytes(), place, arguments.version, arguments.owner)
+        yield overlay_candidate(layer, file.read_bytes(), place, arguments.version, arguments.owner or "")
     for file in files.trees:
         _, catalogue = read_catalogue(arguments, file)
         content = content_of_files(files_of(catalogue))
-        yield catalogue_candidate(catalogue, content, arguments.version, arguments.owner)
+        yield catalogue_candidate(catalogue, content, arguments.version, arguments.owner or "")

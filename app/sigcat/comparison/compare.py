@@ -52,6 +52,8 @@ class Asked(NamedTuple):
     """Notes for readers about the settings."""
     runs: int = 1
     """Runs of the platforms whose load is compared."""
+    begin_ns: int = 0
+    """Time of the first row of the drive, as `end_ns` is one of the trace."""
 
 
 def compare(asked: Asked, tools: Toolchain, tell: Tell) -> Material:
@@ -83,6 +85,7 @@ def compare(asked: Asked, tools: Toolchain, tell: Tell) -> Material:
         (*asked.notes, *(() if is_fresh else (_BUILT_BEFORE,))),
         asked.translation_ns,
         tuple(clock.phases.items()),
+        asked.begin_ns,
     )
 
 
@@ -169,7 +172,7 @@ def _in_lock_step(each: Played, play: Play, asked: Asked, tell: Tell) -> Played:
     """To the end of the drive, alone on the machine."""
     if each.built is None:
         return each
-    tell(f"{each.title}: {asked.end_ns / 1e9:g} s in lock step")
+    tell(f"{each.title}: {(asked.end_ns - asked.begin_ns) / 1e9:g} s in lock step")
     recording = play(each.built, asked.subject, Drive(asked.trace, asked.end_ns, name="lock-step"))
     if recording.last_words:
         tell(f"{each.title}: it did not come to the end. {recording.last_words}")
@@ -226,7 +229,7 @@ def _faults(played: Sequence[Played], players: Mapping[str, Play], asked: Asked,
 
 def _one_faulty(each: Played, play: Play, drive: Drive, asked: Asked, tell: Tell) -> Recording:
     assert each.built is not None
-    tell(f"{each.title}: {drive.name}, {drive.end_ns / 1e9:g} s")
+    tell(f"{each.title}: {drive.name}, {(drive.end_ns - asked.begin_ns) / 1e9:g} s")
     return play(each.built, asked.subject, drive)
 
 

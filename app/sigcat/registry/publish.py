@@ -120,7 +120,9 @@ def _publish(
 
 
 def _previous_owner(candidate: Candidate, before: _Known) -> str:
-    """Owner of the newest version of the name, if the candidate is newer and has another one."""
+    """Owner of the draft that the candidate replaces, else of the newest version of the name if that is older; empty if it stays."""
+    if before.release is not None and before.release.owner != candidate.owner:
+        return before.release.owner
     is_newer = before.newest_precedence < _key(candidate)["before"]
     return before.newest_owner or "" if is_newer and before.newest_owner != candidate.owner else ""
 

@@ -241,7 +241,7 @@ def _answer(server: Server, method: str, path: str, query: _JSON | None = None, 
             is_cut = bool(answer.length) and len(found) <= REGISTRY_ANSWER_BYTES
     except urllib.error.HTTPError as error:
         refusal = _refusal(server, error)
-        raise (Unanswered(str(refusal)) if error.code in _LATER else refusal) from None
+        raise (Unanswered(_later(server, refusal)) if error.code in _LATER else refusal) from None
     except (OSError, HTTPException, ValueError) as error:
         reason = getattr(error, "reason", error)
         raise Unanswered(f"{server.address} does not answer: {reason}") from None
@@ -250,6 +250,14 @@ def _answer(server: Server, method: str, path: str, query: _JSON | None = None, 
     if len(found) > REGISTRY_ANSWER_BYTES:
         raise UsageError(f"the answer of {server.address} has more than {REGISTRY_ANSWER_BYTES:,} bytes")
     return found
+
+
+def _later(server: Server, refusal: InputRefused | UsageError) -> str:
+    """The sentences of a service that answers later, with the causes that it names."""
+    if isinstance(refusal, UsageError):
+        return str(refusal)
+    causes = " ".join(each.message for each in refusal.findings)
+    return f"{server.address}: {refusal} {causes} Run the command again."
 
 
 def _refusal(server: Server, error: urllib.error.HTTPError) -> InputRefused | UsageError:

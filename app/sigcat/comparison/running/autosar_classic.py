@@ -9,7 +9,7 @@ from sigcat.adapter.toolchain import Toolchain
 from sigcat.comparison.recording import Built, Recording
 from sigcat.comparison.running import bench, marks
 from sigcat.comparison.running.processes import Process, launched
-from sigcat.comparison.running.recorded import fresh_run, read_recorded, write_normalized
+from sigcat.comparison.running.recorded import begin_of, fresh_run, read_recorded, write_normalized
 from sigcat.comparison.running.runner import Drive, Runner, Subject
 from sigcat.comparison.running.slow_calls import durations
 
@@ -41,9 +41,10 @@ def _play(built: Built, subject: Subject, drive: Drive) -> Recording:
     kills = [f"{each.function}@{each.time_ns}" for each in drive.kills]
     normalized = write_normalized(drive.trace, subject.prepared, run / "normalized.tsv")
     files = (str(normalized), str(sent), str(run / "services.csv"))
-    command = (str(program), _WORDS[drive.mode], *files, str(drive.end_ns), *kills)
+    length = max(drive.end_ns - begin_of(drive.trace, subject.prepared), 0)
+    command = (str(program), _WORDS[drive.mode], *files, str(length), *kills)
     environment = {**os.environ, **durations(drive, subject.prepared), marks.FOLDER: str(run / marks.NAME)}
-    patience = drive.step_limit_s if drive.mode == "lock step" else drive.end_ns / 1e9 + drive.step_limit_s
+    patience = drive.step_limit_s if drive.mode == "lock step" else length / 1e9 + drive.step_limit_s
     outcome = launched((), Process("test_rte", command, environment, (program,)), run, patience=patience)
     prepared = subject.prepared
     marked = marks.read_marks(prepared.connections, run / marks.NAME, 0)

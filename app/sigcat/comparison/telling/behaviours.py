@@ -25,7 +25,7 @@ def behaviours(material: Material) -> Iterator[model.Behaviour]:
             found = _compared(expected, played)
             yield model.Behaviour(
                 platform=each.name,
-                seconds=material.end_ns / 1e9,
+                seconds=material.drive_seconds,
                 steps=len(each.lock_step.calls),
                 outputs=found.outputs,
             )

@@ -113,7 +113,7 @@ def processes(material: Material) -> Iterator[model.Process]:
 def driven_seconds(recording: Recording, material: Material) -> float:
     """Return the seconds of the drive until the run ended."""
     if recording.mode == "lock step" and not recording.last_words:
-        return material.end_ns / 1e9
+        return material.drive_seconds
     return max((values[-1][0] for values in recording.sent.values() if values), default=0) / 1e9
 
 

@@ -71,6 +71,13 @@ class Material(NamedTuple):
     """Times of the gateway for each frame, if the drive was logged on CAN."""
     phases: tuple[tuple[str, float], ...] = ()
     """Phases of the comparison, in s."""
+    begin_ns: int = 0
+    """Time of the first row of the drive."""
+
+    @property
+    def drive_seconds(self) -> float:
+        """Length of the drive."""
+        return (self.end_ns - self.begin_ns) / 1e9
 
     @property
     def reference(self) -> Played:
