@@ -19,7 +19,7 @@ from sigcat.api.settings import Settings
 from sigcat.catalogue.comparing.diff_report import binding_names, binding_table, class_table
 from sigcat.data import INTERFACE_RULES
 from sigcat.platforms.schemas import schema
-from sigcat.rules.checks import CHECKS
+from sigcat.rules.checks import CHECKS, network
 from sigcat.rules.pages import field_table
 from sigcat.rules.record import load_rules
 from sigcat.rules.templates import OF_EVERY_CHECK, placeholders
@@ -117,7 +117,8 @@ def _checks() -> str:
     for name, check in sorted(CHECKS.items()):
         kinds = {each: kind.name for each, kind in check.options.items()}
         options = [f"{f'**`{each}`**' if each in check.required else f'`{each}`'} {kinds[each]}" for each in kinds]
-        meaning = (check.prepare.__doc__ or "").partition("\n\n")[0].replace("\n", " ").replace("|", "\\|")
+        documented = getattr(network, check.prepare.__name__, check.prepare)  # checks of mappings load their code late
+        meaning = (documented.__doc__ or "").partition("\n\n")[0].replace("\n", " ").replace("|", "\\|")
         filled = ", ".join(f"`{{{each}}}`" for each in placeholders(name) if each not in OF_EVERY_CHECK)
         lines.append(f"| `{name}` | {', '.join(options) or '–'} | {filled or '–'} | {' '.join(meaning.split())} |")
     return "\n".join(lines)

@@ -5,7 +5,7 @@ from fractions import Fraction
 
 from yaml.nodes import MappingNode, Node, ScalarNode
 
-from sigcat.catalogue.network.mapping import KUKSA_TARGET
+from sigcat.catalogue.network.mapping_attributes import KUKSA_TARGET
 from sigcat.function.function_json.conversion import Linear, as_text
 from sigcat.function.importing.yaml_edits import Edit, entries_of, items_of, text_of, value_at
 from sigcat.migration.changed_text import Replacement, end_of, line_of, number_replaced, replaced

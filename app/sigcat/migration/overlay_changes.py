@@ -12,7 +12,7 @@ from yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 from sigcat import codes
 from sigcat.catalogue.comparing.changes import same
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
-from sigcat.catalogue.network.mapping import ATTRIBUTES
+from sigcat.catalogue.network.mapping_attributes import ATTRIBUTES
 from sigcat.catalogue.reading.yaml_document import Builder, Unbuildable
 from sigcat.findings import Finding
 from sigcat.function.function_json.conversion import IDENTITY, Linear

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.network.can_database import CanDatabase
-from sigcat.catalogue.network.mapping import ATTRIBUTES
+from sigcat.catalogue.network.mapping_attributes import ATTRIBUTES
 from sigcat.data import INTERFACE_RULES
 from sigcat.findings import Finding
 from sigcat.rules.compiled import compiled_rules

@@ -7,7 +7,8 @@ from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.datatypes import PRIMITIVES
 from sigcat.catalogue.model.definition import SIGNALS
 from sigcat.catalogue.model.interfaces import interface_name
-from sigcat.catalogue.network.mapping import RECEIVED, SignalMapping, mappings_of
+from sigcat.catalogue.network.mapping import SignalMapping, mappings_of
+from sigcat.catalogue.network.mapping_attributes import RECEIVED
 from sigcat.catalogue.network.values import Unfit, Value, in_datatype
 
 

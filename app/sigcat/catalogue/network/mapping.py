@@ -8,17 +8,13 @@ how the target of an actuator goes there.
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from sigcat.catalogue.network.mapping_attributes import ATTRIBUTES, KUKSA, KUKSA_ALIAS, KUKSA_TARGET, PROFILE
 from sigcat.findings import shown
 from sigcat.names import did_you_mean
 
 if TYPE_CHECKING:
     from sigcat.catalogue.network.formula import Formula
 
-PROFILE, KUKSA, KUKSA_ALIAS, KUKSA_TARGET = "network_serialization", "dbc2vss", "dbc", "vss2dbc"
-RECEIVED = (PROFILE, KUKSA, KUKSA_ALIAS)
-"""Attributes that say what a signal is received from."""
-ATTRIBUTES = (*RECEIVED, KUKSA_TARGET)
-"""Attributes that map a signal."""
 _MILLISECOND = 1_000_000
 _DEFAULT_INTERVAL = 1000
 """Milliseconds between two updates that the KUKSA CAN provider keeps if nothing is said."""

@@ -9,7 +9,8 @@ from sigcat.catalogue.model.datatypes import PRIMITIVES
 from sigcat.catalogue.model.definition import SIGNALS
 from sigcat.catalogue.model.interfaces import interface_name
 from sigcat.catalogue.network.can_database import LARGEST
-from sigcat.catalogue.network.mapping import KUKSA_TARGET, PROFILE, SignalMapping, mappings_of
+from sigcat.catalogue.network.mapping import SignalMapping, mappings_of
+from sigcat.catalogue.network.mapping_attributes import KUKSA_TARGET, PROFILE
 from sigcat.catalogue.network.signal_limits import limited, names
 from sigcat.catalogue.network.values import NO_FORMULA_VALUE, NOT_HELD, OUTSIDE, UNLISTED, WORD, Unfit, Value
 

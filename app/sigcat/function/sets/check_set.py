@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue
-from sigcat.catalogue.network.mapping import RECEIVED
+from sigcat.catalogue.network.mapping_attributes import RECEIVED
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.findings import Finding, in_order
 from sigcat.function.checks.circles import circles

@@ -3,16 +3,17 @@
 The table has the checks by the names that rules call them by. To add one: write it in its file and name it here.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from importlib import import_module
 
 from sigcat.catalogue.model.definition import TYPES
 from sigcat.catalogue.model.interfaces import CATEGORIES
+from sigcat.catalogue.network import mapping_attributes
 from sigcat.rules.checks import (
     attributes,
     fields,
     groups,
     naming,
-    network,
     overlays,
     portable,
     references,
@@ -31,14 +32,40 @@ from sigcat.rules.checks.kind import (
     Check,
     LineCheck,
     NodeCheck,
+    NodeTest,
     Options,
     TreeCheck,
+    TreeTest,
     one_of,
 )
+from sigcat.rules.record import Rule
+from sigcat.rules.tree import Tree
 
 _PORTABLE: Options = {"case": one_of(portable.CASES), "target": TEXT}
 _SCREAMING = one_of(("screaming",))
 _NAME_OR_PATH = one_of(("name", "path"))
+_ANY_MAPPING = f"={'|'.join(mapping_attributes.ATTRIBUTES)}"
+
+
+def _of_mappings(name: str) -> Callable[[Rule, Tree], NodeTest]:
+    """Return a check whose code is loaded with the first mapping: few trees have one."""
+
+    def prepare(rule: Rule, tree: Tree) -> NodeTest:
+        test: NodeTest = getattr(import_module("sigcat.rules.checks.network"), name)(rule, tree)
+        return test
+
+    prepare.__name__ = name
+    return prepare
+
+
+def sent_once(rule: Rule, tree: Tree) -> TreeTest:
+    """Require that only one of several signals or instances is sent as a signal of the network."""
+    if not any(mapping_attributes.KUKSA_TARGET in definition.values for definition in tree.judged):
+        return lambda: ()
+    from sigcat.rules.checks import network
+
+    return network.sent_once(rule, tree)
+
 
 CHECKS: Mapping[str, Check] = {
     "name": NodeCheck(
@@ -116,16 +143,16 @@ CHECKS: Mapping[str, Check] = {
     "overlay-instances": NodeCheck(overlays.keeps_instances, {}, of_overlays=True),
     "overlay-below-deleted": TreeCheck(overlays.below_deleted, {}),
     "overlay-no-effect": TreeCheck(overlays.no_effect, {}, of_stacks=True),
-    "mapping-transform": NodeCheck(network.transform, {}, (), f"={network.ANY_MAPPING}"),
-    "mapping-listed-once": NodeCheck(network.listed_once, {}, (), f"={network.ANY_MAPPING}"),
-    "mapping-values": NodeCheck(network.values_fit, {}, (), f"={network.ANY_MAPPING}"),
-    "mapping-sent-once": TreeCheck(network.sent_once, {}),
-    "can-signal": NodeCheck(network.in_database, {}, (), f"={network.ANY_MAPPING}"),
-    "can-message": NodeCheck(network.unambiguous, {}, (), f"={network.ANY_MAPPING}"),
-    "can-names": NodeCheck(network.names_in_database, {}, (), f"={network.ANY_MAPPING}"),
-    "can-no-value": NodeCheck(network.no_value_handled, {}, (), f"={network.ANY_MAPPING}"),
-    "can-unit": NodeCheck(network.unit_converted, {}, (), f"={network.ANY_MAPPING}"),
-    "can-range": NodeCheck(network.range_fits, {}, (), f"={network.ANY_MAPPING}"),
+    "mapping-transform": NodeCheck(_of_mappings("transform"), {}, (), _ANY_MAPPING),
+    "mapping-listed-once": NodeCheck(_of_mappings("listed_once"), {}, (), _ANY_MAPPING),
+    "mapping-values": NodeCheck(_of_mappings("values_fit"), {}, (), _ANY_MAPPING),
+    "mapping-sent-once": TreeCheck(sent_once, {}),
+    "can-signal": NodeCheck(_of_mappings("in_database"), {}, (), _ANY_MAPPING),
+    "can-message": NodeCheck(_of_mappings("unambiguous"), {}, (), _ANY_MAPPING),
+    "can-names": NodeCheck(_of_mappings("names_in_database"), {}, (), _ANY_MAPPING),
+    "can-no-value": NodeCheck(_of_mappings("no_value_handled"), {}, (), _ANY_MAPPING),
+    "can-unit": NodeCheck(_of_mappings("unit_converted"), {}, (), _ANY_MAPPING),
+    "can-range": NodeCheck(_of_mappings("range_fits"), {}, (), _ANY_MAPPING),
     "reserved-word": NodeCheck(portable.reserved_word, {**_PORTABLE, "words": NAMES}, ("words", "target")),
     "converted-name": NodeCheck(portable.converted_name, {**_PORTABLE, "pattern": TEXT}, ("pattern", "target")),
     "name-length": NodeCheck(

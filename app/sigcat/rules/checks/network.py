@@ -7,15 +7,8 @@ from typing import TYPE_CHECKING, Any
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES, PRIMITIVES, is_array
 from sigcat.catalogue.model.definition import Definition
 from sigcat.catalogue.model.vocabulary import Unit, Vocabulary
-from sigcat.catalogue.network.mapping import (
-    ATTRIBUTES,
-    KUKSA_TARGET,
-    RECEIVED,
-    SignalMapping,
-    doubts_of_transform,
-    faults_of_transform,
-    mapping_of,
-)
+from sigcat.catalogue.network.mapping import SignalMapping, doubts_of_transform, faults_of_transform, mapping_of
+from sigcat.catalogue.network.mapping_attributes import ATTRIBUTES, KUKSA_TARGET, RECEIVED
 from sigcat.catalogue.network.markers import means_no_value
 from sigcat.catalogue.network.values import Unfit, in_datatype
 from sigcat.findings import shown
@@ -28,8 +21,6 @@ from sigcat.rules.tree import Tree
 if TYPE_CHECKING:
     from sigcat.catalogue.network.can_database import CanSignal
 
-ANY_MAPPING: str = "|".join(ATTRIBUTES)
-"""The attributes that these checks look at."""
 _SAMPLES = 64
 """Numbers between the limits of a network's signal at which a formula is looked at."""
 
@@ -128,8 +119,6 @@ def sent_once(_rule: Rule, tree: Tree) -> TreeTest:
     """Require that only one of several signals or instances is sent as a signal of the network."""
 
     def test() -> Iterator[Problem]:
-        if not any(KUKSA_TARGET in definition.values for definition in tree.judged):
-            return
         first: dict[tuple[str, str | None], str] = {}
         instances = Counter(id(definition) for definition in tree.expanded.values())
         for definition in tree.definitions.values():
