@@ -347,6 +347,7 @@ UNIT_FIELD_UNKNOWN = RuleCode("U006", "warning")
 UNITS_MISSING = RuleCode("U007", "error")
 QUANTITIES_MISSING = RuleCode("U008", "error")
 VOCABULARY_EMPTY = RuleCode("U009", "warning")
+VOCABULARY_NOT_LISTED = RuleCode("U010", "warning")
 
 # vss
 TYPE_MISSING_OR_UNKNOWN = RuleCode("V001", "error")

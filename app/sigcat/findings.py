@@ -73,9 +73,18 @@ def has_errors(findings: "tuple[Finding, ...] | list[Finding]") -> bool:
     return any(finding.severity == "error" for finding in findings)
 
 
-def in_order(findings: Iterable[Finding], causes: Collection[str] = ()) -> tuple[Finding, ...]:
-    """Findings by file, line and column, each once. Those in `causes` come first: others follow from them."""
-    return tuple(sorted(dict.fromkeys(findings), key=lambda finding: (finding.file not in causes, finding.sort_key)))
+def in_order(
+    findings: Iterable[Finding], causes: Collection[str] = (), consequences: Collection[str] = ()
+) -> tuple[Finding, ...]:
+    """Findings by file, line and column, each once.
+
+    Those in files `causes` come first: others follow from them. Those in files `consequences` come last.
+    """
+
+    def place(finding: Finding) -> tuple[bool, bool, tuple[str, int, int, str, str]]:
+        return (finding.file not in causes, finding.file in consequences, finding.sort_key)
+
+    return tuple(sorted(dict.fromkeys(findings), key=place))
 
 
 def first_at(file: str, line: int) -> str:

@@ -2,6 +2,7 @@
 
 import os
 import stat
+from contextlib import suppress
 from pathlib import Path
 
 
@@ -17,7 +18,19 @@ def path_fault(path: Path, kind: str = "file") -> str:
         elif not stat.S_ISREG(mode):
             return f"{shown} must be a regular file."  # reading a pipe would wait
     except (FileNotFoundError, NotADirectoryError, ValueError):
-        return f"{shown} is a link to nothing." if path.is_symlink() else f"There is no {kind} {shown}."
+        return (
+            f"{shown} is a link to nothing." if path.is_symlink() else f"There is no {kind} {shown}.{near_name(path)}"
+        )
     except OSError as error:
         return f"{shown} cannot be read: {error.strerror}."
+    return ""
+
+
+def near_name(path: Path) -> str:
+    """A proposal of a path beside one that is missing, after a space; empty if nothing beside it has a near name."""
+    from sigcat.names import nearest  # loaded only when something is wrong
+
+    with suppress(OSError, ValueError):
+        near = nearest(path.name, [each.name for each in os.scandir(path.parent)], 1)
+        return f" Did you mean {str(path.with_name(near[0]))!r}?" if near else ""
     return ""

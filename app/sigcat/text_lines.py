@@ -21,3 +21,9 @@ def line_and_column(text: str, index: int) -> tuple[int, int]:
     """Line and column of a character, from 0."""
     before = _ENDS.split(text[:index])
     return len(before) - 1, len(before[-1])
+
+
+def line_of_conflict(text: str) -> int:
+    """The first line, from 1, that git wrote into a text where two changes meet; 0 without one."""
+    conflict = re.search(r"^(?:<{7}|>{7}) ", text, re.MULTILINE)
+    return text.count("\n", 0, conflict.start()) + 1 if conflict else 0

@@ -35,7 +35,7 @@ def test_an_overlay_of_an_option_that_is_missing(company, capsys):
 def test_wildcards_that_match_nothing(company, capsys):
     Path("sigcat.toml").write_text(PROJECT.replace("overlays/*.vspec", "overlay/*.vspec"))
     assert main(["lint"]) == 2
-    assert "There is no file 'overlay/*.vspec'." in capsys.readouterr().err
+    assert "There is no folder 'overlay'. Did you mean 'overlays'?" in capsys.readouterr().err
 
 
 def test_a_misspelled_release_is_proposed(company, capsys):

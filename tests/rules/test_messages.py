@@ -39,7 +39,7 @@ def test_a_node_that_is_not_there_is_one_finding_with_the_node_that_was_meant(tr
 @pytest.mark.parametrize(
     ("attribute", "expected"),
     [
-        ("maximum: 3", "V117 Unknown attribute `maximum`. Add it to `extended-attributes` in the configuration, or remove it."),
+        ("maximum: 3", "V117 Unknown attribute `maximum`. Add it to `extended-attributes` of [lint] in sigcat.toml, or remove it."),
         ("ASILlevel: E", "I101 `ASILlevel` must be QM, A, B, C or D, not 'E'."),
         ("ASILlevel: ASIL B", "I101 `ASILlevel` must be QM, A, B, C or D, not 'ASIL B'. Write B."),
         ("resolution: fine", "I101 `resolution` must be a number in the unit of the interface, not 'fine'."),

@@ -398,7 +398,7 @@ def test_a_trace_of_nothing_has_no_length(case):
     Path("trace.csv").write_text("time,Vehicle.Speed,Filter_Mode_In\n")
     assert case() == (
         2,
-        ["sigcat: no inputs: pass --trace FILE with a row, or --duration SECONDS to run without inputs"],
+        ["sigcat: there are no inputs: name a trace with --trace FILE, or run without inputs for --duration SECONDS"],
     )
     assert case("--duration", "0.1") == (0, [])
 
@@ -408,7 +408,7 @@ def test_without_a_trace_and_a_duration_nothing_is_printed_before_the_error(case
     assert main(without_trace) == 2
     said = capfd.readouterr()
     assert said.out == ""
-    assert "no inputs: pass --trace FILE" in said.err
+    assert "name a trace with --trace FILE" in said.err
 
 
 def test_a_run_of_years_is_refused_where_it_is_asked_for(case):

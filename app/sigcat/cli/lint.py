@@ -117,6 +117,8 @@ def lint(arguments: argparse.Namespace) -> int:
 def _lint(arguments: argparse.Namespace) -> int:
     from sigcat.rules.linting.lint import lint_paths
 
+    if arguments.unsafe_fixes and not (arguments.fix or arguments.diff):
+        raise UsageError("--unsafe-fixes belongs to --fix or --diff: add one of them")
     start = arguments.paths[0] if arguments.paths else Path()
     project = project_of(arguments, start if start.is_dir() else start.parent, {_SERVICE: lambda table, _file: table})
     paths = arguments.paths or [_folder_of(project, arguments)]

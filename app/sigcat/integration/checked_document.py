@@ -6,7 +6,9 @@ from typing import Generic, NamedTuple, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
+from sigcat import codes
 from sigcat.errors import InputRefused
+from sigcat.file_kind import holds_function
 from sigcat.findings import Finding, RuleCode, has_errors
 from sigcat.function.checks.unfit import accessors_of
 from sigcat.function.document.document import Document, Pointer
@@ -48,6 +50,8 @@ class DocumentKind(Generic[M]):
 
     def read(self, data: bytes, name: str, limits: Limits) -> M:
         """The model of a document. Raises InputRefused with everything that is wrong."""
+        if not data.lstrip().startswith(b"{") and holds_function(data):
+            raise self._before_integration(name)
         document = read_json(data, name, limits)
         findings: tuple[Finding, ...] = document.findings
         if not has_errors(findings):
@@ -65,6 +69,13 @@ class DocumentKind(Generic[M]):
         raise InputRefused(
             f"{name} must be Integration JSON as `sigcat integrate {self.platform}` writes it.", findings
         )
+
+    def _before_integration(self, name: str) -> InputRefused:
+        """The refusal of a function file, from which the document is made."""
+        command = f"sigcat integrate {self.platform}"
+        fix = f"Run `{command}` with it, and name the document that it writes."
+        finding = codes.NOT_JSON.finding("The file is a function file, not Integration JSON.", name, 1, 1, fix=fix)
+        return InputRefused(f"{name} must be Integration JSON as `{command}` writes it.", (finding,))
 
     def _at_the_door(self, model: M, document: Document) -> Iterator[Finding]:
         """Strings that are not of the type of their field, and errors of the functions that the document carries."""

@@ -41,7 +41,7 @@ from sigcat.project.read_vehicles import VEHICLE_KEYS, read_vehicles
 from sigcat.rules.linting.configuration import FIELDS as LINT_KEYS
 from sigcat.rules.linting.configuration import options_of
 from sigcat.rules.linting.options import LintOptions
-from sigcat.text_lines import lines_of
+from sigcat.text_lines import line_of_conflict, lines_of
 
 _OF_CATALOGUES = ("units", "quantities", "types", "include-dirs")
 """Lists that a catalogue may have, and the project for all of its catalogues."""
@@ -221,7 +221,16 @@ def _syntax_error(error: Exception, file: Path, text: str) -> Finding:
         key, first = again
         message = f"`{key}` is given twice, {first_at(str(file), first)}"
         return codes.NOT_TOML.finding(f"Not valid TOML: {message}.", str(file), line, 1, fix="Remove one of the two.")
-    return codes.NOT_TOML.finding(f"Not valid TOML: {message}.", str(file), line, column)
+    from sigcat.project.toml_syntax import open_bracket, toml_advice  # seldom needed
+
+    if conflict := line_of_conflict(text):
+        fix = "Resolve it, and remove the lines that git wrote."
+        return codes.NOT_TOML.finding("The file has a merge conflict.", str(file), conflict, 1, fix=fix)
+    lines = lines_of(text)
+    if line > len(lines) and (opened := open_bracket(lines)):
+        return codes.NOT_TOML.finding(f"Not valid TOML: {message}.", str(file), *opened, fix="Close the bracket.")
+    fix = toml_advice(lines, line, column)
+    return codes.NOT_TOML.finding(f"Not valid TOML: {message}.", str(file), line, column, fix=fix)
 
 
 def _given_before(lines: Sequence[str]) -> tuple[str, int] | None:

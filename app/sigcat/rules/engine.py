@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from sigcat import codes
 from sigcat.catalogue.composing.build_tree import fix_of_undefined
+from sigcat.catalogue.composing.instance_names import levels_of_instances
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.model.definition import Definition
 from sigcat.catalogue.model.interfaces import category_of
@@ -168,6 +169,8 @@ def _composition(catalogue: Catalogue, tree: Tree, rules: RuleSet) -> Iterator[F
         ):
             continue
         if finding.rule == codes.BRANCH_UNDEFINED.id:
+            if _is_below_another_instance(finding.path, tree):
+                continue
             finding = _with_instances_proposed(finding, tree)  # noqa: PLW2901
         severity = rules.of_composition.get(finding.rule, finding.severity)
         yield finding if severity == finding.severity else finding._replace(severity=severity), None
@@ -176,8 +179,27 @@ def _composition(catalogue: Catalogue, tree: Tree, rules: RuleSet) -> Iterator[F
 def _with_instances_proposed(finding: Finding, tree: Tree) -> Finding:
     """A finding of a branch that is not defined, with the instances that were meant where its place is for these."""
     below = next((path for path in tree.definitions if path.startswith(f"{finding.path}.")), "")
-    proposal = with_another_branch(below, tree) if below and tree.may_hold_instances(parent_path(finding.path)) else ""
+    above = parent_path(finding.path)
+    proposal = with_another_branch(below, tree) if below and tree.may_hold_instances(above) else ""
+    if not proposal and (names := _instances_of(above, tree)):
+        more = f" and {len(names) - _NAMED:,} more" if len(names) > _NAMED else ""
+        proposal = f"The instances of {above!r} are {', '.join(names[:_NAMED])}{more}."
     return finding._replace(fix=fix_of_undefined(finding.path, proposal)) if proposal else finding
+
+
+_NAMED = 8
+"""Instances that a finding names."""
+
+
+def _is_below_another_instance(branch: str, tree: Tree) -> bool:
+    """Whether a branch is below one that instances have no name for: a finding about that one is enough."""
+    above = parent_path(branch)
+    return above not in tree.expanded and bool(_instances_of(parent_path(above), tree))
+
+
+def _instances_of(path: str, tree: Tree) -> list[str]:
+    definition = tree.definitions.get(path)
+    return sorted(next(levels_of_instances(definition.values), ())) if definition is not None else []
 
 
 def _need_not_be_written(branch: str, tree: Tree, *, changes_are_reported: bool) -> bool:

@@ -168,6 +168,20 @@ def _position_of(node: Any, key: str) -> tuple[int, int] | None:
     return next((position(k) for k, _ in pairs if isinstance(k, ScalarNode) and k.value == key), None)
 
 
+def option_position(rule: Rule, option: str) -> tuple[int, int]:
+    """Line and column of an option of a rule; of the rule without one, or if its file is no longer there."""
+    try:
+        node: Any = read_document(read_bytes(Path(rule.file)), rule.file).root
+    except (OSError, ValueError):
+        return rule.line, 1
+    at = rule.line, 1
+    for key in (rule.id, "options", option) if option else ():
+        at = _position_of(node, key) or at
+        pairs = node.value if isinstance(node, MappingNode) else []
+        node = next((value for name, value in pairs if isinstance(name, ScalarNode) and name.value == key), None)
+    return at
+
+
 def _rule(code: str, values: Any, category: str, file: str, line: int, *, trusted: bool) -> Rule:
     return Rule(
         code,

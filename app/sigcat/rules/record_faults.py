@@ -8,7 +8,7 @@ from sigcat.catalogue.model.datatypes import DATATYPES
 from sigcat.catalogue.model.definition import TYPES
 from sigcat.catalogue.model.interfaces import CATEGORIES
 from sigcat.findings import SEVERITIES, shown
-from sigcat.names import did_you_mean
+from sigcat.names import did_you_mean, nearest
 from sigcat.rules.templates import template_faults
 
 Scope = Literal["node", "tree"]
@@ -67,7 +67,8 @@ def _of_keys(code: str, values: dict[str, Any]) -> Iterator[Fault]:
         if key not in KEYS:
             yield Fault(f"Unknown field {key!r} of rule {code}.", key, did_you_mean(str(key), KEYS))
     for key in REQUIRED:
-        if not _is_text(values.get(key)):
+        is_misspelled = key not in values and any(nearest(str(name), [key]) for name in values if name not in KEYS)
+        if not _is_text(values.get(key)) and not is_misspelled:
             yield Fault(f"Rule {code} must have a text as `{key}`.", key)
     for key, kind in _KINDS.items():
         if key in values and not isinstance(values[key], kind):

@@ -15,7 +15,7 @@ from sigcat.patterns import BadPattern
 from sigcat.rules.checks import CHECKS
 from sigcat.rules.checks.attributes import extended_attributes
 from sigcat.rules.checks.kind import BadOption, Check, LineCheck, LineTest, NodeCheck, TreeCheck, check_options
-from sigcat.rules.record import Rule
+from sigcat.rules.record import Rule, option_position
 from sigcat.rules.record_faults import MAKERS
 from sigcat.rules.tree import Tree
 
@@ -113,7 +113,8 @@ class RuleSet:
                 self.line_rules.append((rule, check.prepare(rule)))
         except (BadOption, BadPattern) as error:
             fix = error.fix if isinstance(error, BadOption) else ""
-            return codes.RULE_UNUSABLE.finding(str(error), rule.file, rule.line, 1, rule.id, fix=fix)
+            at = option_position(rule, error.option if isinstance(error, BadOption) else "")
+            return codes.RULE_UNUSABLE.finding(str(error), rule.file, *at, rule.id, fix=fix)
         return None
 
 

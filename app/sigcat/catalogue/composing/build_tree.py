@@ -80,9 +80,14 @@ def _single_root(paths: list[str], definitions: Mapping[str, Definition], findin
         has_structs = any(
             definitions[path].values.get("type") == "struct" for path in paths if path.startswith(f"{extra}.")
         )
-        fix = _TYPES_FILE if has_structs else f"Move it below {roots[0]!r}, or remove it."
+        fix = _TYPES_FILE if has_structs else _without_slashes(extra) or f"Move it below {roots[0]!r}, or remove it."
         findings.append(codes.SECOND_ROOT.finding(message, *definitions[extra].origin().position, extra, fix=fix))
     return roots[0] if roots else ""
+
+
+def _without_slashes(name: str) -> str:
+    """Return the fix of a path that is written with slashes; empty for others."""
+    return f"Write {name.strip('/').replace('/', '.')!r}." if "/" in name else ""
 
 
 def _first_below(written: Iterable[str], placed: Mapping[str, Draft]) -> Mapping[str, str]:
@@ -201,6 +206,10 @@ def _misplaced(definition: Definition, path: str, above: Definition, parents: tu
     else:
         message = f"{_capital(above.type)} cannot have children."
         fix = f"Make {above.path!r} {with_article(parents[-1])}."
+        if definition.origin().overlay and not above.origin("type").overlay:  # the node below is the mistake
+            message = f"{path!r} is below {with_article(above.type)}, {above.path!r}."
+            fix = f"Write {f'{parent_path(above.path)}.{last_name(path)}'!r}, or place it below another branch."
+            return codes.NODE_BELOW_SIGNAL.finding(message, *definition.origin().position, path, fix=fix)
     own, others = definition.origin("type"), above.origin("type")
     if others.overlay and not own.overlay:  # one finding, however many nodes are below
         return codes.NODE_BELOW_SIGNAL.finding(message, *others.position, above.path, fix=fix)

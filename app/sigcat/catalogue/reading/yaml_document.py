@@ -411,13 +411,10 @@ def _refused(
 
 
 def _syntax_error(text: str, name: str, error: yaml.MarkedYAMLError) -> Document:
-    mark = error.problem_mark or error.context_mark
-    line, column = (each + 1 for each in line_and_column(text, mark.index)) if mark else (0, 0)
-    message = ", ".join(part for part in (error.context, error.problem) if part)
-    from sigcat.catalogue.reading.yaml_syntax import syntax_advice  # seldom needed
+    from sigcat.catalogue.reading.yaml_syntax import syntax_fault  # seldom needed
 
-    fix = syntax_advice(text, error, message)
-    return _refused(text, name, codes.NOT_YAML, f"Not valid YAML: {message}.", line, column, fix)
+    fault = syntax_fault(text, error)
+    return _refused(text, name, codes.NOT_YAML, fault.message, fault.line, fault.column, fault.fix)
 
 
 def _code_point(error: Any) -> int:

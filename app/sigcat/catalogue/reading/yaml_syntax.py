@@ -1,4 +1,4 @@
-"""Advice for errors in the syntax of YAML, by the words of libyaml, which has no codes for its errors.
+"""Places of errors in the syntax of YAML, and advice for them, by the words of libyaml, which has no codes for its errors.
 
 If the words change, advice is missing and nothing else. tests/catalogue/test_yaml_syntax.py has a case of each.
 """
@@ -10,12 +10,14 @@ from typing import Literal, NamedTuple
 
 import yaml
 
-from sigcat.text_lines import line_and_column, lines_of
+from sigcat.text_lines import line_and_column, line_of_conflict, lines_of
 
 _KEY = re.compile(r"""(?P<items>(?:- +)*)(?:"[^"]*"|'[^']*'|[^\s"'#][^#]*?):(?:\s|$)""")
 _LONGEST_KEY = 1024
 """Characters of a simple key (YAML 1.1, section 7.4.2)."""
 _ITEM = re.compile(r"(?:- +)*-(?:\s|$)")
+_NO_SPACE = re.compile(r"[ ]*[\w.-]+:(?=[^\s:/])")
+"""A key with its colon, and no space behind it."""
 
 
 class _Error(NamedTuple):
@@ -34,16 +36,43 @@ class _Error(NamedTuple):
         return self.lines[self.line] if self.line < len(self.lines) else ""
 
 
-def syntax_advice(text: str, error: yaml.MarkedYAMLError, message: str) -> str:
-    """The fix for an error; empty for one that says enough."""
+class SyntaxFault(NamedTuple):
+    """The place of an error in a text, line and column from 1, and the fix; an empty fix where the message says enough."""
+
+    message: str
+    line: int
+    column: int
+    fix: str = ""
+
+
+def syntax_fault(text: str, error: yaml.MarkedYAMLError) -> SyntaxFault:
+    """The place where an error can be corrected: libyaml often finds it lines later."""
+    message = f"Not valid YAML: {', '.join(part for part in (error.context, error.problem) if part)}."
+    if conflict := line_of_conflict(text):
+        return SyntaxFault(
+            "The file has a merge conflict.", conflict, 1, "Resolve it, and remove the lines that git wrote."
+        )
     mark = error.problem_mark or error.context_mark
     if mark is None:
-        return ""
+        return SyntaxFault(message, 0, 0)
     context = error.context_mark or mark
     line, column = line_and_column(text, mark.index)
-    opened, _ = line_and_column(text, context.index)
+    opened, opened_column = line_and_column(text, context.index)
     found = _Error(lines_of(text), line, column, opened + 1)
-    return next((advice(found) for words, advice in _ADVICE.items() if words in message), "")
+    fix = next((advice(found) for words, advice in _ADVICE.items() if words in message), "")
+    if any(words in message for words in _FROM_WHERE_IT_OPENS):
+        return SyntaxFault(message, opened + 1, opened_column + 1, fix)
+    if any(words in message for words in _AFTER_A_GLUED_KEY) and (glued := _glued_key(found)):
+        at, column = glued
+        return SyntaxFault(message, at, column, "Write a space behind the colon.")
+    return SyntaxFault(message, line + 1, column + 1, fix)
+
+
+def _glued_key(error: _Error) -> tuple[int, int] | None:
+    """The line above an error that has no space behind its colon, and so is a text, with the column behind the colon."""
+    above = next((line for line in range(error.line, 0, -1) if error.lines[line - 1].strip()), 0)
+    glued = _NO_SPACE.match(error.lines[above - 1]) if above else None
+    return (above, glued.end() + 1) if glued else None
 
 
 def _of_indentation(error: _Error) -> str:
@@ -102,7 +131,7 @@ def _of_stray_colon(error: _Error) -> str:
 def _of_missing_colon(error: _Error) -> str:
     if len(error.lines[error.opened - 1].partition(": ")[0]) > _LONGEST_KEY:
         return _too_long(error.opened)
-    return f"Write a colon and a space behind the name in line {error.opened}."
+    return "Write a colon and a space behind the name."
 
 
 def _too_long(line: int) -> str:
@@ -117,6 +146,10 @@ def _always(advice: str) -> Callable[[_Error], str]:
     return lambda _: advice
 
 
+_FROM_WHERE_IT_OPENS = ("while scanning a quoted scalar", "did not find expected ',' or", "could not find expected ':'")
+"""Errors whose cause is where the part of the text begins, not where it ends."""
+_AFTER_A_GLUED_KEY = ("did not find expected key", "mapping values are not allowed")
+"""Errors in a line whose cause may be the line above it: `type:sensor` is a text."""
 _ASTERISK = _always("If the asterisk belongs to a text, quote the text.")
 _ADVICE: dict[str, Callable[[_Error], str]] = {
     "mapping values are not allowed": _of_stray_colon,
@@ -128,7 +161,7 @@ _ADVICE: dict[str, Callable[[_Error], str]] = {
     "did not find expected '-' indicator": _of_indentation,
     "did not find expected <document start>": _of_indentation,
     "could not find expected ':'": _of_missing_colon,
-    "while scanning a quoted scalar": lambda error: f"Close the quotation mark that opens in line {error.opened}.",
-    "did not find expected ',' or": lambda error: f"Close the bracket that opens in line {error.opened}.",
+    "while scanning a quoted scalar": _always("Close the quotation mark that opens here."),
+    "did not find expected ',' or": _always("Close the bracket that opens here."),
     "found unknown escape character": _always("Write the backslash twice, or use single quotation marks."),
 }

@@ -19,8 +19,11 @@ def unused_definitions(definitions: Definitions, used: Iterable[str]) -> Iterato
         name = interface_name(node.path) or node.path
         if _is_entry(node) and mentioned.isdisjoint((node.path, name)):
             message = f"{name!r} is defined, but nothing in the function refers to it."
-            fix = "List it where it is read, provided or reported, or remove the definition."
             kind = category_of(node.path) or "data"
+            place = (
+                "under `runnables` of a component" if kind == "scheduling" else "where it is read, provided or reported"
+            )
+            fix = f"List it {place}, or remove the definition."
             yield Problem(codes.DEFINITION_UNUSED, node.at, message, fix, Subject(kind, node.path))
 
 
@@ -32,9 +35,7 @@ def _is_entry(node: DefinedNode) -> bool:
 
 
 def used_by(function: FunctionJson) -> Iterator[str]:
-    """Paths and names of everything that a function refers to. Code may have no init and no terminate."""
-    if function.code is not None:
-        yield from (f"{function.info.function_name}_{call}" for call in ("Init", "Terminate"))
+    """Paths and names of everything that a function refers to."""
     for located in (
         *declared_data(function),
         *parameters(function),

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.field_types import C_EXPRESSION
+from sigcat.function.document.field_types import C_EXPRESSION, VSS_PATH
 from sigcat.function.document.problem import Problem
 from sigcat.function.document.unfit_texts import titled, unfit_texts
 from sigcat.function.function_json.datatype import innermost
@@ -24,7 +24,14 @@ def check_texts(function: FunctionJson, origin: Origin | None = None) -> Iterato
         user = None if written(pointer) else _user_of_symbol(function, pointer)
         return f"An allowed value of {user.name!r}" if user else titled(written(pointer) or pointer)
 
+    own = function.info.function_name
+    is_in_paths = VSS_PATH.accepts(own)
+    if not is_in_paths:
+        message = f"The name of a function must be letters, digits and underscores, a letter first, not {own!r}."
+        yield Problem(codes.TEXT_OF_WRONG_TYPE, ("FunctionInfo", "FunctionName"), message)
     for each in unfit_texts(function, accessors_of(function), name):
+        if each.grammar is VSS_PATH and not is_in_paths and not written(each.pointer):
+            continue  # the path is made of the name
         rule = codes.VARIABLE_NO_EXPRESSION if each.grammar is C_EXPRESSION else codes.TEXT_OF_WRONG_TYPE
         user = None if written(each.pointer) or origin is None else _user_of_symbol(function, each.pointer)
         yield Problem(rule, user.pointer if user else each.pointer, each.message, each.fix)

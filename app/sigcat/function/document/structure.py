@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from types import UnionType
-from typing import Any, Union, get_args, get_origin
+from typing import Any, Literal, Union, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 from pydantic_core import PydanticCustomError
@@ -128,7 +128,9 @@ def _finding(
 ) -> Finding:
     key = str(location[-1]) if location else ""
     if kind == "missing":
-        return document.finding(codes.FIELD_MISSING, pointer, f"{key!r} is missing.")
+        words = _words_at(location, model)
+        fix = f"Write {key}: {either(words)}." if words else ""
+        return document.finding(codes.FIELD_MISSING, pointer, f"{key!r} is missing.", fix)
     if kind == "extra_forbidden":
         beside = _keys_beside(location, model)
         fix = did_you_mean(key, beside) or (f"Use one of {', '.join(beside)}." if beside else "")
@@ -255,6 +257,13 @@ def _keys_beside(location: Pointer, model: type[BaseModel]) -> list[str]:
     """Keys that the mapping at a location may have."""
     fields = model_at(model, location[:-1])
     return list(fields_of(fields)) if fields else []
+
+
+def _words_at(location: Pointer, model: type[BaseModel]) -> Sequence[str]:
+    """Words of which the field at a location has one; none for a field of another type."""
+    holder = model_at(model, location[:-1])
+    annotation = fields_of(holder).get(str(location[-1])) if holder else None
+    return get_args(annotation) if get_origin(annotation) is Literal else ()
 
 
 def model_at(model: type[BaseModel], location: Pointer) -> type[BaseModel] | None:

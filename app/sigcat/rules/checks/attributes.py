@@ -15,16 +15,19 @@ from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
 
 
-def required(rule: Rule, _tree: Tree) -> NodeTest:
+def required(rule: Rule, tree: Tree) -> NodeTest:
     """Each of `attributes` is there and not empty."""
     names = tuple(rule.options["attributes"])
+    known = tree.attributes | CORE_ATTRIBUTES
 
     def test(definition: Definition) -> Iterator[Problem]:
         for attribute in names:
             if is_empty(definition.values.get(attribute)):
                 key = definition.spelled(attribute)
                 given = attribute if attribute in definition.values else ""
-                yield Problem(definition, f"The node has no `{key}`.", given, f"Add `{key}`.", {"attribute": attribute})
+                misspelled = nearest(key, [name for name in definition.values if name not in known], 1)
+                fix = f"Write it for `{misspelled[0]}`." if misspelled else f"Add `{key}`."
+                yield Problem(definition, f"The node has no `{key}`.", given, fix, {"attribute": attribute})
 
     return test
 
@@ -203,7 +206,8 @@ def known_attributes(rule: Rule, tree: Tree) -> NodeTest:
 def _unknown(definition: Definition, attribute: str, known: frozenset[str]) -> Problem:
     near = nearest(attribute, sorted(known), limit=1)
     fix = (
-        did_you_mean(attribute, sorted(known)) or "Add it to `extended-attributes` in the configuration, or remove it."
+        did_you_mean(attribute, sorted(known))
+        or "Add it to `extended-attributes` of [lint] in sigcat.toml, or remove it."
     )
     is_free = bool(near) and near[0] not in definition.values
     repair = Repair("rename attribute", near[0], safe=False) if is_free else None

@@ -15,9 +15,11 @@ from sigcat.rules.tree import Tree
 class BadOption(Exception):
     """The options of a rule are not those of its check."""
 
-    def __init__(self, message: str, fix: str = "") -> None:
+    def __init__(self, message: str, fix: str = "", option: str = "") -> None:
         super().__init__(message)
         self.fix = fix
+        self.option = option
+        """Name of the option, where it is there."""
 
 
 NodeTest = Callable[[Definition], Iterable[Problem]]
@@ -142,8 +144,12 @@ def check_options(rule: Rule, check: Check) -> None:
         if kind is None:
             options = f"Its options are {', '.join(check.options)}." if check.options else "It has none."
             fix = f"{did_you_mean(str(name), check.options)} {options}".lstrip()
-            raise BadOption(f"Unknown option {name!r} of check {rule.check!r}.", fix)
-        kind.check(f"Option {name!r} of rule {rule.id}", value)
+            raise BadOption(f"Unknown option {name!r} of check {rule.check!r}.", fix, name)
+        try:
+            kind.check(f"Option {name!r} of rule {rule.id}", value)
+        except BadOption as error:
+            error.option = name
+            raise
     for name in check.required:
         if name not in rule.options:
             raise BadOption(f"Rule {rule.id} must have the option {name!r}.")

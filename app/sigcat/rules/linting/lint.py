@@ -92,7 +92,9 @@ class _Lint:
         self.beside: set[str] = set()
         """The files that were read for what they need."""
         self.causes: set[str] = set()
-        """Faulty files of units and CAN databases: findings in other files may follow from them."""
+        """Rule files, and faulty files of units and CAN databases: findings in other files may follow from them."""
+        self.functions: set[str] = set()
+        """Function files: findings in them may follow from those in trees and overlays."""
         self.can = self._can_database()
 
     def _can_database(self) -> "CanDatabase | None":
@@ -232,6 +234,9 @@ def _lint_stack(base: Path, stack: Sequence[Path], named: Collection[str], optio
     if base == ROOT_FILE and options.base is None and not options.overlays:
         found = with_own_tree(found, layers[-1], rules.rules)
     lint.add_composed(found, catalogue.vocabulary, files | beside)
+    unread = [f for layer in layers if layer.name not in named for f in layer.findings if f.severity == "error"]
+    lint.causes.update(finding.file for finding in unread)  # what is checked lies over these
+    lint.add((finding, None) for finding in unread)
     lint.look_at([*files, *beside])
     lint.beside.update(file.name for file in catalogue.files)
 
@@ -292,7 +297,8 @@ def _lint_part(source: Source, lint: _Lint) -> None:
 
 def _lint_functions(paths: Sequence[Path], lint: _Lint, *, is_complete: bool) -> None:
     """Function files, alone and together. Files that were named one by one may be a part of a set."""
-    lint.look_at(map(str, paths), "comments")
+    lint.functions.update(map(str, paths))
+    lint.look_at(lint.functions, "comments")
     read = [(_bytes_of(path, lint), str(path)) for path in paths]
     not_read = {finding.file for finding in lint.found if finding.rule in _NOT_READ}
     files = [(data, name) for data, name in read if name not in not_read]
@@ -324,6 +330,7 @@ def _is_project(path: Path, options: LintOptions) -> bool:
 
 
 def _lint_rules(source: Source, lint: _Lint) -> None:
+    lint.causes.add(str(source.path))
     lint.look_at([str(source.path)], "nothing")
     file = parse_rules(_bytes_of(source.path, lint), str(source.path), trusted=False)
     lint.add((finding, None) for finding in file.findings)
@@ -345,13 +352,27 @@ def _lint_vocabulary(source: Source, lint: _Lint) -> None:
     listed = [source.spec for source in options.catalogues][:1]
     tree = options.base or (listed[0] if listed else default_tree(path)) or ROOT_FILE
     units, quantities = (*options.units, path), options.quantities
-    if path.name in QUANTITY_NAMES or real_path(path) in lint.quantities:
+    is_of_units = path.name not in QUANTITY_NAMES and real_path(path) not in lint.quantities
+    if not is_of_units:
         units, quantities = options.units, (*options.quantities, path)
     vocabulary = read_units(
         tree, units, quantities, overlays=(path,), has_standard=options.has_standard_units
     ).vocabulary
     lint.add_composed(((finding, None) for finding in vocabulary.findings), vocabulary, {name})
+    if options.catalogues and not source.named and not _is_listed(path, options) and default_tree(path) is None:
+        lint.causes.add(name)
+        lint.add([(_not_listed(path, is_of_units=is_of_units), None)])
     lint.look_at([name])
+
+
+def _is_listed(path: Path, options: LintOptions) -> bool:
+    return real_path(path) in map(real_path, (*all_units(options), *all_quantities(options)))
+
+
+def _not_listed(path: Path, *, is_of_units: bool) -> Finding:
+    key = "units" if is_of_units else "quantities"
+    fix = f"Add it to `{key}` in sigcat.toml."
+    return codes.VOCABULARY_NOT_LISTED.finding("No catalogue of the project has this file.", str(path), 1, 1, fix=fix)
 
 
 def _lint_unreadable(source: Source, lint: _Lint) -> None:
@@ -398,7 +419,7 @@ def _result(lint: _Lint, every_rule: Sequence[Rule], whole: Sequence[Path]) -> L
     repairs = {identity_of(f): r for f, r in (*lint.found.items(), *lines.items(), *unused) if r is not None}
     beside = tuple(sorted(lint.beside.difference(lint.files)))
     return LintResult(
-        in_order(findings, lint.causes),
+        in_order(findings, lint.causes, lint.functions),
         tuple(lint.files),
         beside,
         repairs,

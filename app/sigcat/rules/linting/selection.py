@@ -6,7 +6,7 @@ from typing import Any
 
 from sigcat import codes
 from sigcat.catalogue.reading.toml_lines import Lines
-from sigcat.errors import InputRefused, UsageError
+from sigcat.errors import InputRefused, SigcatError, UsageError
 from sigcat.findings import SEVERITIES, Finding
 from sigcat.names import did_you_mean
 from sigcat.real_path import real_path
@@ -31,8 +31,8 @@ def rules_for(options: LintOptions) -> tuple[Rule, ...]:
     rules = {rule.id: rule for rule in (*shipped, *own)}
     for code, given in options.rule_options.items():
         if code not in rules:
-            raise UsageError(f"Unknown rule {code!r}. {did_you_mean(code, rules)}".strip())
-        rules[code] = _with_options(rules[code], given)
+            raise _refused_option(options, code, "", f"Unknown rule {code!r}.", did_you_mean(code, rules))
+        rules[code] = _with_options(rules[code], given, options)
     return tuple(rules.values())
 
 
@@ -53,17 +53,31 @@ def _findings_about(rules: Iterable[Rule]) -> tuple[Finding, ...]:
     return RuleSet(rules).findings
 
 
-def _with_options(rule: Rule, given: Mapping[str, Any]) -> Rule:
-    """The rule with the options that a configuration gives it. Raises UsageError."""
-    changed = rule._replace(options={**rule.options, **given}, trusted=False)
+def _with_options(rule: Rule, given: Mapping[str, Any], options: LintOptions) -> Rule:
+    """The rule with the options that a configuration gives it. Raises InputRefused, or UsageError without a file."""
     check = CHECKS.get(rule.check)
     if check is None:
-        raise UsageError(f"Rule {rule.id} has no options.")
-    try:
-        check_options(changed, check)
-    except BadOption as error:
-        raise UsageError(f"{error} {error.fix}".strip()) from None
-    return changed
+        raise _refused_option(options, rule.id, "", f"Rule {rule.id} has no options.")
+    for name, value in given.items():
+        try:
+            check_options(rule._replace(options={**rule.options, name: value}, trusted=False), check)
+        except BadOption as error:
+            raise _refused_option(options, rule.id, name, str(error), error.fix) from None
+    return rule._replace(options={**rule.options, **given}, trusted=False)
+
+
+def _refused_option(options: LintOptions, code: str, name: str, message: str, fix: str = "") -> SigcatError:
+    """The error to raise for an option of `[lint.options]`: a finding at its line, where there is a file."""
+    if options.file is None:
+        return UsageError(f"{message} {fix}".strip())
+    key = ".".join(filter(None, ("options", code, name)))
+    at = Lines(options.file.read_text(encoding="utf-8")).position_below(_table_of(options.file), key)
+    finding = codes.CONFIGURATION_UNUSABLE.finding(message, str(options.file), *at, path=key, fix=fix)
+    return InputRefused(f"The configuration {str(options.file)!r} cannot be used.", (finding,))
+
+
+def _table_of(file: Path) -> str:
+    return "tool.sigcat.lint" if file.name == "pyproject.toml" else "lint"
 
 
 def selected(rules: Sequence[Rule], options: LintOptions) -> tuple[Rule, ...]:
@@ -117,7 +131,7 @@ def _refuse_unknown_in_file(known: Sequence[str], options: LintOptions) -> None:
     if not unknown or options.file is None:
         return
     lines = Lines(options.file.read_text(encoding="utf-8"))
-    table = "tool.sigcat.lint" if options.file.name == "pyproject.toml" else "lint"
+    table = _table_of(options.file)
     findings = [
         codes.CONFIGURATION_UNUSABLE.finding(
             f"No rule has the code {code!r}.",

@@ -11,7 +11,7 @@ from sigcat.adapter.core.generate import CoreFiles, runtime_files
 from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.host.connections import Member
 from sigcat.errors import InputRefused
-from sigcat.findings import Finding, in_order
+from sigcat.findings import Finding
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.walk import parts
 from sigcat.runs.building.commands import Compilation
@@ -52,7 +52,7 @@ def refused(failed: Sequence[Said], members: Sequence[Member], cores: Sequence[C
         for member, core in zip(members, cores, strict=True) for file in (core.header, core.source)
     }  # fmt: skip
     told = [tuple(_causes(said, members)) or tuple(_findings(said, members, generated)) for said in failed]
-    findings = in_order(tuple(dict.fromkeys(finding for each in told for finding in each)))
+    findings = tuple(dict.fromkeys(finding for each in told for finding in each))  # the first error causes others
     words = "" if findings else f"\n{failed[0].text.strip()}"
     return InputRefused(f"The functions cannot be run: {_doing(failed[0], generated)} failed.{words}", findings)
 
@@ -79,7 +79,7 @@ def _findings(said: Said, members: Sequence[Member], generated: Mapping[str, _Ge
     pointers = [_pointer(found, file) if file else () for found, file in placed]
     has_interfaces = any(pointer not in ((), _CODE) for pointer in pointers)
     for (found, file), pointer in zip(placed, pointers, strict=True):
-        message = _sentence(found.message)
+        message = _sentence(found.message, "linker" if said.compilation is None else "compiler")
         is_shared = Path(found.file).name in _SHARED
         if has_interfaces and (is_shared or (file is not None and pointer == _CODE)):
             continue  # an assertion about a variable that is wrong, which is reported at its interface
@@ -88,7 +88,12 @@ def _findings(said: Said, members: Sequence[Member], generated: Mapping[str, _Ge
             yield function.finding(codes.CODE_UNFIT, _CODE, message, "Correct the code, or its declaration.")
             continue
         if file is not None:
-            fix = "Correct this line, or the code."
+            is_linked = said.compilation is None
+            fix = (
+                "Define it in a file of `sources`, or correct this line."
+                if is_linked
+                else "Correct this line, or the code."
+            )
             yield file.member.function.finding(codes.CODE_UNFIT, pointer, message, fix)
         else:
             yield codes.CODE_NOT_COMPILED.finding(message, _as_given(found.file, members), found.line, found.column)
@@ -101,10 +106,10 @@ def _as_given(file: str, members: Sequence[Member]) -> str:
     return next((str(folder / path.relative_to(folder.absolute())) for folder in folders), file)
 
 
-def _sentence(message: str) -> str:
+def _sentence(message: str, tool: str) -> str:
     """Without the option that made it an error."""
     text = re.sub(r" \[-W[^]]*\]$", "", message)
-    return f"The compiler says: {text}{'' if text.endswith(('?', '.')) else '.'}"
+    return f"The {tool} says: {text}{'' if text.endswith(('?', '.')) else '.'}"
 
 
 # -- where it was declared ----------------------------------------------------------------------------------------

@@ -179,7 +179,7 @@ class _Header(NamedTuple):
         """Yield findings about the columns, and about those that are left out."""
         if not self.names or self.names[0] != TIME:
             first = self.names[0] if self.names else ""
-            message = f"The first column must be `{TIME}`, not {shown(first)}."
+            message = f"The first column must be `{TIME}`, not {shown(first)}." if first else "The trace has no header."
             yield self._finding(codes.TRACE_MALFORMED, 0, message, _fix_of_first(first))
             return
         seen = {TIME}
@@ -210,6 +210,8 @@ def _fix_of_first(name: str) -> str:
     """The fix of a header whose first column is not the time."""
     if name.strip().casefold() == TIME:
         return f"Write `{TIME}`."
+    if not name.isprintable():
+        return "Save the table as CSV: this file is not a text."
     return "Separate cells by commas." if re.search("[;\t|]", name) else "Give the time of each row in seconds."
 
 
