@@ -258,6 +258,7 @@ GENERATED_FILE_OUTDATED = RuleCode("D009", "info")
 # overlay
 GLOB_MATCHES_NOTHING = RuleCode("O001", "warning")
 TOO_MANY_WILDCARDS = RuleCode("O002", "error")
+OVERLAY_NOT_LISTED = RuleCode("O109", "info")
 
 # read_code
 CODE_UNREADABLE = RuleCode("S001", "warning")

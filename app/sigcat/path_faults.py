@@ -26,11 +26,26 @@ def path_fault(path: Path, kind: str = "file") -> str:
     return ""
 
 
-def near_name(path: Path) -> str:
-    """A proposal of a path beside one that is missing, after a space; empty if nothing beside it has a near name."""
+_ALIKE = ((".yaml", ".yml"), (".h", ".hh", ".hpp", ".hxx"), (".c", ".cc", ".cpp", ".cxx"))
+"""Suffixes of files of one kind."""
+
+
+def _is_alike(one: Path, other: Path) -> bool:
+    """Whether two files are of one kind by their suffixes."""
+    return one.suffix == other.suffix or any({one.suffix, other.suffix} <= {*suffixes} for suffixes in _ALIKE)
+
+
+def near_name(path: Path, start: Path | None = None) -> str:
+    """A proposal of a path beside one that is missing, after a space; empty if nothing beside it has a near name.
+
+    The proposal is relative to `start`, if that is given.
+    """
     from sigcat.names import nearest  # loaded only when something is wrong
 
     with suppress(OSError, ValueError):
-        near = nearest(path.name, [each.name for each in os.scandir(path.parent)], 1)
-        return f" Did you mean {str(path.with_name(near[0]))!r}?" if near else ""
+        near = nearest(
+            path.name, [each.name for each in os.scandir(path.parent) if _is_alike(path, Path(each.name))], 1
+        )
+        found = path.with_name(near[0]) if near else path
+        return f" Did you mean {str(found.relative_to(start) if start else found)!r}?" if near else ""
     return ""

@@ -48,8 +48,8 @@ def test_a_number_is_converted_exactly(capsys, given, expected):
     ("given", "reason"),
     [
         (("1", "km", "s"), "km (length) cannot be converted to s (duration). km converts to mm, cm, m, inch."),
-        (("x", "km", "m"), "'x' must be a number"),
-        (("1e400", "km", "m"), "'1e400' must be a number that a double can hold"),
+        (("x", "km", "m"), "'x' is not a number that a double holds: write one first"),
+        (("1e400", "km", "m"), "'1e400' is not a number that a double holds"),
         (("1", "km"), "write a number and two units"),
         (("1", "kmm", "m"), "unknown unit 'kmm'. Did you mean"),
     ],

@@ -202,7 +202,7 @@ def test_keys_of_units_that_differ_in_case_only_are_told_with_both(tmp_path):
     [
         ("[1-3]", "Write Seat[1,3] for each number from 1 to 3."),
         ("Row1..4", "Write Seat[1,4] for each number from 1 to 4."),
-        ("[Left Right]", "Write Left, Right for 2 instances, or one name such as 'LeftRight'."),
+        ("[Left Right]", "Write [Left, Right] for 2 instances, or one name such as 'LeftRight'."),
         ("[left right]", "Use a name such as 'LeftRight'."),
     ],
 )

@@ -398,7 +398,7 @@ def test_a_trace_of_nothing_has_no_length(case):
     Path("trace.csv").write_text("time,Vehicle.Speed,Filter_Mode_In\n")
     assert case() == (
         2,
-        ["sigcat: there are no inputs: name a trace with --trace FILE, or run without inputs for --duration SECONDS"],
+        ["sigcat: the run has no inputs: name a trace with --trace FILE, or run without inputs for --duration SECONDS"],
     )
     assert case("--duration", "0.1") == (0, [])
 

@@ -102,7 +102,8 @@ class CommandParser(argparse.ArgumentParser):
         from sigcat.names import did_you_mean
 
         choices = [str(choice) for choice in action.choices]
-        meant = did_you_mean(str(value), choices)
+        is_option = f"--{value}" in self._option_string_actions
+        meant = f"Did you mean --{value}?" if is_option else did_you_mean(str(value), choices)
         raise argparse.ArgumentError(
             action, f"must be one of {', '.join(choices)}, not {value!r}. {meant}".rstrip(". ")
         )

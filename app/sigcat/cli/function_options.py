@@ -28,8 +28,19 @@ def add_function(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("file", type=Path, nargs="?", metavar="FILE", help=text)
 
 
+_NO_FUNCTIONS = {
+    ".csv": "a table: name a trace with --trace",
+    ".mcap": "a recording: name a trace with --trace",
+    **dict.fromkeys((".c", ".cc", ".cpp", ".h", ".hpp"), "code: name the function file that lists it"),
+}
+"""Files that are often named in place of functions, by their suffixes."""
+
+
 def functions_of(arguments: argparse.Namespace) -> tuple[Path, ...]:
     """Return the files that are named, else those of the project, which no output may replace. Raises UsageError."""
+    for path in arguments.functions:
+        if path.suffix.lower() in _NO_FUNCTIONS:
+            raise UsageError(f"{path} is {_NO_FUNCTIONS[path.suffix.lower()]}")
     arguments.functions = list(map(existing_file, arguments.functions)) or list(project_functions(arguments))
     return tuple(arguments.functions)
 

@@ -10,6 +10,7 @@ from sigcat.findings import Finding
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.code import CodeInterface, is_inside
 from sigcat.function.function_json.resolved_function import ResolvedFunction
+from sigcat.path_faults import near_name
 
 CodeCheck = Callable[[ResolvedFunction], Iterable[Finding]]
 """Finds faults of the files of the code next to a declaration."""
@@ -30,18 +31,18 @@ def missing_files(function: ResolvedFunction) -> Iterator[Finding]:
         faults = [_fault(folder / place, is_folder=what == "folder") for place in places] if is_inside(path) else [""]
         if all(faults):
             fault = next((each for each in faults if each != _MISSING), _MISSING)
-            yield function.finding(codes.CODE_FILE_MISSING, pointer, *_about(what, path, fault))
+            yield function.finding(codes.CODE_FILE_MISSING, pointer, *_about(what, path, fault, folder))
 
 
 _MISSING = "missing"
 
 
-def _about(what: str, path: str, fault: str) -> tuple[str, str]:
+def _about(what: str, path: str, fault: str, folder: Path) -> tuple[str, str]:
     """The message and the fix of a finding about a file of the code."""
     if fault == _MISSING:
         return (
             f"There is no {what} {path!r}.",
-            f"Correct the path, or add the {'folder' if what == 'folder' else 'file'}.",
+            f"{near_name(folder / path, folder)} Correct the path, or add the {'folder' if what == 'folder' else 'file'}.".lstrip(),
         )
     return f"{path!r} {fault}.", f"Name a {'folder' if what == 'folder' else 'C or C++ file that can be read'}."
 

@@ -31,7 +31,9 @@ def chosen_lint(project: Project, given: TreeOptions) -> ChosenLint:
     )
     tree = chosen_tree(project, options)
     if named is not None or project.catalogues:
-        return ChosenLint(lint.over(tree)._replace(catalogues=tuple(_linted(project, options))), tree)
+        added = tuple(path for vehicle in project.vehicles for path in vehicle.overlays)
+        linted = tuple(_linted(project, options))
+        return ChosenLint(lint.over(tree)._replace(catalogues=linted, of_vehicles=added), tree)
     return ChosenLint(lint.over(tree)._replace(base=None, overlays=options.overlays), tree)
 
 

@@ -182,6 +182,9 @@ def _check_one_tree(data: Mapping[str, Any], reading: "Reading") -> None:
 def _before_tables(key: str) -> str:
     """The place of a setting that belongs before all tables; empty if it does not."""
     near = nearest(key.replace("_", "-"), TOP_KEYS, 1)
+    of_lint = nearest(key.replace("_", "-"), LINT_KEYS, 1)
+    if of_lint and not near:
+        return f"Write `{of_lint[0]}` in [lint]."
     return f"Write `{near[0]}` before the first table." if near else ""
 
 
@@ -227,9 +230,9 @@ def _syntax_error(error: Exception, file: Path, text: str) -> Finding:
         fix = "Resolve it, and remove the lines that git wrote."
         return codes.NOT_TOML.finding("The file has a merge conflict.", str(file), conflict, 1, fix=fix)
     lines = lines_of(text)
-    if line > len(lines) and (opened := open_bracket(lines)):
-        return codes.NOT_TOML.finding(f"Not valid TOML: {message}.", str(file), *opened, fix="Close the bracket.")
     fix = toml_advice(lines, line, column)
+    if not fix and (opened := open_bracket(lines[: line - 1])):
+        return codes.NOT_TOML.finding(f"Not valid TOML: {message}.", str(file), *opened, fix="Close the bracket.")
     return codes.NOT_TOML.finding(f"Not valid TOML: {message}.", str(file), line, column, fix=fix)
 
 

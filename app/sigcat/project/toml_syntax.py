@@ -11,15 +11,16 @@ _KEY = re.compile(r"[\w.-]+\s*=")
 def toml_advice(lines: Sequence[str], line: int, column: int) -> str:
     """The fix for an error at a line and column, from 1; empty for one that its message explains."""
     text = lines[line - 1].rstrip("\r\n") if line <= len(lines) else ""
-    before, rest = text[: column - 1].rstrip(), text[column - 1 :]
+    above = lines[line - 2].rstrip() if 2 <= line <= len(lines) + 1 else ""
+    before, rest = text[: column - 1].rstrip() or above, text[column - 1 :]
     signs = {
         "Close the quotation mark.": not rest.strip() and (before.count('"') % 2 or before.count("'") % 2),
         "Write the backslash twice, or use single quotation marks.": "\\" in text[max(column - 3, 0) : column],
         "Write a comma between the values.": rest.startswith(("'", '"')) and before.endswith(("'", '"', "]")),
+        "Use straight quotation marks.": rest.startswith(("\u201c", "\u201d", "\u2018", "\u2019")),
         "Write `=` for the colon.": rest.startswith(":"),
         "Remove the comma.": rest.startswith(","),
-        "Close the bracket that is open above this line.": _KEY.match(rest),
-        _of_word(rest): before.endswith(("=", "[", ",")),
+        _of_word(rest): before.endswith(("=", "[", ",")) and not (_KEY.match(rest) or text.startswith("[[")),
     }
     return next((advice for advice, is_so in signs.items() if is_so), "")
 

@@ -139,7 +139,8 @@ def _of_example(example: dict[Any, Any], key: str) -> Iterator[Fault]:
             fix = did_you_mean(str(part), _EXAMPLE_KEYS) or f"Use one of {', '.join(_EXAMPLE_KEYS)}."
             yield Fault(f"Unknown field {shown(part)} in `{key}`.", key, fix)
         elif part in _EXAMPLE_TEXTS and not isinstance(value, str):
-            yield Fault(f"`{part}` in `{key}` must be a text, not {shown(value)}.", key)
+            fix = f"Write `{part}: |`, and the text in the lines below it."
+            yield Fault(f"`{part}` in `{key}` must be a text, not {shown(value)}.", key, fix)
         elif part == "overlays" and not (isinstance(value, list) and all(isinstance(each, str) for each in value)):
             yield Fault(f"`overlays` in `{key}` must be a list of texts, not {shown(value)}.", key)
         elif part == "files" and not _are_files(value):

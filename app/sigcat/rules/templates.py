@@ -16,6 +16,7 @@ _OF_CHECKS: Mapping[str, tuple[str, ...]] = {
     "instance-name": ("proposal",),
     "text": ("attribute", "value"),
     "required": ("attribute",),
+    "filled": ("attribute",),
     "forbidden": ("attribute",),
     "implied": ("attribute", "value", "missing"),
     "known-attributes": ("attribute",),

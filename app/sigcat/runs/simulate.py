@@ -33,7 +33,7 @@ from sigcat.runs.running.written_input import Span, targets_by_column, write_kep
 from sigcat.runs.stops import refusal
 from sigcat.temporary_files import temporary_folder
 
-NO_INPUTS = "there are no inputs: name a trace with --trace FILE, or run without inputs for --duration SECONDS"
+NO_INPUTS = "the run has no inputs: name a trace with --trace FILE, or run without inputs for --duration SECONDS"
 INPUT, RESULTS = "input", "results"
 MIB = 1 << 20
 LONG_BYTES, LONG_CALLS = MIB, 50_000

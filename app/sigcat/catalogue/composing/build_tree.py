@@ -9,7 +9,7 @@ from sigcat.catalogue.model.catalogue import Node
 from sigcat.catalogue.model.definition import BRANCH, STRUCT, TYPES, Definition, Problem
 from sigcat.findings import Finding
 from sigcat.limits import Limits
-from sigcat.names import did_you_mean, last_name, parent_path, with_article
+from sigcat.names import did_you_mean, last_name, nearest, parent_path, with_article
 
 
 class Draft(NamedTuple):
@@ -65,7 +65,7 @@ def _is_usable(path: str, definition: Definition, limits: Limits, findings: list
     return False
 
 
-_TYPES_FILE = "Struct types are no overlay: list the file as `types` in sigcat.toml, or pass it with `-t`."
+_TYPES_FILE = "Struct types are not an overlay: list the file as `types` in sigcat.toml, or pass it with `-t`."
 
 
 def _single_root(paths: list[str], definitions: Mapping[str, Definition], findings: list[Finding]) -> str:
@@ -122,7 +122,8 @@ def _connect(
         _children(placed[parent])[child.name] = child
     elif root:
         message = f"{path!r} is outside of the tree, whose root is {root!r}."
-        fix = f"Move it below {root!r}."
+        first, _, rest = path.partition(".")
+        fix = f"Write '{root}.{rest}'." if nearest(first, [root]) and rest else f"Move it below {root!r}."
         findings.append(codes.OUTSIDE_ROOT.finding(message, *definition.origin().position, path, fix=fix))
 
 
@@ -131,7 +132,7 @@ def _added_branch(path: str, below: str, definition: Definition, above: Draft | 
     beside = [child.name for child in above.children.values() if child.definition.type == BRANCH] if above else []
     fix = fix_of_undefined(path, did_you_mean(last_name(path), beside))
     problem = Problem(codes.BRANCH_UNDEFINED, "", message, fix)
-    is_named = bool(last_name(path))  # else the path below it is malformed, and the finding about that is enough
+    is_named = "" not in below.split(".")  # else the finding about the malformed path is enough
     return Definition(path, definition.statements[:1], {"type": BRANCH}, (problem,) if is_named else ())
 
 

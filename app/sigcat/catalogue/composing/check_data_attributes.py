@@ -241,6 +241,8 @@ def _spelled(value: Any, datatype: str) -> str:
         if is_read_as_text(value):
             return number_advice(value, is_whole=is_whole)
         return f"Write {int(meant) if is_whole else yaml_number(meant)}, without quotes."
+    if isinstance(value, str) and is_numeric(datatype):
+        return number_advice(value)
     return quote_it(value) if isinstance(value, bool) or element_of(datatype) == "string" else ""
 
 

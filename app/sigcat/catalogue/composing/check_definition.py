@@ -84,6 +84,8 @@ def _normalized(path: str, values: Mapping[str, Any], scope: Scope, problems: li
         if converted is NO_VALUE:
             message = f"`{name}` must be {EXPECTED[name]}, not {shown(value)}."
             fix = _in_quotes(value) if convert is text or name == "allowed" else ""
+            if name == "allowed" and isinstance(value, str) and value.startswith("-"):
+                fix = "Write a space behind each hyphen."
             problems.append(Problem(codes.ATTRIBUTE_OF_WRONG_KIND, name, message, fix))
         elif type(converted) in _MAY_BE_INFINITE and name != "type" and not is_finite(converted):
             message = f"`{name}` must be a finite number, not {shown(value)}."

@@ -108,7 +108,9 @@ def release_name(text: str) -> str:
     if version is not None:
         return f"v{version[1]}"
     if not _NAME.fullmatch(text):
-        raise UsageError(f"{text[:80]!r} is not a release name; write one such as v5.0")
+        is_of_git = re.search(r"[~^@]|\.\.", text) is not None
+        hint = f"for a revision, write git:{text[:80]}" if is_of_git else "write one such as v5.0"
+        raise UsageError(f"{text[:80]!r} is not a release name; {hint}")
     return text
 
 
@@ -128,7 +130,8 @@ def find_release(name: str, data: Path | None = None) -> Release:
         there = f" Pulled are {', '.join(pulled)}." if pulled else ""
         near = nearest(wanted, (*pulled, *_SHIPPED), cutoff=60)
         if _VERSION.fullmatch(wanted):
-            raise NotFound(f"release {wanted} is not pulled.{there} Run `sigcat pull {wanted}`.", near)
+            shipped = " 'shipped' is VSS 6.0." if wanted == "v6.0" else ""
+            raise NotFound(f"release {wanted} is not pulled.{there} Run `sigcat pull {wanted}`.{shipped}", near)
         hint = f" Did you mean {' or '.join(near)}?" if near else ""
         if not near and wanted.lstrip("vV")[:1].isdigit():
             hint = " Releases of VSS have names such as v5.0; `sigcat pull v5.0` fetches one."
@@ -164,7 +167,9 @@ def pull(
     if allows_private and not _WEB.match(origin):
         raise UsageError("--allow-private is for the address that --from names, and none is named")
     if not origin and not _VERSION.fullmatch(name):
-        raise UsageError(f"{name!r} is not a version; name with --from where it comes from")
+        raise UsageError(
+            f"{name!r} is not a version of VSS such as v5.0. For another release, name its address or file with --from"
+        )
     folder = releases_folder(data)
     here = None if replaces else _recorded(folder / name / RECORD)
     if here is not None:

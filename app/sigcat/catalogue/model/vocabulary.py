@@ -269,6 +269,8 @@ def _replaced(entry: Statement, earlier: Statement, what: str) -> Finding:
 def _quantity(entry: Statement, findings: list[Finding]) -> Quantity:
     findings.extend(_unknown_fields(entry, "Quantity", _QUANTITY_FIELDS))
     values = entry.values
+    if not values.get("definition"):
+        findings.append(_about(entry, codes.UNIT_INCOMPLETE, f"Quantity {entry.path!r} must have a `definition`."))
     return Quantity(entry.path, str(values.get("definition") or ""), str(values.get("remark") or ""), entry.origin())
 
 
@@ -282,6 +284,10 @@ def _unit(entry: Statement, quantities: _Quantities, findings: list[Finding]) ->
         findings.append(_about(entry, codes.UNIT_INCOMPLETE, message, fix=fix))
         return None
     quantity = _quantity_of(values)
+    if not quantity:
+        message, fix = f"Unit {entry.path!r} must have a `quantity`.", "`sigcat units` lists quantities."
+        findings.append(_about(entry, codes.UNIT_INCOMPLETE, message, fix=fix))
+        return None
     if not quantities.is_known(quantity.lower()):
         from sigcat.catalogue.model.common_units import quantity_advice  # its tables take time at start-up
 
@@ -295,10 +301,15 @@ def _unit(entry: Statement, quantities: _Quantities, findings: list[Finding]) ->
         )
         findings.append(_about(entry, codes.QUANTITY_UNKNOWN, message, "quantity", f"Write {quantity.lower()!r}."))
     allowed = values.get("allowed-datatypes") or []
-    unknown = [name for name in allowed if name not in DATATYPES] if isinstance(allowed, list) else [allowed]
+    if not isinstance(allowed, list):
+        message = f"`allowed-datatypes` of unit {entry.path!r} must be a list, not {shown(allowed)}."
+        hint = f"Write [{allowed}]." if allowed in DATATYPES else "Write [numeric], for example."
+        findings.append(_about(entry, codes.UNIT_INCOMPLETE, message, "allowed-datatypes", hint))
+        return None
+    unknown = [name for name in allowed if name not in DATATYPES]
     if unknown:
         message = f"Unit {entry.path!r} allows {', '.join(map(shown, unknown))}, which is not a datatype."
-        hint = did_you_mean(str(unknown[0]), DATATYPES)
+        hint = did_you_mean(str(unknown[0]), DATATYPES) or "Use numeric, or datatypes of VSS such as float."
         findings.append(_about(entry, codes.UNIT_INCOMPLETE, message, "allowed-datatypes", hint))
         return None
     return Unit(

@@ -43,6 +43,12 @@ def unpack_revision(revision: str, folder: Path, limits: Limits = DEFAULT_LIMITS
     return prefix
 
 
+_SHALLOW = (
+    "A shallow clone lacks the history: "
+    "fetch it whole (`git fetch --unshallow`; fetch-depth: 0 on GitHub, GIT_DEPTH: 0 on GitLab)"
+)
+
+
 def merge_base(revision: str, other: str = "HEAD") -> str:
     """Return the commit from which two revisions began to differ. Raises UsageError."""
     for each in (revision, other):
@@ -52,10 +58,7 @@ def merge_base(revision: str, other: str = "HEAD") -> str:
         [_program(), "merge-base", "--end-of-options", revision, other], capture_output=True, check=False
     )
     if found.returncode:
-        raise UsageError(
-            f"git:{revision}: it has no commit in common with {other}. A shallow clone lacks the history: "
-            "fetch it whole (`git fetch --unshallow`; fetch-depth: 0 on GitHub, GIT_DEPTH: 0 on GitLab)."
-        )
+        raise UsageError(f"git:{revision}: it has no commit in common with {other}. {_SHALLOW}.")
     return found.stdout.decode().strip()
 
 
@@ -67,6 +70,10 @@ def _object(revision: str, kind: str) -> str:
     if found.returncode:
         names = _git(revision, "for-each-ref", "--format=%(refname:short)").split()
         advice = did_you_mean(revision, names) or "`git branch --all` and `git tag` list what there is."
+        if _git(revision, "rev-parse", "--is-shallow-repository") == "true":
+            advice = f"{_SHALLOW}."
+        elif not names:
+            advice = "It has no commit yet."
         raise UsageError(f"git:{revision}: {repository} has no such branch, tag or commit. {advice}")
     return found.stdout.decode().strip()
 

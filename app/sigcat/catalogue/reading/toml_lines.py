@@ -57,6 +57,11 @@ class Lines:
             return at_value
         return at_key or self._positions.get((table, number, "")) or (1, 0)
 
+    def has_value(self, table: str, key: str, value: str) -> bool:
+        """Whether a key of a table has a text in its value."""
+        at_key = self._positions.get((table, 0, key))
+        return at_key is not None and self._position_of(value, at_key) is not None
+
     def _position_of(self, value: str, at_key: Position) -> Position | None:
         """Position of a text in quotation marks behind a key, before the next one."""
         for line in range(at_key[0], len(self._texts) + 1):

@@ -16,6 +16,9 @@ _KEY = re.compile(r"""(?P<items>(?:- +)*)(?:"[^"]*"|'[^']*'|[^\s"'#][^#]*?):(?:\
 _LONGEST_KEY = 1024
 """Characters of a simple key (YAML 1.1, section 7.4.2)."""
 _ITEM = re.compile(r"(?:- +)*-(?:\s|$)")
+_WIDE_SPACE = re.compile("[ \t]*\u00a0")
+_SECOND_KEY = re.compile(r"[ ]*[\w.-]+:[ ]+[^\s\"']+[ ]+([\w.-]+)$")
+"""A line with a value, and the key of another one behind it."""
 _NO_SPACE = re.compile(r"[ ]*[\w.-]+:(?=[^\s:/])")
 """A key with its colon, and no space behind it."""
 
@@ -59,13 +62,31 @@ def syntax_fault(text: str, error: yaml.MarkedYAMLError) -> SyntaxFault:
     line, column = line_and_column(text, mark.index)
     opened, opened_column = line_and_column(text, context.index)
     found = _Error(lines_of(text), line, column, opened + 1)
-    fix = next((advice(found) for words, advice in _ADVICE.items() if words in message), "")
+    for number in (found.opened, line, line + 1):
+        if 0 < number <= len(found.lines) and (wide := _WIDE_SPACE.match(found.lines[number - 1])):
+            return SyntaxFault(message, number, wide.end(), "Indent with spaces: this one is a no-break space.")
+    return _placed(found, message, opened_column)
+
+
+def _placed(error: _Error, message: str, opened_column: int) -> SyntaxFault:
+    """The fault where its cause is: at the error, or where the part of the text opens that it ends."""
+    line, column, opened = error.line + 1, error.column + 1, error.opened
+    fix = next((advice(error) for words, advice in _ADVICE.items() if words in message), "")
+    if "did not find expected ',' or" in message and opened == line and (beside := _of_list_on_a_line(error)):
+        return SyntaxFault(message, line, column, beside)
     if any(words in message for words in _FROM_WHERE_IT_OPENS):
-        return SyntaxFault(message, opened + 1, opened_column + 1, fix)
-    if any(words in message for words in _AFTER_A_GLUED_KEY) and (glued := _glued_key(found)):
-        at, column = glued
-        return SyntaxFault(message, at, column, "Write a space behind the colon.")
-    return SyntaxFault(message, line + 1, column + 1, fix)
+        return SyntaxFault(message, opened, opened_column + 1, fix)
+    if any(words in message for words in _AFTER_A_GLUED_KEY) and (glued := _glued_key(error)):
+        return SyntaxFault(message, *glued, "Write a space behind the colon.")
+    return SyntaxFault(message, line, column, fix)
+
+
+def _of_list_on_a_line(error: _Error) -> str:
+    """The fix of a list that is opened in the line of its error; empty if only its end is missing."""
+    before, rest = error.text[: error.column].rstrip(), error.text[error.column :]
+    if rest.startswith(("'", '"')) and before.endswith(("'", '"')):
+        return "Write a comma between the values."
+    return "Close the quotation mark of the value before." if before.endswith(("'", '"')) else ""
 
 
 def _glued_key(error: _Error) -> tuple[int, int] | None:
@@ -79,7 +100,12 @@ def _of_indentation(error: _Error) -> str:
     """Advice for a line that is at no level of those above it; for what follows a complete value, to remove it."""
     if error.text[: error.column].strip():
         return "Remove it. If it belongs to a text, quote the whole text."
-    levels = [level for level in _open_levels(error) if level.kind == _kinds_of(error.text)[0].kind]
+    open_levels = list(_open_levels(error))
+    if _kinds_of(error.text)[0].kind == "item" and all(level.kind == "key" for level in open_levels):
+        return "Remove the hyphen: no list begins here."
+    if first := next((level for level in open_levels if level.kind == "item" and level.column == 0), None):
+        return f"Remove the hyphen in line {first.line}, or write one here."
+    levels = [level for level in open_levels if level.kind == _kinds_of(error.text)[0].kind]
     deeper = min((level for level in levels if level.column > error.column), default=None)
     flatter = max((level for level in levels if level.column < error.column), default=None)
     places = [f"with {_spaces(level.column)}, as line {level.line}" for level in (deeper, flatter) if level is not None]
@@ -125,13 +151,25 @@ def _spaces(count: int) -> str:
 def _of_stray_colon(error: _Error) -> str:
     if error.column > _LONGEST_KEY:
         return _too_long(error.line + 1)
+    if second := _SECOND_KEY.match(error.text[: error.column]):
+        return f"Begin a line with `{second[1]}:`. If the colon belongs to a text, quote the text."
+    above = error.lines[error.line - 1] if error.line else ""
+    if above.strip() and not above.startswith((" ", "#")) and ":" not in above:
+        return f"Write a colon behind the name in line {error.line}."
     return "Indent the line as those around it. If the colon belongs to a text, quote the text or write it as a block (`>-`)."
 
 
 def _of_missing_colon(error: _Error) -> str:
     if len(error.lines[error.opened - 1].partition(": ")[0]) > _LONGEST_KEY:
         return _too_long(error.opened)
-    return "Write a colon and a space behind the name."
+    text = error.lines[error.opened - 1].partition(" #")[0].strip()
+    if text.startswith("//"):
+        return "Begin a comment with `#`."
+    more = " If the line continues the text above, indent it." if len(text.split()) > _WORDS_OF_ATTRIBUTE else ""
+    return f"Write a colon and a space behind the name.{more}"
+
+
+_WORDS_OF_ATTRIBUTE = 2
 
 
 def _too_long(line: int) -> str:

@@ -79,8 +79,9 @@ def _class(code: CodeInterface) -> Problems:
         message = f"A class must be named only where the calls are its members, not with {code.signature.lower()}."
         yield Problem(codes.SIGNATURE_UNFIT, ("Code", "ClassName"), message, "Remove it, or write `signature: class`.")
     elif code.signature == POINTERS and not code.objects:
-        message = "With pointers, the objects that calls take pointers to must be declared; there is none."
-        yield Problem(codes.SIGNATURE_UNFIT, ("Code", "Signature"), message, "List them under `objects`.")
+        message = "`signature: pointers` needs `objects`: calls take pointers to them."
+        fix = "List the objects, or write `signature: globals`."
+        yield Problem(codes.SIGNATURE_UNFIT, ("Code", "Signature"), message, fix)
     if code.class_name is not None and not CPP_CLASS.accepts(code.class_name):
         message = f"The class must have a name of C++, such as control::Acc, not {code.class_name!r}."
         yield Problem(codes.NAME_NO_C_NAME, ("Code", "ClassName"), message)

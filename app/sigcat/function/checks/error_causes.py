@@ -91,10 +91,11 @@ def _resets(function: FunctionJson) -> Problems:
             continue
         subject, signal = Subject("error", error.name), consumed.get(error.reset)
         if signal is None:
-            message = (
-                f"{error.name} must be reset by a signal that the function consumes, or `restart`, not {error.reset!r}."
+            message = f"`reset` of {error.name} must be a signal that the function consumes, or `restart`, not {error.reset!r}."
+            fix = (
+                did_you_mean(error.reset, (*consumed, "restart"))
+                or "List the signal under the data of a call, as consumed."
             )
-            fix = did_you_mean(error.reset, consumed) or "List the signal under the data of a call, as consumed."
             yield Problem(codes.RESET_UNKNOWN, (*pointer, "Reset"), message, fix, subject)
         elif not _is_condition(signal, types):
             message = (

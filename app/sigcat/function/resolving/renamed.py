@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from sigcat import codes
 from sigcat.catalogue.model.interfaces import function_of
 from sigcat.function.declaration.declaration import Declaration
+from sigcat.function.document.field_types import VSS_PATH
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.resolving.context import Context
 
@@ -19,7 +20,9 @@ def told_once(problems: Sequence[Problem], declaration: Declaration, context: Co
     other = _other_name(declaration, context)
     if other:
         message = f"The function must be named {other!r}, as its calls are, not {context.function!r}."
-        fix = f"Change the name, or begin those of its interfaces with '{context.function}_'."
+        fix = "Change the name."
+        if VSS_PATH.accepts(context.function):
+            fix = f"Change the name, or begin those of its interfaces with '{context.function}_'."
         subject = Subject("function", context.function)
         yield Problem(codes.INTERFACE_OF_ANOTHER_FUNCTION, ("function",), message, fix, subject)
     for problem in problems:

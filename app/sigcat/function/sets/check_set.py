@@ -116,7 +116,7 @@ def _unprovided(wiring: Wiring, functions: Mapping[str, ResolvedFunction], catal
     for end in wiring.from_outside:
         if needs_provider(end, catalogue):
             message = f"No function provides {end.identity!r}, and it is not a signal of the standard."
-            fix = "Add the function, or name the provider under `provider`."
+            fix = "Add the function, or name the provider under `provider`. If this one provides it, write `role: provided`."
             yield functions[end.function].finding(
                 codes.CONSUMED_AND_NOT_PROVIDED, end.pointer, message, fix, end.identity
             )

@@ -90,6 +90,7 @@ CHECKS: Mapping[str, Check] = {
     ),
     "line-length": LineCheck(text.line_length, {"most": COUNT}, ("most",)),
     "required": NodeCheck(attributes.required, {"attributes": ATTRIBUTES}, ("attributes",)),
+    "filled": NodeCheck(attributes.filled, {"except": NAMES}),
     "forbidden": NodeCheck(attributes.forbidden, {"attributes": ATTRIBUTES}, ("attributes",)),
     "exclusive": NodeCheck(attributes.exclusive, {"attributes": ATTRIBUTES}, ("attributes",)),
     "implied": NodeCheck(

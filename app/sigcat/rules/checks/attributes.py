@@ -32,6 +32,21 @@ def required(rule: Rule, tree: Tree) -> NodeTest:
     return test
 
 
+def filled(rule: Rule, _tree: Tree) -> NodeTest:
+    """Each attribute that is written has a value, but for those in `except`, which other rules report."""
+    ignored = frozenset(rule.options.get("except", ()))
+
+    def test(definition: Definition) -> Iterator[Problem]:
+        for attribute, value in definition.values.items():
+            if value is None and attribute not in ignored:
+                message = f"`{attribute}` has no value."
+                yield Problem(
+                    definition, message, attribute, "Write one, or remove the line.", {"attribute": attribute}
+                )
+
+    return test
+
+
 def forbidden(rule: Rule, _tree: Tree) -> NodeTest:
     """None of `attributes` is there."""
     names = tuple(rule.options["attributes"])

@@ -56,12 +56,12 @@ def _separate(label: str, definition: Definition, pattern: Pattern) -> str:
     """The fix of a label that is several: `1-3`, `Left Right`, `Pump[2]`; empty for others."""
     if count := re.fullmatch(r"(\w+)\[(?:1,)?(\d*),?\]", label):
         return f"Write {count[1]}[1,{count[2] or 2}] for each number from 1 to {count[2] or 2}."
-    if numbers := re.fullmatch(r"\w*?(\d+) *(?:-|\.\.) *(\d+)", label):
+    if numbers := re.fullmatch(r"\w*?\[?(\d+) *(?:-|\.\.|,) *(\d+)\]?", label):
         return f"Write {last_name(definition.path)}[{numbers[1]},{numbers[2]}] for each number from {numbers[1]} to {numbers[2]}."
-    names = label.split()
+    names = re.findall(r"[^\s,;]+", label)
     if len(names) > 1 and all(pattern.matches(name) for name in names):
         return (
-            f"Write {', '.join(names)} for {len(names)} instances, or one name such as {camel_case(_plain(label))!r}."
+            f"Write [{', '.join(names)}] for {len(names)} instances, or one name such as {camel_case(_plain(label))!r}."
         )
     return ""
 

@@ -83,6 +83,7 @@ def _unresolved(
     by_path = tree.definitions.get(named)
     if by_path is not None and category_of(named) == category:
         fix = f"Refer to it by its interface name {interface_name(named)!r}."
+    fix = fix or f"Correct the name, or define {article} {readable} interface of this name."
     top, *steps = attribute.split(".")
     return Problem(definition, message, top, fix, {"name": named, "attribute": attribute}, within=(*steps, *within))
 

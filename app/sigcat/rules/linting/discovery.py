@@ -33,7 +33,11 @@ from sigcat.rules.linting.nearby_trees import bytes_with_root, default_tree, has
 Kind = Literal["tree", "overlay", "types", "part", "function", "rules", "vocabulary", "unreadable", "other"]
 
 _SKIPPED = frozenset(("node_modules", "__pycache__", "build", "dist", "site-packages"))
-_OF_CODE = frozenset((".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".hxx"))
+_OF_CODE = (".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".hxx")
+_NOT_LINTED = {
+    **dict.fromkeys(_OF_CODE, "Name a function file: its lint reads its headers."),
+    ".csv": "`sigcat simulate` checks the traces that --trace names.",
+}
 _KINDS: Mapping[FileKind, Kind] = {
     "vspec": "overlay",
     "units": "vocabulary",
@@ -131,9 +135,8 @@ def _source(path: Path, named: bool, known: Kind | None, above: Path | None, loo
         return Source(path, "unreadable" if file_kind(b"", path.name) != "unknown" else "other", named)
     if known:
         return Source(path, known, named)
-    if named and path.suffix.lower() in _OF_CODE:
-        fix = "Name a function file: its lint reads its headers."
-        raise UsageError(f"{path} is no file that lint checks ({', '.join(ENDINGS)}). {fix}")
+    if named and (fix := _NOT_LINTED.get(path.suffix.lower())):
+        raise UsageError(f"{path} is not a file that lint checks ({', '.join(ENDINGS)}). {fix}")
     if ending_of(path.name) != ".vspec":
         return Source(path, _kind_of_data(path, named=named), named)
     if above is None:

@@ -6,7 +6,7 @@ by itself, below the branch where its tree includes it. Only the named files hav
 """
 
 import os
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
@@ -155,6 +155,7 @@ def _lint_paths(paths: Sequence[Path], options: LintOptions) -> LintResult:
         _refuse_empty(paths, discovered)
     trees = _lint_trees([s.path for s in sources if s.kind == "tree"], lint)
     _lint_overlays([s.path for s in sources if s.kind == "overlay"], trees, lint)
+    lint.add((finding, None) for finding in _unlisted_overlays(sources, options))
     for source in sources:
         if source.kind == "types":
             _lint_types(source.path, trees, lint)
@@ -214,6 +215,15 @@ def _lint_overlays(overlays: Sequence[Path], trees: Sequence[Path], lint: _Lint)
         for base, group in groups.items():
             for stack in stacks_of(group, options):
                 _lint_stack(base, stack, {str(path) for path in group}, options, lint)
+
+
+def _unlisted_overlays(sources: Iterable[Source], options: LintOptions) -> Iterator[Finding]:
+    """A note at each overlay in the folder of a project that none of its catalogues and vehicles has."""
+    listed = {*map(real_path, (*all_overlays(options), *options.of_vehicles))}
+    for source in sources if options.catalogues else ():
+        if source.kind == "overlay" and not source.named and real_path(source.path) not in listed:
+            message, fix = "No catalogue of the project has this overlay.", "Add it to `overlays` in sigcat.toml."
+            yield codes.OVERLAY_NOT_LISTED.finding(message, str(source.path), 1, 1, fix=fix)
 
 
 def _lint_stack(base: Path, stack: Sequence[Path], named: Collection[str], options: LintOptions, lint: _Lint) -> None:

@@ -58,6 +58,8 @@ class LintOptions(NamedTuple):
     """Overlays that stack, in the order in which they apply; any other is linted on top of them, alone."""
     catalogues: tuple[Source, ...] = ()
     """The catalogues of the project. Their trees and overlays are linted with what belongs to them."""
+    of_vehicles: tuple[Path, ...] = ()
+    """Overlays that vehicles of the project add to a catalogue."""
     include_dirs: tuple[Path, ...] = ()
     units: tuple[Path, ...] = ()
     quantities: tuple[Path, ...] = ()

@@ -127,17 +127,22 @@ def _refuse_unknown(rules: Sequence[Rule], options: LintOptions) -> None:
 def _refuse_unknown_in_file(known: Sequence[str], options: LintOptions) -> None:
     """Raise InputRefused for codes that match no rule in the tables of severities, which only a file has."""
     tables = {"severity": options.severities, **{f"per-file.{each.glob}": each.severities for each in options.per_file}}
-    unknown = [(key, code) for key, table in tables.items() for code in table if not _is_known(code, known)]
-    if not unknown or options.file is None:
+    unknown = [(f"{key}.{code}", code) for key, table in tables.items() for code in table if not _is_known(code, known)]
+    lists = {"select": options.select, "ignore": options.ignore, "extend-select": options.extend_select}
+    listed = [(key, code) for key, codes_of in lists.items() for code in codes_of if not _is_known(code, known)]
+    if options.file is None or not (unknown or listed):
         return
     lines = Lines(options.file.read_text(encoding="utf-8"))
     table = _table_of(options.file)
+    unknown += [(key, code) for key, code in listed if lines.has_value(table, key, code)]  # others are of the command
+    if not unknown:
+        return
     findings = [
         codes.CONFIGURATION_UNUSABLE.finding(
             f"No rule has the code {code!r}.",
             str(options.file),
-            *lines.position_below(table, f"{key}.{code}"),
-            path=f"{key}.{code}",
+            *(lines.position(table, 0, key, code) if key in lists else lines.position_below(table, key)),
+            path=key,
             fix=did_you_mean(code, known),
         )
         for key, code in unknown

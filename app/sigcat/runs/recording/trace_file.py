@@ -16,7 +16,7 @@ from sigcat.errors import InputRefused
 from sigcat.file_kind import RUN_COLUMNS
 from sigcat.findings import Finding, RuleCode, has_errors, shown
 from sigcat.limits import TRACE_FINDINGS, TRACE_ROW_BYTES
-from sigcat.names import did_you_mean
+from sigcat.names import did_you_mean, question
 from sigcat.runs.recording.cells import Unfit, value_of
 from sigcat.runs.recording.times import LIMITS, nanoseconds, seconds
 
@@ -198,7 +198,9 @@ class _Header(NamedTuple):
             message = f"{name} is left out: {self.known.unused}."
             yield self._finding(codes.TRACE_COLUMN_UNUSED, index, message, "")
         else:
-            hint = did_you_mean(name, [*self.known.received, *self.known.others])
+            known = [*self.known.received, *self.known.others]
+            ending = re.compile(rf"(?i).*[._]{re.escape(name)}(_In)?")
+            hint = did_you_mean(name, known) or question(sorted({*filter(ending.fullmatch, known)}, key=len)[:3])
             message = f"The column {shown(name)} is {self.known.kinds}."
             yield self._finding(codes.TRACE_COLUMN_UNKNOWN, index, message, hint or "Remove it.")
 
@@ -210,9 +212,13 @@ def _fix_of_first(name: str) -> str:
     """The fix of a header whose first column is not the time."""
     if name.strip().casefold() == TIME:
         return f"Write `{TIME}`."
+    if re.search("[;\t|]", name):
+        return "Separate cells by commas."
     if not name.isprintable():
         return "Save the table as CSV: this file is not a text."
-    return "Separate cells by commas." if re.search("[;\t|]", name) else "Give the time of each row in seconds."
+    return (
+        "Write the header above this row." if nanoseconds(name) is not None else "Give the time of each row in seconds."
+    )
 
 
 def missing_inputs(known: Known, columns: Collection[str], file: str) -> Iterator[Finding]:
@@ -237,7 +243,7 @@ def _moment(trace: Trace, row: _Row, last: int, findings: list[Finding]) -> Mome
     """Return the values at the time of a row; findings of its cells are added to the list."""
     if len(row.cells) != len(trace.columns):
         message = f"The row must have {len(trace.columns)} cells, as the header has, not {len(row.cells)}."
-        fix = "Leave a cell empty that has no value. Write decimals with a point."
+        fix = _fix_of_count(row, len(trace.columns))
         return codes.TRACE_MALFORMED.finding(message, *trace.place(row.line, 1), fix=fix)
     time = nanoseconds(row.cells[0])
     if time is None or time < last:
@@ -251,6 +257,17 @@ def _moment(trace: Trace, row: _Row, last: int, findings: list[Finding]) -> Mome
             except Unfit as reason:
                 findings.append(_unfit_value(trace, row, index, reason))
     return Moment(time, tuple(values), row.cells[trace.call] if trace.call is not None else "", row.line)
+
+
+def _fix_of_count(row: _Row, count: int) -> str:
+    """The fix of a row that has too few or too many cells."""
+    if row.text.startswith("#"):
+        return "Remove the line: a trace has no comments."
+    if len(row.cells) == count + 1 and not row.cells[-1].strip():
+        return "Remove the comma at the end."
+    if any(cell.lstrip().startswith("[") and "]" not in cell for cell in row.cells):
+        return "Put a list in quotation marks."
+    return "Leave a cell empty that has no value. Write decimals with a point."
 
 
 def _unfit_time(trace: Trace, row: _Row, above: int | None) -> Finding:
