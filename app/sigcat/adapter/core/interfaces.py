@@ -4,12 +4,13 @@ from collections.abc import Iterable, Mapping
 
 from sigcat import codes
 from sigcat.adapter.core.identifiers import identifier, unique
-from sigcat.adapter.core.plan import Call, Element, Input, Named, Output, Port, Queue, TimeOut
+from sigcat.adapter.core.plan import CONDITIONS, Call, Element, Input, Named, Output, Port, Queue, TimeOut
 from sigcat.adapter.core.planning import Context, expression, nanoseconds
 from sigcat.adapter.core.values import value_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.error_fields import errors_set_by
 from sigcat.function.function_json.role import CONSUMER
 from sigcat.function.function_json.runnable import Runnable
 
@@ -97,13 +98,15 @@ def _input(item: Data, at: Pointer, port: str, taken: Mapping[str, object], cont
         value=value,
         is_immediate=(item.access or "").lower() == "immediate",
         time_out=time_out,
-        time_out_error=item.timeout_error if time_out else None,
-        range_error=item.range_error,
-        e2e_error=item.e2e_error,
-        absent_error=item.absent_error,
+        errors=_errors(item, has_time_out=time_out is not None),
         queue=queue,
         names=tuple(filter(None, (item.name, item.vss_path))),
     )
+
+
+def _errors(item: Data, *, has_time_out: bool) -> dict[str, str]:
+    named = {each.field: each.error for each in errors_set_by(item) if each.field in CONDITIONS}
+    return {field: error for field, error in named.items() if has_time_out or not CONDITIONS[field].needs_time_out}
 
 
 def _absent(item: Data, at: Pointer, taken: Mapping[str, object], context: Context) -> Input | None:
@@ -118,7 +121,7 @@ def _absent(item: Data, at: Pointer, taken: Mapping[str, object], context: Conte
         port="",
         variable=variable,
         value=value._replace(leaves=leaves),
-        absent_error=item.absent_error,
+        errors={"absent_error": item.absent_error} if item.absent_error else {},
         queue=_queue(item, at, context),
         names=tuple(filter(None, (item.name, item.vss_path))),
     )
