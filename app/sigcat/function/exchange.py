@@ -11,6 +11,7 @@ from typing import Literal, NamedTuple, TypeVar
 from sigcat.asil import Level, level_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal, rejection_error
+from sigcat.function.function_json.error_fields import SetError
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.model import Component, FunctionJson
 from sigcat.function.function_json.role import PROVIDER
@@ -95,7 +96,7 @@ class Side(NamedTuple):
         return self.interface.queue_length if isinstance(self.interface, DataQueue) else None
 
     @property
-    def rejection_error(self) -> str | None:
+    def rejection_error(self) -> SetError | None:
         """The error of messages that end-to-end protection rejects, if it consumes data and names one."""
         return None if self.provides else rejection_error(self.interface)
 

@@ -21,7 +21,7 @@ from sigcat.function.document.text import Text
 from sigcat.function.function_json.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.code import DEFINED_BY, MEMBERS, Member
 from sigcat.function.function_json.datatype import EnumerationValue
-from sigcat.function.function_json.error_fields import SetErrorName, SetsError, error_fields
+from sigcat.function.function_json.error_fields import SetError, SetErrorName, SetsError, error_fields, errors_set_by
 from sigcat.function.function_json.wire import (
     PHYSICAL,
     TABLE,
@@ -183,9 +183,9 @@ DATA_ERRORS = error_fields(Signal, DataQueue)
 """Fields of data that name an error which the core sets."""
 
 
-def rejection_error(item: BaseModel) -> str | None:
+def rejection_error(item: BaseModel) -> SetError | None:
     """Return the error of rejected messages. If data names one, its platform tells the core of them."""
-    return item.e2e_error if isinstance(item, Signal | DataQueue) else None
+    return next((each for each in errors_set_by(item) if each.field == "e2e_error"), None)
 
 
 class ParameterInterface(WireModel):
