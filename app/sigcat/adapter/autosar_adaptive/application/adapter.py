@@ -89,12 +89,12 @@ class _Adapter(NamedTuple):
 
 def adapter_header(component: ComponentPlan, application: ApplicationPlan) -> str:
     """The whole header."""
-    return rendered(f"{_ROOM}/adapter.h.j2", _adapter(component, application))
+    return rendered(f"{_ROOM}/adapter.h.j2", **_adapter(component, application)._asdict())
 
 
 def adapter_source(component: ComponentPlan, application: ApplicationPlan) -> str:
     """The whole source."""
-    return rendered(f"{_ROOM}/adapter.cpp.j2", _adapter(component, application))
+    return rendered(f"{_ROOM}/adapter.cpp.j2", **_adapter(component, application)._asdict())
 
 
 def _adapter(component: ComponentPlan, application: ApplicationPlan) -> _Adapter:
