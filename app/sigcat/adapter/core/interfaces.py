@@ -1,6 +1,6 @@
 """Inputs and outputs of a call (sections 2 to 5)."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from sigcat import codes
 from sigcat.adapter.core.identifiers import identifier, unique
@@ -12,29 +12,19 @@ from sigcat.function.document.problem import Subject
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.error_fields import errors_set_by
 from sigcat.function.function_json.role import CONSUMER
-from sigcat.function.function_json.runnable import Runnable
+from sigcat.function.function_json.runnable import Contract, Runnable
+from sigcat.function.function_json.walk import located_absent, located_data
 
 Data = Signal | DataQueue
+_Located = Callable[[Contract, Pointer], Iterable[tuple[Pointer, Data]]]
 
 
-def data_of(call: Runnable, at: Pointer) -> list[tuple[Pointer, Data]]:
-    """Signals and queues of a call, with their pointers."""
-    found: list[tuple[Pointer, Data]] = []
+def _data(call: Runnable, at: Pointer, located: _Located, *, consumed: bool) -> Iterator[tuple[Pointer, Data]]:
+    """Signals and queues that a call consumes, or that it provides, with their pointers."""
     for index, contract in enumerate(call.contracts or ()):
-        base = (*at, "funcContractList", index)
-        found += [((*base, "SignalList", number), item) for number, item in enumerate(contract.signals or ())]
-        found += [((*base, "DataQList", number), item) for number, item in enumerate(contract.queues or ())]
-    return found
-
-
-def absent_in(call: Runnable, at: Pointer) -> list[tuple[Pointer, Data]]:
-    """Optional signals and queues of a call that the vehicle does not have, with their pointers."""
-    found: list[tuple[Pointer, Data]] = []
-    for index, contract in enumerate(call.contracts or ()):
-        base = (*at, "funcContractList", index)
-        found += [((*base, "AbsentSignalList", n), item) for n, item in enumerate(contract.absent_signals or ())]
-        found += [((*base, "AbsentDataQList", n), item) for n, item in enumerate(contract.absent_queues or ())]
-    return found
+        for pointer, item in located(contract, (*at, "funcContractList", index)):
+            if (item.role == CONSUMER) is consumed:
+                yield pointer, item
 
 
 def named(item: Data | ParameterInterface, at: Pointer, taken: Mapping[str, object]) -> Named:
@@ -49,14 +39,10 @@ def inputs_of(
 ) -> tuple[Input, ...]:
     """Inputs of a call. `ports` has the names under which signals are received, by path or name."""
     found: dict[str, Input] = {}
-    for pointer, item in data_of(call, at):
-        if item.role != CONSUMER:
-            continue
-        made = _input(item, pointer, ports[port_key(item)], found, context)
-        if made is not None:
-            found[made.named.name] = made._replace(is_reset=bool({item.name, item.vss_path} & resets))
-    for pointer, item in absent_in(call, at):
-        made = _absent(item, pointer, found, context) if item.role == CONSUMER else None
+    there = ((each, ports[port_key(each[1])]) for each in _data(call, at, located_data, consumed=True))
+    absent = ((each, "") for each in _data(call, at, located_absent, consumed=True))
+    for (pointer, item), port in (*there, *absent):
+        made = _input(item, pointer, port, found, context) if port else _absent(item, pointer, found, context)
         if made is not None:
             found[made.named.name] = made._replace(is_reset=bool({item.name, item.vss_path} & resets))
     return tuple(found.values())
@@ -65,9 +51,7 @@ def inputs_of(
 def outputs_of(call: Runnable, at: Pointer, taken: set[str], context: Context) -> tuple[Output, ...]:
     """Outputs of a call; `taken` are names of outputs of other calls."""
     found: dict[str, Output] = {}
-    for pointer, item in data_of(call, at):
-        if item.role == CONSUMER:
-            continue
+    for pointer, item in _data(call, at, located_data, consumed=False):
         name = named(item, pointer, dict.fromkeys([*taken, *found]))
         variable = _variable(item, pointer, context)
         value = value_of(item, pointer, context, to_code=False)
@@ -159,8 +143,8 @@ def ports_of(calls: list[tuple[Pointer, Runnable]]) -> dict[str, str]:
     """Names under which signals are received, by path or name."""
     names: dict[str, str] = {}
     for at, call in calls:
-        for _, item in data_of(call, at):
-            if item.role == CONSUMER and port_key(item) not in names:
+        for _, item in _data(call, at, located_data, consumed=True):
+            if port_key(item) not in names:
                 names[port_key(item)] = unique(identifier(item.name), names.values())
     return names
 
