@@ -99,8 +99,7 @@ def _handed_over(end: DataEnd, source: str, swc: SwcPlan) -> tuple[list[CopyRow]
     if end.type.is_number:
         return [], copy.number(source, end.type)
     copied = [*copy.of("taken", source, end.type, end.wire.c)]
-    is_struct = end.wire.is_struct and end.wire.length is None
-    return copied, "&taken" if is_struct else "taken"
+    return copied, "&taken" if end.wire.is_one_struct else "taken"
 
 
 def _answered(runnable: Runnable, swc: SwcPlan) -> list[MethodEnd]:

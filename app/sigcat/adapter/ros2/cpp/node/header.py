@@ -1,28 +1,12 @@
 """The header of a node."""
 
 from collections.abc import Iterable
-from typing import NamedTuple
 
-from sigcat.adapter.ros2.cpp.names import guard, header_of, short
+from sigcat.adapter.ros2.cpp.names import guard, header_of
 from sigcat.adapter.ros2.cpp.node.calls import node_calls
 from sigcat.adapter.ros2.package_xml import rights
 from sigcat.adapter.ros2.plan import NodePlan, Publisher, Subscription, WorkspacePlan
 from sigcat.adapter.templates import rendered
-
-
-class _Member(NamedTuple):
-    """A member of the node for a topic or a service, and the class of its message or service."""
-
-    member: str
-    type: str
-
-
-class _Publisher(NamedTuple):
-    """A publisher; a derived class may complete its messages, if they are no statuses: transitions are virtual, too."""
-
-    member: str
-    type: str
-    is_status: bool
 
 
 def node_header(node: NodePlan, workspace: WorkspacePlan) -> str:
@@ -37,9 +21,6 @@ def node_header(node: NodePlan, workspace: WorkspacePlan) -> str:
         interfaces=workspace.interfaces,
         has_messages=has_messages(node, node.publishers),
         calls=node_calls(node),
-        publishers=[_Publisher(each.member, short(each.message, node), each.is_status) for each in node.publishers],
-        offered=[_Member(each.member, short(each.service, node)) for each in node.offered],
-        used=[_Member(each.member, short(each.service, node)) for each in node.used],
         has_taken_callback=workspace.release != "humble",
         has_deadline=has_deadline(node),
         has_bond=workspace.has_bond,

@@ -3,11 +3,10 @@
 from sigcat.adapter.core.plan import GLOBALS
 from sigcat.adapter.ros2.cpp.names import header_of, scope_of
 from sigcat.adapter.ros2.cpp.node.calls import node_calls
-from sigcat.adapter.ros2.cpp.node.connections import connections_of
+from sigcat.adapter.ros2.cpp.node.connections import advertised, subscribed
 from sigcat.adapter.ros2.cpp.node.header import has_deadline, has_messages
-from sigcat.adapter.ros2.cpp.node.methods import methods_of
 from sigcat.adapter.ros2.cpp.node.parameters import parameters_of
-from sigcat.adapter.ros2.cpp.node.sending import sending_of
+from sigcat.adapter.ros2.cpp.node.sending import messages_of
 from sigcat.adapter.ros2.cpp.node.stored import learned_parameters
 from sigcat.adapter.ros2.cpp.node.tables import symbol_tables
 from sigcat.adapter.ros2.package_xml import rights
@@ -37,9 +36,15 @@ def node_source(node: NodePlan, workspace: WorkspacePlan) -> str:
         tables=symbol_tables(node),
         learned=learned_parameters(node),
         parameters=parameters_of(node, workspace),
-        connections=connections_of(node),
-        sending=sending_of(node),
-        methods=methods_of(node, workspace),
+        publishers=advertised(node),
+        subscriptions=subscribed(node),
+        messages=messages_of(node),
+        has_stamp=any(each.stamp for each in node.publishers),
+        # Places of the core for which diagnostics are sent at once.
+        statuses=[given.place for each in node.publishers if each.is_status for given in each.gives],
+        services_quality="rmw_qos_profile_services_default"
+        if workspace.release == "humble"
+        else "rclcpp::ServicesQoS()",
     )
 
 

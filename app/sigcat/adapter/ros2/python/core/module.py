@@ -149,7 +149,7 @@ def _sent(core: CorePlan) -> Sequence[_Sent]:
             f"List[{typed(wire)}]" if is_queue else typed(wire),
             named.comment,
             is_queue,
-            is_plain=not wire.is_struct and wire.length is None,
+            is_plain=wire.is_plain,
         )
         for named, wire, is_queue in values
     ]

@@ -64,11 +64,6 @@ class _Subscription(NamedTuple):
     private: str
     takes: Sequence[_Taken]
 
-    @property
-    def wakes(self) -> bool:
-        """Whether a message may make a call due."""
-        return any(each.of.wakes for each in self.takes)
-
 
 class _OwnReceiver(NamedTuple):
     """The method of the core by which another call of the function takes what this one sends: that needs no message."""
