@@ -23,11 +23,12 @@ from sigcat.adapter.autosar_adaptive.application.plan import (
     Receiver,
     Required,
 )
-from sigcat.adapter.autosar_adaptive.application.stored import stored_values
+from sigcat.adapter.autosar_adaptive.arxml.components import IGNITION_CYCLE
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import GLOBALS
 from sigcat.adapter.templates import rendered
 from sigcat.function.document.text import composed
+from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE
 
 _ROOM = "adapter/autosar_adaptive/application"
 
@@ -75,7 +76,8 @@ def adapter_files(component: ComponentPlan, application: ApplicationPlan) -> tup
         # Whether anything of the core is sent or logged.
         has_out=bool(fields or core.reactions or any(each.events for each in component.provided)),
         connected=[_connected(each, component) for each in component.required],
-        stored=stored_values(component),
+        own_storage=f"storage_{ADAPTER_STORAGE}_",
+        cycle_key=IGNITION_CYCLE,
         used=used_methods(component),
         offered={each.name: offered_methods(each) for each in component.provided},
         error_namespace=error_namespace(component),

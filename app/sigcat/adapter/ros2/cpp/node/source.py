@@ -5,7 +5,7 @@ from sigcat.adapter.ros2.cpp.names import header_of, scope_of
 from sigcat.adapter.ros2.cpp.node.calls import node_calls
 from sigcat.adapter.ros2.cpp.node.connections import advertised, subscribed
 from sigcat.adapter.ros2.cpp.node.header import has_deadline, has_messages
-from sigcat.adapter.ros2.cpp.node.parameters import parameters_of
+from sigcat.adapter.ros2.cpp.node.parameters import declared, unset
 from sigcat.adapter.ros2.cpp.node.sending import messages_of
 from sigcat.adapter.ros2.cpp.node.stored import learned_parameters
 from sigcat.adapter.ros2.cpp.node.tables import symbol_tables
@@ -35,7 +35,12 @@ def node_source(node: NodePlan, workspace: WorkspacePlan) -> str:
         calls=node_calls(node),
         tables=symbol_tables(node),
         learned=learned_parameters(node),
-        parameters=parameters_of(node, workspace),
+        parameters=[declared(each) for each in node.parameters],
+        # All that the core's SetParameters takes; others only start with a value.
+        settable=[declared(each) for each in node.settable],
+        unset=unset(node) if node.settable else (),
+        # Whether the release tells when all have accepted: others may refuse what this node does not.
+        has_taken_callback=workspace.release != "humble",
         publishers=advertised(node),
         subscriptions=subscribed(node),
         messages=messages_of(node),
