@@ -83,8 +83,8 @@ def derive_all(folder: Path) -> None:
     """Everything, from the files of the set to the files of the platform."""
     from sigcat.adapter.autosar_adaptive.arxml.generate import generate
     from sigcat.catalogue.composing.compose import read_catalogue
+    from sigcat.function.function_json.wire import written
     from sigcat.integration.autosar_adaptive.derive import derive
-    from sigcat.integration.autosar_adaptive.model import to_json
     from sigcat.integration.reading import read_functions
 
     catalogue = read_catalogue(folder / "tree.vspec")
@@ -93,7 +93,7 @@ def derive_all(folder: Path) -> None:
     derived = derive(read.functions)
     output = folder / "output"
     output.mkdir(exist_ok=True)
-    (output / "integration.json").write_bytes(to_json(derived.model))
+    (output / "integration.json").write_bytes(written(derived.model))
     for file in generate(derived.model):
         (output / file.name).write_bytes(file.data)
 

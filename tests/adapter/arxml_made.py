@@ -9,8 +9,8 @@ import pytest
 
 from sigcat.adapter.autosar_adaptive.arxml.generate import generate
 from sigcat.errors import InputRefused
+from sigcat.function.function_json.wire import written
 from sigcat.integration.autosar_adaptive.document import read_integration
-from sigcat.integration.autosar_adaptive.model import to_json
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT
 from tests.integration.autosar_adaptive.sets import at, deployed, derive, examples, function, signal
 
@@ -87,7 +87,7 @@ def _leaves(value, elsewhere):
 
 
 def document(**changes):
-    base = json.loads(to_json(derive([function(signals=[at("Vehicle.A.B")])]).model))
+    base = json.loads(written(derive([function(signals=[at("Vehicle.A.B")])]).model))
     return {**base, **changes}
 
 

@@ -7,7 +7,7 @@ import pytest
 from sigcat.adapter.autosar_adaptive.arxml.field_targets import TABLES
 from sigcat.adapter.autosar_adaptive.arxml.generate import generate
 from sigcat.cli import main
-from sigcat.integration.autosar_adaptive.model import to_json
+from sigcat.function.function_json.wire import written as to_json
 from tests.adapter.arxml_made import lost, made
 from tests.integration.autosar_adaptive.sets import at, derive, examples, function
 

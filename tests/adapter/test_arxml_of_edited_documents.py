@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 
 from sigcat.adapter.autosar_adaptive.arxml.generate import generate
 from sigcat.errors import InputRefused
+from sigcat.function.function_json.wire import written
 from sigcat.integration.autosar_adaptive.document import read_integration
-from sigcat.integration.autosar_adaptive.model import to_json
 from sigcat.integration.autosar_adaptive.storages import stored_parameters
 from tests.adapter.arxml_made import METHOD, document, refused, tags, texts
 from tests.adapter.arxml_requirements import (
@@ -59,7 +59,7 @@ def test_what_autosar_cannot_name_is_refused_where_it_stands():
 )
 def test_storages_and_keys_that_autosar_cannot_have_are_refused(codes, words):
     listed = [parameter(Name=f"P{index}", Variable=f"g_{index}", **code) for index, code in enumerate(codes)]
-    value = json.loads(to_json(derive([function(contract={"ParameterList": listed})]).model))
+    value = json.loads(written(derive([function(contract={"ParameterList": listed})]).model))
     del value["SourceFunctionList"]
     found = refused(value)
     assert {finding.rule for finding in found} == {"A020"}
@@ -109,7 +109,7 @@ def test_an_array_of_open_length_needs_a_length():
 
 def test_an_id_that_two_have_is_refused():
     model = derive([function(signals=[at("Vehicle.A.B"), at("Vehicle.A.C")])]).model
-    value = json.loads(to_json(model))
+    value = json.loads(written(model))
     for event in value["ComponentList"][0]["ServiceInterfaceList"][0]["ServiceList"][0]["Events"]:
         event["EventID"] = 32770
     assert "must have different ids, not both 32770" in refused(value)[0].message

@@ -9,11 +9,11 @@ from autosar_data import AutosarVersion
 from sigcat.adapter.autosar_classic.arxml.field_targets import TABLES
 from sigcat.adapter.autosar_classic.arxml.generate import PLATFORM_FILE, generate
 from sigcat.errors import InputRefused
+from sigcat.function.function_json.wire import written
 from sigcat.integration.autosar_classic.deployment.releases import RELEASES
 from sigcat.integration.autosar_classic.deployment.settings import NO_SETTINGS, AutosarClassicSettings
 from sigcat.integration.autosar_classic.derive import derive
 from sigcat.integration.autosar_classic.document import read_integration
-from sigcat.integration.autosar_classic.model import to_json
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT
 from tests.adapter import arxml_made
 from tests.adapter.arxml_made import COLOURS, METHOD, lost, tags
@@ -303,11 +303,11 @@ ELSEWHERE = {"Kind", "Direction", "Category", "Alignment", "Mask", "Activation",
 @SETS
 def test_no_value_of_the_document_is_lost(name):
     integration = document(name).model_copy(update={"functions": None})
-    assert lost(to_json(integration), generate(integration), ELSEWHERE) == []
+    assert lost(written(integration), generate(integration), ELSEWHERE) == []
 
 
 def test_a_document_that_was_written_is_read_and_gives_the_same_files():
-    again = read_integration(to_json(document("examples")), "integration.json")
+    again = read_integration(written(document("examples")), "integration.json")
     assert generate(again, "R23-11") == made("examples")
 
 
@@ -350,7 +350,7 @@ def others(content):
 
 def test_a_document_that_is_wrong_somewhere_is_refused_with_findings_or_gives_files_that_are_right():
     wrong = []
-    for place, value in spoiled(json.loads(to_json(document("every kind").model_copy(update={"functions": None})))):
+    for place, value in spoiled(json.loads(written(document("every kind").model_copy(update={"functions": None})))):
         try:
             files = generate(read_integration(json.dumps(value).encode(), "integration.json"))
         except InputRefused as refused:

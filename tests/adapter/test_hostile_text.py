@@ -15,13 +15,11 @@ from pydantic import BaseModel
 
 from sigcat.adapter.files import GeneratedFile
 from sigcat.function.document.text import Text, json_of
+from sigcat.function.function_json.wire import written
 from sigcat.integration.autosar_adaptive import document as adaptive
-from sigcat.integration.autosar_adaptive.model import to_json as adaptive_json
 from sigcat.integration.autosar_classic import document as classic
-from sigcat.integration.autosar_classic.model import to_json as classic_json
 from sigcat.integration.ros2 import document as ros2
 from sigcat.integration.ros2.model import MessageConstant
-from sigcat.integration.ros2.model import to_json as ros2_json
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT
 from sigcat.platforms.integrate import integrate
@@ -32,9 +30,9 @@ from tests.adapter.autosar_classic.generated import functions
 ROOT = Path(__file__).parents[2]
 FULL = ROOT / "tests/adapter/autosar_adaptive/application/full/function.yaml"
 READERS: Mapping[str, tuple[Any, Any]] = {
-    "autosar-adaptive": (adaptive.read_integration, adaptive_json),
-    "autosar-classic": (classic.read_integration, classic_json),
-    "ros2": (ros2.read_integration, ros2_json),
+    "autosar-adaptive": (adaptive.read_integration, written),
+    "autosar-classic": (classic.read_integration, written),
+    "ros2": (ros2.read_integration, written),
 }
 WORD = "int_EVIL_code"
 """Text that no token, tag or key may have."""

@@ -1,12 +1,12 @@
-"""Templates of generated files. Each has the suffix of its file and `.j2`, and is next to the module that makes its plan.
+"""Templates of generated files. Each has the suffix of its file and `.j2`, and is next to the module that gives it its names.
 
-A plan has every name and number as it is written. Free text reaches a file through a filter, which knows the place; `Text` refuses to be
-written without one, and a name that the plan lacks is an error.
+A template gets every name and number as it is written. Free text reaches a file through a filter, which knows the place; `Text` refuses to be
+written without one, and a name that the template is not given is an error.
 """
 
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 import sigcat
 from sigcat.adapter.origins import origin
@@ -23,15 +23,9 @@ _FILTERS = (
 )  # fmt: skip
 
 
-class Plan(Protocol):
-    """A named tuple: its fields are the names of the template."""
-
-    def _asdict(self) -> dict[str, Any]: ...
-
-
-def rendered(template: str, plan: Plan) -> str:
+def rendered(template: str, /, **names: Any) -> str:
     """Text of a generated file. `template` is the path of its template in the package."""
-    return _environment().get_template(template).render(plan._asdict())
+    return _environment().get_template(template).render(names)
 
 
 @cache

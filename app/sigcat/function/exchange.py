@@ -10,7 +10,8 @@ from typing import Literal, NamedTuple, TypeVar
 
 from sigcat.asil import Level, level_of
 from sigcat.function.document.document import Pointer
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal, rejection_error
+from sigcat.function.function_json.error_fields import SetError
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.model import Component, FunctionJson
 from sigcat.function.function_json.role import PROVIDER
@@ -95,6 +96,11 @@ class Side(NamedTuple):
         return self.interface.queue_length if isinstance(self.interface, DataQueue) else None
 
     @property
+    def rejection_error(self) -> SetError | None:
+        """The error of messages that end-to-end protection rejects, if it consumes data and names one."""
+        return None if self.provides else rejection_error(self.interface)
+
+    @property
     def runnable(self) -> Runnable:
         """The call, if the interface is not a mode."""
         assert self.call is not None
@@ -146,7 +152,7 @@ class Element:
     @property
     def is_checked(self) -> bool:
         """Whether a consumer has an error for messages that end-to-end protection rejects."""
-        return any(getattr(side.interface, "e2e_error", None) for side in self.sides if not side.provides)
+        return any(side.rejection_error for side in self.sides)
 
 
 class Exchange(NamedTuple):

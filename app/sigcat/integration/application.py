@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from sigcat.errors import UsageError
 from sigcat.function.document.text import Text, optional
-from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.model import FunctionJson, MetaInfo
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 
@@ -59,6 +59,17 @@ def application(functions: Sequence[ResolvedFunction], deployment: Deployment = 
         safety_manager=optional(deployment.safety_manager),
         mode_manager=optional(deployment.mode_manager),
         paths=deployment.paths,
+    )
+
+
+def meta_of(app: Application, about: str) -> MetaInfo:
+    """Who is responsible for a document about the application."""
+    return MetaInfo(
+        authority=app.authority or None,
+        schema_author=app.author or None,
+        date=app.date.strftime("%d.%m.%Y") if app.date else None,
+        schema_version=DEFAULT_VERSION,
+        schema_description=Text(about),
     )
 
 

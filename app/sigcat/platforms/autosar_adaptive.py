@@ -24,17 +24,18 @@ def _settings() -> "type[AutosarAdaptiveSettings]":
 def _derive(
     functions: "Sequence[ResolvedFunction]", deployment: "Deployment", settings: "AutosarAdaptiveSettings"
 ) -> Integrated:
+    from sigcat.function.function_json.wire import written
     from sigcat.integration.autosar_adaptive.derive import derive
-    from sigcat.integration.autosar_adaptive.model import to_json
 
     model, findings, report = derive(functions, deployment, settings)
-    return Integrated(to_json(model), findings, report)
+    return Integrated(written(model), findings, report)
 
 
 def _schema() -> dict[str, Any]:
-    from sigcat.integration.autosar_adaptive.model import integration_schema
+    from sigcat.function.function_json.wire import document_schema
+    from sigcat.integration.autosar_adaptive.model import IntegrationModel
 
-    return integration_schema()
+    return document_schema(IntegrationModel)
 
 
 def _generate_arxml(data: bytes, name: str, limits: "Limits", options: Options) -> "tuple[GeneratedFile, ...]":
@@ -72,14 +73,15 @@ def _with_identifiers(deployment: "Deployment", files: "Sequence[tuple[bytes, st
 def _with_previous(
     integrated: Integrated, previous: tuple[bytes, str], deployment: "Deployment", limits: "Limits"
 ) -> Integrated:
+    from sigcat.function.function_json.wire import written
     from sigcat.integration.autosar_adaptive.document import read_integration
-    from sigcat.integration.autosar_adaptive.model import IntegrationModel, to_json
+    from sigcat.integration.autosar_adaptive.model import IntegrationModel
     from sigcat.integration.autosar_adaptive.someip.versions import raised
 
     settings: AutosarAdaptiveSettings = deployment.autosar_adaptive  # type: ignore[attr-defined]
     model = IntegrationModel.model_validate_json(integrated.document)
     made = raised(model, read_integration(*previous, limits), settings.versions)
-    return integrated._replace(document=to_json(made.model), findings=(*integrated.findings, *made.findings))
+    return integrated._replace(document=written(made.model), findings=(*integrated.findings, *made.findings))
 
 
 def _report_of_arxml(data: bytes, name: str, limits: "Limits") -> "tuple[Entry, ...]":

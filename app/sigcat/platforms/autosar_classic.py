@@ -24,17 +24,18 @@ def _settings() -> "type[AutosarClassicSettings]":
 def _derive(
     functions: "Sequence[ResolvedFunction]", deployment: "Deployment", settings: "AutosarClassicSettings"
 ) -> Integrated:
+    from sigcat.function.function_json.wire import written
     from sigcat.integration.autosar_classic.derive import derive
-    from sigcat.integration.autosar_classic.model import to_json
 
     model, findings, report = derive(functions, deployment, settings)
-    return Integrated(to_json(model), findings, report)
+    return Integrated(written(model), findings, report)
 
 
 def _schema() -> dict[str, Any]:
-    from sigcat.integration.autosar_classic.model import integration_schema
+    from sigcat.function.function_json.wire import document_schema
+    from sigcat.integration.autosar_classic.model import ClassicIntegration
 
-    return integration_schema()
+    return document_schema(ClassicIntegration)
 
 
 def _generate_arxml(data: bytes, name: str, limits: "Limits", options: Options) -> "tuple[GeneratedFile, ...]":

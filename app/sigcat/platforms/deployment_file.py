@@ -12,6 +12,7 @@ from sigcat.findings import has_errors, in_order
 from sigcat.function.document.read_yaml import read_yaml
 from sigcat.function.document.structure import structural_findings
 from sigcat.function.document.unfit_texts import unfit_texts
+from sigcat.function.function_json.wire import document_schema
 from sigcat.integration.deployment import Deployment
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.platforms.table import PLATFORMS
@@ -59,5 +60,4 @@ def deployment_of_file(path: Path, environment: Mapping[str, str]) -> Deployment
 
 def deployment_schema() -> dict[str, Any]:
     """JSON Schema (2020-12) of the deployment file, for editors."""
-    schema = DEPLOYMENT_FILE.model_json_schema(by_alias=True)
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
+    return document_schema(DEPLOYMENT_FILE)

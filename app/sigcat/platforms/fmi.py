@@ -24,10 +24,10 @@ def _settings() -> "type[FmiSettings]":
 
 def _derive(functions: "Sequence[ResolvedFunction]", deployment: "Deployment", settings: "FmiSettings") -> Integrated:
     from sigcat.adapter.fmi.derive import derive
-    from sigcat.integration.fmi.model import to_json
+    from sigcat.function.function_json.wire import written
 
     model, findings, report = derive(functions, deployment, settings)
-    return Integrated(to_json(model), findings, report)
+    return Integrated(written(model), findings, report)
 
 
 def _with_files(deployment: "Deployment", folder: "Path", environment: "Mapping[str, str]") -> "Deployment":
@@ -47,9 +47,10 @@ def _with_catalogue(deployment: "Deployment", catalogue: "Catalogue", dbc: "Sequ
 
 
 def _schema() -> dict[str, Any]:
-    from sigcat.integration.fmi.model import integration_schema
+    from sigcat.function.function_json.wire import document_schema
+    from sigcat.integration.fmi.model import FmiIntegration
 
-    return integration_schema()
+    return document_schema(FmiIntegration)
 
 
 def _generate(data: bytes, name: str, limits: "Limits", options: Options) -> "tuple[GeneratedFile, ...]":

@@ -23,11 +23,11 @@ def _settings() -> "type[Ros2Settings]":
 
 
 def _derive(functions: "Sequence[ResolvedFunction]", deployment: "Deployment", settings: "Ros2Settings") -> Integrated:
+    from sigcat.function.function_json.wire import written
     from sigcat.integration.ros2.derive import derive
-    from sigcat.integration.ros2.model import to_json
 
     model, findings, report = derive(functions, deployment, settings)
-    return Integrated(to_json(model), findings, report)
+    return Integrated(written(model), findings, report)
 
 
 def _with_files(deployment: "Deployment", folder: "Path", environment: "Mapping[str, str]") -> "Deployment":
@@ -38,9 +38,10 @@ def _with_files(deployment: "Deployment", folder: "Path", environment: "Mapping[
 
 
 def _schema() -> dict[str, Any]:
-    from sigcat.integration.ros2.model import integration_schema
+    from sigcat.function.function_json.wire import document_schema
+    from sigcat.integration.ros2.model import Ros2Integration
 
-    return integration_schema()
+    return document_schema(Ros2Integration)
 
 
 def _generate(data: bytes, name: str, limits: "Limits", options: Options) -> "tuple[GeneratedFile, ...]":

@@ -76,13 +76,6 @@ class _Struct(NamedTuple):
     members: Sequence[_Member]
 
 
-class _Project(NamedTuple):
-    """Plan of `CMakeLists.txt` and `step_service.h`: the package of messages, and others that have some."""
-
-    interfaces: str
-    others: Sequence[str]
-
-
 class _Topics(NamedTuple):
     """Plan of `topics.cpp`; a cycle is its period and offset, in ns."""
 
@@ -103,13 +96,13 @@ def player_files(document: Mapping[str, Any]) -> tuple[GeneratedFile, ...]:
     shared = (GeneratedFile(f"player/{name}", (CELLS / name).read_bytes()) for name in _SHARED)
     own = [file._replace(name=f"{'' if '/' in file.name else 'player/'}{file.name}") for file in shipped(_OWN)]
     others = {topic.message.partition("/")[0] for topic in _topics(document)} - {interfaces}
-    project = _Project(interfaces, sorted(others))
+    project = {"interfaces": interfaces, "others": sorted(others)}
     return (
         *shared,
         *own,
-        _file("player/step_service.h", rendered("players/step_service.h.j2", project)),
-        _file("player/topics.cpp", rendered("players/topics.cpp.j2", _plan(document))),
-        _file("CMakeLists.txt", rendered("players/CMakeLists.txt.j2", project)),
+        _file("player/step_service.h", rendered("players/step_service.h.j2", **project)),
+        _file("player/topics.cpp", rendered("players/topics.cpp.j2", **_plan(document)._asdict())),
+        _file("CMakeLists.txt", rendered("players/CMakeLists.txt.j2", **project)),
     )
 
 

@@ -9,7 +9,7 @@ from sigcat.catalogue.comparing.diff_report import plain
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.datatypes import element_of
 from sigcat.function.exchange import Side, causes, exchange_of, parts_of
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.data_interfaces import DATA_ERRORS, DataQueue, Signal
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import CONSUMER
 from sigcat.function.function_json.status_interfaces import SafetyReaction
@@ -104,8 +104,7 @@ def _consequences(side: Side, function: FunctionJson, sides: Iterable[Side]) -> 
     """Names of consequences: a time-out sets its error, an error its reactions, a reaction changes the mode."""
     interface = side.interface
     if isinstance(interface, Signal | DataQueue):
-        ways = ("timeout_error", "range_error", "e2e_error", "absent_error", "overflow_error")
-        yield from (name for way in ways if (name := getattr(interface, way, None)))
+        yield from (error for field in DATA_ERRORS if (error := getattr(interface, field, None)))
     elif isinstance(interface, SafetyReaction):
         yield from (mode.name for mode in function.mode_interfaces or () if mode.direction == "Out")
     elif side.kind == "error":

@@ -7,7 +7,9 @@ from typing import Any
 
 from hypothesis import strategies as st
 
+from sigcat.function.function_json.data_interfaces import DATA_ERRORS
 from sigcat.function.function_json.model import FunctionJson
+from sigcat.names import camel_case
 from tests.adapter.core.driver import CLASS_NAME, OBJECT
 from tests.adapter.written import (
     BOOL,
@@ -298,8 +300,12 @@ def _time_out(choice: Choice, errors: tuple[str, ...]) -> Json:
     return {"Timeout": choice.one("20", "10", "35.5", "0"), **fields}
 
 
-def _rejected(choice: Choice, errors: tuple[str, ...]) -> Json:
-    return choice.maybe(E2eError=lambda: choice.one(*errors)) if errors else {}
+_FOUND_BY_CONSUMERS = tuple(camel_case(field) for field, mark in DATA_ERRORS.items() if mark.is_of_consumer)
+
+
+def _found(choice: Choice, errors: tuple[str, ...]) -> Json:
+    """Errors of conditions that only a consumer finds."""
+    return choice.maybe(**dict.fromkeys(_FOUND_BY_CONSUMERS, lambda: choice.one(*errors))) if errors else {}
 
 
 def _maybe_absent(choice: Choice, item: Json, errors: tuple[str, ...]) -> Json:
@@ -311,7 +317,7 @@ def _maybe_absent(choice: Choice, item: Json, errors: tuple[str, ...]) -> Json:
 def _input(choice: Choice, name: str, errors: tuple[str, ...]) -> Json:
     datatype = _datatype(choice)
     fields = _value(choice, datatype) | _checked(choice, errors) | _time_out(choice, errors)
-    fields |= _rejected(choice, errors)
+    fields |= _found(choice, errors)
     fields |= choice.maybe(Access=lambda: choice.one("Buffered", "Immediate"))
     return signal(name, datatype, **fields)
 
@@ -319,7 +325,7 @@ def _input(choice: Choice, name: str, errors: tuple[str, ...]) -> Json:
 def _queue(choice: Choice, name: str, errors: tuple[str, ...]) -> Json:
     datatype = choice.one(*NARROW, "DT_Gear", "DT_Bytes", "DT_Point")
     fields = _value(choice, datatype) | _checked(choice, errors) | _time_out(choice, errors)
-    fields |= _rejected(choice, errors)
+    fields |= _found(choice, errors)
     fields |= choice.maybe(
         Access=lambda: choice.one("Buffered", "Immediate"),
         Overflow=lambda: choice.one("DropOldest", "DropNewest"),

@@ -20,7 +20,7 @@ from sigcat.adapter.toolchain import toolchain
 from sigcat.function.document.read_json import read_json
 from sigcat.function.function_json.model import FunctionJson, to_json
 from sigcat.function.function_json.resolved_function import ResolvedFunction
-from sigcat.integration.fmi.model import to_json as to_integration_json
+from sigcat.function.function_json.wire import written
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.runs.prepare import prepare
 from sigcat.runs.recording.trace_file import open_trace
@@ -129,7 +129,7 @@ def fmu_of(functions, folder):
     model = derive(functions, deployment, deployment.fmi).model
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("sigcat.adapter.fmi.generate.read_integration", lambda *_: model)
-        files = generate(to_integration_json(model), "fmi.json", DEFAULT_LIMITS)
+        files = generate(written(model), "fmi.json", DEFAULT_LIMITS)
     for each in files:
         path = folder / "made" / each.name
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -1,6 +1,7 @@
 """Causes of errors (section 6): for each error, the conditions that name it."""
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import NamedTuple
 
 from tests.adapter.reference.call_state import CallState
@@ -42,12 +43,9 @@ def causes_of_call(state: CallState) -> Iterator[Cause]:
 
 
 def _causes_of_input(state: InputState, call: str) -> Iterator[Cause]:
-    yield Cause(state.input.time_out_error, lambda: state.is_late, call)
-    yield Cause(state.input.range_error, lambda: state.is_outside, call, is_late=state.input.is_immediate)
-    yield Cause(state.input.e2e_error, lambda: state.is_rejected, call)
-    yield Cause(state.input.absent_error, lambda: state.input.port == "", call)
-    if state.input.queue:
-        yield Cause(state.input.queue.overflow_error, lambda: state.overflow, call)
+    for field, error in state.input.errors.items():
+        is_late = field == "range_error" and state.input.is_immediate
+        yield Cause(error, partial(state.verdict, field), call, is_late)
 
 
 def _causes_of_output(state: OutputState, call: str) -> Iterator[Cause]:

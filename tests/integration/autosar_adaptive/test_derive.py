@@ -7,8 +7,9 @@ import pytest
 
 from sigcat.errors import UsageError
 from sigcat.function.document.text import Text
+from sigcat.function.function_json.wire import document_schema, written
 from sigcat.integration.autosar_adaptive.document import read_integration
-from sigcat.integration.autosar_adaptive.model import integration_schema, to_json
+from sigcat.integration.autosar_adaptive.model import IntegrationModel
 from tests.integration.autosar_adaptive.derived import events, rules, services
 from tests.integration.autosar_adaptive.sets import (
     at,
@@ -25,7 +26,7 @@ from tests.reference_tools import checked_with
 
 
 def test_each_function_is_carried_whole():
-    read = read_integration(to_json(derive(examples()).model), "integration.json")
+    read = read_integration(written(derive(examples()).model), "integration.json")
     assert read.functions == tuple(examples())
 
 
@@ -38,24 +39,24 @@ def test_the_examples_are_integrated_without_a_finding_but_for_their_asil():
 
 @checked_with("jsonschema", "Documents are valid under our schemas, and the schemas are valid")
 def test_the_document_validates_under_our_schema():
-    document = json.loads(to_json(derive(examples()).model))
-    jsonschema.Draft202012Validator(integration_schema()).validate(document)
+    document = json.loads(written(derive(examples()).model))
+    jsonschema.Draft202012Validator(document_schema(IntegrationModel)).validate(document)
 
 
 @checked_with("published", "Documents that sigcat writes are valid under their schemas")
 @pytest.mark.parametrize("name", ["CoreAcc", "EcoControlMpc", "WheelSpeedCalculation", "all"])
 def test_the_document_validates_under_the_published_schema(name):
-    document = json.loads(to_json(derive(examples() if name == "all" else [example(name)]).model))
+    document = json.loads(written(derive(examples() if name == "all" else [example(name)]).model))
     jsonschema.Draft202012Validator(schema("autosar_adaptive")).validate(document)
 
 
 def test_the_order_of_the_functions_does_not_matter():
-    assert to_json(derive(examples()).model) == to_json(derive(examples()[::-1]).model)
+    assert written(derive(examples()).model) == written(derive(examples()[::-1]).model)
 
 
 def test_the_document_read_back_is_the_same():
     model = derive(examples()).model
-    assert to_json(read_integration(to_json(model), "integration.json")) == to_json(model)
+    assert written(read_integration(written(model), "integration.json")) == written(model)
 
 
 def test_a_function_given_twice_is_refused():
@@ -238,7 +239,7 @@ def test_arrays_of_texts_and_structs_validate_under_the_published_schema():
     assert model.datatypes is not None
     entry = model.datatypes[0]
     assert (entry.kind, entry.dimension, entry.element) == ("array", "dynamic", "string")
-    jsonschema.Draft202012Validator(schema("autosar_adaptive")).validate(json.loads(to_json(model)))
+    jsonschema.Draft202012Validator(schema("autosar_adaptive")).validate(json.loads(written(model)))
 
 
 def test_an_array_is_sent_with_the_elements_of_the_catalogue():

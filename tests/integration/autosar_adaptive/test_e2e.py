@@ -5,8 +5,8 @@ import json
 import pytest
 
 from sigcat.errors import InputRefused
+from sigcat.function.function_json.wire import written
 from sigcat.integration.autosar_adaptive.document import identifiers_of, read_integration
-from sigcat.integration.autosar_adaptive.model import to_json
 from tests.integration.autosar_adaptive.sets import at, deployed, derive, function, signal
 
 SPEED, ANGLE = "VehicleBranchService.Branch_Speed", "VehicleBranchService.Branch_Angle"
@@ -109,7 +109,7 @@ def test_a_data_id_has_the_bits_of_its_profile(profile, number):
     made = derived({"profile": profile}, identifiers={f"{SPEED}:dataId": number})
     assert data_ids(made) == [number]
     assert [finding.rule for finding in made.findings if finding.severity == "error"] == []
-    read_integration(to_json(made.model), "integration.json")
+    read_integration(written(made.model), "integration.json")
 
 
 @pytest.mark.parametrize("profile", [5, 6])
@@ -143,7 +143,7 @@ def test_a_field_with_an_asil_is_protected_as_events_are_and_has_no_getter():
     assert rules(found) == []
     assert (field(found).protection.profile, field(found).getter_id) == (4, None)
     assert field(derived({}, one)).getter_id is not None
-    assert read_integration(to_json(found.model), "integration.json") == found.model
+    assert read_integration(written(found.model), "integration.json") == found.model
 
 
 def test_the_advice_for_a_field_can_be_followed():
@@ -183,7 +183,7 @@ def test_a_method_cannot_be_protected_and_the_deployment_that_says_so_is_told():
 
 def test_the_document_read_back_has_it():
     model = derived({"profile": 4, "maxDeltaCounter": 2}).model
-    assert read_integration(to_json(model), "integration.json") == model
+    assert read_integration(written(model), "integration.json") == model
 
 
 def test_data_ids_are_kept_by_the_keys_that_fix_them():
@@ -202,7 +202,7 @@ def test_data_ids_are_kept_by_the_keys_that_fix_them():
     ids=["16 bits", "twice", "32 bits", "profile"],
 )
 def test_a_document_with_other_data_ids_or_profiles_is_refused(given, message):
-    document = json.loads(to_json(derived({}).model))
+    document = json.loads(written(derived({}).model))
     events = document["ComponentList"][0]["ServiceInterfaceList"][0]["ServiceList"][0]["Events"]
     for event, protection in zip(events, given, strict=False):
         event["E2eProtection"] = {"MaxDeltaCounter": 1, **protection}

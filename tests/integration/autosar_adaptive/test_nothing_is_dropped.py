@@ -8,8 +8,8 @@ from sigcat.function.function_json.data_interfaces import DataQueue, ParameterIn
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
+from sigcat.function.function_json.wire import written as to_json
 from sigcat.integration.autosar_adaptive.field_targets import CALL_TARGETS, PARAMETER_TARGETS, TABLES
-from sigcat.integration.autosar_adaptive.model import to_json
 from sigcat.integration.report import NOT_CARRIED, to_markdown
 from tests.integration.autosar_adaptive.derived import rules
 from tests.integration.autosar_adaptive.sets import derive, example, examples, function, signal

@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 
 from sigcat.function.function_file import check_function_json
-from sigcat.integration.autosar_adaptive.model import to_json
+from sigcat.function.function_json.wire import written
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, read_deployment
 from tests.integration.autosar_adaptive.sets import derive
 from tests.needs import published, published_files
@@ -64,7 +64,7 @@ DIFFERENCES = (
 def document(deployment=None):
     function = check_function_json(published(FUNCTION), FUNCTION).function
     assert function is not None
-    return json.loads(to_json(derive([function], deployment or read_deployment(DEPLOYMENT.read_bytes(), "d")).model))
+    return json.loads(written(derive([function], deployment or read_deployment(DEPLOYMENT.read_bytes(), "d")).model))
 
 
 def lines(integration):

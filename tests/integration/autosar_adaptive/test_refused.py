@@ -5,8 +5,8 @@ import pytest
 from sigcat.errors import InputRefused, UsageError
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.wire import written
 from sigcat.integration.autosar_adaptive.document import read_integration
-from sigcat.integration.autosar_adaptive.model import to_json
 from sigcat.platforms.deployment_file import read_deployment
 from tests.growth import LINEAR, growth
 from tests.integration.autosar_adaptive.derived import events, rules, services
@@ -16,7 +16,7 @@ from tests.integration.autosar_adaptive.sets import at, deployed, derive, exampl
 @pytest.mark.parametrize("name", ["", "1st", "x" * 490, "été", "class", "a name - of words", "linux", "UINT8_MAX"])
 def test_other_names_become_short_names(name):
     model = derive([function(name, signals=[signal(name), signal(f"{name}2", "Provider")])]).model
-    read_integration(to_json(model), "integration.json")
+    read_integration(written(model), "integration.json")
 
 
 def test_what_the_deployment_says_of_nothing_is_told_with_what_was_meant():

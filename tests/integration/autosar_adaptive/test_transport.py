@@ -3,8 +3,8 @@
 import pytest
 
 from sigcat.errors import InputRefused
+from sigcat.function.function_json.wire import written
 from sigcat.integration.autosar_adaptive.document import read_integration
-from sigcat.integration.autosar_adaptive.model import to_json
 from sigcat.platforms.deployment_file import read_deployment
 from tests.integration.autosar_adaptive.sets import at, deployed, derive, function
 
@@ -49,7 +49,7 @@ def test_a_service_and_a_member_of_a_group_that_do_not_exist_are_reported():
 
 def test_the_document_read_back_has_it():
     model = derived({"protocol": "TCP", "multicast": {"threshold": 2, "address": "239.1.2.3", "port": 30500}}).model
-    assert read_integration(to_json(model), "integration.json") == model
+    assert read_integration(written(model), "integration.json") == model
 
 
 @pytest.mark.parametrize(

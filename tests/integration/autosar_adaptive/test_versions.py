@@ -5,8 +5,8 @@ import json
 import pytest
 
 from sigcat.errors import InputRefused
+from sigcat.function.function_json.wire import written
 from sigcat.integration.autosar_adaptive.document import read_integration
-from sigcat.integration.autosar_adaptive.model import to_json
 from sigcat.integration.autosar_adaptive.someip.versions import raised, version_of
 from sigcat.platforms.deployment_file import read_deployment
 from tests.integration.autosar_adaptive.sets import at, deployed, derive, function
@@ -32,7 +32,7 @@ def version(model):
 
 def with_version(model, major, minor):
     """The document with another version of its service."""
-    document = json.loads(to_json(model))
+    document = json.loads(written(model))
     document["ComponentList"][0]["ServiceInterfaceList"][0].update(MajorVersion=major, MinorVersion=minor)
     return read_integration(json.dumps(document).encode(), "integration.json")
 
@@ -84,7 +84,7 @@ def test_components_with_two_versions_of_a_service_are_refused():
         function("One", signals=[at("Vehicle.Speed", "Provider")]),
         function("Two", signals=[at("Vehicle.Speed")]),
     )
-    document = json.loads(to_json(derive([one, two]).model))
+    document = json.loads(written(derive([one, two]).model))
     document["ComponentList"][1]["ServiceInterfaceList"][0]["MajorVersion"] = 2
     with pytest.raises(InputRefused) as refused:
         read_integration(json.dumps(document).encode(), "integration.json")

@@ -1,9 +1,10 @@
 """Functions to integrate with AUTOSAR Classic, and what to look at in the result."""
 
 from sigcat.findings import has_errors
+from sigcat.function.function_json.wire import written
 from sigcat.integration.autosar_classic import derive as deriving
 from sigcat.integration.autosar_classic.document import read_integration
-from sigcat.integration.autosar_classic.model import ClassicIntegration, Component, to_json
+from sigcat.integration.autosar_classic.model import ClassicIntegration, Component
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT
 from tests.function.shipped import resolved
 
@@ -12,7 +13,7 @@ def derive(functions, deployment=DEFAULT_DEPLOYMENT):
     """The integration with the deployment of a file. Where nothing is wrong, no RTE generator refuses it."""
     derived = deriving.derive([resolved(each) for each in functions], deployment, deployment.autosar_classic)
     if not has_errors(derived.findings):
-        assert read_integration(to_json(derived.model), "integration.json") == derived.model
+        assert read_integration(written(derived.model), "integration.json") == derived.model
     return derived
 
 

@@ -10,9 +10,10 @@ from sigcat.function.function_json.data_interfaces import DataQueue, ParameterIn
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
+from sigcat.function.function_json.wire import document_schema, written
 from sigcat.integration.autosar_classic.document import read_integration
 from sigcat.integration.autosar_classic.field_targets import CALL_TARGETS, PARAMETER_TARGETS, TABLES
-from sigcat.integration.autosar_classic.model import integration_schema, to_json
+from sigcat.integration.autosar_classic.model import ClassicIntegration
 from sigcat.integration.report import NOT_CARRIED
 from sigcat.platforms.deployment_file import read_deployment
 from tests.growth import LINEAR, growth
@@ -48,9 +49,9 @@ def test_the_examples_are_integrated_without_a_finding_but_for_their_asil_and_pr
 
 
 def test_what_is_written_is_read_again_and_fits_its_schema(whole):
-    data = to_json(whole)
-    assert to_json(read_integration(data, "integration.json")) == data
-    jsonschema_rs.validate(integration_schema(), json.loads(data))
+    data = written(whole)
+    assert written(read_integration(data, "integration.json")) == data
+    jsonschema_rs.validate(document_schema(ClassicIntegration), json.loads(data))
 
 
 def test_each_function_is_carried_whole(whole):
@@ -71,7 +72,7 @@ def test_ten_times_the_signals_take_about_ten_times_as_long():
 
 
 def test_the_order_of_the_functions_does_not_matter(whole):
-    assert to_json(derive(list(reversed(examples()))).model) == to_json(whole)
+    assert written(derive(list(reversed(examples()))).model) == written(whole)
 
 
 # -- data -------------------------------------------------------------------------------------------------------------

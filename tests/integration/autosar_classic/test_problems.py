@@ -6,8 +6,8 @@ from itertools import pairwise
 import pytest
 
 from sigcat.errors import InputRefused
+from sigcat.function.function_json.wire import written as to_json
 from sigcat.integration.autosar_classic.document import read_integration
-from sigcat.integration.autosar_classic.model import to_json
 from sigcat.integration.autosar_classic.problems.names_table import NAMESPACES, REFERENCES
 from sigcat.integration.references import places
 from tests.integration.autosar_adaptive.sets import examples

@@ -5,8 +5,8 @@ from functools import cache
 
 from sigcat.function.function_file import build_function
 from sigcat.function.function_json.model import FunctionJson
+from sigcat.function.function_json.wire import written
 from sigcat.integration.ros2.derive import derive
-from sigcat.integration.ros2.model import to_json
 from sigcat.platforms.deployment_file import DEPLOYMENT_FILE
 from tests.function.shipped import FUNCTIONS, interfaces, resolved
 
@@ -32,7 +32,7 @@ def derived(functions, deployment=None):
 
 
 def document(functions, deployment=None):
-    return json.loads(to_json(derived(functions, deployment).model))
+    return json.loads(written(derived(functions, deployment).model))
 
 
 def topics(functions, deployment=None):

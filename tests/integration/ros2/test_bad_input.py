@@ -9,10 +9,10 @@ from hypothesis import strategies as st
 
 from sigcat.errors import InputRefused
 from sigcat.function.function_json.model import to_json as function_to_json
+from sigcat.function.function_json.wire import written
 from sigcat.integration.reading import read_functions
 from sigcat.integration.report import to_markdown
 from sigcat.integration.ros2.document import read_integration
-from sigcat.integration.ros2.model import to_json
 from sigcat.integration.ros2.names import FIELD, MESSAGE
 from tests.function.shipped import interfaces
 from tests.growth import LINEAR, growth
@@ -58,7 +58,7 @@ def test_nothing_of_a_document_reaches_the_report_unescaped():
 @given(st.text(max_size=40), st.text(max_size=40), st.text(max_size=20), st.text(max_size=20))
 def test_any_text_anywhere_is_derived_or_refused(name, path, factor, unit):
     made = function(signal(name, path, Factor=factor, VssUnit=unit, Timeout=factor, AsilLevel=unit), name=name)
-    json.loads(to_json(derived([made]).model))
+    json.loads(written(derived([made]).model))
 
 
 def test_ten_times_the_signals_take_about_ten_times_as_long():
@@ -110,15 +110,15 @@ def test_another_schema_version_is_refused():
 
 
 def test_integration_json_is_no_function():
-    data = to_json(derived([function(signal())]).model)
+    data = written(derived([function(signal())]).model)
     with pytest.raises(InputRefused, match="cannot be used") as refused:
         read_functions([(data, "ros2.json")], interfaces())
     assert any("not Integration JSON" in finding.message for finding in refused.value.findings)
 
 
 def test_a_document_is_read_back_and_a_defect_has_its_place():
-    data = to_json(derived([function(signal())]).model)
-    assert to_json(read_integration(data, "ros2.json")) == data
+    data = written(derived([function(signal())]).model)
+    assert written(read_integration(data, "ros2.json")) == data
     with pytest.raises(InputRefused) as refused:
         read_integration(data.replace(b'"TopicName"', b'"Topic"'), "ros2.json")
     (finding,) = refused.value.findings

@@ -7,6 +7,7 @@ from typing import NamedTuple
 from sigcat.adapter.core.identifiers import identifier, unique
 from sigcat.adapter.core.numbers import type_of_c
 from sigcat.adapter.core.plan import (
+    CONDITIONS,
     Call,
     Cause,
     Error,
@@ -84,10 +85,13 @@ def _of_graph(calls: Iterable[Call]) -> Iterator[tuple[str | None, Cause]]:
 
 def _of_input(call: str, item: Input) -> Iterator[tuple[str | None, Cause]]:
     place = f"{call}.in.{item.named.name}"
-    yield item.time_out_error, Cause(f"{place}.clock.verdict", call, is_late=False)
-    yield item.range_error, Cause(f"{place}.range", call, is_late=item.is_immediate)
-    yield item.e2e_error, Cause(f"{place}.e2e", call, is_late=False)
-    yield item.absent_error, Cause("", call, is_late=False, verdict="PRESENT" if item.is_absent else "ABSENT")
+    for field, error in item.errors.items():
+        condition = CONDITIONS[field]
+        if condition.verdict:
+            is_late = condition.is_of_taken and item.is_immediate
+            yield error, Cause(f"{place}.{condition.verdict}", call, is_late)
+        else:
+            yield error, Cause("", call, is_late=False, verdict="PRESENT" if item.is_absent else "ABSENT")
     if item.queue and not item.is_absent:
         yield item.queue.overflow_error, Cause(f"{place}.overflow", call, is_late=False)
 

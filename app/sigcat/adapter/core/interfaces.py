@@ -1,39 +1,30 @@
 """Inputs and outputs of a call (sections 2 to 5)."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from sigcat import codes
 from sigcat.adapter.core.identifiers import identifier, unique
-from sigcat.adapter.core.plan import Call, Element, Input, Named, Output, Port, Queue, TimeOut
+from sigcat.adapter.core.plan import CONDITIONS, Call, Element, Input, Named, Output, Port, Queue, TimeOut
 from sigcat.adapter.core.planning import Context, expression, nanoseconds
 from sigcat.adapter.core.values import value_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.error_fields import errors_set_by
 from sigcat.function.function_json.role import CONSUMER
-from sigcat.function.function_json.runnable import Runnable
+from sigcat.function.function_json.runnable import Contract, Runnable
+from sigcat.function.function_json.walk import located_absent, located_data
 
 Data = Signal | DataQueue
+_Located = Callable[[Contract, Pointer], Iterable[tuple[Pointer, Data]]]
 
 
-def data_of(call: Runnable, at: Pointer) -> list[tuple[Pointer, Data]]:
-    """Signals and queues of a call, with their pointers."""
-    found: list[tuple[Pointer, Data]] = []
+def _data(call: Runnable, at: Pointer, located: _Located, *, consumed: bool) -> Iterator[tuple[Pointer, Data]]:
+    """Signals and queues that a call consumes, or that it provides, with their pointers."""
     for index, contract in enumerate(call.contracts or ()):
-        base = (*at, "funcContractList", index)
-        found += [((*base, "SignalList", number), item) for number, item in enumerate(contract.signals or ())]
-        found += [((*base, "DataQList", number), item) for number, item in enumerate(contract.queues or ())]
-    return found
-
-
-def absent_in(call: Runnable, at: Pointer) -> list[tuple[Pointer, Data]]:
-    """Optional signals and queues of a call that the vehicle does not have, with their pointers."""
-    found: list[tuple[Pointer, Data]] = []
-    for index, contract in enumerate(call.contracts or ()):
-        base = (*at, "funcContractList", index)
-        found += [((*base, "AbsentSignalList", n), item) for n, item in enumerate(contract.absent_signals or ())]
-        found += [((*base, "AbsentDataQList", n), item) for n, item in enumerate(contract.absent_queues or ())]
-    return found
+        for pointer, item in located(contract, (*at, "funcContractList", index)):
+            if (item.role == CONSUMER) is consumed:
+                yield pointer, item
 
 
 def named(item: Data | ParameterInterface, at: Pointer, taken: Mapping[str, object]) -> Named:
@@ -48,14 +39,10 @@ def inputs_of(
 ) -> tuple[Input, ...]:
     """Inputs of a call. `ports` has the names under which signals are received, by path or name."""
     found: dict[str, Input] = {}
-    for pointer, item in data_of(call, at):
-        if item.role != CONSUMER:
-            continue
-        made = _input(item, pointer, ports[port_key(item)], found, context)
-        if made is not None:
-            found[made.named.name] = made._replace(is_reset=bool({item.name, item.vss_path} & resets))
-    for pointer, item in absent_in(call, at):
-        made = _absent(item, pointer, found, context) if item.role == CONSUMER else None
+    there = ((each, ports[port_key(each[1])]) for each in _data(call, at, located_data, consumed=True))
+    absent = ((each, "") for each in _data(call, at, located_absent, consumed=True))
+    for (pointer, item), port in (*there, *absent):
+        made = _input(item, pointer, port, found, context) if port else _absent(item, pointer, found, context)
         if made is not None:
             found[made.named.name] = made._replace(is_reset=bool({item.name, item.vss_path} & resets))
     return tuple(found.values())
@@ -64,9 +51,7 @@ def inputs_of(
 def outputs_of(call: Runnable, at: Pointer, taken: set[str], context: Context) -> tuple[Output, ...]:
     """Outputs of a call; `taken` are names of outputs of other calls."""
     found: dict[str, Output] = {}
-    for pointer, item in data_of(call, at):
-        if item.role == CONSUMER:
-            continue
+    for pointer, item in _data(call, at, located_data, consumed=False):
         name = named(item, pointer, dict.fromkeys([*taken, *found]))
         variable = _variable(item, pointer, context)
         value = value_of(item, pointer, context, to_code=False)
@@ -97,13 +82,15 @@ def _input(item: Data, at: Pointer, port: str, taken: Mapping[str, object], cont
         value=value,
         is_immediate=(item.access or "").lower() == "immediate",
         time_out=time_out,
-        time_out_error=item.timeout_error if time_out else None,
-        range_error=item.range_error,
-        e2e_error=item.e2e_error,
-        absent_error=item.absent_error,
+        errors=_errors(item, has_time_out=time_out is not None),
         queue=queue,
         names=tuple(filter(None, (item.name, item.vss_path))),
     )
+
+
+def _errors(item: Data, *, has_time_out: bool) -> dict[str, str]:
+    named = {each.field: each.error for each in errors_set_by(item) if each.field in CONDITIONS}
+    return {field: error for field, error in named.items() if has_time_out or not CONDITIONS[field].needs_time_out}
 
 
 def _absent(item: Data, at: Pointer, taken: Mapping[str, object], context: Context) -> Input | None:
@@ -118,7 +105,7 @@ def _absent(item: Data, at: Pointer, taken: Mapping[str, object], context: Conte
         port="",
         variable=variable,
         value=value._replace(leaves=leaves),
-        absent_error=item.absent_error,
+        errors={"absent_error": item.absent_error} if item.absent_error else {},
         queue=_queue(item, at, context),
         names=tuple(filter(None, (item.name, item.vss_path))),
     )
@@ -156,8 +143,8 @@ def ports_of(calls: list[tuple[Pointer, Runnable]]) -> dict[str, str]:
     """Names under which signals are received, by path or name."""
     names: dict[str, str] = {}
     for at, call in calls:
-        for _, item in data_of(call, at):
-            if item.role == CONSUMER and port_key(item) not in names:
+        for _, item in _data(call, at, located_data, consumed=True):
+            if port_key(item) not in names:
                 names[port_key(item)] = unique(identifier(item.name), names.values())
     return names
 

@@ -17,10 +17,10 @@ from sigcat.adapter.fmi.variables import Layout, Variable, layout_of
 from sigcat.adapter.host.connections import Connections, Member, connect
 from sigcat.findings import Finding
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.model import FunctionInfo, MetaInfo
+from sigcat.function.function_json.model import FunctionInfo
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.walk import methods, parts
-from sigcat.integration.application import Application, application, joined
+from sigcat.integration.application import Application, application, joined, meta_of
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.fmi.bus import FmuBus
@@ -36,7 +36,6 @@ from sigcat.integration.fmi.model import (
 from sigcat.integration.fmi.settings import NO_SETTINGS, FmiSettings
 from sigcat.integration.report import Entry, FieldTarget, entries
 
-SCHEMA_VERSION = "1.0.0"
 _DEFAULT_STEP_MS = 10
 LONGEST_NAME = 100
 
@@ -67,7 +66,7 @@ def derive(
     units = units_of(app.functions, app.name if settings.fmus == "set" else None, has_arrays=settings.version == "3.0")
     buses = _buses(units, settings, findings)
     model = FmiIntegration(
-        meta=_meta(app),
+        meta=meta_of(app, "Integration JSON for FMI"),
         info=FunctionInfo(
             function_name=app.name,
             function_responsible=app.responsible,
@@ -197,16 +196,6 @@ def _shown(unit: Unit, causality: Causality, owner: int, buses: Mapping[str, Fmu
         for number, each in enumerate(unit.layout.variables)
         if (each.causality, each.owner) == (causality, owner) and not (bus and number in bus.hidden)
     ]
-
-
-def _meta(app: Application) -> MetaInfo:
-    return MetaInfo(
-        authority=app.authority or None,
-        schema_author=app.author or None,
-        date=app.date.strftime("%d.%m.%Y") if app.date else None,
-        schema_version=SCHEMA_VERSION,
-        schema_description=Text("Integration JSON for FMI"),
-    )
 
 
 def _report_methods(app: Application, settings: FmiSettings, findings: FindingCollector) -> None:

@@ -27,7 +27,7 @@ from sigcat.adapter.host.numbering import numbers_of
 from sigcat.adapter.host.shapes import packing
 from sigcat.adapter.placed_findings import placed_in
 from sigcat.adapter.source_functions import source_functions
-from sigcat.adapter.templates import Plan, rendered
+from sigcat.adapter.templates import rendered
 from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.errors import InputRefused
 from sigcat.function.document.text import Text
@@ -365,7 +365,7 @@ def _bus_sources(plan: _FmuPlan, unit: Unit) -> Iterator[GeneratedFile]:
     tables = bus_plan(plan.fmu.bus, unit.layout)
     yield from shipped(_C_BUS)
     for name in ("sigcat_bus_sizes.h", "sigcat_bus_model.c"):
-        yield GeneratedFile(name, rendered(f"adapter/fmi/bus/{name}.j2", tables).encode())
+        yield GeneratedFile(name, rendered(f"adapter/fmi/bus/{name}.j2", **tables._asdict()).encode())
 
 
 def _description(plan: _FmuPlan) -> GeneratedFile:
@@ -373,5 +373,5 @@ def _description(plan: _FmuPlan) -> GeneratedFile:
     return _file(template, plan)._replace(name="modelDescription.xml")
 
 
-def _file(name: str, plan: Plan) -> GeneratedFile:
-    return GeneratedFile(name, rendered(f"adapter/fmi/{name.rpartition('/')[2]}.j2", plan).encode())
+def _file(name: str, plan: "_FmuPlan | _ProjectPlan") -> GeneratedFile:
+    return GeneratedFile(name, rendered(f"adapter/fmi/{name.rpartition('/')[2]}.j2", **plan._asdict()).encode())

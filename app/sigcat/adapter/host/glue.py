@@ -5,9 +5,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.core.plan import GLOBALS, CorePlan, Parameter, WireStruct, WireType
+from sigcat.adapter.core.plan import GLOBALS, CorePlan, WireStruct, WireType
 from sigcat.adapter.files import GeneratedFile
-from sigcat.adapter.host.connections import Connections, Entry, Exit, Server, answer_struct, request_struct
+from sigcat.adapter.host.connections import Connections, Entry, Server, answer_struct, request_struct
 from sigcat.adapter.host.kept import Kept
 from sigcat.adapter.host.numbering import Numbers, bytes_of_largest
 from sigcat.adapter.templates import rendered
@@ -61,37 +61,6 @@ class _Served(NamedTuple):
     answer: WireStruct
 
 
-class _Glue(NamedTuple):
-    """Plan of the file: the names of a function, and what it receives, sends and keeps."""
-
-    header: str
-    p: str
-    """Prefix of the names of the adapter."""
-    d: str
-    """Prefix of the names of this file."""
-    instance: str
-    is_global: bool
-    """Whether the adapter has the instance."""
-    is_cpp: bool
-    is_copied: bool
-    """Whether its bytes are its whole state: not with global variables, and not with objects of C++."""
-    ok: str
-    largest: int
-    """Bytes of the largest value that is sent or kept, or handed over with a request."""
-    structs: Sequence[_Struct]
-    entries: Sequence[Entry]
-    exits: Sequence[tuple[int, Exit]]
-    kept: Sequence[_Kept]
-    calls: Sequence[_Call]
-    answers: Sequence[_Answer]
-    served: Sequence[_Served]
-    parameters: Sequence[Parameter]
-    """Those that are set from outside."""
-    first_call: int
-    init: str
-    terminate: str
-
-
 def glue_file(connections: Connections, numbers: Numbers, index: int) -> GeneratedFile:
     """The file of one function."""
     member = connections.members[index]
@@ -101,15 +70,18 @@ def glue_file(connections: Connections, numbers: Numbers, index: int) -> Generat
     servers = {connections.entries[entry].receiver: server for entry, server in connections.servers.items()
                if connections.entries[entry].member == index}  # fmt: skip
     entries = [each for each in connections.entries if each.member == index]
-    glue = _Glue(
+    text = rendered(
+        "adapter/host/glue.c.j2",
         header=plan.header_file,
-        p=plan.type_name,
-        d=f"{plan.function}_Driver",
+        p=plan.type_name,  # prefix of the names of the adapter
+        d=f"{plan.function}_Driver",  # prefix of the names of this file
         instance=f"{plan.type_name}_Instance" if is_global else "state->adapter",
-        is_global=is_global,
+        is_global=is_global,  # whether the adapter has the instance
         is_cpp=plan.code.is_cpp,
+        # Whether its bytes are its whole state: not with global variables, and not with objects of C++.
         is_copied=not is_global and not plan.code.is_cpp,
         ok="SIGCAT_OK",
+        # Bytes of the largest value that is sent or kept, or handed over with a request.
         largest=bytes_of_largest(connections, numbers),
         structs=list(_structs(plan)),
         entries=entries,
@@ -122,12 +94,11 @@ def glue_file(connections: Connections, numbers: Numbers, index: int) -> Generat
             for number, each in enumerate(plan.methods)
             if each.is_offered
         ],
-        parameters=plan.settable,
+        parameters=plan.settable,  # those that are set from outside
         first_call=numbers.first_call(index),
         init=f"{end}U" if plan.inits else "SIGCAT_NONE",
         terminate=f"{end + 1}U" if plan.terminates else "SIGCAT_NONE",
     )
-    text = rendered("adapter/host/glue.c.j2", glue)
     return GeneratedFile(f"{member.name}_driver.{plan.code.ending}", text.encode())
 
 

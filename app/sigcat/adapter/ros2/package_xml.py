@@ -1,18 +1,10 @@
 """package.xml, format 3 (REP 149)."""
 
 from collections.abc import Iterable
-from typing import NamedTuple
 
 from sigcat.adapter.templates import rendered
 from sigcat.function.document.text import Text, composed
 from sigcat.integration.ros2.model import Package
-
-
-class _PackageXml(NamedTuple):
-    package: Package
-    name: str
-    depends: Iterable[tuple[str, str]]
-    build_type: str
 
 
 def rights(package: Package) -> Text:
@@ -22,4 +14,4 @@ def rights(package: Package) -> Text:
 
 def package_xml(package: Package, name: str, depends: Iterable[tuple[str, str]], build_type: str) -> str:
     """The description of a package of this name. `depends` are tags and packages: `("exec_depend", "launch_ros")`."""
-    return rendered("adapter/ros2/package.xml.j2", _PackageXml(package, name, depends, build_type))
+    return rendered("adapter/ros2/package.xml.j2", package=package, name=name, depends=depends, build_type=build_type)

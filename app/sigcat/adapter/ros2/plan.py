@@ -81,6 +81,11 @@ class Subscription:
     quality: QualityOfService
     takes: tuple[ReceivedField, ...]
 
+    @property
+    def wakes(self) -> bool:
+        """Whether a message may make a call due."""
+        return any(each.wakes for each in self.takes)
+
 
 class Fixed(NamedTuple):
     """A field of a message that always has one value."""
@@ -224,6 +229,10 @@ class NodePlan:
     def component_library(self) -> str:
         """Library of the component."""
         return f"{self.package}_{self.stem}_component"
+
+    def cpp(self, interface: InterfaceType) -> str:
+        """The class of a message in the namespace of the package: `msg::Speed`, or `geometry_msgs::msg::Twist`."""
+        return f"{interface.kind}::{interface.name}" if self.is_own(interface) else interface.cpp
 
     def private(self, topic: str) -> str:
         """A topic or service as the node creates it: below its own name, whatever it is started as, if it is the node's."""

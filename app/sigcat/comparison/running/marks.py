@@ -47,13 +47,6 @@ class _Function(NamedTuple):
     reactions: Sequence[_Reaction]
 
 
-class _Header(NamedTuple):
-    """Plan of `sigcat_marks.h`; `folder` is the variable that names the folder of the files."""
-
-    folder: str
-    functions: Sequence[_Function]
-
-
 class Marked(NamedTuple):
     """Content of the mark files of a run."""
 
@@ -67,7 +60,7 @@ def write_header(members: Iterable[Member], folder: Path) -> Path:
     """The header that a compiler includes before a core (`-include`)."""
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / _HEADER
-    text = rendered(_TEMPLATE, _Header(FOLDER, [_function(member) for member in members]))
+    text = rendered(_TEMPLATE, folder=FOLDER, functions=[_function(member) for member in members])
     if not path.exists() or path.read_text("utf-8") != text:
         path.write_text(text, "utf-8")
     return path

@@ -5,12 +5,10 @@ of a call until the core is asked after that time; hosts are as they were genera
 """
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from pathlib import PurePosixPath
-from typing import NamedTuple
 
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.core.plan import Call
 from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.host.connections import Member
 from sigcat.adapter.templates import rendered
@@ -20,19 +18,6 @@ from sigcat.runs.recording.trace_file import moments, open_trace
 
 _VARIABLE = "SIGCAT_TAKES_"
 """Begins the name of the variable that has, for a call, times and how long it takes from then on, in ns."""
-
-
-class _Plan(NamedTuple):
-    """Plan of a file that includes a core and wraps some of its functions."""
-
-    function: str
-    core: str
-    p: str
-    none_due: str
-    renamed: Sequence[str]
-    calls: Sequence[Call]
-    variable: str
-    passes_time: bool
 
 
 def with_slow_calls(
@@ -59,7 +44,8 @@ def _before(member: Member, core: str, *, passes_time: bool) -> str:
     scope, calls = Scope(member.plan), member.plan.steps
     wrapped = "Run" if passes_time else "GetOutput"
     queried = ("NextCall",) if passes_time else ("NextCall", "NextTime")
-    plan = _Plan(
+    return rendered(
+        "comparison/running/slow_calls.c.j2",
         function=member.name,
         core=core,
         p=scope.prefix,
@@ -69,7 +55,6 @@ def _before(member: Member, core: str, *, passes_time: bool) -> str:
         variable=_VARIABLE,
         passes_time=passes_time,
     )
-    return rendered("comparison/running/slow_calls.c.j2", plan)
 
 
 def durations(drive: Drive, prepared: Prepared, begin: int = 0) -> dict[str, str]:

@@ -3,10 +3,13 @@
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
+from pydantic import BaseModel
+
 from sigcat import codes
 from sigcat.catalogue.model.interfaces import category_of, interface_name
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.extension.defined_nodes import DefinedNode, Definitions
+from sigcat.function.function_json.error_fields import errors_set_by
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.walk import declared_data, errors, parameters, runnables, safety_reactions
 
@@ -54,14 +57,11 @@ def used_by(function: FunctionJson) -> Iterator[str]:
     yield from (datatype.vss_datatype or "" for datatype in function.datatypes)
 
 
-def _named(item: object) -> Iterator[str]:
+def _named(item: BaseModel) -> Iterator[str]:
     """Names of the errors that an interface refers to."""
     for attribute in ("dependencies", "errors"):
         yield from getattr(item, attribute, ())
-    for attribute in (
-        "timeout_error", "range_error", "e2e_error", "absent_error", "overflow_error", "overrun_error", "unknown_error",
-    ):  # fmt: skip
-        yield getattr(item, attribute, None) or ""
+    yield from (each.error for each in errors_set_by(item))
 
 
 def _texts(value: Any) -> Iterator[str]:

@@ -4,10 +4,12 @@ from collections.abc import Collection, Iterator
 
 from sigcat import codes
 from sigcat.function.checks.data_interfaces import declared_or_meant
+from sigcat.function.declaration.form import key_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.datatype import Datatype, innermost
+from sigcat.function.function_json.error_fields import errors_set_by
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.primitive_types import c_type
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
@@ -18,16 +20,13 @@ from sigcat.names import did_you_mean
 Problems = Iterator[Problem]
 
 RESTART = "Restart"
-_CAUSES = {
-    "RangeError": "range_error", "E2eError": "e2e_error", "AbsentError": "absent_error", "OverflowError": "overflow_error",
-}  # fmt: skip
 
 
 def check_error_causes(function: FunctionJson, known_errors: Collection[str]) -> Problems:
     """Every problem of them. `known_errors` are names of errors that others declare."""
     yield from _undeclared(function, known_errors)
     yield from _never_set(function)
-    yield from _never_rejected(function)
+    yield from _never_found(function)
     yield from _resets(function)
     yield from _listed_differently(function)
 
@@ -35,15 +34,16 @@ def check_error_causes(function: FunctionJson, known_errors: Collection[str]) ->
 def _causes(function: FunctionJson) -> Iterator[tuple[Pointer, str, Subject]]:
     """Errors that are named, each with its pointer and what names it."""
     for pointer, _, item in (*declared_data(function), *parameters(function)):
-        for key, attribute in _CAUSES.items():
-            if name := getattr(item, attribute, None):
-                yield (*pointer, key), name, Subject("data", item.name)
+        for each in errors_set_by(item):
+            if each.field != "timeout_error":  # which has a rule of its own
+                yield (*pointer, each.key), each.error, Subject("data", item.name)
     for pointer, _, call in runnables(function):
-        if call.overrun_error:
-            yield (*pointer, "OverrunError"), call.overrun_error, Subject("scheduling", call.name)
+        yield from (
+            ((*pointer, each.key), each.error, Subject("scheduling", call.name)) for each in errors_set_by(call)
+        )
     for index, mode in enumerate(function.mode_interfaces or ()):
-        if mode.unknown_error:
-            yield ("ModeInterfaceList", index, "UnknownError"), mode.unknown_error, Subject("mode", mode.name)
+        at = ("ModeInterfaceList", index)
+        yield from (((*at, each.key), each.error, Subject("mode", mode.name)) for each in errors_set_by(mode))
 
 
 def _undeclared(function: FunctionJson, known: Collection[str]) -> Problems:
@@ -71,13 +71,15 @@ def _never_set(function: FunctionJson) -> Problems:
             )
 
 
-def _never_rejected(function: FunctionJson) -> Problems:
+def _never_found(function: FunctionJson) -> Problems:
+    """Errors of provided data that only its consumers can find."""
     for pointer, _, item in data(function):
-        if item.e2e_error and item.role == PROVIDER:
-            message = f"An E2E error must be that of a consumed signal; {item.name!r} is provided."
-            fix = "Remove it: the calls that consume the signal check its messages."
-            subject = Subject("data", item.name)
-            yield Problem(codes.E2E_ERROR_OF_PROVIDED, (*pointer, "E2eError"), message, fix, subject)
+        for each in errors_set_by(item):
+            if item.role == PROVIDER and each.mark.is_of_consumer:
+                message = f"`{key_of(each.field)}` must be that of a consumed signal; {item.name!r} is provided."
+                fix = "Remove it: the calls that consume the signal check its messages."
+                subject = Subject("data", item.name)
+                yield Problem(codes.E2E_ERROR_OF_PROVIDED, (*pointer, each.key), message, fix, subject)
 
 
 # -- resets -------------------------------------------------------------------------------------------------------

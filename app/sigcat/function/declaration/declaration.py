@@ -15,7 +15,7 @@ from sigcat.function.document.document import Document
 from sigcat.function.document.read_yaml import read_yaml
 from sigcat.function.document.structure import structural_findings
 from sigcat.function.function_json.c_type import C_TYPE, CTypeName
-from sigcat.function.function_json.wire import Count, Integer, Number
+from sigcat.function.function_json.wire import Count, Integer, Number, document_schema
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.names import last_name
 
@@ -341,5 +341,4 @@ def read_declaration(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) ->
 
 def declaration_schema() -> dict[str, Any]:
     """JSON Schema (2020-12) of `function.yaml`, for editors."""
-    schema = Declaration.model_json_schema(by_alias=True)
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
+    return document_schema(Declaration)

@@ -1,5 +1,9 @@
 """Data interfaces of a call: signals, queues and parameters."""
 
+from typing import Annotated
+
+from pydantic import BaseModel
+
 from sigcat.function.document.field_types import (
     CExpression,
     Definer,
@@ -17,6 +21,7 @@ from sigcat.function.document.text import Text
 from sigcat.function.function_json.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.code import DEFINED_BY, MEMBERS, Member
 from sigcat.function.function_json.datatype import EnumerationValue
+from sigcat.function.function_json.error_fields import SetError, SetErrorName, SetsError, error_fields, errors_set_by
 from sigcat.function.function_json.wire import (
     PHYSICAL,
     TABLE,
@@ -29,6 +34,9 @@ from sigcat.function.function_json.wire import (
     optional,
     own,
 )
+
+RejectionErrorName = Annotated[Name | None, SetsError("rejected messages", is_of_consumer=True)]
+"""Name of the error of messages that end-to-end protection rejects."""
 
 
 class Signal(WireModel):
@@ -51,7 +59,7 @@ class Signal(WireModel):
     range_error_action: Name | None = optional(
         "RangeErrorAction", "What replaces a value out of range: Default or Init."
     )
-    timeout_error: Name | None = described(
+    timeout_error: SetErrorName = described(
         "TimeoutError", "Error interface that is set when the time-out passes.", default=None, source="paper, figure 7"
     )
     type: Name | None = described(
@@ -91,8 +99,8 @@ class Signal(WireModel):
     timeout_recovery: Integer | None = own(
         "TimeoutRecovery", "Valid values in a row that end the time-out; 1 if absent.", unit="values"
     )
-    range_error: Name | None = own("RangeError", "Error interface that is set while a value is out of range.")
-    e2e_error: Name | None = own(
+    range_error: SetErrorName = own("RangeError", "Error interface that is set while a value is out of range.")
+    e2e_error: RejectionErrorName = own(
         "E2eError", "Error interface that is set while end-to-end protection rejects messages."
     )
     init_elements: Text | None = own(
@@ -104,7 +112,7 @@ class Signal(WireModel):
         "DefaultElements", "Value of an array or struct that replaces a missing one, as JSON.", unit=PHYSICAL
     )
     is_optional: bool | None = own("Optional", "Whether a vehicle may lack the signal.")
-    absent_error: Name | None = own("AbsentError", "Error interface that is set in vehicles without the signal.")
+    absent_error: SetErrorName = own("AbsentError", "Error interface that is set in vehicles without the signal.")
 
 
 class DataQueue(WireModel):
@@ -130,7 +138,7 @@ class DataQueue(WireModel):
     resolution: Number | None = own("Resolution", "Smallest step between two values.", unit=PHYSICAL)
     access: Name | None = own("Access", "As in a signal.")
     timeout: Quantity | None = own("Timeout", "Longest time between two values, as a number in a text.", unit="ms")
-    timeout_error: Name | None = own("TimeoutError", "Error interface that is set when the time-out passes.")
+    timeout_error: SetErrorName = own("TimeoutError", "Error interface that is set when the time-out passes.")
     range_error_action: Name | None = own("RangeErrorAction", "What replaces a value out of range: Default or Init.")
     type: Name | None = described(
         "Type", "Kind of the interface: sensor, actuator or attribute.", default=None, source=TABLE
@@ -151,8 +159,8 @@ class DataQueue(WireModel):
     timeout_start: TimeoutStart | None = own("TimeoutStart", "As in a signal.")
     timeout_value: TimeoutValue | None = own("TimeoutValue", "As in a signal.")
     timeout_recovery: Integer | None = own("TimeoutRecovery", "As in a signal.", unit="values")
-    range_error: Name | None = own("RangeError", "Error interface that is set while a value is out of range.")
-    e2e_error: Name | None = own(
+    range_error: SetErrorName = own("RangeError", "Error interface that is set while a value is out of range.")
+    e2e_error: RejectionErrorName = own(
         "E2eError", "Error interface that is set while end-to-end protection rejects messages."
     )
     init_elements: Text | None = own("InitElements", "As in a signal.", unit=PHYSICAL)
@@ -160,7 +168,7 @@ class DataQueue(WireModel):
     overflow: Overflow | None = own(
         "Overflow", "What is lost when the queue is full: the oldest value (DropOldest, also if absent) or DropNewest."
     )
-    overflow_error: Name | None = own("OverflowError", "Error interface that is set when a value is lost.")
+    overflow_error: SetErrorName = own("OverflowError", "Error interface that is set when a value is lost.")
     values_per_step: Integer | None = own(
         "ValuesPerStep", "Most values that a call takes at once; 1 if absent.", unit="values"
     )
@@ -168,7 +176,16 @@ class DataQueue(WireModel):
         "CountVariable", "Expression of the C code that holds how many values arrived for the call."
     )
     is_optional: bool | None = own("Optional", "As in a signal.")
-    absent_error: Name | None = own("AbsentError", "As in a signal.")
+    absent_error: SetErrorName = own("AbsentError", "As in a signal.")
+
+
+DATA_ERRORS = error_fields(Signal, DataQueue)
+"""Fields of data that name an error which the core sets."""
+
+
+def rejection_error(item: BaseModel) -> SetError | None:
+    """Return the error of rejected messages. If data names one, its platform tells the core of them."""
+    return next((each for each in errors_set_by(item) if each.field == "e2e_error"), None)
 
 
 class ParameterInterface(WireModel):
@@ -201,7 +218,7 @@ class ParameterInterface(WireModel):
     members: Listed[Member] | None = own("Members", MEMBERS)
     key: Name | None = own("Key", "Key under which the value is stored; the name of the parameter if absent.")
     storage: Name | None = own("Storage", "Key-value storage that holds it; that of `Code` if absent.")
-    range_error: Name | None = own("RangeError", "Error interface that is set while the value is out of range.")
+    range_error: SetErrorName = own("RangeError", "Error interface that is set while the value is out of range.")
     init_elements: Text | None = own("InitElements", "Value of an array or struct at start-up, as JSON.", unit=PHYSICAL)
 
     @property

@@ -16,7 +16,16 @@ from sigcat.function.function_json.datatype import Datatype
 from sigcat.function.function_json.provenance import Provenance
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.status_interfaces import ModeInterface
-from sigcat.function.function_json.wire import TABLE, Listed, WireModel, described, optional, own, written
+from sigcat.function.function_json.wire import (
+    TABLE,
+    Listed,
+    WireModel,
+    described,
+    document_schema,
+    optional,
+    own,
+    written,
+)
 
 
 class MetaInfo(WireModel):
@@ -79,5 +88,4 @@ def to_json(function: FunctionJson) -> bytes:
 
 def function_schema() -> dict[str, Any]:
     """JSON Schema (2020-12) of Function JSON."""
-    schema = FunctionJson.model_json_schema(by_alias=True)
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
+    return document_schema(FunctionJson)

@@ -10,6 +10,7 @@ from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import Checkpoint
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.duration import exact_time
+from sigcat.function.function_json.error_fields import SetErrorName
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.function.function_json.wire import (
@@ -111,7 +112,7 @@ class Runnable(WireModel):
         "PostProcessing", "C functions of the project that run after the call, in order."
     )
     checkpoint: Checkpoint | None = own("Checkpoint", "Place of the call in the graph of the logical supervision.")
-    overrun_error: Name | None = own("OverrunError", "Error interface that is set when activations were missed.")
+    overrun_error: SetErrorName = own("OverrunError", "Error interface that is set when activations were missed.")
 
     @model_validator(mode="before")
     @classmethod

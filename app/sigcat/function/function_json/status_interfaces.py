@@ -11,6 +11,7 @@ from sigcat.function.function_json.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.code import DEFINED_BY
 from sigcat.function.function_json.datatype import EnumerationValue
 from sigcat.function.function_json.duration import exact_time
+from sigcat.function.function_json.error_fields import SetErrorName
 from sigcat.function.function_json.wire import (
     TABLE,
     Count,
@@ -122,7 +123,7 @@ class ModeInterface(WireModel):
     unknown_action: UnknownAction | None = own(
         "UnknownAction", "What a mode that is none of `Modes` leads to: Keep the last one, also if absent, or Initial."
     )
-    unknown_error: Name | None = own("UnknownError", "Error interface that is set while the mode is none of `Modes`.")
+    unknown_error: SetErrorName = own("UnknownError", "Error interface that is set while the mode is none of `Modes`.")
     values: Listed[EnumerationValue] | None = own(
         "Values", "Numbers of the modes in the C code, where they are not those of the datatype."
     )

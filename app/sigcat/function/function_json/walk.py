@@ -45,13 +45,18 @@ def contracts(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Contra
             yield (*located.pointer, "funcContractList", index), located, contract
 
 
+def located_data(contract: Contract, pointer: Pointer) -> Iterator[tuple[Pointer, Signal | DataQueue]]:
+    """Signals and queues of a contract, with their pointers."""
+    for index, signal in enumerate(contract.signals or ()):
+        yield (*pointer, "SignalList", index), signal
+    for index, queue in enumerate(contract.queues or ()):
+        yield (*pointer, "DataQList", index), queue
+
+
 def data(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Signal | DataQueue]]:
     """Every signal and every queue."""
     for pointer, located, contract in contracts(function):
-        for index, signal in enumerate(contract.signals or ()):
-            yield (*pointer, "SignalList", index), located, signal
-        for index, queue in enumerate(contract.queues or ()):
-            yield (*pointer, "DataQList", index), located, queue
+        yield from ((at, located, item) for at, item in located_data(contract, pointer))
 
 
 def absent_of(contract: Contract) -> tuple[Signal | DataQueue, ...]:
@@ -59,13 +64,18 @@ def absent_of(contract: Contract) -> tuple[Signal | DataQueue, ...]:
     return (*(contract.absent_signals or ()), *(contract.absent_queues or ()))
 
 
+def located_absent(contract: Contract, pointer: Pointer) -> Iterator[tuple[Pointer, Signal | DataQueue]]:
+    """The same of optional ones that the vehicle does not have."""
+    for index, signal in enumerate(contract.absent_signals or ()):
+        yield (*pointer, "AbsentSignalList", index), signal
+    for index, queue in enumerate(contract.absent_queues or ()):
+        yield (*pointer, "AbsentDataQList", index), queue
+
+
 def absent(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Signal | DataQueue]]:
     """Every optional signal and queue that the vehicle does not have."""
     for pointer, located, contract in contracts(function):
-        for index, signal in enumerate(contract.absent_signals or ()):
-            yield (*pointer, "AbsentSignalList", index), located, signal
-        for index, queue in enumerate(contract.absent_queues or ()):
-            yield (*pointer, "AbsentDataQList", index), located, queue
+        yield from ((at, located, item) for at, item in located_absent(contract, pointer))
 
 
 def declared_data(function: FunctionJson) -> Iterator[tuple[Pointer, Located, Signal | DataQueue]]:

@@ -89,6 +89,12 @@ def written(model: BaseModel) -> bytes:
     return model.model_dump_json(indent=2, by_alias=True).encode() + b"\n"
 
 
+def document_schema(model: type[BaseModel]) -> dict[str, Any]:
+    """JSON Schema (2020-12) of a document."""
+    schema = model.model_json_schema(by_alias=True)
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
+
+
 @cache
 def _optional(model: type[BaseModel]) -> frozenset[str | None]:
     """Names of the fields that may be absent, in Python and on the wire."""

@@ -15,10 +15,12 @@ from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.document.text import Text, optional
 from sigcat.function.function_json.conversion import IDENTITY, as_number, as_text
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.error_fields import error_fields
 from sigcat.function.function_json.primitive_types import BY_REFERENCE, value_range
 from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.type_list import listed, symbols_of
+from sigcat.function.function_json.wire import WireModel
 from sigcat.function.resolving.code import members, word
 from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.interfaces import asil_of, error_name
@@ -113,20 +115,21 @@ def _asil(item: DataItem | ParameterItem, value: Value, at: Pointer, context: Co
     return item.asil or asil_of(value.node, at, context)
 
 
-def _exchange(item: DataItem, at: Pointer, context: Context) -> dict[str, Any]:
-    """Fields about values that are late, out of range, rejected or absent."""
+def _exchange(item: DataItem) -> dict[str, Any]:
+    """Fields about values that are late, out of range or absent."""
     return {
         "timeout": plain_text(item.timeout),
-        "timeout_error": error_name(item.timeout_error, (*at, "timeoutError"), context),
         "timeout_start": item.timeout_start,
         "timeout_value": item.timeout_value,
         "timeout_recovery": item.timeout_recovery,
         "range_error_action": item.range_error_action,
-        "range_error": error_name(item.range_error, (*at, "rangeError"), context),
-        "e2e_error": error_name(item.e2e_error, (*at, "e2eError"), context),
         "is_optional": item.optional or None,
-        "absent_error": error_name(item.absent_error, (*at, "absentError"), context),
     }
+
+
+def _errors(kind: type[WireModel], item: DataItem | ParameterItem, at: Pointer, context: Context) -> dict[str, Any]:
+    """Errors that an interface of a kind names."""
+    return {field: error_name(getattr(item, field), (*at, key_of(field)), context) for field in error_fields(kind)}
 
 
 def _signal(item: DataItem, value: Value, at: Pointer, context: Context) -> Signal:
@@ -141,7 +144,8 @@ def _signal(item: DataItem, value: Value, at: Pointer, context: Context) -> Sign
         external_provider=optional(item.provider),
         **_common(item, value),
         **_also_known(item, value),
-        **_exchange(item, at, context),
+        **_exchange(item),
+        **_errors(Signal, item, at, context),
     )
 
 
@@ -158,12 +162,12 @@ def _queue(item: DataItem, value: Value, at: Pointer, context: Context) -> DataQ
         type=value.node.type,
         external_provider=optional(item.provider),
         overflow=item.overflow,
-        overflow_error=error_name(item.overflow_error, (*at, "overflowError"), context),
         values_per_step=item.values_per_step,
         count_variable=item.count_variable,
         **_common(item, value),
         **_also_known(item, value),
-        **_exchange(item, at, context),
+        **_exchange(item),
+        **_errors(DataQueue, item, at, context),
     )
 
 
@@ -202,8 +206,8 @@ def parameter(item: ParameterItem, at: Pointer, context: Context) -> Part[Parame
         offset=plain_text(item.offset),
         key=item.key,
         storage=item.storage,
-        range_error=error_name(item.range_error, (*at, "rangeError"), context),
         **{**_common(item, value), "min": low, "max": high},
+        **_errors(ParameterInterface, item, at, context),
     )
     missing = () if has_start else (Subject("data", value.node.path, ("default",)),)
     return Part(made, _origin(item, at, "Asillevel"), missing)

@@ -36,7 +36,7 @@ from sigcat.function.function_json.methods import Argument
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.runnable import Watchdog
 from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
-from sigcat.function.function_json.wire import OWN, Integer, Listed, Number, WireModel, always, described, own, written
+from sigcat.function.function_json.wire import OWN, Integer, Listed, Number, WireModel, always, described, own
 from sigcat.integration.autosar_adaptive.code import CallCode, MethodUse, ParameterCode
 from sigcat.integration.autosar_adaptive.deployment.namespaces import DEFAULT_HEADER_FOLDERS, HeaderFolders, Namespace
 from sigcat.integration.autosar_adaptive.deployment.releases import DEFAULT_RELEASE, ReleaseName
@@ -437,14 +437,3 @@ class IntegrationModel(WireModel):
     deployment: ArxmlDeployment | None = own("Deployment", "What the ARXML takes beside the elements.")
     provenance: Listed[dict[Name, Carried]] | None = own("Provenance", "What each function was made from.")
     functions: tuple[FunctionJson, ...] | None = source_functions()
-
-
-def to_json(model: IntegrationModel) -> bytes:
-    """The document as UTF-8 text with a stable layout: the same model gives the same bytes."""
-    return written(model)
-
-
-def integration_schema() -> dict[str, Any]:
-    """JSON Schema (2020-12) of the document."""
-    schema = IntegrationModel.model_json_schema(by_alias=True)
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}

@@ -89,13 +89,11 @@ def _is_open(word: str, types: Mapping[str, TypeEntry]) -> bool:
 
 
 def _report_never_set(side: Side, key: str, context: Context) -> None:
-    error = getattr(side.interface, "e2e_error", None)
-    if error is not None and not side.provides:
-        message = f"{key} must be protected end to end to set {error} of {side.function}."
+    if rejection := side.rejection_error:
+        message = f"{key} must be protected end to end to set {rejection.error} of {side.function}."
         fix = f"State a profile for it under `e2e` in the deployment file: events: {{{key}: {{profile: 4}}}}."
-        context.findings.report(
-            codes.E2E_ERROR_NEVER_SET, message, Subject(side.identity, side.interface), fix, key="E2eError"
-        )
+        subject = Subject(side.identity, side.interface)
+        context.findings.report(codes.E2E_ERROR_NEVER_SET, message, subject, fix, key=rejection.key)
 
 
 def _profiles(services: Sequence[Service], context: Context) -> Iterator[tuple[str, Profile]]:

@@ -61,7 +61,7 @@ def _element(element: Element, direction: str, sides: list[Side], types: TypeTab
     is_data = kind_of_port(element) == "SenderReceiver"
     is_received = is_data and direction == "Required"
     plain = is_received and not element.is_queued
-    is_checked = is_received and any(getattr(side.interface, "e2e_error", None) for side in sides)
+    is_checked = is_received and any(side.rejection_error for side in sides)
     return model.Element(
         name=element.leaf,
         init=None if element.is_queued or not is_data else initial_of(sides, types),

@@ -6,7 +6,7 @@ from functools import cached_property
 
 from sigcat.function.document.text import Text
 from sigcat.function.exchange import Part
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.data_interfaces import DataQueue, Signal, rejection_error
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.role import CONSUMER
@@ -297,7 +297,7 @@ def _reading(
         return "ExplicitRead", port, element, "Access is Immediate: the latest value when the call begins."
     if data.timeout:
         return "ExplicitRead", port, element, "The core's time-out has to know what is fresh."
-    if data.e2e_error:
+    if rejection_error(data):
         return "ExplicitRead", port, element, "The core has to know what was rejected."
     if _is_trigger(data, call):
         return "ExplicitRead", port, element, "It triggers the call: each value counts."
@@ -312,7 +312,7 @@ def _is_trigger(data: Signal | DataQueue, call: Call) -> bool:
 
 def _is_watched(data: Signal, call: Call) -> bool:
     """Whether a value that is handed over twice would be taken for a new one."""
-    return bool(data.timeout or data.e2e_error) or _is_trigger(data, call)
+    return bool(data.timeout or rejection_error(data)) or _is_trigger(data, call)
 
 
 def _readers(port: model.Port, behaviour: Behaviour) -> Iterator[tuple[Signal, Call]]:

@@ -1,13 +1,13 @@
 """Integration JSON for FMI: FMUs with their variables, and what importers connect."""
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
 from sigcat.function.document.field_types import CIdentifier, FmiVariableName, FunctionName, Name, UnitKey
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.model import FunctionInfo, FunctionJson, MetaInfo
-from sigcat.function.function_json.wire import Integer, Listed, Number, WireModel, always, own, written
+from sigcat.function.function_json.wire import Integer, Listed, Number, WireModel, always, own
 from sigcat.integration.fmi.bus import FmuBus
 from sigcat.integration.source_functions import source_functions
 
@@ -99,14 +99,3 @@ class FmiIntegration(WireModel):
     fmus: Listed[Fmu] = always("FmuList", "The FMUs.")
     connections: Listed[FmuConnection] = always("ConnectionList", "What an importer connects.")
     functions: tuple[FunctionJson, ...] | None = source_functions()
-
-
-def to_json(model: FmiIntegration) -> bytes:
-    """The document as UTF-8 text with a stable layout."""
-    return written(model)
-
-
-def integration_schema() -> dict[str, Any]:
-    """JSON Schema (2020-12) of Integration JSON for FMI."""
-    schema = FmiIntegration.model_json_schema(by_alias=True)
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}

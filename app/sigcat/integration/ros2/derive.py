@@ -9,11 +9,11 @@ from sigcat.findings import Finding
 from sigcat.function.document.text import Text
 from sigcat.function.exchange import Part, exchange_of
 from sigcat.function.function_json.data_interfaces import ParameterInterface
-from sigcat.function.function_json.model import FunctionInfo, FunctionJson, MetaInfo, Mode
+from sigcat.function.function_json.model import FunctionInfo, FunctionJson, Mode
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.walk import interface_lists
 from sigcat.function.function_json.walk import parts as walked
-from sigcat.integration.application import DEFAULT_VERSION, Application, application, joined
+from sigcat.integration.application import DEFAULT_VERSION, Application, application, joined, meta_of
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.report import Entry
@@ -83,7 +83,7 @@ def derive(
     _report(parts, findings)
     report_unknown_paths(codes.QUALITY_OF_NOTHING, app, findings)
     model = Ros2Integration(
-        meta=_meta(app),
+        meta=meta_of(app, f"Integration of {app.name} with ROS 2"),
         info=_info(app),
         components=tuple(part.component for part in parts),
         modes=_modes(wholes),
@@ -196,16 +196,6 @@ def _above_qm(subject: Subject, asil: str | None, why: str, findings: FindingCol
 
 
 # -- the parts of the document ------------------------------------------------------------------------------------
-
-
-def _meta(app: Application) -> MetaInfo:
-    return MetaInfo(
-        authority=app.authority or None,
-        schema_author=app.author or None,
-        date=app.date.strftime("%d.%m.%Y") if app.date else None,
-        schema_version="1.0.0",
-        schema_description=Text(f"Integration of {app.name} with ROS 2"),
-    )
 
 
 def _info(app: Application) -> FunctionInfo:

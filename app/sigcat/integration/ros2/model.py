@@ -37,7 +37,7 @@ from sigcat.function.document.field_types import (
 )
 from sigcat.function.document.text import AnyValue, Text
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.wire import Integer, Listed, Number, WireModel, always, described, own, written
+from sigcat.function.function_json.wire import Integer, Listed, Number, WireModel, always, described, own
 from sigcat.integration.ros2.settings import MOST_VALUES, SchedulingPolicy
 from sigcat.integration.source_functions import source_functions
 
@@ -397,14 +397,3 @@ class Ros2Integration(FunctionJson):
     )
     node_packages: Listed[NodePackage] | None = own("NodePackageList", "Packages of nodes.")
     functions: tuple[FunctionJson, ...] | None = source_functions()
-
-
-def to_json(model: Ros2Integration) -> bytes:
-    """The document as UTF-8 text with a stable layout."""
-    return written(model)
-
-
-def integration_schema() -> dict[str, Any]:
-    """JSON Schema (2020-12) of Integration JSON for ROS 2."""
-    schema = Ros2Integration.model_json_schema(by_alias=True)
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}

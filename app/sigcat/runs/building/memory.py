@@ -34,13 +34,6 @@ class Memory(NamedTuple):
         return f"{self.function}: {self.state} bytes of state, {stack}"
 
 
-class _SizePlan(NamedTuple):
-    """Plan of a program that prints the size of a type."""
-
-    header: str
-    type_name: str
-
-
 def memory_of(members: Sequence[Member], folder: Path, tools: Toolchain) -> tuple[Memory, ...]:
     """Return the memory of each function, from a folder with the files that were generated for them and built."""
     cores = [one for one in compilations(members, folder, tools) if one.source.stem.endswith("_adapter")]
@@ -56,8 +49,9 @@ def _memory(member: Member, core: Compilation) -> Memory:
 def _size(type_name: str, core: Compilation) -> int:
     """The size of a type, as a program prints it."""
     source = core.source.with_name(f"{core.source.stem}_memory{core.source.suffix}")
-    plan = _SizePlan(core.source.with_suffix(".h").name, type_name)
-    source.write_text(rendered("runs/building/size.c.j2", plan))
+    source.write_text(
+        rendered("runs/building/size.c.j2", header=core.source.with_suffix(".h").name, type_name=type_name)
+    )
     program = source.with_suffix(".exe")
     flags = [each for each in core.command[:-3] if each != "-c"]
     _run([*flags, "-o", str(program), str(source)])

@@ -49,25 +49,18 @@ class _Exit(NamedTuple):
     route: Sequence[int]
 
 
-class _Tables(NamedTuple):
-    """Plan of the file."""
-
-    functions: Sequence[str]
-    targets: Sequence[Target]
-    exits: Sequence[_Exit]
-    call_count: int
-    largest: int
-
-
 def tables_file(connections: Connections, numbers: Numbers) -> GeneratedFile:
     """The file of the tables."""
     targets = targets_of(connections, numbers)
     sizes = [packing(each.shape).struct.size for each in connections.exits]
-    tables = _Tables(
-        functions=[f"{member.name}_Driver" for member in connections.members],
-        targets=targets,
-        exits=[_Exit(size, route) for size, route in zip(sizes, connections.routes, strict=True)],
-        call_count=len(numbers.calls),
-        largest=max(each.packing.struct.size for each in targets),
+    return GeneratedFile(
+        "sigcat_tables.c",
+        rendered(
+            "runs/driver/sigcat_tables.c.j2",
+            functions=[f"{member.name}_Driver" for member in connections.members],
+            targets=targets,
+            exits=[_Exit(size, route) for size, route in zip(sizes, connections.routes, strict=True)],
+            call_count=len(numbers.calls),
+            largest=max(each.packing.struct.size for each in targets),
+        ).encode(),
     )
-    return GeneratedFile("sigcat_tables.c", rendered("runs/driver/sigcat_tables.c.j2", tables).encode())

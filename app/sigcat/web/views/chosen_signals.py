@@ -114,15 +114,6 @@ class StartedSignal(NamedTuple):
     """Type, datatype and unit, for a comment."""
 
 
-class FunctionStart(NamedTuple):
-    """Plan of a function.yaml to start from."""
-
-    name: str
-    signals: tuple[StartedSignal, ...]
-    left_out: tuple[str, ...]
-    """Paths that are not data: interfaces of other functions."""
-
-
 def signals_function(chosen: ChosenSignals, name: str = "NewFunction") -> str:
     """A function.yaml that consumes the chosen sensors and attributes, and provides the chosen actuators."""
     _refuse_many(chosen)
@@ -130,7 +121,12 @@ def signals_function(chosen: ChosenSignals, name: str = "NewFunction") -> str:
     others = tuple(node.path for node in chosen.signals if not _is_data(node))
     names = Counter(field_name(node.name).text for node in data)
     signals = tuple(_started(node, names, name) for node in data)
-    return rendered("web/views/started_function.yaml.j2", FunctionStart(name, signals, others))
+    return rendered(
+        "web/views/started_function.yaml.j2",
+        name=name,
+        signals=signals,
+        left_out=others,  # paths that are not data: interfaces of other functions
+    )
 
 
 def _is_data(node: Node) -> bool:

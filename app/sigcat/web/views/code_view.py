@@ -6,6 +6,7 @@ from typing import NamedTuple
 from sigcat.function.function_json.code import CLASS, POINTERS, CodeInterface
 from sigcat.function.function_json.conversion import as_text, of_text
 from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.error_fields import errors_set_by
 from sigcat.function.function_json.methods import MethodInterface
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.role import PROVIDER
@@ -118,7 +119,7 @@ def _of_data(item: Signal | DataQueue) -> list[str]:
         f"starts with {item.init_elements.raw}" if item.init_elements else "",
         _late(item),
         _out_of_range(item.range_error_action, item.range_error),
-        f"rejected messages: sets {item.e2e_error}" if item.e2e_error else "",
+        *(f"{each.mark.cause}: sets {each.error}" for each in errors_set_by(item) if each.mark.cause),
         _queued(item) if isinstance(item, DataQueue) else "",
         _members(item),
     ]

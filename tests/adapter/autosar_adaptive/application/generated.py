@@ -6,7 +6,7 @@ from pathlib import Path
 from sigcat.adapter.autosar_adaptive.application.generate import generate
 from sigcat.data import EXAMPLES
 from sigcat.function.function_file import build_function
-from sigcat.integration.autosar_adaptive.model import to_json
+from sigcat.function.function_json.wire import written
 from sigcat.integration.reading import read_functions
 from sigcat.limits import DEFAULT_LIMITS
 from tests.function.shipped import interfaces
@@ -25,7 +25,7 @@ STORING = Path(__file__).parent / "storing.function.yaml"
 
 def integration(*functions):
     """The Integration JSON of functions."""
-    return to_json(derive(functions).model)
+    return written(derive(functions).model)
 
 
 @cache
@@ -65,7 +65,7 @@ def paced_functions():
 @cache
 def paced():
     """The files of the function with calls of three priorities, with the bench, by name."""
-    return files(to_json(paced_integration()), bench=True)
+    return files(written(paced_integration()), bench=True)
 
 
 @cache

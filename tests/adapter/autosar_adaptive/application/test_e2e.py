@@ -9,7 +9,7 @@ from e2e import p04, p05
 
 from scripts import run_autosar
 from sigcat.function.function_file import build_function
-from sigcat.integration.autosar_adaptive.model import to_json
+from sigcat.function.function_json.wire import written
 from tests.adapter.autosar_adaptive.application.generated import files, write
 from tests.adapter.autosar_adaptive.application.test_generate import STRICT
 from tests.adapter.autosar_adaptive.own_network import network, own_network
@@ -64,7 +64,7 @@ def running(request, tmp_path_factory):
     """The application and its sender, which is there first: the application hears it from its hundredth message on."""
     model = integrated(request.param)
     folder = tmp_path_factory.mktemp("guard")
-    write(files(to_json(model), bench=True), folder)
+    write(files(written(model), bench=True), folder)
     run_autosar.build(folder, " ".join(STRICT), "-DCMAKE_BUILD_TYPE=None", code={"GUARD_CODE": GUARD})
     interface = next(each for each in model.components[0].services if each.services[0].events)
     ids = (interface.service_id, interface.instance_id, interface.event_groups[0].id)

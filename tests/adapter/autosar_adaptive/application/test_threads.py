@@ -22,8 +22,9 @@ from sigcat.adapter.source_cores import source_cores
 from sigcat.adapter.source_functions import source_functions
 from sigcat.comparison.running import marks
 from sigcat.function.function_file import build_function
+from sigcat.function.function_json.wire import written
 from sigcat.integration.autosar_adaptive.document import read_integration
-from sigcat.integration.autosar_adaptive.model import ServiceInterface, to_json
+from sigcat.integration.autosar_adaptive.model import ServiceInterface
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.runs.prepare import prepare
 from tests.adapter.autosar_adaptive.application.generated import (
@@ -49,7 +50,7 @@ def planned(text: str, name: str = "function.yaml") -> ComponentPlan:
     """The plan of the one component."""
     function, _ = build_function(text.encode(), name, interfaces())
     assert function is not None
-    data = to_json(integrated([function]).model)
+    data = written(integrated([function]).model)
     model = read_integration(data, name)
     functions = source_functions(model.functions, data, name, DEFAULT_LIMITS, codes.NOT_WRITABLE_AS_ARXML, "all")
     return derive(model, source_cores(functions)).components[0]

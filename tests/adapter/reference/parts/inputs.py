@@ -1,6 +1,7 @@
 """Inputs of a call: what was received, and what the call sees of it (sections 2, 3 and 5)."""
 
 from collections import deque
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from tests.adapter.reference.parts.time_out import DEFAULT, LAST, Clock, TimeOut
@@ -31,10 +32,8 @@ class Input:
     transfer: Transfer
     is_immediate: bool = False
     time_out: TimeOut | None = None
-    time_out_error: str | None = None
-    range_error: str | None = None
-    e2e_error: str | None = None
-    absent_error: str | None = None
+    errors: Mapping[str, str] = field(default_factory=dict)
+    """Errors, by the fields that name them."""
     queue: Queue | None = None
 
     @property
@@ -131,7 +130,12 @@ class InputState:
         is_single = self.input.transfer.is_single and self.input.places == 1
         return value_of([number for numbers in values for number in numbers], is_single=is_single)
 
-    @property
-    def is_late(self) -> bool | None:
-        """Whether it is expired; None while this is not tested."""
-        return self.clock.verdict if self.clock else None
+    def verdict(self, field: str) -> bool | None:
+        """Return whether what sets the error of a field holds; None while it has not been tested."""
+        return {
+            "timeout_error": self.clock.verdict if self.clock else None,
+            "range_error": self.is_outside,
+            "e2e_error": self.is_rejected,
+            "absent_error": self.input.port == "",
+            "overflow_error": self.overflow,
+        }[field]

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.error_fields import errors_set_by
 from sigcat.function.function_json.runnable import Runnable
 from tests.adapter.reference.function import Output
 from tests.adapter.reference.parts.inputs import Input, Queue
@@ -38,18 +39,14 @@ def port_key(item: Data) -> str:
 
 def input_of(item: Data, ports: Mapping[str, str], table: Table) -> Input:
     """Inputs of a call."""
-    time_out = _time_out(item)
     return Input(
         port=ports[port_key(item)],
         names=tuple(name for name in (item.name, item.vss_path) if name),
         variable=item.variable or item.name,
         transfer=to_code(item, table),
         is_immediate=(item.access or "").lower() == "immediate",
-        time_out=time_out,
-        time_out_error=item.timeout_error if time_out else None,
-        range_error=item.range_error,
-        e2e_error=item.e2e_error,
-        absent_error=item.absent_error,
+        time_out=_time_out(item),
+        errors={each.field: each.error for each in errors_set_by(item)},
         queue=_queue(item) if isinstance(item, DataQueue) else None,
     )
 
@@ -61,7 +58,7 @@ def absent_input_of(item: Data, table: Table) -> Input:
         names=tuple(name for name in (item.name, item.vss_path) if name),
         variable=item.variable or item.name,
         transfer=to_code(item, table),
-        absent_error=item.absent_error,
+        errors={each.field: each.error for each in errors_set_by(item) if each.field == "absent_error"},
         queue=Queue(item.queue_length, False, item.values_per_step or 1, item.count_variable)
         if isinstance(item, DataQueue)
         else None,

@@ -1,18 +1,15 @@
 """The adapter of a component: its header and its source."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import NamedTuple
 
 from sigcat.adapter.autosar_adaptive.application.calls import (
-    AdapterCall,
-    AdapterThread,
     adapter_calls,
     adapter_threads,
     watches,
 )
 from sigcat.adapter.autosar_adaptive.application.methods import (
-    AdapterMethod,
-    Refusal,
     error_namespace,
     offered_methods,
     refusals,
@@ -26,11 +23,12 @@ from sigcat.adapter.autosar_adaptive.application.plan import (
     Receiver,
     Required,
 )
-from sigcat.adapter.autosar_adaptive.application.stored import StoredValues, stored_values
+from sigcat.adapter.autosar_adaptive.arxml.components import IGNITION_CYCLE
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.plan import GLOBALS
 from sigcat.adapter.templates import rendered
-from sigcat.function.document.text import Text, composed
+from sigcat.function.document.text import composed
+from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE
 
 _ROOM = "adapter/autosar_adaptive/application"
 
@@ -53,58 +51,16 @@ class _Connected(NamedTuple):
     received: Sequence[_Received]
 
 
-class _Adapter(NamedTuple):
-    """Plan of both files."""
-
-    component: ComponentPlan
-    type: str
-    core: str
-    """The type of the core, with which names of its functions and types begin."""
-    macro: str
-    """Names of its constants begin with it."""
-    is_global: bool
-    """Whether there is one instance of the core."""
-    namespace: Sequence[str]
-    guard: str
-    about: Text
-    headers: Sequence[str]
-    checkpoints: Sequence[str]
-    calls: Sequence[AdapterCall]
-    threads: Sequence[AdapterThread]
-    watches: Sequence[str]
-    repeating: Sequence[str]
-    """Calls that send states again when they end."""
-    has_fields: bool
-    has_out: bool
-    """Whether anything of the core is sent or logged."""
-    connected: Sequence[_Connected]
-    stored: StoredValues
-    used: Sequence[AdapterMethod]
-    offered: Mapping[str, Sequence[AdapterMethod]]
-    """By the name of the service."""
-    error_namespace: str
-    errors: Sequence[Refusal]
-    """Why the core does not answer."""
-
-
-def adapter_header(component: ComponentPlan, application: ApplicationPlan) -> str:
-    """The whole header."""
-    return rendered(f"{_ROOM}/adapter.h.j2", _adapter(component, application))
-
-
-def adapter_source(component: ComponentPlan, application: ApplicationPlan) -> str:
-    """The whole source."""
-    return rendered(f"{_ROOM}/adapter.cpp.j2", _adapter(component, application))
-
-
-def _adapter(component: ComponentPlan, application: ApplicationPlan) -> _Adapter:
+def adapter_files(component: ComponentPlan, application: ApplicationPlan) -> tuple[str, str]:
+    """The whole header, and the whole source."""
     core, fields = component.core, [each for service in component.provided for each in service.fields]
     version = f" {core.version}" if core.version else ""
-    return _Adapter(
+    render = partial(
+        rendered,
         component=component,
         type=component.type,
-        core=core.type_name,
-        macro=Scope(core).macro,
+        core=core.type_name,  # with which names of its functions and types begin
+        macro=Scope(core).macro,  # with which names of its constants begin
         is_global=core.code.signature == GLOBALS,
         namespace=application.namespace,
         guard=include_guard(application, component, "component"),
@@ -114,16 +70,20 @@ def _adapter(component: ComponentPlan, application: ApplicationPlan) -> _Adapter
         calls=adapter_calls(component),
         threads=adapter_threads(component),
         watches=watches(component),
+        # Calls that send states again when they end.
         repeating=sorted({each.repeated_by for each in fields if each.repeated_by}),
         has_fields=bool(fields),
+        # Whether anything of the core is sent or logged.
         has_out=bool(fields or core.reactions or any(each.events for each in component.provided)),
         connected=[_connected(each, component) for each in component.required],
-        stored=stored_values(component),
+        own_storage=f"storage_{ADAPTER_STORAGE}_",
+        cycle_key=IGNITION_CYCLE,
         used=used_methods(component),
         offered={each.name: offered_methods(each) for each in component.provided},
         error_namespace=error_namespace(component),
-        errors=refusals(),
+        errors=refusals(),  # why the core does not answer
     )
+    return render(f"{_ROOM}/adapter.h.j2"), render(f"{_ROOM}/adapter.cpp.j2")
 
 
 def _headers(component: ComponentPlan) -> Iterator[str]:

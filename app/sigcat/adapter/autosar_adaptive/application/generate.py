@@ -5,7 +5,7 @@ from pathlib import Path
 
 from sigcat import codes
 from sigcat.adapter.autosar_adaptive.application import cmake, player_source
-from sigcat.adapter.autosar_adaptive.application.adapter import adapter_header, adapter_source
+from sigcat.adapter.autosar_adaptive.application.adapter import adapter_files
 from sigcat.adapter.autosar_adaptive.application.derive import derive
 from sigcat.adapter.autosar_adaptive.application.main_source import main_source
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ExecutablePlan
@@ -94,8 +94,9 @@ def _executable(executable: ExecutablePlan, application: ApplicationPlan) -> Ite
     yield c_file(f"{folder}/main.cpp", lines(main_source(executable, application)))
     for component in executable.components:
         stem = f"{folder}/{component.stem}"
-        yield c_file(f"{stem}_adapter.h", lines(adapter_header(component, application)))
-        yield c_file(f"{stem}_adapter.cpp", lines(adapter_source(component, application)))
+        header, source = adapter_files(component, application)
+        yield c_file(f"{stem}_adapter.h", lines(header))
+        yield c_file(f"{stem}_adapter.cpp", lines(source))
         if component.structs:
             yield c_file(f"{stem}_structs.h", lines(structs_header(component, application)))
 

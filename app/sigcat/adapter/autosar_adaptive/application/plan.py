@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames
 from sigcat.adapter.core.plan import Call, CorePlan, Error, Method, Parameter, Port, WireStruct, WireType
+from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE
 
 
 class Receiver(NamedTuple):
@@ -224,6 +225,17 @@ class ComponentPlan:
         return f"{self.name}Adapter"
 
     @property
+    def learned(self) -> tuple[Stored, ...]:
+        """Parameters that the function changes."""
+        return tuple(each for each in self.stored if each.parameter.learned is not None)
+
+    @property
+    def written(self) -> tuple[Storage, ...]:
+        """Storages that are written at the end."""
+        storages = {each.storage for each in self.learned}
+        return tuple(each for each in self.storages if each in storages or each.name == ADAPTER_STORAGE)
+
+    @property
     def is_threaded(self) -> bool:
         """Whether calls may run at the same time: else the thread that finds them due runs them."""
         return len(self.threads) > 1
@@ -241,7 +253,7 @@ class ComponentPlan:
     @property
     def writes(self) -> bool:
         """Whether there is anything to store at the end."""
-        return bool(self.monitors) or any(each.learned is not None for each in self.core.parameters)
+        return bool(self.monitors or self.learned)
 
     @property
     def call_mutex(self) -> str:

@@ -76,18 +76,6 @@ class _Struct(NamedTuple):
     keys: Sequence[str]
 
 
-class _Ports(NamedTuple):
-    """Plan of the source; `records` is whether anything is heard."""
-
-    headers: Sequence[str]
-    enumerations: Sequence[_Enumeration]
-    structs: Sequence[_Struct]
-    offered: Sequence[_Port]
-    used: Sequence[_Port]
-    records: bool
-    components: Sequence[str]
-
-
 def ports_source(model: IntegrationModel) -> str:
     """The source of its services."""
     types = type_names(model)
@@ -96,16 +84,16 @@ def ports_source(model: IntegrationModel) -> str:
     offered = [port for port in services if port.service not in provided]
     used = [port for port in services if port.service in provided]
     entries = list(model.datatypes or ())
-    plan = _Ports(
-        _headers(offered, used, entries, types),
-        [_Enumeration(cpp_type(types.type(each.name)), each.symbols) for each in entries if each.symbols],
-        [_struct(each, types) for each in entries if each.kind == "structure"],
-        offered,
-        used,
-        any(port.elements for port in used),
-        [component.name for component in model.components],
+    return rendered(
+        _TEMPLATE,
+        headers=_headers(offered, used, entries, types),
+        enumerations=[_Enumeration(cpp_type(types.type(each.name)), each.symbols) for each in entries if each.symbols],
+        structs=[_struct(each, types) for each in entries if each.kind == "structure"],
+        offered=offered,
+        used=used,
+        records=any(port.elements for port in used),
+        components=[component.name for component in model.components],
     )
-    return rendered(_TEMPLATE, plan)
 
 
 def _port(whole: Whole, model: IntegrationModel, types: TypeNames) -> _Port:

@@ -17,21 +17,17 @@ class _Copies(NamedTuple):
     given: Sequence[tuple[str, str]]
 
 
-class _Structs(NamedTuple):
-    """Plan of the header."""
-
-    name: str
-    guard: str
-    headers: Sequence[str]
-    copies: Sequence[_Copies]
-
-
 def structs_header(component: ComponentPlan, application: ApplicationPlan) -> str:
     """The whole header."""
     headers = ("application/values.h", *component.type_headers, f"core/{component.core.header_file}")
     guard = include_guard(application, component, "structs")
-    plan = _Structs(component.name, guard, sorted(headers), [_copies(each) for each in component.structs])
-    return rendered("adapter/autosar_adaptive/application/structs.h.j2", plan)
+    return rendered(
+        "adapter/autosar_adaptive/application/structs.h.j2",
+        name=component.name,
+        guard=guard,
+        headers=sorted(headers),
+        copies=[_copies(each) for each in component.structs],
+    )
 
 
 def _copies(pair: StructPair) -> _Copies:

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.autosar_adaptive.bench.datatypes import alias_of, array_of
-from sigcat.adapter.autosar_adaptive.bench.headers import Includes, includes
+from sigcat.adapter.autosar_adaptive.bench.headers import includes
 from sigcat.adapter.autosar_adaptive.bench.services import Service
 from sigcat.adapter.autosar_adaptive.cpp_names import TEXT, TypeNames
 from sigcat.adapter.templates import rendered
@@ -20,15 +20,6 @@ class _Struct(NamedTuple):
 
     type: str
     members: Sequence[str]
-
-
-class _Codecs(NamedTuple):
-    """Plan of the source; `outputs` is what methods give."""
-
-    includes: Includes
-    structs: Sequence[_Struct]
-    outputs: Sequence[_Struct]
-    sent: Sequence[str]
 
 
 def codecs_source(model: IntegrationModel, services: Sequence[Service], names: TypeNames) -> str:
@@ -48,7 +39,7 @@ def codecs_source(model: IntegrationModel, services: Sequence[Service], names: T
     headers = ["bench/codecs.h", *names.headers([*entries, TEXT])]
     headers += [service.names.common_header for service in services if service.methods]
     sent = [*sorted(types), *(struct.type for struct in outputs)]
-    return rendered(_TEMPLATE, _Codecs(includes(headers), structs, outputs, sent))
+    return rendered(_TEMPLATE, includes=includes(headers), structs=structs, outputs=outputs, sent=sent)
 
 
 def _resolved(word: str, entries: Mapping[str, TypeEntry], names: TypeNames) -> str:

@@ -1,14 +1,13 @@
 """Implementation datatypes: a header for each, `impl_type_<name>.h`."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import NamedTuple
 
-from sigcat.adapter.autosar_adaptive.bench.headers import Includes, guard, includes
+from sigcat.adapter.autosar_adaptive.bench.headers import guard, includes
 from sigcat.adapter.autosar_adaptive.cpp_names import TEXT, TypeNames
 from sigcat.adapter.templates import rendered
 from sigcat.function.document.text import Text, composed, sentence
-from sigcat.function.document.text_filters import AnyText
-from sigcat.integration.autosar_adaptive.model import IntegrationModel, Symbol, TypeEntry
+from sigcat.integration.autosar_adaptive.model import IntegrationModel, TypeEntry
 from sigcat.integration.datatypes import BY_ADAPTIVE
 
 _TEMPLATE = "adapter/autosar_adaptive/bench/datatype.h.j2"
@@ -22,24 +21,10 @@ class _Member(NamedTuple):
     name: str
 
 
-class _Datatype(NamedTuple):
-    """Plan of a header; `type` is the type of an enumeration, or the type that the name means."""
-
-    about: AnyText
-    guard: str
-    includes: Includes
-    namespace: str
-    kind: str
-    name: str
-    type: str = ""
-    members: Sequence[_Member] = ()
-    symbols: Sequence[Symbol] = ()
-
-
 def headers(model: IntegrationModel, names: TypeNames) -> dict[str, str]:
     """The headers of the datatypes of a document, and of its texts, by their paths as they are included."""
-    entries = {names.header(entry.name): rendered(_TEMPLATE, _plan(entry, names)) for entry in model.datatypes or ()}
-    return {names.header(TEXT): rendered(_TEMPLATE, _text(names)), **entries}
+    entries = {names.header(entry.name): _header(entry, names) for entry in model.datatypes or ()}
+    return {names.header(TEXT): _text_header(names), **entries}
 
 
 def used_words(entry: TypeEntry) -> tuple[str, ...]:
@@ -59,29 +44,39 @@ def array_of(element: str, entry: TypeEntry) -> str:
     return f"ara::core::Vector<{element}>" if entry.is_open else f"ara::core::Array<{element}, {entry.dimension}>"
 
 
-def _plan(entry: TypeEntry, names: TypeNames) -> _Datatype:
+def _header(entry: TypeEntry, names: TypeNames) -> str:
     path, words = names.header(entry.name), used_words(entry)
     about = sentence(entry.description, f"VSS: {entry.vss_datatype}" if entry.vss_datatype else None)
-    return _Datatype(
-        composed(entry.name, ": ", about) if about else f"{entry.name}.",
-        guard(path),
-        includes([*_standard(entry, words), *names.headers(words)]),
-        "::".join(names.namespace),
-        entry.kind,
-        entry.name,
-        _type(entry, names),
-        [
+    return rendered(
+        _TEMPLATE,
+        about=composed(entry.name, ": ", about) if about else f"{entry.name}.",
+        guard=guard(path),
+        includes=includes([*_standard(entry, words), *names.headers(words)]),
+        namespace="::".join(names.namespace),
+        kind=entry.kind,
+        name=entry.name,
+        type=_type(entry, names),  # of an enumeration, or the one that the name means
+        members=[
             _Member(sentence(each.description, each.unit), names.type(each.type), each.name)
             for each in entry.fields or ()
         ],
-        entry.symbols or () if entry.kind != "array" else (),
+        symbols=entry.symbols or () if entry.kind != "array" else (),
     )
 
 
-def _text(names: TypeNames) -> _Datatype:
-    path = names.header(TEXT)
-    known = (guard(path), includes(["ara/core/string.h"]), "::".join(names.namespace))
-    return _Datatype("Texts.", *known, "value", names.name(TEXT), "ara::core::String")
+def _text_header(names: TypeNames) -> str:
+    return rendered(
+        _TEMPLATE,
+        about="Texts.",
+        guard=guard(names.header(TEXT)),
+        includes=includes(["ara/core/string.h"]),
+        namespace="::".join(names.namespace),
+        kind="value",
+        name=names.name(TEXT),
+        type="ara::core::String",
+        members=(),
+        symbols=(),
+    )
 
 
 def _type(entry: TypeEntry, names: TypeNames) -> str:

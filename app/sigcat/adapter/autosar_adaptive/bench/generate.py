@@ -1,7 +1,6 @@
 """From an integration model to what a vendor's generator would write: datatypes, proxies, skeletons."""
 
-from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Mapping
 
 from sigcat.adapter.autosar_adaptive.bench import datatypes
 from sigcat.adapter.autosar_adaptive.bench.codecs import NAME, codecs_source
@@ -16,12 +15,6 @@ from sigcat.adapter.templates import rendered
 from sigcat.errors import InputRefused
 from sigcat.integration.autosar_adaptive.document import writable
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
-
-
-class _Library(NamedTuple):
-    """Plan of `CMakeLists.txt`."""
-
-    sources: Sequence[str]
 
 
 def generate(model: IntegrationModel) -> tuple[GeneratedFile, ...]:
@@ -41,7 +34,7 @@ def generate(model: IntegrationModel) -> tuple[GeneratedFile, ...]:
         headers |= service_headers(service)
         sources |= _sources(service, whole)
     files = {
-        "CMakeLists.txt": rendered("adapter/autosar_adaptive/bench/CMakeLists.txt.j2", _Library(sorted(sources))),
+        "CMakeLists.txt": rendered("adapter/autosar_adaptive/bench/CMakeLists.txt.j2", sources=sorted(sources)),
         **{f"include/{path}": text for path, text in headers.items()},
         **{f"src/{path}": text for path, text in sources.items()},
     }

@@ -1,9 +1,6 @@
 """The error domain of methods, as a vendor's generator would make it of the ARXML (SWS_CM_11266)."""
 
-from collections.abc import Sequence
-from typing import NamedTuple
-
-from sigcat.adapter.autosar_adaptive.arxml.method_errors import DOMAIN, DOMAIN_ID, METHOD_ERRORS, MethodError
+from sigcat.adapter.autosar_adaptive.arxml.method_errors import DOMAIN, DOMAIN_ID, METHOD_ERRORS
 from sigcat.adapter.autosar_adaptive.bench.headers import guard
 from sigcat.adapter.autosar_adaptive.cpp_names import TypeNames
 from sigcat.adapter.templates import rendered
@@ -11,21 +8,16 @@ from sigcat.adapter.templates import rendered
 _TEMPLATE = "adapter/autosar_adaptive/bench/error_domain.h.j2"
 
 
-class _ErrorDomain(NamedTuple):
-    """Plan of the header."""
-
-    guard: str
-    namespace: str
-    domain: str
-    number: str
-    errors: Sequence[MethodError]
-
-
 def errors_header(names: TypeNames, namespace: tuple[str, ...]) -> str:
     """The header that the common header of a service with methods includes."""
     number = f"0x{DOMAIN_ID:016X}"
     return rendered(
-        _TEMPLATE, _ErrorDomain(guard(errors_path(names)), "::".join(namespace), DOMAIN, number, METHOD_ERRORS)
+        _TEMPLATE,
+        guard=guard(errors_path(names)),
+        namespace="::".join(namespace),
+        domain=DOMAIN,
+        number=number,
+        errors=METHOD_ERRORS,
     )
 
 

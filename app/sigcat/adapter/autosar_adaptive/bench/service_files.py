@@ -1,23 +1,14 @@
 """Files of a service: datatypes and outputs of methods that its sides share, the proxy, and the skeleton."""
 
 from collections.abc import Iterable, Mapping
-from typing import NamedTuple
 
-from sigcat.adapter.autosar_adaptive.bench.headers import Includes, guard, includes
+from sigcat.adapter.autosar_adaptive.bench.headers import guard, includes
 from sigcat.adapter.autosar_adaptive.bench.method_errors import errors_path
 from sigcat.adapter.autosar_adaptive.bench.services import Service
 from sigcat.adapter.templates import rendered
 from sigcat.integration.datatypes import BY_ADAPTIVE
 
 _ROOM = "adapter/autosar_adaptive/bench"
-
-
-class _ServiceFile(NamedTuple):
-    """Plan of each of them."""
-
-    service: Service
-    includes: Includes
-    guard: str = ""
 
 
 def service_headers(service: Service) -> Mapping[str, str]:
@@ -33,17 +24,17 @@ def service_headers(service: Service) -> Mapping[str, str]:
 
 def proxy_source(service: Service) -> str:
     """The constructor, which connects the elements: apart, so that including the header costs little."""
-    return rendered(f"{_ROOM}/proxy.cpp.j2", _ServiceFile(service, includes([service.names.proxy_header])))
+    return rendered(f"{_ROOM}/proxy.cpp.j2", service=service, includes=includes([service.names.proxy_header]))
 
 
 def skeleton_source(service: Service) -> str:
     """Constructors, and what hands requests to methods."""
     names = [service.names.skeleton_header, *(["<utility>"] if service.methods else [])]
-    return rendered(f"{_ROOM}/skeleton.cpp.j2", _ServiceFile(service, includes(names)))
+    return rendered(f"{_ROOM}/skeleton.cpp.j2", service=service, includes=includes(names))
 
 
 def _header(kind: str, path: str, service: Service, names: Iterable[str]) -> str:
-    return rendered(f"{_ROOM}/{kind}.h.j2", _ServiceFile(service, includes(names), guard(path)))
+    return rendered(f"{_ROOM}/{kind}.h.j2", service=service, includes=includes(names), guard=guard(path))
 
 
 def _of_common(service: Service) -> Iterable[str]:

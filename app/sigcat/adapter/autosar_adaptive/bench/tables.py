@@ -1,15 +1,14 @@
 """Ids, times and ports of a service: what a vendor's platform takes of the manifests at run time."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable
 from typing import NamedTuple
 
-from sigcat.adapter.autosar_adaptive.arxml.method_errors import DOMAIN, METHOD_ERRORS, MethodError
-from sigcat.adapter.autosar_adaptive.bench.headers import Includes, includes
+from sigcat.adapter.autosar_adaptive.arxml.method_errors import DOMAIN, METHOD_ERRORS
+from sigcat.adapter.autosar_adaptive.bench.headers import includes
 from sigcat.adapter.autosar_adaptive.bench.method_errors import errors_path
 from sigcat.adapter.autosar_adaptive.bench.services import Service, error_namespace, hexadecimal
 from sigcat.adapter.autosar_adaptive.cpp_names import instance_specifier
 from sigcat.adapter.templates import rendered
-from sigcat.integration.autosar_adaptive.deployment.someip_settings import TransformationSettings
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
 from sigcat.integration.autosar_adaptive.processes import processes
 from sigcat.integration.autosar_names import short_name
@@ -26,42 +25,25 @@ class _Instance(NamedTuple):
     """The further process of an executable that has it, if it is of one."""
 
 
-class _Tables(NamedTuple):
-    """Plan of the source."""
-
-    service: Service
-    includes: Includes
-    number: str
-    instances: Sequence[_Instance]
-    error_domain: str
-    errors: Sequence[MethodError]
-    transformation: TransformationSettings
-    is_big_endian: bool
-    is_utf16: bool
-    alignment: int
-    """In bytes."""
-    times: Mapping[str, str]
-
-
 def tables_source(service: Service, model: IntegrationModel) -> str:
     """The tables themselves."""
     deployment = model.deployment
     assert deployment is not None
     transformation = service.whole.transformation or deployment.transformation
-    plan = _Tables(
-        service,
-        includes([service.tables_header, *([errors_path(service.types)] if service.methods else [])]),
-        hexadecimal(service.whole.service_id),
-        [*_instances(service, model)],
-        "::".join(("", *error_namespace(model), f"Get{DOMAIN}ErrorDomain")),
-        METHOD_ERRORS,
-        transformation,
-        transformation.byte_order == "big-endian",
-        transformation.string_encoding == "UTF-16",
-        transformation.alignment // 8,
-        {name: f"{value:g}" for name, value in deployment.service_discovery},
+    return rendered(
+        _TEMPLATE,
+        service=service,
+        includes=includes([service.tables_header, *([errors_path(service.types)] if service.methods else [])]),
+        number=hexadecimal(service.whole.service_id),
+        instances=[*_instances(service, model)],
+        error_domain="::".join(("", *error_namespace(model), f"Get{DOMAIN}ErrorDomain")),
+        errors=METHOD_ERRORS,
+        transformation=transformation,
+        is_big_endian=transformation.byte_order == "big-endian",
+        is_utf16=transformation.string_encoding == "UTF-16",
+        alignment=transformation.alignment // 8,  # in bytes
+        times={name: f"{value:g}" for name, value in deployment.service_discovery},
     )
-    return rendered(_TEMPLATE, plan)
 
 
 def _instances(service: Service, model: IntegrationModel) -> Iterable[_Instance]:

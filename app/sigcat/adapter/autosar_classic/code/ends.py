@@ -1,6 +1,7 @@
 """Data elements of a component, and what its core has for each of them."""
 
 from collections.abc import Iterator, Mapping
+from itertools import islice
 
 from sigcat.adapter.autosar_classic.code.plan import DataEnd, RteType
 from sigcat.adapter.autosar_classic.code.types import type_of
@@ -44,11 +45,8 @@ class SwcContext(CorePlaces):
 def received(context: SwcContext) -> Iterator[DataEnd]:
     """Ports that the component requires."""
     for port, element, data in context.data("Required"):
-        for use in element.uses or ():
-            end = _received(port, element, data, use, context)
-            if end is not None:
-                yield end
-                break
+        ends = (_received(port, element, data, use, context) for use in element.uses or ())
+        yield from islice(filter(None, ends), 1)
 
 
 def _received(port: Port, element: Element, data: DataElement, use: Use, context: SwcContext) -> DataEnd | None:
@@ -99,11 +97,8 @@ def _columns(data: DataElement, use: Use) -> tuple[str, ...]:
 def sent(context: SwcContext) -> Iterator[DataEnd]:
     """Ports that the component provides."""
     for port, element, data in context.data("Provided"):
-        for use in element.uses or ():
-            end = _sent(port, element, data, use, context)
-            if end is not None:
-                yield end
-                break
+        ends = (_sent(port, element, data, use, context) for use in element.uses or ())
+        yield from islice(filter(None, ends), 1)
 
 
 def _sent(port: Port, element: Element, data: DataElement, use: Use, context: SwcContext) -> DataEnd | None:

@@ -1,12 +1,11 @@
 """From the plan of the software components to their files."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from pathlib import Path
-from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code import rte_header
 from sigcat.adapter.autosar_classic.code.api import Apis
-from sigcat.adapter.autosar_classic.code.plan import ClassicPlan, SwcPlan
+from sigcat.adapter.autosar_classic.code.plan import ClassicPlan
 from sigcat.adapter.autosar_classic.code.swc_source import swc_source
 from sigcat.adapter.core.c.lines import c_file
 from sigcat.adapter.files import GeneratedFile, shipped, within
@@ -17,14 +16,9 @@ _CONTRACT = Path(__file__).parent / "contract"
 """Headers that are the same for every integration."""
 
 
-class _Readme(NamedTuple):
-    name: str
-    swcs: Sequence[SwcPlan]
-
-
 def generate(model: ClassicIntegration, plan: ClassicPlan) -> Iterator[GeneratedFile]:
     """Sources, and the headers that a vendor's generator replaces. The same document gives the same bytes."""
-    readme = rendered("adapter/autosar_classic/code/README.md.j2", _Readme(plan.name, plan.swcs))
+    readme = rendered("adapter/autosar_classic/code/README.md.j2", name=plan.name, swcs=plan.swcs)
     yield GeneratedFile("README.md", readme.encode())
     yield from within("contract", shipped(_CONTRACT))
     yield c_file("contract/Rte_Main.h", rte_header.lifecycle_header(model))

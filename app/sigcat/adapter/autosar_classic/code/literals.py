@@ -6,7 +6,12 @@ from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code.plan import RteType, SwcPlan
 from sigcat.adapter.autosar_classic.code.types import rte_types
-from sigcat.integration.autosar_classic.datatypes.used_types import element_types, enumerations_of, exchanged_types
+from sigcat.integration.autosar_classic.datatypes.used_types import (
+    element_types,
+    enumerations_of,
+    exchanged_types,
+    with_inner,
+)
 from sigcat.integration.autosar_classic.model import ApplicationType, ClassicIntegration, DataConstraint
 
 _SMALLEST = {-(2**31): "(-2147483647 - 1)", -(2**63): "(-9223372036854775807LL - 1LL)"}
@@ -70,15 +75,8 @@ def _meant(swc: SwcPlan, model: ClassicIntegration) -> Iterable[ApplicationType]
     """Application types of the values at the component's ports, and the types within them, by name."""
     known = {each.name: each for each in model.application_types}
     exchanged = exchanged_types(model)
-    left = [name for port in swc.component.ports for name in exchanged.get(port.interface, ())]
-    left += [parameter.type for parameter in swc.component.parameters]
-    found: dict[str, ApplicationType] = {}
-    while left:
-        each = known.get(left.pop())
-        if each is not None and each.name not in found:
-            found[each.name] = each
-            left += [each.element or "", *(member.type for member in each.members or ())]
-    return [found[name] for name in sorted(found)]
+    names = [name for port in swc.component.ports for name in exchanged.get(port.interface, ())]
+    return with_inner([*names, *(parameter.type for parameter in swc.component.parameters)], known)
 
 
 def initial_values(swc: SwcPlan, model: ClassicIntegration, types: Mapping[str, RteType]) -> Iterator[Constant]:

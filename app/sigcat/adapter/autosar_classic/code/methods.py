@@ -1,15 +1,11 @@
 """Methods that the function offers: a server runnable for each."""
 
-from collections.abc import Sequence
-from typing import NamedTuple
-
 from sigcat.adapter.autosar_classic.code.c_text import c_lines
 from sigcat.adapter.autosar_classic.code.names import core_object
 from sigcat.adapter.autosar_classic.code.plan import MethodEnd, RteType, SwcPlan
-from sigcat.adapter.autosar_classic.code.values import Copy, CopyRow
+from sigcat.adapter.autosar_classic.code.values import Copy
 from sigcat.adapter.core.c.lines import Lines
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.function.document.text_filters import AnyText
 from sigcat.integration.autosar_classic.model import Runnable
 
 
@@ -34,21 +30,6 @@ def end_of(runnable: Runnable, swc: SwcPlan) -> MethodEnd:
     return next(each for each in swc.methods if runnable.method in each.columns)
 
 
-class _Method(NamedTuple):
-    """Plan of a server runnable: statements that copy arguments and results, and errors for replies of the core."""
-
-    swc: SwcPlan
-    core: str
-    macro: str
-    end: MethodEnd
-    head: str
-    comment: AnyText
-    arguments: Sequence[CopyRow]
-    results: Sequence[CopyRow]
-    excluded: str
-    bad_argument: str
-
-
 def offered(runnable: Runnable, swc: SwcPlan) -> Lines:
     """The answer to a request: what the core says, as an application error."""
     end = end_of(runnable, swc)
@@ -61,7 +42,8 @@ def offered(runnable: Runnable, swc: SwcPlan) -> Lines:
         row for each in end.results
         for row in from_core.of(_written(each.type, f"taken_{each.name}"), f"results.{each.place}", each.type, each.wire.c)
     ]  # fmt: skip
-    plan = _Method(
+    return c_lines(
+        "code/method.c.j2",
         swc=swc,
         core=core_object(swc),
         macro=Scope(swc.core).macro,
@@ -73,7 +55,6 @@ def offered(runnable: Runnable, swc: SwcPlan) -> Lines:
         excluded=_error(end, "EXCLUDED"),
         bad_argument=_error(end, "BAD_ARGUMENT"),
     )
-    return c_lines("code/method.c.j2", plan)
 
 
 def _error(end: MethodEnd, what: str) -> str:

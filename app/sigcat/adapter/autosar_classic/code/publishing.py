@@ -39,26 +39,16 @@ class _Request(NamedTuple):
     given: Sequence[str]
 
 
-class _Publishing(NamedTuple):
-    """Plan of the functions; `kept` is sent again until it is taken."""
-
-    swc: SwcPlan
-    core: str
-    requests: Sequence[_Request]
-    calls: Sequence[_Call]
-    kept: Sequence[_Sent]
-
-
 def functions(swc: SwcPlan) -> Lines:
     """Functions for what the core may say at any time, for outputs of each call, each request and each verdict."""
-    plan = _Publishing(
+    return c_lines(
+        "code/publishing.c.j2",
         swc=swc,
         core=core_object(swc),
         requests=[_request(each, swc) for each in swc.requests],
         calls=[_call(step.name, swc) for step in swc.core.steps if outputs(step.name, swc)],
         kept=[_sent(end, swc) for end in kept(swc)],
     )
-    return c_lines("code/publishing.c.j2", plan)
 
 
 def outputs(call: str, swc: SwcPlan) -> list[DataEnd]:

@@ -4,12 +4,12 @@ docs/explanation/autosar-classic.md has the rule by which the core receives or r
 protection. SWS_Rte says when data are delivered, SWS_E2ETransformer what an error code means.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code.c_text import c_lines
 from sigcat.adapter.autosar_classic.code.names import core_object, static
-from sigcat.adapter.autosar_classic.code.plan import DataEnd, MethodEnd, ModeEnd, SwcPlan
+from sigcat.adapter.autosar_classic.code.plan import DataEnd, MethodEnd, SwcPlan
 from sigcat.adapter.autosar_classic.code.values import Copy, CopyRow, by_address
 from sigcat.adapter.core.c.lines import Lines
 from sigcat.adapter.core.c.scope import Scope
@@ -37,26 +37,13 @@ class _Answer(NamedTuple):
     copied: Sequence[CopyRow]
 
 
-class _Receiving(NamedTuple):
-    """Plan of the functions; `calls` are constants of the core by the names of steps."""
-
-    swc: SwcPlan
-    core: str
-    has_codes: bool
-    taken: Sequence[_Taken]
-    copies: Sequence[_Taken]
-    mode: ModeEnd | None
-    answers: Sequence[_Answer]
-    calls: Mapping[str, str]
-    no_call: str
-
-
 def functions(swc: SwcPlan) -> Lines:
     """A function for each element that is taken, one for the mode, and one that asks what is due."""
     scope = Scope(swc.core)
     used = {end.key for each in swc.component.runnables for end in _explicit(each, swc)}
     taken = [_taken(end, swc) for end in swc.received if end.key in used]
-    plan = _Receiving(
+    return c_lines(
+        "code/receiving.c.j2",
         swc=swc,
         core=core_object(swc),
         has_codes=any(each.end.has_transformer_errors for each in taken),
@@ -67,7 +54,6 @@ def functions(swc: SwcPlan) -> Lines:
         calls={step.name: scope.call(step.name) for step in swc.core.steps},
         no_call=scope.constant("NO_CALL"),
     )
-    return c_lines("code/receiving.c.j2", plan)
 
 
 def _explicit(runnable: Runnable, swc: SwcPlan) -> tuple[DataEnd, ...]:
@@ -113,8 +99,7 @@ def _handed_over(end: DataEnd, source: str, swc: SwcPlan) -> tuple[list[CopyRow]
     if end.type.is_number:
         return [], copy.number(source, end.type)
     copied = [*copy.of("taken", source, end.type, end.wire.c)]
-    is_struct = end.wire.is_struct and end.wire.length is None
-    return copied, "&taken" if is_struct else "taken"
+    return copied, "&taken" if end.wire.is_one_struct else "taken"
 
 
 def _answered(runnable: Runnable, swc: SwcPlan) -> list[MethodEnd]:

@@ -1,6 +1,6 @@
 """The headers of the contract phase: what the RTE has for a component, before it is generated."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code import literals
@@ -12,29 +12,8 @@ from sigcat.adapter.autosar_classic.code.types import rte_types
 from sigcat.adapter.core.c.lines import Lines
 from sigcat.integration.autosar_classic.model import (
     ClassicIntegration,
-    ImplementationType,
-    InitBatch,
-    ModeGroup,
     Runnable,
 )
-
-
-class _Types(NamedTuple):
-    """Plan of `Rte_Type.h`."""
-
-    name: str
-    types: Sequence[ImplementationType]
-    groups: Sequence[ModeGroup]
-
-
-class _ComponentTypes(NamedTuple):
-    """Plan of `Rte_<component>_Type.h`; enumerations are by their types, errors by `<interface>_<name>`."""
-
-    swc: SwcPlan
-    enumerations: Sequence[tuple[str, Sequence[literals.Constant]]]
-    limits: Sequence[Sequence[literals.Constant]]
-    groups: Sequence[ModeGroup]
-    errors: Mapping[str, int]
 
 
 class _Runnable(NamedTuple):
@@ -42,40 +21,24 @@ class _Runnable(NamedTuple):
     section: str
 
 
-class _Component(NamedTuple):
-    """Plan of `Rte_<component>.h`."""
-
-    swc: SwcPlan
-    headers: Sequence[str]
-    initial_values: Sequence[literals.Constant]
-    calls: Sequence[Call]
-    runnables: Sequence[_Runnable]
-
-
-class _Life(NamedTuple):
-    """Plan of `Rte_Main.h`."""
-
-    batches: Sequence[InitBatch]
-
-
 def type_header(model: ClassicIntegration) -> Lines:
     """Rte_Type.h: the datatypes of all components. Platform types are the vendor's."""
     types = [each for each in model.implementation_types if each.category != "VALUE"]
-    return c_lines("code/Rte_Type.h.j2", _Types(model.info.name, types, model.mode_groups))
+    return c_lines("code/Rte_Type.h.j2", name=model.info.name, types=types, groups=model.mode_groups)
 
 
 def component_type_header(swc: SwcPlan, model: ClassicIntegration) -> Lines:
     """Rte_<component>_Type.h: names of numbers, and their limits."""
     interfaces = {each.name: each.group for each in model.mode_switch_interfaces}
     groups = {interfaces[port.interface] for port in swc.component.ports if port.kind == "ModeSwitch"}
-    plan = _ComponentTypes(
-        swc,
-        [*literals.enumerations(swc, model)],
-        [*literals.limits(swc, model)],
-        [each for each in model.mode_groups if each.name in groups],
-        {f"{end.interface}_{name}": value for end in swc.methods for name, value in end.errors.items()},
+    return c_lines(
+        "code/Rte_component_Type.h.j2",
+        swc=swc,
+        enumerations=[*literals.enumerations(swc, model)],
+        limits=[*literals.limits(swc, model)],
+        groups=[each for each in model.mode_groups if each.name in groups],
+        errors={f"{end.interface}_{name}": value for end in swc.methods for name, value in end.errors.items()},
     )
-    return c_lines("code/Rte_component_Type.h.j2", plan)
 
 
 def component_header(swc: SwcPlan, calls: Sequence[Call], model: ClassicIntegration) -> Lines:
@@ -83,7 +46,9 @@ def component_header(swc: SwcPlan, calls: Sequence[Call], model: ClassicIntegrat
     headers = [*dict.fromkeys(each.header for each in swc.component.memories if each.header)]
     initial = [*literals.initial_values(swc, model, rte_types(model))]
     runnables = [_Runnable(_head(each, swc), each.section) for each in swc.component.runnables]
-    return c_lines("code/Rte_component.h.j2", _Component(swc, headers, initial, calls, runnables))
+    return c_lines(
+        "code/Rte_component.h.j2", swc=swc, headers=headers, initial_values=initial, calls=calls, runnables=runnables
+    )
 
 
 def _head(each: Runnable, swc: SwcPlan) -> str:
@@ -92,4 +57,4 @@ def _head(each: Runnable, swc: SwcPlan) -> str:
 
 def lifecycle_header(model: ClassicIntegration) -> Lines:
     """Rte_Main.h: what starts and stops the RTE; the state manager of the ECU calls it, in this order."""
-    return c_lines("code/Rte_Main.h.j2", _Life(model.ecu.init_batches))
+    return c_lines("code/Rte_Main.h.j2", batches=model.ecu.init_batches)

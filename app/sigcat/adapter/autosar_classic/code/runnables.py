@@ -43,24 +43,12 @@ class _Step(NamedTuple):
     requests: Sequence[str]
 
 
-class _Plan(NamedTuple):
-    """Plan of a runnable other than a method."""
-
-    swc: SwcPlan
-    core: str
-    runnable: Runnable
-    takes: Sequence[str]
-    parameters: Sequence[_Calibrated]
-    step: _Step | None
-    starts_calls: bool
-    triggered: Sequence[_Triggered]
-
-
 def runnable(each: Runnable, swc: SwcPlan) -> Lines:
     """The definition of a runnable."""
     if each.role == "Method":
         return offered(each, swc)
-    plan = _Plan(
+    return c_lines(
+        "code/runnable.c.j2",
         swc=swc,
         core=core_object(swc),
         runnable=each,
@@ -70,7 +58,6 @@ def runnable(each: Runnable, swc: SwcPlan) -> Lines:
         starts_calls=each.role not in _WITHOUT_STARTS,
         triggered=_triggered(each, swc),
     )
-    return c_lines("code/runnable.c.j2", plan)
 
 
 def _calibrated(end: ParameterEnd, swc: SwcPlan) -> _Calibrated:

@@ -1,17 +1,16 @@
 """The source of a software component: runnables that hand over to the core what the RTE has, and back."""
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code import publishing, receiving
 from sigcat.adapter.autosar_classic.code.c_text import c_lines
 from sigcat.adapter.autosar_classic.code.names import core_object, section_of
-from sigcat.adapter.autosar_classic.code.plan import DataEnd, SwcPlan
+from sigcat.adapter.autosar_classic.code.plan import SwcPlan
 from sigcat.adapter.autosar_classic.code.runnables import runnable
 from sigcat.adapter.core.c.lines import Lines
 from sigcat.adapter.core.c.shadowing import distinct
 from sigcat.adapter.core.plan import GLOBALS
-from sigcat.function.document.text import Text, composed
+from sigcat.function.document.text import composed
 
 
 class _Runnable(NamedTuple):
@@ -21,30 +20,12 @@ class _Runnable(NamedTuple):
     text: str
 
 
-class _Source(NamedTuple):
-    """Plan of the file; `functions` are those of the templates for receiving and publishing."""
-
-    swc: SwcPlan
-    about: Text
-    core: str
-    has_data: bool
-    has_object: bool
-    kept: Sequence[DataEnd]
-    data_section: str
-    code_section: str
-    functions: str
-    runnables: Sequence[_Runnable]
-
-
 def swc_source(swc: SwcPlan) -> Lines:
     """The whole file. A variable of the code may be called as one of these functions calls something: that is renamed."""
-    return distinct(swc.core, c_lines("code/swc.c.j2", _source(swc)))
-
-
-def _source(swc: SwcPlan) -> _Source:
     version = f" {swc.core.version}" if swc.core.version else ""
     has_object, kept = swc.core.code.signature != GLOBALS, publishing.kept(swc)
-    return _Source(
+    lines = c_lines(
+        "code/swc.c.j2",
         swc=swc,
         about=composed(f"Software component {swc.name} of {swc.core.function}{version}: ", swc.core.description),
         core=core_object(swc),
@@ -56,6 +37,7 @@ def _source(swc: SwcPlan) -> _Source:
         functions="\n\n".join(_text(each) for each in (receiving.functions(swc), publishing.functions(swc))),
         runnables=[_Runnable(each.section, _text(runnable(each, swc))) for each in swc.component.runnables],
     )
+    return distinct(swc.core, lines)
 
 
 def _text(part: Lines) -> str:

@@ -21,16 +21,10 @@ class _Component(NamedTuple):
     definitions: Sequence[str]
 
 
-class _Project(NamedTuple):
-    name: str
-    languages: str
-    components: Sequence[_Component]
-
-
 def cmake(plan: ClassicPlan) -> str:
     """The whole file."""
     languages = "C CXX" if any(swc.core.code.is_cpp for swc in plan.swcs) else "C"
-    return rendered(_TEMPLATE, _Project(plan.name, languages, [_component(swc) for swc in plan.swcs]))
+    return rendered(_TEMPLATE, name=plan.name, languages=languages, components=[_component(swc) for swc in plan.swcs])
 
 
 def _component(swc: SwcPlan) -> _Component:

@@ -72,16 +72,6 @@ class _Function(NamedTuple):
     of: DataEnd | MethodEnd | _Sent | _Switched | _Triggered | _Calibrated | Service | Request | None = None
 
 
-class _Source(NamedTuple):
-    """Plan of the file; `number` is the number of the component."""
-
-    swc: SwcPlan
-    number: int
-    received: Sequence[_Received]
-    modes: Sequence[_Modes]
-    functions: Sequence[_Function]
-
-
 def component_source(swc: SwcPlan, rte: TestRte) -> Lines:
     """The whole file. A variable of the code may be called as one of these functions calls something: that is renamed."""
     received = [
@@ -89,7 +79,14 @@ def component_source(swc: SwcPlan, rte: TestRte) -> Lines:
     ]
     modes = [_modes(port, swc, rte) for port in swc.required_modes]
     functions = [_function(each, swc, rte) for each in rte.calls(swc)]
-    part = c_lines("test_rte/Rte_component.c.j2", _Source(swc, rte.index(swc), received, modes, functions))
+    part = c_lines(
+        "test_rte/Rte_component.c.j2",
+        swc=swc,
+        number=rte.index(swc),
+        received=received,
+        modes=modes,
+        functions=functions,
+    )
     first = next((number for number, line in enumerate(part) if line.text == "{"), 1) - 1
     return (*part[:first], *distinct(swc.core, part[first:]))  # members of the structs before keep their names
 

@@ -1,8 +1,6 @@
 """The files of the test RTE."""
 
-from collections.abc import Sequence
 from pathlib import Path
-from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code.c_text import c_lines
 from sigcat.adapter.autosar_classic.code.plan import ClassicPlan, SwcPlan
@@ -17,13 +15,6 @@ from sigcat.integration.autosar_classic.model import ClassicIntegration
 
 C = Path(__file__).parent / "c"
 """Files that are the same for every integration."""
-
-
-class _Sections(NamedTuple):
-    """Plan of the file of memory sections of a component."""
-
-    swc: str
-    macros: Sequence[str]
 
 
 def generate(model: ClassicIntegration, plan: ClassicPlan) -> tuple[GeneratedFile, ...]:
@@ -47,4 +38,4 @@ def _sections(swc: SwcPlan) -> Lines:
     """At a desk, every section is where the compiler puts it."""
     used = {"CODE", "VAR_CLEARED_UNSPECIFIED", *(each.name for each in swc.component.sections)}
     macros = sorted(f"{swc.name}_{moment}_SEC_{name}" for name in used for moment in ("START", "STOP"))
-    return c_lines("test_rte/MemMap.h.j2", _Sections(swc.name, macros))
+    return c_lines("test_rte/MemMap.h.j2", swc=swc.name, macros=macros)

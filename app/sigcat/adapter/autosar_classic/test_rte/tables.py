@@ -6,18 +6,11 @@ from typing import NamedTuple
 from sigcat.adapter.autosar_classic.code.c_text import c_lines
 from sigcat.adapter.autosar_classic.code.plan import MethodEnd, RteType, SwcPlan
 from sigcat.adapter.autosar_classic.test_rte.plan import Scheduled, TestRte
-from sigcat.adapter.autosar_classic.test_rte.shapes import Shape, ShapeTable, Symbols, shape_table
+from sigcat.adapter.autosar_classic.test_rte.shapes import Shape, Symbols, shape_table
 from sigcat.adapter.core.c.lines import Lines
 from sigcat.integration.autosar_classic.model import Port
 
 _ECU = "EcuManager"
-
-
-class _DataHeader(NamedTuple):
-    """Plan of `rte_data.h`; names of shapes are by those of components."""
-
-    swcs: Sequence[SwcPlan]
-    shapes: Mapping[str, Sequence[str]]
 
 
 class _Input(NamedTuple):
@@ -55,33 +48,19 @@ class _Switch(NamedTuple):
     value: int
 
 
-class _Tables(NamedTuple):
-    """Plan of `rte_tables.c`."""
-
-    symbols: Mapping[str, Symbols]
-    shapes: Sequence[ShapeTable]
-    inputs: Sequence[_Input]
-    events: Sequence[_Event]
-    swcs: Sequence[SwcPlan]
-    block_count: int
-    inhibitions: Sequence[_Inhibition]
-    batches: Mapping[str, Sequence[Scheduled]]
-    startup: Sequence[_Switch]
-    shutdown: Sequence[_Switch]
-
-
 def data_header(rte: TestRte) -> Lines:
     """rte_data.h: how the parts of the RTE reach each other."""
     swcs = rte.plan.swcs
     shapes = {swc.name: [each.name for each in _shapes(swc, rte)] for swc in swcs}
-    return c_lines("test_rte/rte_data.h.j2", _DataHeader(swcs, shapes))
+    return c_lines("test_rte/rte_data.h.j2", swcs=swcs, shapes=shapes)
 
 
 def tables(rte: TestRte) -> Lines:
     """rte_tables.c."""
     swcs = rte.plan.swcs
     shapes = [each for swc in swcs for each in _shapes(swc, rte)]
-    plan = _Tables(
+    return c_lines(
+        "test_rte/rte_tables.c.j2",
         symbols={name: table for each in shapes for name, table in each.tables().items()},
         shapes=[shape_table(each) for each in shapes],
         inputs=[*_inputs(rte)],
@@ -93,7 +72,6 @@ def tables(rte: TestRte) -> Lines:
         startup=[*_switches("RUN", rte)],
         shutdown=[*_switches("SHUTDOWN", rte)],
     )
-    return c_lines("test_rte/rte_tables.c.j2", plan)
 
 
 def _shapes(swc: SwcPlan, rte: TestRte) -> Iterator[Shape]:

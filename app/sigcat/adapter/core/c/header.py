@@ -1,7 +1,5 @@
 """The header: types, members of the adapter, and what the platform calls."""
 
-from typing import NamedTuple
-
 from sigcat.adapter.core.c.layout import c_lines
 from sigcat.adapter.core.c.lines import Lines
 from sigcat.adapter.core.c.scope import Scope
@@ -9,16 +7,11 @@ from sigcat.adapter.core.plan import CorePlan
 from sigcat.function.document.text import Text, composed
 
 
-class _Plan(NamedTuple):
-    p: str
-    m: str
-    plan: CorePlan
-    about: Text
-
-
 def header(scope: Scope) -> Lines:
     """The whole header."""
-    return c_lines("adapter/core/c/header.h.j2", _Plan(scope.prefix, scope.macro, scope.plan, about(scope.plan)))
+    return c_lines(
+        "adapter/core/c/header.h.j2", p=scope.prefix, m=scope.macro, plan=scope.plan, about=about(scope.plan)
+    )
 
 
 def about(plan: CorePlan) -> Text:

@@ -2,17 +2,18 @@
 
 import re
 from collections.abc import Iterable, Iterator
+from typing import Any
 
 from sigcat.adapter.core.c.lines import Line, Lines
 from sigcat.adapter.origins import marked_lines
-from sigcat.adapter.templates import Plan, rendered
+from sigcat.adapter.templates import rendered
 
 _INDENT = "    "
 
 
-def c_lines(template: str, plan: Plan) -> Lines:
+def c_lines(template: str, /, **names: Any) -> Lines:
     """Lines of a file of C."""
-    lines = _indented(Line(*each) for each in marked_lines(rendered(template, plan)))
+    lines = _indented(Line(*each) for each in marked_lines(rendered(template, **names)))
     return tuple(_spaced(tuple(lines)))
 
 

@@ -26,7 +26,6 @@ class ParameterPlan(NamedTuple):
 def parameter_plan(parameter: Parameter, scope: Scope) -> ParameterPlan:
     """A parameter, as functions of the adapter use it."""
     name, value, wire = parameter.named.name, parameter.value, parameter.value.wire
-    is_struct = wire.is_struct and wire.length is None
     ends = Ends(
         source=f"self->parameter.{name}.value",
         target=parameter.variable,
@@ -35,7 +34,7 @@ def parameter_plan(parameter: Parameter, scope: Scope) -> ParameterPlan:
         pointer=parameter.named.pointer,
         put=scope.put,
     )
-    checked = transfer(value, ends._replace(source="(*value)" if is_struct else "value"))
+    checked = transfer(value, ends._replace(source="(*value)" if wire.is_one_struct else "value"))
     origin = f"self->parameter.{name}.origin == "
     ways = [Way(f"{origin}SIGCAT_RECEIVED", "converted"), Way("", "init")]
     if value.is_replaced and checked.has_range:
@@ -43,7 +42,7 @@ def parameter_plan(parameter: Parameter, scope: Scope) -> ParameterPlan:
     written = transfer(value, ends, {way.kind for way in ways})
     return ParameterPlan(
         parameter=parameter,
-        address="&" if is_struct else "",
+        address="&" if wire.is_one_struct else "",
         checked=checked,
         written=written,
         ways=merged(ways, written),

@@ -1,88 +1,43 @@
 """The source: every function in the order of a reader."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Iterable, Iterator
 
 from sigcat.adapter.core.c.calls import CallPlan, call_plan
-from sigcat.adapter.core.c.errors import ErrorPlan, ReactionPlan, error_plan, reaction_plan
+from sigcat.adapter.core.c.errors import error_plan, reaction_plan
 from sigcat.adapter.core.c.header import about
 from sigcat.adapter.core.c.inputs import received_init
 from sigcat.adapter.core.c.layout import c_lines
-from sigcat.adapter.core.c.life import InitialValues, cleared_members, initial_values
+from sigcat.adapter.core.c.life import cleared_members, initial_values
 from sigcat.adapter.core.c.lines import Line, Lines
 from sigcat.adapter.core.c.methods import STATUS, MethodPlan, method_plan
 from sigcat.adapter.core.c.parameters import ParameterPlan, parameter_plan
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.core.c.sizes import Check, checks, needs_self
-from sigcat.adapter.core.c.values import Constant, Transfer
-from sigcat.adapter.core.plan import Call, CorePlan
-from sigcat.function.document.text import Text
-
-
-class _Functions(NamedTuple):
-    """Plan of the functions."""
-
-    p: str
-    m: str
-    plan: CorePlan
-    is_cpp: bool
-    put: str
-    """Function that puts a number into a variable that may be an enumeration; empty where `=` does."""
-    inits: list[CallPlan]
-    calls: list[CallPlan]
-    """The steps, in the order of the file."""
-    due: Sequence[CallPlan]
-    """The same in the order in which they run."""
-    terminates: list[CallPlan]
-    parameters: Sequence[ParameterPlan]
-    methods: Sequence[MethodPlan]
-    status: Mapping[str, int]
-    """Results of requests."""
-    constants: Sequence[Constant]
-    """Limits, factors and offsets of values."""
-    errors: Sequence[ErrorPlan]
-    reactions: Sequence[ReactionPlan]
-    received_inits: Mapping[str, str | None]
-    """Start values that are among the received ones, by the names of ports."""
-    initial: InitialValues
-    cleared: Sequence[str]
-    class_name: str
-    can_fail: bool
-    """Whether init can."""
-
-
-class _Before(NamedTuple):
-    """Plan of everything before the functions."""
-
-    p: str
-    m: str
-    plan: CorePlan
-    about: Text
-    is_cpp: bool
-    prototypes: Sequence[Call]
-    checks: Sequence[Check]
-    needs_self: bool
-    """Whether a check is about a member of the adapter."""
+from sigcat.adapter.core.c.sizes import checks, needs_self
+from sigcat.adapter.core.c.values import Transfer
 
 
 def source(scope: Scope) -> Lines:
     """The whole source."""
-    functions = c_lines("adapter/core/c/functions.c.j2", _functions(scope))
+    functions = _functions(scope)
     plan, found = scope.plan, checks(scope)
-    before = _Before(
-        p=scope.prefix,
-        m=scope.macro,
-        plan=plan,
-        about=about(plan),
-        is_cpp=scope.is_cpp,
-        prototypes=() if plan.code.headers else plan.calls,
-        checks=found,
-        needs_self=needs_self(found, scope),
+    return (
+        *c_lines(
+            "adapter/core/c/source.c.j2",
+            p=scope.prefix,
+            m=scope.macro,
+            plan=plan,
+            about=about(plan),
+            is_cpp=scope.is_cpp,
+            prototypes=() if plan.code.headers else plan.calls,
+            checks=found,
+            needs_self=needs_self(found, scope),  # whether a check is about a member of the adapter
+        ),
+        Line(""),
+        *functions,
     )
-    return (*c_lines("adapter/core/c/source.c.j2", before), Line(""), *functions)
 
 
-def _functions(scope: Scope) -> _Functions:
+def _functions(scope: Scope) -> Lines:
     plan = scope.plan
     inits, calls, terminates = (
         [call_plan(call, scope) for call in each] for each in (plan.inits, plan.steps, plan.terminates)
@@ -91,12 +46,13 @@ def _functions(scope: Scope) -> _Functions:
     methods = [method_plan(each, scope) for each in plan.methods]
     received = {port.name: received_init(port) for port in plan.ports}
     values = _transfers([*inits, *calls, *terminates], parameters, methods)
-    return _Functions(
+    return c_lines(
+        "adapter/core/c/functions.c.j2",
         p=scope.prefix,
         m=scope.macro,
         plan=plan,
         is_cpp=scope.is_cpp,
-        put=scope.put,
+        put=scope.put,  # puts a number into a variable that may be an enumeration; empty where `=` does
         inits=inits,
         calls=calls,
         due=[each for call in plan.due for each in calls if each.call.name == call.name],

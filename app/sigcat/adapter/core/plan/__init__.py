@@ -5,13 +5,25 @@ Every name, number and conversion is resolved. The writer of C asks nothing but 
 
 from sigcat.adapter.core.plan.call import Alive, Call, Deadline, Logical
 from sigcat.adapter.core.plan.core_plan import Code, CodeObject, CorePlan, Extern, Provenance
-from sigcat.adapter.core.plan.interface import Argument, Input, Method, Named, Output, Parameter, Port, Queue, TimeOut
+from sigcat.adapter.core.plan.interface import (
+    CONDITIONS,
+    Argument,
+    Input,
+    Method,
+    Named,
+    Output,
+    Parameter,
+    Port,
+    Queue,
+    TimeOut,
+)
 from sigcat.adapter.core.plan.status import Cause, Error, ForeignError, ModeIn, ModeOut, ModeValue, Reaction
 from sigcat.adapter.core.plan.value import Element, Leaf, Value, WireField, WireStruct, WireType
 from sigcat.function.function_json.code import CLASS, GLOBALS, POINTERS
 
 __all__ = [
     "CLASS",
+    "CONDITIONS",
     "GLOBALS",
     "POINTERS",
     "Alive",

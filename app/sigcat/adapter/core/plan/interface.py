@@ -1,5 +1,6 @@
 """Interfaces of a call: inputs, outputs, parameters, methods."""
 
+from collections.abc import Mapping
 from typing import NamedTuple
 
 from sigcat.adapter.core.plan.value import Value, WireType
@@ -15,6 +16,26 @@ class Named(NamedTuple):
     """Path in the catalogue and unit: `Vehicle.Speed [km/h]`."""
     pointer: Pointer
     """Pointer into Function JSON."""
+
+
+class Condition(NamedTuple):
+    """A condition of an input that sets the error which a field of Function JSON names."""
+
+    verdict: str
+    """Member of the input's state with its verdict; empty if that is the same at any time."""
+    needs_time_out: bool = False
+    """Whether it is tested only with a time-out."""
+    is_of_taken: bool = False
+    """Whether it is tested when a value is taken, and not when the call begins."""
+
+
+CONDITIONS: Mapping[str, Condition] = {
+    "timeout_error": Condition("clock.verdict", needs_time_out=True),
+    "range_error": Condition("range", is_of_taken=True),
+    "e2e_error": Condition("e2e"),
+    "absent_error": Condition(""),
+}
+"""By the fields. Members beside those of time-outs and ranges, and how they are tested: `adapter/core/c/conditions.c.j2`."""
 
 
 class TimeOut(NamedTuple):
@@ -46,12 +67,10 @@ class Input(NamedTuple):
     """Name of its receive function and of its received value, one for all calls; empty if the vehicle lacks the signal."""
     variable: str
     value: Value
+    errors: Mapping[str, str]
+    """Errors that its `CONDITIONS` set, by the fields that name them."""
     is_immediate: bool = False
     time_out: TimeOut | None = None
-    time_out_error: str | None = None
-    range_error: str | None = None
-    e2e_error: str | None = None
-    absent_error: str | None = None
     queue: Queue | None = None
     names: tuple[str, ...] = ()
     """Names of it in the declaration."""
@@ -85,7 +104,13 @@ class Input(NamedTuple):
     @property
     def has_state(self) -> bool:
         """Whether a call has to know more of it than its value."""
-        return self.keeps or self.is_reset or any((self.time_out, self.range_error, self.e2e_error))
+        is_judged = any(CONDITIONS[field].verdict for field in self.errors)
+        return self.keeps or self.is_reset or self.time_out is not None or is_judged
+
+    @property
+    def tells_of_rejection(self) -> bool:
+        """Whether a message that is not accepted sets an error."""
+        return "e2e_error" in self.errors
 
     @property
     def places(self) -> int:
@@ -142,7 +167,7 @@ class Port(NamedTuple):
     @property
     def tells_of_rejection(self) -> bool:
         """Whether a message that is not accepted sets an error."""
-        return any(item.e2e_error for _, item in self.consumers)
+        return any(item.tells_of_rejection for _, item in self.consumers)
 
     @property
     def tells_of_loss(self) -> bool:

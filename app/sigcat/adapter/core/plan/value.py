@@ -81,6 +81,16 @@ class WireType(NamedTuple):
     symbols: tuple[tuple[str, int], ...] = ()
     """Names and numbers of an enumeration."""
 
+    @property
+    def is_plain(self) -> bool:
+        """Whether it is one number."""
+        return not self.is_struct and self.length is None
+
+    @property
+    def is_one_struct(self) -> bool:
+        """Whether it is a struct, and no array of them: C passes its address."""
+        return self.is_struct and self.length is None
+
 
 class Value(NamedTuple):
     """A value between the catalogue and the code."""

@@ -1,7 +1,6 @@
 """Parameter files: every parameter of a node with its default, and what a reader should know of it."""
 
 import json
-from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from sigcat.adapter.ros2.plan import NodeParameter, NodePlan, WorkspacePlan
@@ -20,24 +19,19 @@ class _Entry(NamedTuple):
     high: str | None
 
 
-class _ParameterFile(NamedTuple):
-    """Plan of the file."""
-
-    node: NodePlan
-    package: str
-    schema: str
-    has_values: bool
-    """Whether there is a value; rcl refuses a key without one."""
-    entries: Sequence[_Entry]
-
-
 def parameter_file(node: NodePlan, workspace: WorkspacePlan) -> str:
     """The text of `config/NODE.yaml`, for the node of this name in any namespace."""
     entries = [_entry(each) for each in node.parameters]
     has_own = node.priority is not None or node.is_stored
     has_values = has_own or any(entry.value is not None for entry in entries)
-    plan = _ParameterFile(node, workspace.name, schema_name(node), has_values, entries)
-    return rendered("adapter/ros2/bringup/parameters.yaml.j2", plan)
+    return rendered(
+        "adapter/ros2/bringup/parameters.yaml.j2",
+        node=node,
+        package=workspace.name,
+        schema=schema_name(node),
+        has_values=has_values,  # whether there is a value; rcl refuses a key without one
+        entries=entries,
+    )
 
 
 def schema_name(node: NodePlan) -> str:

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.ros2.bringup.graph import publishers_of, subscribers_of
-from sigcat.adapter.ros2.bringup.picture import OUTSIDE, Picture, picture
+from sigcat.adapter.ros2.bringup.picture import OUTSIDE, picture
 from sigcat.adapter.ros2.plan import (
     Publisher,
     ReceivedField,
@@ -29,17 +29,15 @@ class _Topic(NamedTuple):
     fields: Sequence[ReceivedField | SentField]
 
 
-class _Readme(NamedTuple):
-    workspace: WorkspacePlan
-    picture: Picture
-    topics: Iterable[_Topic]
-
-
 def readme(workspace: WorkspacePlan, model: Ros2Integration) -> str:
     """README.md."""
     providers = providers_of(model)
-    plan = _Readme(workspace, picture(workspace, providers), _topics(workspace, providers))
-    return rendered("adapter/ros2/bringup/README.md.j2", plan)
+    return rendered(
+        "adapter/ros2/bringup/README.md.j2",
+        workspace=workspace,
+        picture=picture(workspace, providers),
+        topics=_topics(workspace, providers),
+    )
 
 
 def providers_of(model: Ros2Integration) -> Mapping[str, AnyText]:

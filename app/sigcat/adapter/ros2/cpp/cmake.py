@@ -34,31 +34,21 @@ class _Node(NamedTuple):
     definitions: Sequence[str]
 
 
-class _CMake(NamedTuple):
-    name: str
-    interfaces: str
-    message_packages: Sequence[str]
-    """Those that are not always needed."""
-    support: Sequence[str]
-    has_bond: bool
-    nodes: Sequence[_Node]
-    exported: Sequence[str]
-    """Packages whose headers those of the nodes include."""
-
-
 def cmake(workspace: WorkspacePlan, support: Sequence[str]) -> str:
     """CMakeLists.txt. `support` are sources that all nodes share."""
     own = {*_OWN, "Threads", "rclcpp", "rclcpp_components", "rclcpp_lifecycle"}
-    plan = _CMake(
+    return rendered(
+        "adapter/ros2/cpp/CMakeLists.txt.j2",
         name=workspace.name,
         interfaces=workspace.interfaces,
+        # Those that are not always needed.
         message_packages=[each for each in workspace.message_packages if each not in _OWN],
         support=support,
         has_bond=workspace.has_bond,
         nodes=[*map(_node, workspace.nodes)],
+        # Packages whose headers those of the nodes include.
         exported=sorted({*own, workspace.interfaces, *workspace.message_packages}),
     )
-    return rendered("adapter/ros2/cpp/CMakeLists.txt.j2", plan)
 
 
 def _node(node: NodePlan) -> _Node:

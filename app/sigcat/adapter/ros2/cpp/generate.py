@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import NamedTuple
 
 from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.ros2.cpp.cmake import cmake
@@ -14,7 +13,6 @@ from sigcat.adapter.ros2.cpp.tests import launch_test, node_test
 from sigcat.adapter.ros2.package_xml import package_xml, rights
 from sigcat.adapter.ros2.plan import WorkspacePlan
 from sigcat.adapter.templates import rendered
-from sigcat.function.document.text_filters import AnyText
 
 _DEPENDS = (
     "builtin_interfaces",
@@ -31,15 +29,6 @@ _TEST_DEPENDS = (
 _FOLDER = "adapter/ros2/cpp/support"
 SUPPORT = Path(__file__).parent / "support"
 """Templates of files that all nodes have in common."""
-
-
-class _Support(NamedTuple):
-    """Plan of such a file."""
-
-    rights: AnyText
-    package: str
-    guard: str
-    """Include guards begin with it."""
 
 
 def cpp_files(workspace: WorkspacePlan) -> Iterator[GeneratedFile]:
@@ -70,13 +59,17 @@ def _support(workspace: WorkspacePlan) -> Iterator[GeneratedFile]:
         *(() if any(node.is_stored for node in workspace.nodes) else ("storage", "stored_text")),
         *(() if workspace.has_bond else ("bond",)),
     }
-    plan = _Support(rights(workspace.package), workspace.name, workspace.name.upper())
     for path in sorted(SUPPORT.rglob("*.j2")):
         name = path.name.removesuffix(".j2")
         if Path(name).stem.removeprefix("test_") in unused:
             continue
         folder = f"include/{workspace.name}" if name.endswith(".hpp") else path.parent.name
-        text = rendered(f"{_FOLDER}/{path.parent.name}/{path.name}", plan)
+        text = rendered(
+            f"{_FOLDER}/{path.parent.name}/{path.name}",
+            rights=rights(workspace.package),
+            package=workspace.name,
+            guard=workspace.name.upper(),  # include guards begin with it
+        )
         yield GeneratedFile(f"{folder}/{name}", text.encode())
 
 

@@ -3,7 +3,6 @@
 import re
 
 from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.core.plan import WireType
 from sigcat.adapter.ros2.plan import InterfaceType, NodePlan, WorkspacePlan
 
 
@@ -19,11 +18,6 @@ def header_of(interface: InterfaceType) -> str:
     return f"{interface.package}/{interface.kind}/{spread.lower()}.hpp"
 
 
-def short(interface: InterfaceType, node: NodePlan) -> str:
-    """The class of a message in the namespace of the package: `msg::Speed`, or `geometry_msgs::msg::Twist`."""
-    return f"{interface.kind}::{interface.name}" if node.is_own(interface) else interface.cpp
-
-
 def bridge_source(node: NodePlan) -> str:
     """File of the core's interface for Python."""
     return f"{node.core.function}_bridge.{node.core.code.ending}"
@@ -37,8 +31,3 @@ def scope_of(node: NodePlan) -> Scope:
 def table(place: str) -> str:
     """The table of texts of an enumeration: `kSpdLimUnitSymbols`."""
     return f"k{place[:1].upper()}{place[1:]}Symbols"
-
-
-def is_plain(wire: WireType) -> bool:
-    """Whether it is one number."""
-    return not wire.is_struct and wire.length is None

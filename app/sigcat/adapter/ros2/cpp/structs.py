@@ -7,7 +7,6 @@ from sigcat.adapter.ros2.cpp.names import guard, header_of
 from sigcat.adapter.ros2.package_xml import rights
 from sigcat.adapter.ros2.plan import NodePlan, StructPair, WorkspacePlan
 from sigcat.adapter.templates import rendered
-from sigcat.function.document.text_filters import AnyText
 
 
 class _Member(NamedTuple):
@@ -25,29 +24,18 @@ class _Copy(NamedTuple):
     members: Sequence[_Member]
 
 
-class _Structs(NamedTuple):
-    """Plan of the header."""
-
-    rights: AnyText
-    name: str
-    guard: str
-    package: str
-    headers: Sequence[str]
-    copies: Sequence[_Copy]
-
-
 def structs_header(node: NodePlan, workspace: WorkspacePlan) -> str:
     """The whole header."""
     messages = [header_of(pair.message) for pair in node.structs]
-    plan = _Structs(
-        rights(workspace.package),
-        node.name,
-        guard(workspace, f"{node.name}_structs"),
-        workspace.name,
-        sorted([node.core.header_file, f"{workspace.name}/values.hpp", *messages]),
-        [copy for pair in node.structs for copy in _copies(pair)],
+    return rendered(
+        "adapter/ros2/cpp/structs.hpp.j2",
+        rights=rights(workspace.package),
+        name=node.name,
+        guard=guard(workspace, f"{node.name}_structs"),
+        package=workspace.name,
+        headers=sorted([node.core.header_file, f"{workspace.name}/values.hpp", *messages]),
+        copies=[copy for pair in node.structs for copy in _copies(pair)],
     )
-    return rendered("adapter/ros2/cpp/structs.hpp.j2", plan)
 
 
 def _copies(pair: StructPair) -> tuple[_Copy, _Copy]:

@@ -1,13 +1,11 @@
 """Tests of the package, which `colcon test` runs: the life of each node, its parameters, lock-step, what it keeps."""
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.ros2.cpp.names import header_of
 from sigcat.adapter.ros2.package_xml import rights
 from sigcat.adapter.ros2.plan import NodeParameter, NodePlan, WorkspacePlan
 from sigcat.adapter.templates import rendered
-from sigcat.function.document.text_filters import AnyText
 
 
 class _Refused(NamedTuple):
@@ -17,39 +15,20 @@ class _Refused(NamedTuple):
     value: str
 
 
-class _NodeTest(NamedTuple):
-    """Plan of the tests of a node."""
-
-    rights: AnyText
-    headers: Sequence[str]
-    interfaces: str
-    package: str
-    node: NodePlan
-    refused: Sequence[_Refused]
-    cycle: int
-    """Nanoseconds between two steps."""
-
-
-class _LaunchTest(NamedTuple):
-    """Plan of the test of the launch file."""
-
-    package: str
-    nodes: Sequence[str]
-    """Their full names."""
-
-
 def node_test(node: NodePlan, workspace: WorkspacePlan) -> str:
     """The whole source of a node's tests."""
-    plan = _NodeTest(
-        rights(workspace.package),
-        _headers(node, workspace),
-        workspace.interfaces,
-        workspace.name,
-        node,
-        [_refused(each, each.high) for each in node.settable if not each.is_read_only and each.high is not None],
-        min((step.cycle for step in node.steps if step.cycle), default=10**7),
+    return rendered(
+        "adapter/ros2/cpp/test_node.cpp.j2",
+        rights=rights(workspace.package),
+        headers=_headers(node, workspace),
+        interfaces=workspace.interfaces,
+        package=workspace.name,
+        node=node,
+        refused=[
+            _refused(each, each.high) for each in node.settable if not each.is_read_only and each.high is not None
+        ],
+        cycle=min((step.cycle for step in node.steps if step.cycle), default=10**7),  # nanoseconds between two steps
     )
-    return rendered("adapter/ros2/cpp/test_node.cpp.j2", plan)
 
 
 def _headers(node: NodePlan, workspace: WorkspacePlan) -> list[str]:
@@ -68,4 +47,8 @@ def _refused(parameter: NodeParameter, high: float) -> _Refused:
 def launch_test(workspace: WorkspacePlan) -> str:
     """The launch file brings every node to its active state."""
     nodes = [f"{workspace.namespace.rstrip('/')}/{node.name}" for node in workspace.nodes]
-    return rendered("adapter/ros2/cpp/test_launch.py.j2", _LaunchTest(workspace.name, nodes))
+    return rendered(
+        "adapter/ros2/cpp/test_launch.py.j2",
+        package=workspace.name,
+        nodes=nodes,  # their full names
+    )

@@ -1,33 +1,13 @@
 """The files of an interface package."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from sigcat.adapter.files import GeneratedFile, within
 from sigcat.adapter.ros2.package_xml import package_xml
 from sigcat.adapter.templates import rendered
-from sigcat.function.document.text import Text
-from sigcat.integration.ros2.model import InterfacePackage, Message, MessageConstant, MessageField, Service
+from sigcat.integration.ros2.model import InterfacePackage, Message, Service
 
 _FOLDER = "adapter/ros2/interfaces"
-
-
-class _Message(NamedTuple):
-    description: Text
-    constants: Sequence[MessageConstant]
-    fields: Sequence[MessageField]
-
-
-class _Service(NamedTuple):
-    description: Text
-    request: Sequence[MessageField]
-    response: Sequence[MessageField]
-
-
-class _CMake(NamedTuple):
-    name: str
-    dependencies: Sequence[str]
-    files: Sequence[str]
 
 
 def interface_files(package: InterfacePackage) -> tuple[GeneratedFile, ...]:
@@ -55,13 +35,16 @@ def _depends(package: InterfacePackage) -> list[tuple[str, str]]:
 
 
 def _message(message: Message) -> str:
-    plan = _Message(message.description, message.constants, message.fields)
-    return rendered(f"{_FOLDER}/message.msg.j2", plan)
+    return rendered(
+        f"{_FOLDER}/message.msg.j2", description=message.description, constants=message.constants, fields=message.fields
+    )
 
 
 def _service(service: Service) -> str:
-    return rendered(f"{_FOLDER}/service.srv.j2", _Service(service.description, service.request, service.response))
+    return rendered(
+        f"{_FOLDER}/service.srv.j2", description=service.description, request=service.request, response=service.response
+    )
 
 
 def _cmake(package: InterfacePackage, files: Sequence[str]) -> str:
-    return rendered(f"{_FOLDER}/CMakeLists.txt.j2", _CMake(package.name, package.dependencies, files))
+    return rendered(f"{_FOLDER}/CMakeLists.txt.j2", name=package.name, dependencies=package.dependencies, files=files)

@@ -1,6 +1,7 @@
 """Enumerations that a component exchanges, whose names its code has."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from typing import TypeVar
 
 from sigcat.integration.autosar_classic.model import (
     ApplicationType,
@@ -10,6 +11,8 @@ from sigcat.integration.autosar_classic.model import (
     ParameterInterface,
     SenderReceiverInterface,
 )
+
+T = TypeVar("T", ApplicationType, ImplementationType)
 
 
 def element_types(model: ClassicIntegration) -> dict[tuple[str, str], str]:
@@ -34,6 +37,18 @@ def exchanged_types(model: ClassicIntegration) -> dict[str, tuple[str, ...]]:
     return found
 
 
+def with_inner(names: Iterable[str], known: Mapping[str, T]) -> list[T]:
+    """The types of these names, and those within arrays and structs, by name."""
+    left: list[str] = [*names]
+    found: dict[str, T] = {}
+    while left:
+        name: str = left.pop()
+        if name in known and name not in found:
+            found[name] = known[name]
+            left += [known[name].element or "", *(member.type for member in known[name].members or ())]
+    return [found[name] for name in sorted(found)]
+
+
 def enumerations_of(
     component: Component,
     exchanged: Mapping[str, tuple[str, ...]],
@@ -44,10 +59,4 @@ def enumerations_of(
     names = [name for port in component.ports for name in exchanged.get(port.interface, ())]
     names += [parameter.type for parameter in component.parameters]
     left = [application_types[name].implementation if name in application_types else name for name in names]
-    found: dict[str, ImplementationType] = {}
-    while left:
-        each = implementation_types.get(left.pop())
-        if each is not None and each.name not in found:
-            found[each.name] = each
-            left += [each.element or "", *(member.type for member in each.members or ())]
-    return tuple(found[name] for name in sorted(found) if found[name].compu_method)
+    return tuple(each for each in with_inner(left, implementation_types) if each.compu_method)

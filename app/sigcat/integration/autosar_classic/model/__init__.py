@@ -20,8 +20,6 @@ from sigcat.integration.autosar_classic.model.document import (
     Component,
     MetaInformation,
     ParameterComponent,
-    integration_schema,
-    to_json,
 )
 from sigcat.integration.autosar_classic.model.interfaces import (
     ApplicationError,
@@ -127,6 +125,4 @@ __all__ = [
     "TypeMember",
     "Unit",
     "Use",
-    "integration_schema",
-    "to_json",
 ]

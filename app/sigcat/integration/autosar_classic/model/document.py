@@ -1,6 +1,6 @@
 """The whole Integration JSON for AUTOSAR Classic."""
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -8,7 +8,7 @@ from sigcat.function.document.field_types import DATE, VERSION, Carried, Functio
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.wire import Integer, Listed, WireModel, always, own, written
+from sigcat.function.function_json.wire import Integer, Listed, WireModel, always, own
 from sigcat.integration.autosar_classic.deployment.releases import DEFAULT_RELEASE, ReleaseName
 from sigcat.integration.autosar_classic.model.behaviour import (
     Event,
@@ -124,14 +124,3 @@ class ClassicIntegration(WireModel):
     ecu: Ecu = always("Ecu", "The ECU, its signals and tasks.")
     provenance: Listed[dict[Name, Carried]] | None = own("Provenance", "What each function was made from.")
     functions: tuple[FunctionJson, ...] | None = source_functions()
-
-
-def to_json(model: ClassicIntegration) -> bytes:
-    """The document as UTF-8 text with a stable layout: the same model gives the same bytes."""
-    return written(model)
-
-
-def integration_schema() -> dict[str, Any]:
-    """JSON Schema (2020-12) of the document."""
-    schema = ClassicIntegration.model_json_schema(by_alias=True)
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}

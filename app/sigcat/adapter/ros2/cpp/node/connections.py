@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from sigcat.adapter.ros2.cpp.names import is_plain, short, table
+from sigcat.adapter.ros2.cpp.names import table
 from sigcat.adapter.ros2.plan import NodePlan, Publisher, ReceivedField, Subscription
 from sigcat.integration.ros2.model import QualityOfService
 
@@ -25,11 +25,9 @@ class Quality(NamedTuple):
 
 
 class Advertised(NamedTuple):
-    """A publisher, and its member without the end of the name."""
+    """A publisher."""
 
-    member: str
-    type: str
-    topic: str
+    of: Publisher
     quality: Quality
 
 
@@ -37,8 +35,6 @@ class Received(NamedTuple):
     """A value of a message, which the core receives."""
 
     of: ReceivedField
-    is_plain: bool
-    """Whether it is one number."""
     table: str
     """Texts of an enumeration; empty if the field has a number."""
     unnamed: int | None
@@ -48,48 +44,25 @@ class Received(NamedTuple):
 class Subscribed(NamedTuple):
     """A subscription, with the values that its callback stores."""
 
-    type: str
-    topic: str
+    of: Subscription
     quality: Quality
     takes: Sequence[Received]
-    wakes: bool
-    """Whether a value may make a call due."""
 
 
-class Connections(NamedTuple):
-    """All topics of a node."""
-
-    publishers: Sequence[Advertised]
-    subscriptions: Sequence[Subscribed]
+def advertised(node: NodePlan) -> Sequence[Advertised]:
+    """All publishers."""
+    return [Advertised(each, _quality(each.quality)) for each in node.publishers]
 
 
-def connections_of(node: NodePlan) -> Connections:
-    """All that it sends and takes."""
-    return Connections(
-        [_advertised(each, node) for each in node.publishers],
-        [_subscribed(each, node) for each in node.subscriptions],
-    )
-
-
-def _advertised(publisher: Publisher, node: NodePlan) -> Advertised:
-    type_, topic = short(publisher.message, node), node.private(publisher.topic)
-    return Advertised(publisher.member, type_, topic, _quality(publisher.quality))
-
-
-def _subscribed(subscription: Subscription, node: NodePlan) -> Subscribed:
-    return Subscribed(
-        short(subscription.message, node),
-        node.private(subscription.topic),
-        _quality(subscription.quality),
-        [_received(each) for each in subscription.takes],
-        any(each.wakes for each in subscription.takes),
-    )
+def subscribed(node: NodePlan) -> Sequence[Subscribed]:
+    """All subscriptions."""
+    return [Subscribed(each, _quality(each.quality), [*map(_received, each.takes)]) for each in node.subscriptions]
 
 
 def _received(taken: ReceivedField) -> Received:
     numbers = {number for _, number in taken.numbers}
     unnamed = next(number for number in range(256) if number not in numbers) if numbers else None
-    return Received(taken, is_plain(taken.wire), table(taken.place) if taken.symbols else "", unnamed)
+    return Received(taken, table(taken.place) if taken.symbols else "", unnamed)
 
 
 def _quality(of: QualityOfService) -> Quality:

@@ -1,69 +1,30 @@
 """The header of a node."""
 
-from collections.abc import Iterable, Sequence
-from typing import NamedTuple
+from collections.abc import Iterable
 
-from sigcat.adapter.ros2.cpp.names import guard, header_of, short
-from sigcat.adapter.ros2.cpp.node.calls import NodeCall, node_calls
+from sigcat.adapter.ros2.cpp.names import guard, header_of
+from sigcat.adapter.ros2.cpp.node.calls import node_calls
 from sigcat.adapter.ros2.package_xml import rights
 from sigcat.adapter.ros2.plan import NodePlan, Publisher, Subscription, WorkspacePlan
 from sigcat.adapter.templates import rendered
-from sigcat.function.document.text_filters import AnyText
-
-
-class _Member(NamedTuple):
-    """A member of the node for a topic or a service, and the class of its message or service."""
-
-    member: str
-    type: str
-
-
-class _Publisher(NamedTuple):
-    """A publisher; a derived class may complete its messages, if they are no statuses: transitions are virtual, too."""
-
-    member: str
-    type: str
-    is_status: bool
-
-
-class _Header(NamedTuple):
-    """Plan of the header."""
-
-    rights: AnyText
-    node: NodePlan
-    guard: str
-    headers: Sequence[str]
-    package: str
-    interfaces: str
-    has_messages: bool
-    calls: Sequence[NodeCall]
-    publishers: Sequence[_Publisher]
-    offered: Sequence[_Member]
-    used: Sequence[_Member]
-    has_taken_callback: bool
-    has_deadline: bool
-    has_bond: bool
 
 
 def node_header(node: NodePlan, workspace: WorkspacePlan) -> str:
     """The whole header."""
-    plan = _Header(
-        rights(workspace.package),
-        node,
-        guard(workspace, node.stem),
-        _headers(node, workspace),
-        workspace.name,
-        workspace.interfaces,
-        has_messages(node, node.publishers),
+    return rendered(
+        "adapter/ros2/cpp/node/node.hpp.j2",
+        rights=rights(workspace.package),
+        node=node,
+        guard=guard(workspace, node.stem),
+        headers=_headers(node, workspace),
+        package=workspace.name,
+        interfaces=workspace.interfaces,
+        has_messages=has_messages(node, node.publishers),
         calls=node_calls(node),
-        publishers=[_Publisher(each.member, short(each.message, node), each.is_status) for each in node.publishers],
-        offered=[_Member(each.member, short(each.service, node)) for each in node.offered],
-        used=[_Member(each.member, short(each.service, node)) for each in node.used],
         has_taken_callback=workspace.release != "humble",
         has_deadline=has_deadline(node),
         has_bond=workspace.has_bond,
     )
-    return rendered("adapter/ros2/cpp/node/node.hpp.j2", plan)
 
 
 def has_messages(node: NodePlan, ends: Iterable[Publisher | Subscription]) -> bool:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from sigcat.adapter.ros2.cpp.names import table
-from sigcat.adapter.ros2.plan import NodeParameter, NodePlan, WorkspacePlan
+from sigcat.adapter.ros2.plan import NodeParameter, NodePlan
 from sigcat.function.document.text_filters import c_string
 
 _CPP = {"bool": "bool", "integer": "int64_t", "double": "double", "string": "std::string"}
@@ -40,30 +40,8 @@ class Declared(NamedTuple):
     """Texts of an enumeration; empty if its value is not text."""
 
 
-class Parameters(NamedTuple):
-    """All parameters of a node."""
-
-    declared: Sequence[Declared]
-    settable: Sequence[Declared]
-    """All that the core's SetParameters takes; others only start with a value."""
-    unset: Sequence[str]
-    """Parameters of the core that the node has none for: structs."""
-    has_taken_callback: bool
-    """Whether the release tells when all have accepted: others may refuse what this node does not."""
-
-
-def parameters_of(node: NodePlan, workspace: WorkspacePlan) -> Parameters:
-    """All of a node."""
-    declared = [_declared(each) for each in node.parameters]
-    return Parameters(
-        declared,
-        [each for each in declared if not each.of.is_learned],
-        _unset(node) if node.settable else (),
-        workspace.release != "humble",
-    )
-
-
-def _declared(parameter: NodeParameter) -> Declared:
+def declared(parameter: NodeParameter) -> Declared:
+    """The parameter, as C++ declares it."""
     low, high = (
         (-math.inf if parameter.low is None else parameter.low),
         (math.inf if parameter.high is None else parameter.high),
@@ -125,7 +103,8 @@ def _double(value: float) -> str:
     return repr(number)
 
 
-def _unset(node: NodePlan) -> Sequence[str]:
+def unset(node: NodePlan) -> Sequence[str]:
+    """Parameters of the core that the node has none for: structs."""
     known = {each.parameter.named.name for each in node.parameters}
     names = [each.named.name for each in node.core.parameters if each.learned is None]
     return [name for name in names if name not in known]

@@ -44,7 +44,7 @@ def bridge_files(core: CorePlan) -> tuple[GeneratedFile, ...]:
 
 
 def _file(name: str, template: str, bridge: _Bridge) -> GeneratedFile:
-    return c_file(name, c_lines(f"adapter/ros2/python/core/{template}", bridge))
+    return c_file(name, c_lines(f"adapter/ros2/python/core/{template}", **bridge._asdict()))
 
 
 def _bridge(core: CorePlan) -> _Bridge:
@@ -55,7 +55,7 @@ def _bridge(core: CorePlan) -> _Bridge:
 
 def declarations(core: CorePlan) -> str:
     """Types and functions, as Python has to know them. The core itself stays opaque."""
-    rows = (line.text for line in c_lines("adapter/ros2/python/core/declarations.h.j2", _bridge(core)))
+    rows = (line.text for line in c_lines("adapter/ros2/python/core/declarations.h.j2", **_bridge(core)._asdict()))
     code = (row.partition(" /* ")[0].rstrip() for row in rows if not row.startswith("/*"))
     return "\n".join(part for row in code for part in _wrapped(row))
 

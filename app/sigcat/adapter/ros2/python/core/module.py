@@ -4,13 +4,12 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from sigcat.adapter.core.plan import Call, CorePlan, Method, WireType
-from sigcat.adapter.ros2.plan import Monitor, NodePlan
+from sigcat.adapter.core.plan import CorePlan, Method, WireType
+from sigcat.adapter.ros2.plan import NodePlan
 from sigcat.adapter.ros2.python.core.bridge import declarations, digest, publish_names, struct_names
 from sigcat.adapter.ros2.python.names import Import, class_name, imports, python_names, typed
 from sigcat.adapter.templates import rendered
 from sigcat.function.document.text import sentence
-from sigcat.function.document.text_filters import AnyText
 
 
 class _Sent(NamedTuple):
@@ -52,35 +51,6 @@ class _Method(NamedTuple):
     """Arguments in Python by their names in the library."""
 
 
-class _Core(NamedTuple):
-    """Plan of the module."""
-
-    function: str
-    version: str
-    about: Sequence[AnyText]
-    origin: AnyText
-    typing_imports: Sequence[Import]
-    own_imports: Sequence[Import]
-    declarations: str
-    digest: str
-    stem: str
-    type: str
-    adapter: str
-    """Names of functions of the library begin with it."""
-    package: str
-    library: str
-    structs: Sequence[str]
-    calls: Sequence[Call]
-    has_errors: bool
-    monitors: Sequence[Monitor]
-    learned: Sequence[tuple[str, str]]
-    """Stored parameters with their keys."""
-    received: Sequence[_Received]
-    methods: Sequence[_Method]
-    out: Sequence[_Sent]
-    publish: Sequence[_Published]
-
-
 def core_type(core: CorePlan) -> str:
     """The class of a core: `CoreAccCore`."""
     return f"{class_name(core.function)}Core"
@@ -114,7 +84,8 @@ def core_module(node: NodePlan) -> str:
     core = node.core
     names, methods = members(core), method_names(core)
     own = ["Core", *(["Call"] if core.steps else []), *(["Error"] if core.errors else [])]
-    plan = _Core(
+    return rendered(
+        "adapter/ros2/python/core/core.py.j2",
         function=core.function,
         version=f" {core.version}" if core.version else "",
         about=[sentence(core.description)] if core.description else [],
@@ -125,20 +96,20 @@ def core_module(node: NodePlan) -> str:
         digest=digest(core),
         stem=class_name(core.function),
         type=core_type(core),
-        adapter=core.type_name,
+        adapter=core.type_name,  # names of functions of the library begin with it
         package=node.package,
         library=node.core_library,
         structs=struct_names(core),
         calls=core.steps,
         has_errors=bool(core.errors),
         monitors=node.monitors,
+        # Stored parameters with their keys.
         learned=[(each.named.name, node.stored_keys[each.variable]) for each in node.learned],
         received=_received(core),
         methods=[_method(each, methods) for each in core.methods],
         out=_sent(core),
         publish=[_Published(names[each], each) for each in publish_names(core)],
     )
-    return rendered("adapter/ros2/python/core/core.py.j2", plan)
 
 
 def _typing_imports(core: CorePlan) -> Sequence[Import]:
@@ -178,7 +149,7 @@ def _sent(core: CorePlan) -> Sequence[_Sent]:
             f"List[{typed(wire)}]" if is_queue else typed(wire),
             named.comment,
             is_queue,
-            is_plain=not wire.is_struct and wire.length is None,
+            is_plain=wire.is_plain,
         )
         for named, wire, is_queue in values
     ]

@@ -19,7 +19,6 @@ from sigcat.adapter.ros2.python.names import Import, class_name, imports, number
 from sigcat.adapter.ros2.python.node.conversions import (
     Conversion,
     Field,
-    Struct,
     argument_fields,
     class_of,
     for_core,
@@ -28,8 +27,7 @@ from sigcat.adapter.ros2.python.node.conversions import (
 )
 from sigcat.adapter.templates import rendered
 from sigcat.function.document.text import sentence
-from sigcat.function.document.text_filters import AnyText, python_string
-from sigcat.integration.ros2.settings import SchedulingPolicy
+from sigcat.function.document.text_filters import python_string
 from sigcat.names import snake_case
 
 
@@ -65,11 +63,6 @@ class _Subscription(NamedTuple):
     type: str
     private: str
     takes: Sequence[_Taken]
-
-    @property
-    def wakes(self) -> bool:
-        """Whether a message may make a call due."""
-        return any(each.of.wakes for each in self.takes)
 
 
 class _OwnReceiver(NamedTuple):
@@ -131,38 +124,13 @@ class _Names(NamedTuple):
     methods: Mapping[str, str]
 
 
-class _Node(NamedTuple):
-    """Plan of the module."""
-
-    function: str
-    about: Sequence[AnyText]
-    origin: AnyText
-    type: str
-    name: str
-    core: str
-    step: str
-    out: str
-    publish: str
-    priority: int | None
-    policy: SchedulingPolicy
-    typing_imports: Sequence[Import]
-    other_imports: Sequence[Import]
-    own_imports: Sequence[Import]
-    base: str
-    structs: Sequence[Struct]
-    parameters: Sequence[_Parameter]
-    subscriptions: Sequence[_Subscription]
-    publishers: Sequence[_Publisher]
-    offered: Sequence[_Service]
-    used: Sequence[_Service]
-
-
 def node_module(node: NodePlan, *, has_bond: bool) -> str:
     """The whole module."""
     core, stem = node.core, class_name(node.core.function)
     base = _BONDED if has_bond else _FUNCTION
     names = _Names(receivers(core), members(core), method_names(core))
-    plan = _Node(
+    return rendered(
+        "adapter/ros2/python/node/node.py.j2",
         function=core.function,
         about=[sentence(core.description)] if core.description else [],
         origin=core.provenance.text,
@@ -185,7 +153,6 @@ def node_module(node: NodePlan, *, has_bond: bool) -> str:
         offered=[_offered(each, node, names) for each in node.offered],
         used=[_used(each, node, names) for each in node.used],
     )
-    return rendered("adapter/ros2/python/node/node.py.j2", plan)
 
 
 # -- imports ------------------------------------------------------------------------------------------------------

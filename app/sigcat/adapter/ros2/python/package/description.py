@@ -1,25 +1,14 @@
 """Files of the package beside its modules: what ament_python, linters and `colcon test` read."""
 
-from collections.abc import Sequence
-from typing import NamedTuple
-
 from sigcat.adapter.ros2.package_xml import package_xml
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
 from sigcat.adapter.templates import rendered
-from sigcat.integration.ros2.model import Package
 from sigcat.names import snake_case
 
 _DEPENDENCIES = (
     "ament_index_python", "builtin_interfaces", "diagnostic_msgs", "python3-cffi", "rcl_interfaces", "rclpy",
 )  # fmt: skip
 _TEST_DEPENDENCIES = ("ament_flake8", "ament_pep257", "domain_coordinator", "lifecycle_msgs", "python3-pytest")
-
-
-class _Setup(NamedTuple):
-    name: str
-    package: Package
-    application: str
-    nodes: Sequence[NodePlan]
 
 
 def package_name(workspace: WorkspacePlan) -> str:
@@ -43,18 +32,24 @@ def package_description(workspace: WorkspacePlan) -> str:
 
 def setup_py(workspace: WorkspacePlan) -> str:
     """setup.py, with an executable for each node."""
-    return rendered("adapter/ros2/python/package/setup.py.j2", _setup(workspace))
+    return _described("setup.py", workspace)
 
 
 def setup_cfg(workspace: WorkspacePlan) -> str:
     """setup.cfg: executables stand where `ros2 run` looks for them."""
-    return rendered("adapter/ros2/python/package/setup.cfg.j2", _setup(workspace))
-
-
-def _setup(workspace: WorkspacePlan) -> _Setup:
-    return _Setup(package_name(workspace), workspace.package, workspace.application, workspace.nodes)
+    return _described("setup.cfg", workspace)
 
 
 def init_module(workspace: WorkspacePlan) -> str:
     """Description of the package."""
-    return rendered("adapter/ros2/python/package/__init__.py.j2", _setup(workspace))
+    return _described("__init__.py", workspace)
+
+
+def _described(name: str, workspace: WorkspacePlan) -> str:
+    return rendered(
+        f"adapter/ros2/python/package/{name}.j2",
+        name=package_name(workspace),
+        package=workspace.package,
+        application=workspace.application,
+        nodes=workspace.nodes,
+    )
