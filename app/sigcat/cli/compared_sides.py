@@ -58,6 +58,7 @@ def add_options_of_sides(parser: argparse.ArgumentParser) -> None:
 def names_of_sides(arguments: argparse.Namespace) -> tuple[str, str]:
     """Return the names of both sides. Raises UsageError if they are not two."""
     from sigcat.catalogue.comparing.sides import GIT
+    from sigcat.catalogue.reading.git_revision import is_revision
 
     old, new = arguments.old, arguments.new
     if arguments.merge_base is not None:
@@ -65,7 +66,7 @@ def names_of_sides(arguments: argparse.Namespace) -> tuple[str, str]:
     if old is None:
         raise UsageError("name the sides: `sigcat diff OLD NEW`, such as `sigcat diff git:main .`")
     revision, _, path = old.removeprefix(GIT).partition(":")
-    if old.startswith(GIT) and ".." in revision:
+    if ".." in revision and (old.startswith(GIT) or is_revision(revision.partition("..")[0])):
         if new is not None:
             raise UsageError(f"{old} names both sides; remove {new}")
         return _range(revision, f":{path}" if path else "")
@@ -117,8 +118,9 @@ def _or_revision(name: str, project: "Project") -> str:
     from sigcat.catalogue.comparing.sides import GIT
     from sigcat.catalogue.hosting.sources import release_source
     from sigcat.catalogue.model.vehicle import VEHICLE
-    from sigcat.catalogue.reading.git_revision import is_revision
+    from sigcat.catalogue.reading.git_revision import is_revision, near_revisions
     from sigcat.catalogue.reading.joined_paths import split_paths
+    from sigcat.names import question
     from sigcat.project.chosen_tree import vehicle_source
 
     if name.startswith(VEHICLE):
@@ -129,7 +131,10 @@ def _or_revision(name: str, project: "Project") -> str:
     try:
         release_source(name)
     except (NotFound, UsageError):
-        return f"{GIT}{name}" if is_revision(name) else name
+        if is_revision(name):
+            return f"{GIT}{name}"
+        if near := near_revisions(name):
+            raise NotFound(f"no file, folder, release or revision is named {name!r}. {question(near)}", near) from None
     return name
 
 

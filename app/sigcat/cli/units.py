@@ -114,7 +114,9 @@ def _converted(given: "Sequence[str]", vocabulary: "Vocabulary") -> str:
         raise UsageError("write a number and two units: sigcat units convert 100 km/h m/s")
     number = of_text(given[0])
     if number is None:
-        raise UsageError(f"{given[0][:80]!r} is not a number that a double holds: write one first, as in sigcat units convert 100 km/h m/s")
+        raise UsageError(
+            f"{given[0][:80]!r} is not a number that a double holds: write one first, as in sigcat units convert 100 km/h m/s"
+        )
     source, target = (_unit(name, vocabulary) for name in given[1:])
     linear = between(source.key, target.key)
     if linear is None:

@@ -11,7 +11,7 @@ from typing import IO
 from sigcat.errors import UsageError
 from sigcat.file_kind import ENDINGS
 from sigcat.limits import DEFAULT_LIMITS, Limits
-from sigcat.names import did_you_mean
+from sigcat.names import did_you_mean, nearest
 
 _READ = (*ENDINGS, ".toml")
 """Endings of the files that are unpacked: trees, units and project files."""
@@ -85,6 +85,14 @@ def is_revision(name: str) -> bool:
         return False
     command = [program, "rev-parse", "--quiet", "--verify", "--end-of-options", f"{name}^{{tree}}"]
     return not subprocess.run(command, capture_output=True, check=False).returncode  # noqa: S603 -- no shell
+
+
+def near_revisions(name: str) -> tuple[str, ...]:
+    """Return branches and tags with names near one; none where there is no repository."""
+    try:
+        return nearest(name, _git(name, "for-each-ref", "--format=%(refname:short)").split())
+    except UsageError:
+        return ()
 
 
 def commit_date(revision: str) -> str:
