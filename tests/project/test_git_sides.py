@@ -91,7 +91,15 @@ def test_the_folder_is_compared_with_a_revision(company, capsys, sides):
 
 
 @pytest.mark.parametrize(
-    "sides", [["git:main..HEAD"], ["git:main..."], ["git:v1.2.0..topic:acme"], ["v1.2.0", "topic"]]
+    "sides",
+    [
+        ["git:main..HEAD"],
+        ["main..HEAD"],
+        ["main...topic"],
+        ["git:main..."],
+        ["git:v1.2.0..topic:acme"],
+        ["v1.2.0", "topic"],
+    ],
 )
 def test_revisions_are_compared(company, capsys, sides):
     git("switch", "--quiet", "--create", "topic")
@@ -111,6 +119,20 @@ def test_a_pull_request_does_not_answer_for_what_its_target_has_done_since(compa
     assert changes(capsys, "--merge-base", "main", "git:HEAD") == ADDED
     assert changes(capsys, "git:main...HEAD") == ADDED
     assert len(changes(capsys, "git:main")) == 2
+
+
+def test_a_misspelled_revision_is_proposed(company, capsys):
+    assert main(["diff", "mian"]) == 2
+    expected = "sigcat: no file, folder, release or revision is named 'mian'. Did you mean 'main'?\n"
+    assert capsys.readouterr().err == expected
+
+
+def test_a_clone_without_history_says_how_to_fetch_it(company, capsys, tmp_path, monkeypatch):
+    git("commit", "--quiet", "--allow-empty", "--message", "second")
+    git("clone", "--quiet", "--depth", "1", company.as_uri(), str(tmp_path / "shallow"))
+    monkeypatch.chdir(tmp_path / "shallow")
+    assert main(["diff", "git:HEAD~1"]) == 2
+    assert "fetch it whole (`git fetch --unshallow`; fetch-depth: 0 on GitHub" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("folder", ["functions/cabin_air", "overlays"])
