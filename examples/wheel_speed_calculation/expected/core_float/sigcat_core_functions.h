@@ -1,7 +1,7 @@
 /*
  * Functions that the adapters of all functions call. The rules are those of docs/reference/adapter.md.
  *
- * Part of sigcat: the same file for each function. All times are in nanoseconds. None of these functions has data of
+ * Part of sigcat: the same file for each function. All times are in microseconds. None of these functions has data of
  * its own: what they change is given to them.
  */
 
@@ -39,21 +39,45 @@ extern "C" {
 
 /* -- time (section 1) -- */
 
-/* The time: one before the last one counts as the last one. */
-static inline uint64_t Sigcat_Now(uint64_t *now, uint64_t t)
+/* Half of the range: a time that is less ahead is later than another one. */
+#define SIGCAT_HALF UINT32_C(0x80000000)
+
+/* Times that are over stay about as near as this, which is longer than each declared time. */
+#define SIGCAT_KEPT UINT32_C(0x20000000)
+
+/* Whether a time is now or over. */
+static inline bool Sigcat_IsReached(uint32_t time, uint32_t now)
 {
-    if (t > *now) {
-        *now = t;
-    }
-    return *now;
+    return (now - time) < SIGCAT_HALF;
 }
 
-static inline uint64_t Sigcat_Earlier(uint64_t a, uint64_t b)
+/* Ticks until a time; none if it is over. */
+static inline uint32_t Sigcat_Until(uint32_t time, uint32_t now)
+{
+    return Sigcat_IsReached(time, now) ? 0U : (time - now);
+}
+
+/*
+ * The time: one before the last one counts as the last one. Any may be the first one. Returns whether times that are
+ * long over have to be kept near.
+ */
+bool Sigcat_Advance(uint32_t *now, bool *has_time, Sigcat_Time t);
+
+/* A time that is long over comes nearer, so that it stays over. */
+void Sigcat_KeepNear(uint32_t *time, uint32_t now);
+
+/* Releases that are long over are skipped. One of them stays, and the grid. */
+void Sigcat_CatchUp(uint32_t *release, uint32_t *skipped, uint32_t cycle, uint32_t now);
+
+/* Skipped releases are counted: it is known now what has become of them. */
+void Sigcat_CountSkipped(uint32_t *count, uint32_t *skipped);
+
+static inline uint32_t Sigcat_Earlier(uint32_t a, uint32_t b)
 {
     return (a < b) ? a : b;
 }
 
-static inline uint64_t Sigcat_Later(uint64_t a, uint64_t b)
+static inline uint32_t Sigcat_Later(uint32_t a, uint32_t b)
 {
     return (a > b) ? a : b;
 }
@@ -61,7 +85,7 @@ static inline uint64_t Sigcat_Later(uint64_t a, uint64_t b)
 /* -- reception (sections 2 and 3) -- */
 
 /* A value has come. */
-static inline void Sigcat_Receive(Sigcat_Reception *reception, uint64_t now)
+static inline void Sigcat_Receive(Sigcat_Reception *reception, uint32_t now)
 {
     reception->time = now;
     reception->count++;
@@ -69,8 +93,8 @@ static inline void Sigcat_Receive(Sigcat_Reception *reception, uint64_t now)
 }
 
 /* Whether a value is late, checked in each snapshot. It stays late until enough new values have been received. */
-void Sigcat_CheckClock(Sigcat_Clock *own_clock, const Sigcat_Reception *reception, uint64_t entered, uint64_t time_out,
-    uint32_t recovery, bool starts_with_first, uint64_t now);
+void Sigcat_CheckClock(Sigcat_Clock *own_clock, const Sigcat_Reception *reception, uint32_t entered, uint32_t time_out,
+    uint32_t recovery, bool starts_with_first, uint32_t now);
 
 /* The place for a value in a ring. A full ring loses its oldest value. */
 uint32_t Sigcat_Push(Sigcat_Queue *queue, uint32_t length);
@@ -308,7 +332,7 @@ static inline bool Sigcat_IsConfirmed(const Sigcat_Counts *counts, const Sigcat_
  * condition holds.
  */
 void Sigcat_Evaluate(Sigcat_Error *error, Sigcat_Counts *counts, const Sigcat_ErrorSettings *settings,
-    Sigcat_Verdict verdict, bool has_cause, bool may_heal, uint64_t now);
+    Sigcat_Verdict verdict, bool has_cause, bool may_heal, uint32_t now);
 
 /* The mode excludes the call of an error: what was under way ends. */
 void Sigcat_Suspend(Sigcat_Error *error);
@@ -319,25 +343,25 @@ void Sigcat_BeginCycle(Sigcat_Counts *counts);
 /* -- schedule (section 9) -- */
 
 /* A sum that stays at the largest number. */
-uint32_t Sigcat_Added(uint32_t sum, uint64_t more);
+uint32_t Sigcat_Added(uint32_t sum, uint32_t more);
 
 /* Number of releases up to now, at least one. The next one is after it: the grid stays, whatever is missed. */
-uint64_t Sigcat_Release(uint64_t *release, uint64_t cycle, uint64_t now);
+uint32_t Sigcat_Release(uint32_t *release, uint32_t cycle, uint32_t now);
 
 /* Releases up to now, and those before it, are dropped and counted. */
-void Sigcat_DropUpTo(uint64_t *release, uint32_t *dropped, uint64_t cycle, uint64_t now);
-void Sigcat_DropBefore(uint64_t *release, uint32_t *dropped, uint64_t cycle, uint64_t now);
+void Sigcat_DropUpTo(uint32_t *release, uint32_t *dropped, uint32_t cycle, uint32_t now);
+void Sigcat_DropBefore(uint32_t *release, uint32_t *dropped, uint32_t cycle, uint32_t now);
 
 /* -- supervision (section 10) -- */
 
 /* A call runs from now on: its window begins. */
-void Sigcat_EnterAlive(Sigcat_Alive *alive, uint64_t now);
+void Sigcat_EnterAlive(Sigcat_Alive *alive, uint32_t now);
 
 /* What its windows said is forgotten. */
 void Sigcat_ResetAlive(Sigcat_Alive *alive);
 
 /* A window that is over. Each has `least` to `most` ends; if any is needed, a window that passed unseen is bad. */
-void Sigcat_CloseWindow(Sigcat_Alive *alive, uint64_t length, uint32_t least, uint32_t most, uint64_t now);
+void Sigcat_CloseWindow(Sigcat_Alive *alive, uint32_t length, uint32_t least, uint32_t most, uint32_t now);
 
 /* Windows that have closed since this was asked last. */
 void Sigcat_CheckWindows(Sigcat_Alive *alive);

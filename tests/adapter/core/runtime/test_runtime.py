@@ -14,12 +14,25 @@ import pytest
 
 from sigcat.adapter.core.generate import RUNTIME_SOURCE, runtime_files
 from sigcat.adapter.core.numbers import DOUBLE, FLOAT, NumberType
+from sigcat.adapter.core.plan import MILLISECONDS, NANOSECONDS, Clock
 from sigcat.adapter.toolchain import EXACT, toolchain
 from tests.adapter.core.compilers import SANITIZERS, STRICT, sanitizers
 from tests.needs import IS_SLOW_RUN
 
-CASES, FLOAT_CASES = (Path(__file__).with_name(name) for name in ("cases.c", "float_cases.h"))
-ARITHMETICS = (DOUBLE, FLOAT)
+CASES, *INCLUDED = (Path(__file__).with_name(name) for name in ("cases.c", "float_cases.h", "tick_cases.h"))
+
+
+class Variant(NamedTuple):
+    """The shared files as one program has them."""
+
+    arithmetic: NumberType
+    clock: Clock
+
+
+VARIANTS = {
+    "double": Variant(DOUBLE, NANOSECONDS), "float": Variant(FLOAT, NANOSECONDS), "ticks": Variant(FLOAT, MILLISECONDS),
+}  # fmt: skip
+BY_VARIANT = pytest.mark.parametrize("variant", VARIANTS.values(), ids=VARIANTS)
 SOURCES = ("sigcat_core.c", "sigcat_core_functions.h")
 CHANGES = (
     (r"(?<![<>=!-])>(?![>=])", ">="), (r">=", ">"), (r"(?<![<=])<(?![<=])", "<="), (r"<=", "<"),
@@ -31,6 +44,7 @@ EQUAL = re.compile(
     r"|value > 0\.0F?\) |value < 0\.0F?\) |value > DBL_MAX|value < -DBL_MAX"
     r"|reception->time > entered|return \(a [<>] b\)|\(value [<>] (?:least|most)|\(value < 0\)|t > \*now|#if|-\(double\)FLT_MAX"
     r"|\(more > |\(value < \(Sigcat_Real\)INT64_MAX\)|value == value"
+    r"|\(Sigcat_IsReached\(last, t\.ticks\)|Sigcat_IsReached\(time, now\) \?|\(now - \*time\) > |\? \(now - \*release\)|\(more > \(UINT32_MAX"
     r"|value >= -FLT_MAX|source >= -FLT_MAX|-LargestSplit|value >= 0\.0F|value < 0\.0F"
 )
 """Lines in which a limit and what is beside it give the same number."""
@@ -43,20 +57,28 @@ class Mutant(NamedTuple):
     line: int
     text: str
     place: int
+    clock: Clock = NANOSECONDS
 
 
-def text_of(name: str) -> str:
-    (data,) = (file.data for file in runtime_files() if file.name == name)
+def text_of(name: str, clock: Clock) -> str:
+    (data,) = (file.data for file in runtime_files(FLOAT if clock.is_in_ticks else DOUBLE, clock) if file.name == name)
     return data.decode()
 
 
 def mutants() -> Iterator[Mutant]:
     for name in SOURCES:
-        for number, line in enumerate(text_of(name).partition("template <")[0].split("\n")):
-            code = "" if line.startswith((" *", "#")) or EQUAL.search(line) else line.partition("/*")[0]
-            for pattern, by in CHANGES:
-                for found in re.finditer(pattern, code):
-                    yield Mutant(name, number, f"{line[: found.start()]}{by}{line[found.end() :]}", found.start())
+        known = frozenset(text_of(name, NANOSECONDS).split("\n"))
+        yield from _mutants(name, NANOSECONDS, frozenset())
+        yield from _mutants(name, MILLISECONDS, known)
+
+
+def _mutants(name: str, clock: Clock, known: frozenset[str]) -> Iterator[Mutant]:
+    for number, line in enumerate(text_of(name, clock).partition("template <")[0].split("\n")):
+        is_left_out = line in known or line.startswith((" *", "#")) or EQUAL.search(line)
+        code = "" if is_left_out else line.partition("/*")[0]
+        for pattern, by in CHANGES:
+            for found in re.finditer(pattern, code):
+                yield Mutant(name, number, f"{line[: found.start()]}{by}{line[found.end() :]}", found.start(), clock)
 
 
 @cache
@@ -64,10 +86,10 @@ def every_mutant() -> tuple[Mutant, ...]:
     return tuple(dict.fromkeys(mutants()))
 
 
-def written(folder: Path, arithmetic: NumberType) -> Path:
-    for file in runtime_files(arithmetic):
+def written(folder: Path, variant: Variant) -> Path:
+    for file in runtime_files(*variant):
         (folder / file.name).write_bytes(file.data)
-    for path in (CASES, FLOAT_CASES):
+    for path in (CASES, *INCLUDED):
         shutil.copyfile(path, folder / path.name)
     return folder
 
@@ -83,28 +105,28 @@ def passes(program: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run([program], cwd=program.parent, capture_output=True, text=True, check=False, timeout=20)
 
 
-@pytest.mark.parametrize("arithmetic", ARITHMETICS)
+@BY_VARIANT
 @pytest.mark.parametrize("standard", ["c99", "c11", "c17"])
-def test_every_case_holds_without_a_warning(standard, arithmetic, tmp_path):
-    promotion = ("-Wdouble-promotion",) if arithmetic == FLOAT else ()
+def test_every_case_holds_without_a_warning(standard, variant, tmp_path):
+    promotion = ("-Wdouble-promotion",) if variant.arithmetic == FLOAT else ()
     flags = (f"-std={standard}", *STRICT, *promotion, "-Wno-unused-function")
-    done = passes(compiled(written(tmp_path, arithmetic), *flags))
+    done = passes(compiled(written(tmp_path, variant), *flags))
     assert (done.returncode, done.stdout) == (0, "")
 
 
-@pytest.mark.parametrize("arithmetic", ARITHMETICS)
-def test_every_case_holds_under_sanitizers(arithmetic, tmp_path):
+@BY_VARIANT
+def test_every_case_holds_under_sanitizers(variant, tmp_path):
     if not sanitizers():
         pytest.skip("sanitizers: a compiler that has them")
-    done = passes(compiled(written(tmp_path, arithmetic), "-std=c99", *SANITIZERS))
+    done = passes(compiled(written(tmp_path, variant), "-std=c99", *SANITIZERS))
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
 
 
-@pytest.mark.parametrize("arithmetic", ARITHMETICS)
-def test_every_branch_is_taken(arithmetic, tmp_path):
+@BY_VARIANT
+def test_every_branch_is_taken(variant, tmp_path):
     if shutil.which("gcov") is None or "gcc" not in Path(toolchain().c[0]).name:
         pytest.skip("gcov: install gcc")
-    passes(compiled(written(tmp_path, arithmetic), "-std=c99", "-O0", "--coverage"))
+    passes(compiled(written(tmp_path, variant), "-std=c99", "-O0", "--coverage"))
     notes = [path.name for path in tmp_path.glob("*sigcat_core.gcda")]
     done = subprocess.run(["gcov", "-b", "-j", "-t", *notes], cwd=tmp_path, capture_output=True, check=True)
     (source,) = (file for file in json.loads(done.stdout)["files"] if file["file"] == RUNTIME_SOURCE)
@@ -121,15 +143,16 @@ def test_there_are_many_faults():
 @pytest.mark.parametrize(
     "mutant",
     every_mutant() if IS_SLOW_RUN else every_mutant()[::9],
-    ids=lambda mutant: f"{mutant.file}-{mutant.line + 1}-{mutant.place}-{len(mutant.text)}",
+    ids=lambda mutant: f"{mutant.file}-{mutant.line + 1}-{mutant.place}-{len(mutant.text)}-{mutant.clock.unit}",
 )
 def test_a_fault_is_found(mutant, tmp_path):
-    rows = text_of(mutant.file).split("\n")
+    rows = text_of(mutant.file, mutant.clock).split("\n")
     rows[mutant.line] = mutant.text
     with contextlib.suppress(subprocess.TimeoutExpired):
-        assert any(fails(mutant.file, "\n".join(rows), arithmetic, tmp_path) for arithmetic in ARITHMETICS)
+        variants = [each for each in VARIANTS.values() if each.clock == mutant.clock]
+        assert any(fails(mutant.file, "\n".join(rows), each, tmp_path) for each in variants)
 
 
-def fails(name: str, text: str, arithmetic: NumberType, folder: Path) -> bool:
-    (written(folder, arithmetic) / name).write_text(text)
+def fails(name: str, text: str, variant: Variant, folder: Path) -> bool:
+    (written(folder, variant) / name).write_text(text)
     return passes(compiled(folder, "-std=c99", "-O0", "-w")).returncode != 0

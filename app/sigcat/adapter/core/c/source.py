@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.core.c.calls import CallPlan, call_plan
+from sigcat.adapter.core.c.clock import cyclic_calls, kept_times
 from sigcat.adapter.core.c.errors import ErrorPlan, ReactionPlan, error_plan, reaction_plan
 from sigcat.adapter.core.c.header import about
 from sigcat.adapter.core.c.inputs import received_init
@@ -49,6 +50,10 @@ class _Functions(NamedTuple):
     class_name: str
     can_fail: bool
     """Whether init can."""
+    kept: Sequence[str]
+    """Members with a time that an age is computed from."""
+    cyclic: Sequence[str]
+    """Calls with releases."""
 
 
 class _Before(NamedTuple):
@@ -112,6 +117,8 @@ def _functions(scope: Scope) -> _Functions:
         cleared=cleared_members(plan),
         class_name=(plan.code.class_name or "").rpartition("::")[2],
         can_fail=any(init.success is not None for init in plan.inits),
+        kept=kept_times(plan),
+        cyclic=cyclic_calls(plan),
     )
 
 
