@@ -27,11 +27,14 @@ from tests.adapter.core.functions import functions
 from tests.adapter.core.script import Script
 from tests.adapter.core.subject import Subject, subject
 from tests.adapter.core.test_float_cores import IS_SLOW, SAME, in_float
+from tests.adapter.core.test_strict import HAVING_MUCH, undocumented, warnings_of_clang
 from tests.adapter.core.traces import MS, Tracer
 from tests.adapter.written import FLOAT as FLOAT_VARIABLE
 from tests.adapter.written import error, function, signal, step, watchdog
 from tests.function.shipped import resolved
+from tests.needs import slow
 from tests.properties import FUZZ, IS_SEARCH, examples
+from tests.reference_tools import checked_with
 
 LINES = 5000 if FUZZ else 2000
 NEAR_WRAP, NEAR_HALF = 2**32 - 2000, 2**31 - 2000
@@ -343,10 +346,26 @@ def test_no_compiler_warns(vendor, name, tmp_path):
         assert (done.returncode, done.stderr) == (0, "")
 
 
+@pytest.mark.parametrize("name", ["life", *(pytest.param(each, marks=slow) for each in FIXED if each != "life")])
+def test_clang_has_no_warning_but_those_that_are_left_out_for_a_reason(name, tmp_path):
+    document = in_float(name)
+    assert warnings_of_clang(subject(document, FLOAT, clock_of(document)), tmp_path) == ""
+
+
+@checked_with("cppcheck", "Generated cores have only documented deviations from MISRA C")
+@slow
+@pytest.mark.parametrize("name", ["time_outs", "errors", "schedules", "supervision"])
+def test_cppcheck_finds_documented_deviations(name, tmp_path):
+    document = in_float(name)
+    core_side.write(subject(document, FLOAT, clock_of(document)), tmp_path)
+    for source in ("F_adapter.c", RUNTIME_SOURCE):
+        assert undocumented(tmp_path / source, tmp_path) == []
+
+
 # -- on a controller ----------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", [name for name in FIXED if name != "classes"])
+@pytest.mark.parametrize("name", HAVING_MUCH)
 def test_a_controller_needs_no_double_and_no_division_of_64_bits(name, tmp_path):
     document = in_float(name)
     core_side.write(subject(document, FLOAT, clock_of(document)), tmp_path)
