@@ -27,7 +27,10 @@ typedef struct {
     uint32_t ticks;
 } Sigcat_Time;
 
-/* A time on the steady clock of the platform. Its microseconds wrap around after 32 bits; the core gets one in each 2^30. */
+/*
+ * A time on the steady clock of the platform. Its microseconds wrap around after 32 bits, so a core that runs
+ * gets at least one time in each 2^30 of them.
+ */
 static inline Sigcat_Time Sigcat_Microseconds(uint32_t microseconds)
 {
     const Sigcat_Time time = { microseconds };
