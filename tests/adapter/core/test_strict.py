@@ -82,7 +82,7 @@ def warnings_of_clang(made: Subject, folder: Path) -> str:
     command = clang.cpp if core.suffix == ".cpp" else clang.c
     standard = "-std=c++17" if core.suffix == ".cpp" else "-std=c99"
     left_out = [f"-Wno-{name}" for name in re.findall(r"^\| `-W([\w+-]+)` \|", PAGE, re.MULTILINE)]
-    line = [*command, standard, "-Weverything", *left_out, *EXACT, "-c", core, "-o", folder / "core.o"]
+    line = [*command, standard, "-Weverything", *left_out, *EXACT, "-c", core.name, "-o", "core.o"]
     return subprocess.run(line, cwd=folder, capture_output=True, text=True, check=False).stderr
 
 
