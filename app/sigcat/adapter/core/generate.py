@@ -10,10 +10,9 @@ from sigcat.adapter.core.c.lines import Lines, wrapped
 from sigcat.adapter.core.c.scope import Scope, in_adapter
 from sigcat.adapter.core.c.shadowing import distinct
 from sigcat.adapter.core.c.source import source
-from sigcat.adapter.core.numbers import DOUBLE, FLOAT, NumberType
+from sigcat.adapter.core.numbers import DOUBLE, NumberType
 from sigcat.adapter.core.plan import NANOSECONDS, Clock, CorePlan
 from sigcat.adapter.files import GeneratedFile
-from sigcat.adapter.templates import rendered
 from sigcat.function.document.document import Pointer
 
 _RUNTIME = Path(__file__).with_name("runtime")
@@ -21,26 +20,12 @@ RUNTIME_SOURCE = "sigcat_core.c"
 """File that is compiled once for all cores of a program."""
 
 
-class _Runtime(NamedTuple):
-    """Plan of the shared files."""
-
-    clock: Clock
-    unit: str
-    """Of a time, for readers: `nanoseconds`."""
-    is_in_float: bool
-
-
 @cache
 def runtime_files(arithmetic: NumberType = DOUBLE, clock: Clock = NANOSECONDS) -> tuple[GeneratedFile, ...]:
-    """Return files of C that all cores of a program share."""
-    plan = _Runtime(clock, clock.unit.lower(), arithmetic == FLOAT)
-    copied = (*_RUNTIME.glob("*.[ch]"), *(_RUNTIME / arithmetic.name).iterdir())
-    files = [GeneratedFile(path.name, path.read_bytes()) for path in copied]
-    files += [
-        GeneratedFile(path.stem, rendered(f"adapter/core/runtime/{path.name}", plan).encode())
-        for path in _RUNTIME.glob("*.j2")
-    ]
-    return tuple(sorted(files, key=lambda file: file.name))
+    """Return files of C that all cores of a program share, as they are in the package."""
+    folders = (_RUNTIME, *(_RUNTIME / name for name in (arithmetic.name, *clock.folders)))
+    paths = (path for folder in folders for path in folder.glob("*.[ch]"))
+    return tuple(GeneratedFile(path.name, path.read_bytes()) for path in sorted(paths, key=lambda path: path.name))
 
 
 class CoreFiles(NamedTuple):

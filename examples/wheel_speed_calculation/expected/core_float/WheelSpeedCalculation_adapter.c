@@ -20,7 +20,7 @@
 #error "sigcat_core_arithmetic.h is of another arithmetic"
 #endif
 #if SIGCAT_TICK_NS != 1000
-#error "sigcat_core.h counts time in another unit"
+#error "sigcat_core_time.h counts time in another unit"
 #endif
 
 /* Points of measurement are those of sigcat_core_functions.h. */

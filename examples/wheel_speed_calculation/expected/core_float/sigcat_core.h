@@ -1,7 +1,7 @@
 /*
  * What the adapters of all functions hold. The rules are those of docs/reference/adapter.md.
  *
- * Part of sigcat: the same file for each function. All times are in microseconds.
+ * Part of sigcat: the same file for each function. Times are those of sigcat_core_time.h.
  */
 
 #ifndef SIGCAT_CORE_H
@@ -11,6 +11,7 @@
 #include <stdint.h>
 
 #include "sigcat_core_arithmetic.h"
+#include "sigcat_core_time.h"
 
 /* An adapter and this file belong together if both have the same number. */
 #define SIGCAT_CORE_VERSION 1
@@ -18,24 +19,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* Nanoseconds of a tick. */
-#define SIGCAT_TICK_NS 1000
-
-/* A time that the platform passes. It is not a number: one in another unit does not compile. */
-typedef struct {
-    uint32_t ticks;
-} Sigcat_Time;
-
-/*
- * A time on the steady clock of the platform. Its microseconds wrap around after 32 bits, so a core that runs
- * gets at least one time in each 2^30 of them.
- */
-static inline Sigcat_Time Sigcat_Microseconds(uint32_t microseconds)
-{
-    const Sigcat_Time time = { microseconds };
-    return time;
-}
 
 /* Whether an error is there. The larger one is the worse one. */
 typedef enum {
@@ -72,7 +55,7 @@ typedef enum {
 typedef struct {
     Sigcat_ErrorState state;
     Sigcat_ErrorState before; /* the last one */
-    uint32_t since; /* when it began */
+    Sigcat_Ticks since; /* when it began */
     Sigcat_Verdict variable; /* what the function says */
     bool is_confirmed; /* for the fault memory */
     bool is_sent;
@@ -86,17 +69,17 @@ typedef struct {
     bool is_tested;
 } Sigcat_Counts;
 
-/* Times that debounce an error, in microseconds, and counts that confirm it. */
+/* Times that debounce an error, and counts that confirm it. */
 typedef struct {
-    uint32_t maturation;
-    uint32_t reset;
+    Sigcat_Ticks maturation;
+    Sigcat_Ticks reset;
     uint32_t occurrences;
     uint32_t ignition_cycles;
 } Sigcat_ErrorSettings;
 
 /* When a value was received last, and how many there were. */
 typedef struct {
-    uint32_t time;
+    Sigcat_Ticks time;
     uint32_t count;
     bool is_there;
 } Sigcat_Reception;
@@ -118,7 +101,7 @@ typedef struct {
 /* How often a call ends in each window of time (section 10). */
 typedef struct {
     Sigcat_Verdict verdict;
-    uint32_t window; /* its beginning */
+    Sigcat_Ticks window; /* its beginning */
     uint32_t ends; /* in this window */
     bool has_closed; /* whether one has since it was checked */
     bool is_bad; /* whether one of those was */

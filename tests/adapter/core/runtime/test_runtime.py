@@ -8,13 +8,13 @@ import subprocess
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import pytest
 
 from sigcat.adapter.core.generate import RUNTIME_SOURCE, runtime_files
 from sigcat.adapter.core.numbers import DOUBLE, FLOAT, NumberType
-from sigcat.adapter.core.plan import MILLISECONDS, NANOSECONDS, Clock
+from sigcat.adapter.core.plan import MICROSECONDS, MILLISECONDS, NANOSECONDS, Clock
 from sigcat.adapter.toolchain import EXACT, toolchain
 from tests.adapter.core.compilers import SANITIZERS, STRICT, sanitizers
 from tests.needs import IS_SLOW_RUN
@@ -30,10 +30,20 @@ class Variant(NamedTuple):
 
 
 VARIANTS = {
-    "double": Variant(DOUBLE, NANOSECONDS), "float": Variant(FLOAT, NANOSECONDS), "ticks": Variant(FLOAT, MILLISECONDS),
-}  # fmt: skip
+    "double": Variant(DOUBLE, NANOSECONDS),
+    "float": Variant(FLOAT, NANOSECONDS),
+    "microseconds": Variant(FLOAT, MICROSECONDS),
+    "milliseconds": Variant(FLOAT, MILLISECONDS),
+}
 BY_VARIANT = pytest.mark.parametrize("variant", VARIANTS.values(), ids=VARIANTS)
-SOURCES = ("sigcat_core.c", "sigcat_core_functions.h")
+CLOCK = "sigcat_core_clock.h"
+SOURCES = (
+    (RUNTIME_SOURCE, NANOSECONDS),
+    ("sigcat_core_functions.h", NANOSECONDS),
+    (CLOCK, NANOSECONDS),
+    (CLOCK, MILLISECONDS),
+)
+"""Files with functions, each once; those of other clocks are the same."""
 CHANGES = (
     (r"(?<![<>=!-])>(?![>=])", ">="), (r">=", ">"), (r"(?<![<=])<(?![<=])", "<="), (r"<=", "<"),
     (r"==", "!="), (r"!=", "=="), (r"&&", "||"), (r"\|\|", "&&"), (r" \+ ", " - "), (r" - ", " + "), (r"\+\+", "--"),
@@ -42,9 +52,9 @@ CHANGES = (
 EQUAL = re.compile(
     r"value [<>]= \(Sigcat_Real\)(?:least|most|0|INT64_MAX|UINT64_MAX)|-\(Sigcat_Real\)9223"  # the limit itself
     r"|value > 0\.0F?\) |value < 0\.0F?\) |value > DBL_MAX|value < -DBL_MAX"
-    r"|reception->time > entered|return \(a [<>] b\)|\(value [<>] (?:least|most)|\(value < 0\)|t > \*now|#if|-\(double\)FLT_MAX"
+    r"|return \((?:age_of_)?a [<>] (?:age_of_)?b\)|\(value [<>] (?:least|most)|\(value < 0\)|t > \*now|#if|-\(double\)FLT_MAX"
     r"|\(more > |\(value < \(Sigcat_Real\)INT64_MAX\)|value == value"
-    r"|\(Sigcat_IsReached\(last, t\.ticks\)|Sigcat_IsReached\(time, now\) \?|\(now - \*time\) > |\? \(now - \*release\)|\(more > \(UINT32_MAX"
+    r"|\(now - \*time\) > |\? \(now - \*release\)|\(\*skipped > "
     r"|value >= -FLT_MAX|source >= -FLT_MAX|-LargestSplit|value >= 0\.0F|value < 0\.0F"
 )
 """Lines in which a limit and what is beside it give the same number."""
@@ -57,28 +67,22 @@ class Mutant(NamedTuple):
     line: int
     text: str
     place: int
-    clock: Clock = NANOSECONDS
+    clock: Clock
 
 
 def text_of(name: str, clock: Clock) -> str:
-    (data,) = (file.data for file in runtime_files(FLOAT if clock.is_in_ticks else DOUBLE, clock) if file.name == name)
+    (data,) = (file.data for file in runtime_files(DOUBLE, clock) if file.name == name)
     return data.decode()
 
 
 def mutants() -> Iterator[Mutant]:
-    for name in SOURCES:
-        known = frozenset(text_of(name, NANOSECONDS).split("\n"))
-        yield from _mutants(name, NANOSECONDS, frozenset())
-        yield from _mutants(name, MILLISECONDS, known)
-
-
-def _mutants(name: str, clock: Clock, known: frozenset[str]) -> Iterator[Mutant]:
-    for number, line in enumerate(text_of(name, clock).partition("template <")[0].split("\n")):
-        is_left_out = line in known or line.startswith((" *", "#")) or EQUAL.search(line)
-        code = "" if is_left_out else line.partition("/*")[0]
-        for pattern, by in CHANGES:
-            for found in re.finditer(pattern, code):
-                yield Mutant(name, number, f"{line[: found.start()]}{by}{line[found.end() :]}", found.start(), clock)
+    for name, clock in SOURCES:
+        for number, line in enumerate(text_of(name, clock).partition("template <")[0].split("\n")):
+            code = "" if line.startswith((" *", "#")) or EQUAL.search(line) else line.partition("/*")[0]
+            for pattern, by in CHANGES:
+                for found in re.finditer(pattern, code):
+                    changed = f"{line[: found.start()]}{by}{line[found.end() :]}"
+                    yield Mutant(name, number, changed, found.start(), clock)
 
 
 @cache
@@ -127,13 +131,22 @@ def test_every_branch_is_taken(variant, tmp_path):
     if shutil.which("gcov") is None or "gcc" not in Path(toolchain().c[0]).name:
         pytest.skip("gcov: install gcc")
     passes(compiled(written(tmp_path, variant), "-std=c99", "-O0", "--coverage"))
-    notes = [path.name for path in tmp_path.glob("*sigcat_core.gcda")]
-    done = subprocess.run(["gcov", "-b", "-j", "-t", *notes], cwd=tmp_path, capture_output=True, check=True)
-    (source,) = (file for file in json.loads(done.stdout)["files"] if file["file"] == RUNTIME_SOURCE)
-    missed = [line["line_number"] for line in source["lines"] if line["count"] == 0]
-    missed += [line["line_number"] for line in source["lines"] for each in line["branches"] if each["count"] == 0]
+    assert len(measured_lines(tmp_path, "sigcat_core", RUNTIME_SOURCE)) > 100
+    lines = measured_lines(tmp_path, "cases", CLOCK)
+    functions = re.findall(r"^static inline .*?(\w+)\(", text_of(CLOCK, variant.clock), re.MULTILINE)
+    assert {line["function_name"] for line in lines} == set(functions)
+
+
+def measured_lines(folder: Path, unit: str, name: str) -> list[dict[str, Any]]:
+    """Lines of a file as a unit compiles it: each is reached, and each branch is taken."""
+    (notes,) = folder.glob(f"*{unit}.gcda")
+    done = subprocess.run(["gcov", "-b", "-j", "-t", notes.name], cwd=folder, capture_output=True, check=True)
+    (file,) = (file for file in json.loads(done.stdout)["files"] if file["file"] == name)
+    lines: list[dict[str, Any]] = file["lines"]
+    missed = [line["line_number"] for line in lines if line["count"] == 0]
+    missed += [line["line_number"] for line in lines for each in line["branches"] if each["count"] == 0]
     assert missed == []
-    assert len(source["lines"]) > 100
+    return lines
 
 
 def test_there_are_many_faults():

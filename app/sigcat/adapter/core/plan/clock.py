@@ -19,6 +19,12 @@ class Clock(NamedTuple):
         return self.tick > 1
 
     @property
+    def folders(self) -> tuple[str, ...]:
+        """Folders of the shared files that count time."""
+        own = self.unit.lower()
+        return ("ticks", own) if self.is_in_ticks else (own,)
+
+    @property
     def type(self) -> str:
         """Type of a time within the core."""
         return "uint32_t" if self.is_in_ticks else "uint64_t"

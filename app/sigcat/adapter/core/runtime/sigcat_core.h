@@ -1,7 +1,7 @@
 /*
  * What the adapters of all functions hold. The rules are those of docs/reference/adapter.md.
  *
- * Part of sigcat: the same file for each function. All times are in {{ unit | comment }}.
+ * Part of sigcat: the same file for each function. Times are those of sigcat_core_time.h.
  */
 
 #ifndef SIGCAT_CORE_H
@@ -11,6 +11,7 @@
 #include <stdint.h>
 
 #include "sigcat_core_arithmetic.h"
+#include "sigcat_core_time.h"
 
 /* An adapter and this file belong together if both have the same number. */
 #define SIGCAT_CORE_VERSION 1
@@ -19,30 +20,6 @@
 extern "C" {
 #endif
 
-{% if clock.is_in_ticks %}
-/* Nanoseconds of a tick. */
-#define SIGCAT_TICK_NS {{ clock.tick }}
-
-/* A time that the platform passes. It is not a number: one in another unit does not compile. */
-typedef struct {
-    uint32_t ticks;
-} Sigcat_Time;
-
-/*
- * A time on the steady clock of the platform. Its {{ unit | comment }} wrap around after 32 bits, so a core that runs
- * gets at least one time in each 2^30 of them.
- */
-static inline Sigcat_Time Sigcat_{{ clock.unit }}(uint32_t {{ unit }})
-{
-    const Sigcat_Time time = { {{ unit }} };
-    return time;
-}
-
-{% elif is_in_float %}
-/* Times are nanoseconds in 64 bits. */
-#define SIGCAT_TICK_NS 1
-
-{% endif %}
 /* Whether an error is there. The larger one is the worse one. */
 typedef enum {
     SIGCAT_NOT_JUDGED = 0,
@@ -78,7 +55,7 @@ typedef enum {
 typedef struct {
     Sigcat_ErrorState state;
     Sigcat_ErrorState before; /* the last one */
-    {{ clock.type }} since; /* when it began */
+    Sigcat_Ticks since; /* when it began */
     Sigcat_Verdict variable; /* what the function says */
     bool is_confirmed; /* for the fault memory */
     bool is_sent;
@@ -92,17 +69,17 @@ typedef struct {
     bool is_tested;
 } Sigcat_Counts;
 
-/* Times that debounce an error, in {{ unit | comment }}, and counts that confirm it. */
+/* Times that debounce an error, and counts that confirm it. */
 typedef struct {
-    {{ clock.type }} maturation;
-    {{ clock.type }} reset;
+    Sigcat_Ticks maturation;
+    Sigcat_Ticks reset;
     uint32_t occurrences;
     uint32_t ignition_cycles;
 } Sigcat_ErrorSettings;
 
 /* When a value was received last, and how many there were. */
 typedef struct {
-    {{ clock.type }} time;
+    Sigcat_Ticks time;
     uint32_t count;
     bool is_there;
 } Sigcat_Reception;
@@ -124,7 +101,7 @@ typedef struct {
 /* How often a call ends in each window of time (section 10). */
 typedef struct {
     Sigcat_Verdict verdict;
-    {{ clock.type }} window; /* its beginning */
+    Sigcat_Ticks window; /* its beginning */
     uint32_t ends; /* in this window */
     bool has_closed; /* whether one has since it was checked */
     bool is_bad; /* whether one of those was */

@@ -1,7 +1,8 @@
 /*
  * Functions that the adapters of all functions call. The rules are those of docs/reference/adapter.md.
  *
- * Part of sigcat: the same file for each function. Compile it with -ffp-contract=off. All times are in {{ unit | comment }}.
+ * Part of sigcat: the same file for each function. Compile it with -ffp-contract=off. Times are those of
+ * sigcat_core_time.h.
  */
 
 #include "sigcat_core_functions.h"
@@ -15,59 +16,15 @@
 #error "sigcat: -ffast-math changes results"
 #endif
 
-{% if clock.is_in_ticks %}
-/* -- time (section 1) -- */
-
-bool Sigcat_Advance(uint32_t *now, bool *has_time, Sigcat_Time t)
-{
-    const uint32_t last = *has_time ? *now : t.ticks;
-
-    *now = Sigcat_IsReached(last, t.ticks) ? t.ticks : last;
-    *has_time = true;
-    return (last / SIGCAT_KEPT) != (*now / SIGCAT_KEPT);
-}
-
-void Sigcat_KeepNear(uint32_t *time, uint32_t now)
-{
-    if ((now - *time) > SIGCAT_KEPT) {
-        *time = now - SIGCAT_KEPT;
-    }
-}
-
-void Sigcat_CatchUp(uint32_t *release, uint32_t *skipped, uint32_t cycle, uint32_t now)
-{
-    const uint32_t late = Sigcat_IsReached(*release, now) ? (now - *release) : 0U;
-
-    if (late > SIGCAT_KEPT) {
-        const uint32_t releases = (late / cycle) - 1U;
-
-        *release += releases * cycle;
-        *skipped = Sigcat_Added(*skipped, releases);
-    }
-}
-
-void Sigcat_CountSkipped(uint32_t *count, uint32_t *skipped)
-{
-    *count = Sigcat_Added(*count, *skipped);
-    *skipped = 0U;
-}
-
-{% endif %}
 /* -- reception (sections 2 and 3) -- */
 
-void Sigcat_CheckClock(Sigcat_Clock *own_clock, const Sigcat_Reception *reception, {{ clock.type }} entered, {{ clock.type }} time_out,
-    uint32_t recovery, bool starts_with_first, {{ clock.type }} now)
+void Sigcat_CheckClock(Sigcat_Clock *own_clock, const Sigcat_Reception *reception, Sigcat_Ticks entered,
+    Sigcat_Ticks time_out, uint32_t recovery, bool starts_with_first, Sigcat_Ticks now)
 {
     const bool is_there = reception->is_there;
-{% if clock.is_in_ticks %}
-    const uint32_t age = is_there ? Sigcat_Earlier(now - reception->time, now - entered) : (now - entered);
-
-    if ((is_there || !starts_with_first) && (age > time_out)) {
-{% else %}
-    const uint64_t last = (is_there && (reception->time > entered)) ? reception->time : entered;
+    const Sigcat_Ticks last = is_there ? Sigcat_Newer(reception->time, entered, now) : entered;
 
     if ((is_there || !starts_with_first) && ((now - last) > time_out)) {
-{% endif %}
         own_clock->is_late = true;
         own_clock->count = reception->count;
     } else if (own_clock->is_late && ((reception->count - own_clock->count) >= recovery)) {
@@ -313,7 +270,7 @@ static Sigcat_ErrorState NextState(const Sigcat_Error *error, Sigcat_Verdict ver
 }
 
 void Sigcat_Evaluate(Sigcat_Error *error, Sigcat_Counts *counts, const Sigcat_ErrorSettings *settings,
-    Sigcat_Verdict verdict, bool has_cause, bool may_heal, {{ clock.type }} now)
+    Sigcat_Verdict verdict, bool has_cause, bool may_heal, Sigcat_Ticks now)
 {
     const bool had_failed = Sigcat_HasFailed(error);
     const Sigcat_ErrorState next = has_cause ? SIGCAT_FAILED : NextState(error, verdict, may_heal);
@@ -365,43 +322,36 @@ void Sigcat_BeginCycle(Sigcat_Counts *counts)
 
 /* -- schedule (section 9) -- */
 
-{% if clock.is_in_ticks %}
-uint32_t Sigcat_Added(uint32_t sum, uint32_t more)
+uint32_t Sigcat_Added(uint32_t sum, Sigcat_Ticks more)
 {
-    return (more > (UINT32_MAX - sum)) ? UINT32_MAX : (sum + more);
+    return (more > ((Sigcat_Ticks)UINT32_MAX - sum)) ? UINT32_MAX : (sum + (uint32_t)more);
 }
-{% else %}
-uint32_t Sigcat_Added(uint32_t sum, uint64_t more)
-{
-    return (more > ((uint64_t)UINT32_MAX - sum)) ? UINT32_MAX : (sum + (uint32_t)more);
-}
-{% endif %}
 
-{{ clock.type }} Sigcat_Release({{ clock.type }} *release, {{ clock.type }} cycle, {{ clock.type }} now)
+Sigcat_Ticks Sigcat_Release(Sigcat_Ticks *release, Sigcat_Ticks cycle, Sigcat_Ticks now)
 {
-    const {{ clock.type }} releases = ((now - *release) / cycle) + 1U;
+    const Sigcat_Ticks releases = ((now - *release) / cycle) + 1U;
 
     *release += releases * cycle;
     return releases;
 }
 
-void Sigcat_DropUpTo({{ clock.type }} *release, uint32_t *dropped, {{ clock.type }} cycle, {{ clock.type }} now)
+void Sigcat_DropUpTo(Sigcat_Ticks *release, uint32_t *dropped, Sigcat_Ticks cycle, Sigcat_Ticks now)
 {
-    if ({{ clock.is_reached("*release", "now") }}) {
+    if (Sigcat_IsReached(*release, now)) {
         *dropped = Sigcat_Added(*dropped, Sigcat_Release(release, cycle, now));
     }
 }
 
-void Sigcat_DropBefore({{ clock.type }} *release, uint32_t *dropped, {{ clock.type }} cycle, {{ clock.type }} now)
+void Sigcat_DropBefore(Sigcat_Ticks *release, uint32_t *dropped, Sigcat_Ticks cycle, Sigcat_Ticks now)
 {
-    if ({{ "Sigcat_IsReached(*release, now - 1U)" if clock.is_in_ticks else "now > *release" }}) {
+    if (!Sigcat_IsReached(now, *release)) {
         *dropped = Sigcat_Added(*dropped, Sigcat_Release(release, cycle, now - 1U));
     }
 }
 
 /* -- supervision (section 10) -- */
 
-void Sigcat_EnterAlive(Sigcat_Alive *alive, {{ clock.type }} now)
+void Sigcat_EnterAlive(Sigcat_Alive *alive, Sigcat_Ticks now)
 {
     Sigcat_ResetAlive(alive);
     alive->window = now;
@@ -415,10 +365,10 @@ void Sigcat_ResetAlive(Sigcat_Alive *alive)
     alive->is_bad = false;
 }
 
-void Sigcat_CloseWindow(Sigcat_Alive *alive, {{ clock.type }} length, uint32_t least, uint32_t most, {{ clock.type }} now)
+void Sigcat_CloseWindow(Sigcat_Alive *alive, Sigcat_Ticks length, uint32_t least, uint32_t most, Sigcat_Ticks now)
 {
-    if ({{ clock.is_reached("alive->window + length" if clock.is_in_ticks else "(alive->window + length)", "now") }}) {
-        const {{ clock.type }} windows = (now - alive->window) / length;
+    if (Sigcat_IsReached(alive->window + length, now)) {
+        const Sigcat_Ticks windows = (now - alive->window) / length;
         const bool is_missed = (least > 0U) && (windows > 1U);
 
         alive->is_bad = alive->is_bad || (alive->ends > most) || (alive->ends < least) || is_missed;
