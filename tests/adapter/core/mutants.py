@@ -26,7 +26,7 @@ MUTANTS = [
         ("equal is late", r"\(now - last\) > time_out", "(now - last) >= time_out"),
         ("clocks do not restart", r"Sigcat_Newer\(reception->time, .*\)", "reception->time"),
         ("recovery takes one value more", r">= recovery\)", "> recovery)"),
-        ("recovery does not restart", r"clock->count = reception->count;", ""),
+        ("recovery does not restart", r"own_clock->count = reception->count;", ""),
         ("the first value is awaited by all but those that should", r"is_there \|\| !starts", "is_there || starts"),
         (
             "nothing received is in time",
