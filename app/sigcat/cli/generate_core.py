@@ -25,7 +25,10 @@ def add_kind(kinds: "argparse._SubParsersAction[argparse.ArgumentParser]") -> No
         "--arithmetic",
         choices=("double", "float"),
         default="double",
-        help="type in which values are converted; float for controllers without doubles (default: %(default)s)",
+        help=(
+            "type in which values are converted; float for controllers without doubles, with times in 32 bits if the declared "
+            "ones allow it (default: %(default)s)"
+        ),
     )
     add_tree_options(one)
     one.set_defaults(run=run)

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from sigcat.adapter.core.numbers import DOUBLE, NumberType
+from sigcat.adapter.core.plan import NANOSECONDS, Clock
 from sigcat.function.function_json.model import FunctionJson, to_json
 from tests.adapter.core import core_side, model_side
 from tests.adapter.core.script import Line, Script
@@ -11,10 +12,16 @@ from tests.adapter.core.traces import Tracer
 
 
 def disagreement(
-    document: FunctionJson, seed: int, lines: int, folder: Path, flags: tuple[str, ...], arithmetic: NumberType = DOUBLE
+    document: FunctionJson,
+    seed: int,
+    lines: int,
+    folder: Path,
+    flags: tuple[str, ...],
+    arithmetic: NumberType = DOUBLE,
+    clock: Clock = NANOSECONDS,
 ) -> str:
     """Return where the two differ, and in which values: empty if they do not."""
-    made = subject(document, arithmetic)
+    made = subject(document, arithmetic, clock)
     (folder / "function.json").write_bytes(to_json(document))
     script = Tracer(made, seed).script(lines)
     (folder / "script.txt").write_text("\n".join(str(readable(made, line)) for line in script))

@@ -17,7 +17,7 @@ _LONGEST = 60
 
 def texts(subject: Subject) -> dict[str, str]:
     """Texts that decide what a core does, by the names of their files."""
-    files = (core_files(subject.plan).source, *runtime_files())
+    files = (core_files(subject.plan).source, *runtime_files(subject.plan.arithmetic, subject.plan.clock))
     return {file.name: file.data.decode() for file in files if file.name != "sigcat_core_checks.h"}
 
 

@@ -138,6 +138,7 @@ static int is_idle(void)
     return 1;
 }}
 
+{_times(subject, own)}
 {_state(subject, own)}
 {_receive(subject, own)}
 {_told(subject, own, "reject", {port.name for port in subject.plan.ports if port.tells_of_rejection})}
@@ -192,9 +193,16 @@ def _sent(item: Item) -> str:
     return f"{head} {{ unsigned k; for (k = 0U; k < {place}.count; k++) {{{each} }} }}"
 
 
+def _times(subject: Subject, own: str) -> str:
+    """Times of a script in those of the core, and back."""
+    clock = subject.plan.clock
+    text = _TICKS.replace("TICKS", f"Sigcat_{clock.unit}") if clock.is_in_ticks else _NANOSECONDS
+    return text.replace("OWN", own)
+
+
 def _state(subject: Subject, own: str) -> str:
     """Print all that can be seen."""
-    times = f"(unsigned long long)self->now, (unsigned long long){own}_NextTime(self)"
+    times = "(unsigned long long)now(), (unsigned long long)next()"
     lines = [f'printf("now=%llu next=%llu", {times});', "print_variables();"]
     for item in subject.outs:
         lines.append(_sent(item))
@@ -227,7 +235,7 @@ def _passed(item: Item) -> str:
 
 def _told(subject: Subject, own: str, word: str, ports: Collection[str]) -> str:
     """Inputs of the core for a port, in addition to values."""
-    bodies = [f"{own}_{word.title()}_{item.c}(self, t);" if item.c in ports else "" for item in subject.ports]
+    bodies = [f"{own}_{word.title()}_{item.c}(self, at(t));" if item.c in ports else "" for item in subject.ports]
     return f"""static void {word}(int port, uint64_t t)
 {{
     (void)t;
@@ -242,7 +250,7 @@ def _told(subject: Subject, own: str, word: str, ports: Collection[str]) -> str:
 def _receive(subject: Subject, own: str) -> str:
     bodies = [
         f"{{ {item.declared}; memset(&value, 0, sizeof(value)); {_taken(item.leaves, 'value')} "
-        f"{own}_Receive_{item.c}(self, {_passed(item)}, t); }}"
+        f"{own}_Receive_{item.c}(self, {_passed(item)}, at(t)); }}"
         for item in subject.ports
     ]
     return f"""static void receive(int port, const char *text, uint64_t t)
@@ -261,10 +269,10 @@ def _advance(subject: Subject, own: str) -> str:
     bodies = [
         f"""
         switch (stages[{index}]) {{
-        case 1: {own}_SetInput_{c}(self, t); stages[{index}] = 2; break;
-        case 2: {own}_Begin_{c}(self, t); stages[{index}] = 3; break;
+        case 1: {own}_SetInput_{c}(self, at(t)); stages[{index}] = 2; break;
+        case 2: {own}_Begin_{c}(self, at(t)); stages[{index}] = 3; break;
         case 3: {own}_Run_{c}(self); stages[{index}] = 4; break;
-        case 4: {own}_GetOutput_{c}(self, t); stages[{index}] = 0; break;
+        case 4: {own}_GetOutput_{c}(self, at(t)); stages[{index}] = 0; break;
         default: break;
         }}"""
         for index, (_, c) in enumerate(subject.calls)
@@ -284,9 +292,9 @@ def _methods(subject: Subject, own: str) -> str:
     offered = [_offered(method, own) for method in subject.offered]
     answers = [
         f"{{ {own}_{method.c}_Results results; memset(&results, 0, sizeof(results)); "
-        f"{_members(method.results, 'results')} {own}_Answer_{method.c}(self, number, is_ok != 0, &results, t); }}"
+        f"{_members(method.results, 'results')} {own}_Answer_{method.c}(self, number, is_ok != 0, &results, at(t)); }}"
         if method.results
-        else f"{own}_Answer_{method.c}(self, number, is_ok != 0, t);"
+        else f"{own}_Answer_{method.c}(self, number, is_ok != 0, at(t));"
         for method in subject.used
     ]
     return f"""static void request(int method, const char *text)
@@ -364,6 +372,52 @@ static void set_parameters(const char *text)
 """
 
 
+_NANOSECONDS = """static uint64_t at(uint64_t t)
+{
+    return t;
+}
+
+static uint64_t now(void)
+{
+    return self->now;
+}
+
+static uint64_t next(void)
+{
+    return OWN_NextTime(self);
+}
+"""
+
+_TICKS = """/* Ticks at the time 0 of a script. */
+#ifndef FIRST
+#define FIRST 0U
+#endif
+
+static uint64_t given_last;
+
+static Sigcat_Time at(uint64_t t)
+{
+    given_last = t / SIGCAT_TICK_NS;
+    return TICKS((uint32_t)given_last + FIRST);
+}
+
+/* The nearest time to the one that was given last. */
+static uint64_t from(uint32_t ticks)
+{
+    return (given_last + (uint64_t)(int64_t)(int32_t)(ticks - FIRST - (uint32_t)given_last)) * SIGCAT_TICK_NS;
+}
+
+static uint64_t now(void)
+{
+    return self->has_time ? from(self->now) : 0U;
+}
+
+static uint64_t next(void)
+{
+    return now() + (uint64_t)(OWN_NextTime(self).ticks - self->now) * SIGCAT_TICK_NS;
+}
+"""
+
 _MAIN = """static void execute(const char *word)
 {
     if (strcmp(word, "receive") == 0) {
@@ -377,7 +431,7 @@ _MAIN = """static void execute(const char *word)
         const int port = (int)next_number();
         lose(port, next_number());
     } else if (strcmp(word, "next") == 0) {
-        const int call = (int)OWN_NextCall(self, next_number());
+        const int call = (int)OWN_NextCall(self, at(next_number()));
         printf("call=%d\\n", call);
 CALLS
     } else if (strcmp(word, "advance") == 0) {
@@ -400,11 +454,11 @@ CALLS
     } else if (strcmp(word, "returns") == 0) {
         pending_result = atoi(next_word());
     } else if (strcmp(word, "supervise") == 0) {
-        OWN_Supervise(self, next_number());
+        OWN_Supervise(self, at(next_number()));
     } else if (strcmp(word, "published") == 0) {
         OWN_Published(self);
     } else if (strcmp(word, "start") == 0) {
-        OWN_Start(self, next_number());
+        OWN_Start(self, at(next_number()));
     } else if (strcmp(word, "keep") == 0) {
         kept = self->stored;
     } else if (strcmp(word, "store") == 0) {
@@ -424,7 +478,7 @@ CALLS
             const int is_good = (int)OWN_Init(self, is_kept ? &kept : NULL, (uint32_t)next_number());
             printf("good=%d\\n", is_good);
         } else if (strcmp(word, "terminate") == 0) {
-            OWN_Terminate(self, next_number());
+            OWN_Terminate(self, at(next_number()));
         } else if (strcmp(word, "request") == 0) {
             const int method = (int)next_number();
             request(method, next_word());

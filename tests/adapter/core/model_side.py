@@ -4,7 +4,7 @@ import copy
 import math
 from collections.abc import Iterator
 
-from sigcat.adapter.core.plan import GLOBALS
+from sigcat.adapter.core.plan import FURTHEST, GLOBALS
 from tests.adapter.core.script import Line, Script, bits, text, value
 from tests.adapter.core.subject import Item, Subject
 from tests.adapter.reference.adapter import Adapter
@@ -170,7 +170,7 @@ class ModelSide:
 
     def _state(self) -> str:
         adapter = self._adapter
-        parts = [f"now={adapter.running.now} next={adapter.next_time()}{self._seen()}"]
+        parts = [f"now={adapter.running.now} next={self._next_time()}{self._seen()}"]
         parts += [self._sent(item, f"out.{item.name}", adapter.out.get(item.name)) for item in self._subject.outs]
         parts += [self._error(name) for name, _ in self._subject.errors]
         for name, _ in self._subject.calls:
@@ -184,6 +184,11 @@ class ModelSide:
         ]
         parts += [part for method in self._subject.used for part in self._request_of(method.name, method.arguments)]
         return " ".join(parts)
+
+    def _next_time(self) -> int:
+        """The next time; in ticks, which have no order, it is neither over nor far away."""
+        found, now, clock = self._adapter.next_time(), self._adapter.running.now, self._subject.plan.clock
+        return min(max(found, now), now + FURTHEST * clock.tick) if clock.is_in_ticks else found
 
     def _sent(self, item: Item, label: str, given: Value | None) -> str:
         return f"{label}={self._shown(label, given, item, is_sent=True)}" + (

@@ -24,9 +24,9 @@ MUTANTS = [
     *_m(
         "time_outs",
         ("equal is late", r"\(now - last\) > time_out", "(now - last) >= time_out"),
-        ("clocks do not restart", r"is_there && \(reception->time > entered\)", "is_there"),
+        ("clocks do not restart", r"Sigcat_Newer\(reception->time, .*\)", "reception->time"),
         ("recovery takes one value more", r">= recovery\)", "> recovery)"),
-        ("recovery does not restart", r"clock->count = reception->count;", ""),
+        ("recovery does not restart", r"own_clock->count = reception->count;", ""),
         ("the first value is awaited by all but those that should", r"is_there \|\| !starts", "is_there || starts"),
         (
             "nothing received is in time",
@@ -243,11 +243,15 @@ MUTANTS = [
             r"IsDue_Event\1_EVENT;\2IsDue_Slow\3_SLOW;",
         ),
         ("a hook is forgotten", r"\n\s+after_step\(self\);", ""),
-        ("a start drops what is due now", r"now > \*release\)", "now >= *release)"),
+        ("a start drops what is due now", r"!Sigcat_IsReached\(now, \*release\)", "now >= *release"),
     ),
     *_m(
         "supervision",
-        ("the end of a window belongs to it", r"now >= \(alive->window", "now > (alive->window"),
+        (
+            "the end of a window belongs to it",
+            r"Sigcat_IsReached\(alive->window \+ length, now\)",
+            "now > (alive->window + length)",
+        ),
         ("too many by one", r"ends > most", "ends >= most"),
         ("too few by one", r"ends < least", "ends <= least"),
         ("empty windows are forgotten", r" \|\| is_missed", ""),

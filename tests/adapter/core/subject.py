@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from sigcat.adapter.core.c.scope import Scope
 from sigcat.adapter.core.derive import derive
 from sigcat.adapter.core.numbers import DOUBLE, NumberType
-from sigcat.adapter.core.plan import CLASS, CorePlan, WireType
+from sigcat.adapter.core.plan import CLASS, NANOSECONDS, Clock, CorePlan, WireType
 from sigcat.adapter.core.plan import Argument as PlannedArgument
 from sigcat.function.function_json import walk
 from sigcat.function.function_json.data_interfaces import DataQueue, Signal
@@ -161,8 +161,9 @@ def _own(reference: str) -> str:
 class _Reading:
     """A document, with what its adapters in Python and in C make of it."""
 
-    def __init__(self, document: FunctionJson, arithmetic: NumberType) -> None:
-        self.function, self.plan = read(document), derive(resolved(document), arithmetic).plan
+    def __init__(self, document: FunctionJson, arithmetic: NumberType, clock: Clock) -> None:
+        self.function = read(document)
+        self.plan = derive(resolved(document), arithmetic).plan._replace(clock=clock)
         self.table = {each.reference: each for each in (*document.datatypes, *OWN_TYPES, *DECLARED.values())}
         self.externs = {each.name: each for each in self.plan.code.externs}
         self.document = document
@@ -207,9 +208,9 @@ class _Reading:
         return Item(name, c, leaves, declared, transfer.is_single, transfer)
 
 
-def subject(document: FunctionJson, arithmetic: NumberType = DOUBLE) -> Subject:
+def subject(document: FunctionJson, arithmetic: NumberType = DOUBLE, clock: Clock = NANOSECONDS) -> Subject:
     """Inputs and observable values of a function."""
-    reading = _Reading(document, arithmetic)
+    reading = _Reading(document, arithmetic, clock)
     return Subject(
         document,
         reading.function,

@@ -25,9 +25,11 @@ class Tracer:
 
     def __init__(self, subject: Subject, seed: int) -> None:
         self._subject, self._random = subject, Random(seed)
+        self._tick = subject.plan.clock.tick
+        self._leap = 2**29 * self._tick if subject.plan.clock.is_in_ticks else 2**32 * 1000
         self._now = self._started = 0
         self._recent = [0]
-        self._durations = _durations(subject)
+        self._durations = _durations(subject, self._tick)
         self._grid = [step.timing for step in subject.function.steps if step.timing.cycle]
         self._spans = sorted(_spans(subject))
         self._written = _written(subject)
@@ -70,19 +72,23 @@ class Tracer:
         kind = self._random.randrange(100)
         if kind < 45:
             base, span = self._random.choice(self._recent), self._random.choice(self._spans)
-            self._now = max(self._now, base + span + self._random.choice((-1, 0, 0, 1)))
+            self._now = max(self._now, base + span + self._tick * self._random.choice((-1, 0, 0, 1)))
         elif kind < 75:
-            self._now += self._random.choice((0, 1, MS // 2, MS, 3 * MS, 10 * MS))
+            self._now += self._random.choice((0, self._tick, self._whole(MS // 2), MS, 3 * MS, 10 * MS))
         elif kind < 76:
-            self._now += 2**32 * 1000 + self._random.randrange(100 * MS)
+            self._now += self._leap + self._whole(self._random.randrange(100 * MS))
         elif kind < 80:
-            return max(self._now - self._random.choice((1, MS)), 0)
+            return max(self._now - self._random.choice((self._tick, MS)), 0)
         self._recent = [*self._recent[-5:], self._now]
         return self._now
 
+    def _whole(self, span: int) -> int:
+        """Whole ticks."""
+        return span - span % self._tick
+
     def _release(self) -> int:
         """The next release of any call, sometimes a little late."""
-        self._now = self._upcoming(self._random.choice(self._grid)) + self._random.choice((0, 0, 0, 0, 1, MS))
+        self._now = self._upcoming(self._random.choice(self._grid)) + self._random.choice((0, 0, 0, 0, self._tick, MS))
         self._recent = [*self._recent[-5:], self._now]
         return self._now
 
@@ -295,10 +301,10 @@ def _spans(subject: Subject) -> set[int]:
     return found | {method.time_out for method in subject.function.methods if method.time_out is not None}
 
 
-def _durations(subject: Subject) -> list[int]:
+def _durations(subject: Subject, tick: int) -> list[int]:
     """Durations of calls: on the limits of a supervision, next to them, or any time."""
     limits = [step.deadline for step in subject.function.steps if step.deadline]
-    bounds = [bound + nudge for each in limits for bound in (each.least, each.most) for nudge in (-1, 0, 1)]
+    bounds = [bound + nudge for each in limits for bound in (each.least, each.most) for nudge in (-tick, 0, tick)]
     return [0, 0, MS, 3 * MS, *(bound for bound in bounds if bound >= 0)]
 
 

@@ -3,9 +3,10 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from sigcat.adapter.core.clocks import with_common_clock
 from sigcat.adapter.core.derive import Planned, derive
 from sigcat.adapter.core.generate import all_files
-from sigcat.adapter.core.numbers import DOUBLE, NumberType
+from sigcat.adapter.core.numbers import DOUBLE, FLOAT, NumberType
 from sigcat.adapter.files import GeneratedFile
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, in_order
@@ -23,8 +24,9 @@ class Cores(NamedTuple):
 def cores(functions: Sequence[ResolvedFunction], arithmetic: NumberType = DOUBLE) -> Cores:
     """Header and source of each function. Raises InputRefused with all obstacles."""
     planned = plans(functions, arithmetic)
+    found = [each.plan for each in planned]
     return Cores(
-        all_files(each.plan for each in planned),
+        all_files(with_common_clock(found) if arithmetic == FLOAT else found),
         tuple(finding for each in planned for finding in each.findings),
     )
 

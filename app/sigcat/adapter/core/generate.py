@@ -11,7 +11,7 @@ from sigcat.adapter.core.c.scope import Scope, in_adapter
 from sigcat.adapter.core.c.shadowing import distinct
 from sigcat.adapter.core.c.source import source
 from sigcat.adapter.core.numbers import DOUBLE, NumberType
-from sigcat.adapter.core.plan import CorePlan
+from sigcat.adapter.core.plan import NANOSECONDS, Clock, CorePlan
 from sigcat.adapter.files import GeneratedFile
 from sigcat.function.document.document import Pointer
 
@@ -21,9 +21,10 @@ RUNTIME_SOURCE = "sigcat_core.c"
 
 
 @cache
-def runtime_files(arithmetic: NumberType = DOUBLE) -> tuple[GeneratedFile, ...]:
+def runtime_files(arithmetic: NumberType = DOUBLE, clock: Clock = NANOSECONDS) -> tuple[GeneratedFile, ...]:
     """Return files of C that all cores of a program share, as they are in the package."""
-    paths = (*_RUNTIME.glob("*.[ch]"), *(_RUNTIME / arithmetic.name).iterdir())
+    folders = (_RUNTIME, *(_RUNTIME / name for name in (arithmetic.name, *clock.folders)))
+    paths = (path for folder in folders for path in folder.glob("*.[ch]"))
     return tuple(GeneratedFile(path.name, path.read_bytes()) for path in sorted(paths, key=lambda path: path.name))
 
 
@@ -44,7 +45,7 @@ class CoreFiles(NamedTuple):
 
 
 def all_files(plans: Iterable[CorePlan]) -> tuple[GeneratedFile, ...]:
-    """Return the files of several cores of one arithmetic; those that all cores share are there once."""
+    """Return the files of several cores of one arithmetic and one clock; those that all cores share are there once."""
     cores = [core_files(plan) for plan in plans]
     own = (file for core in cores for file in (core.header, core.source))
     return (*own, *dict.fromkeys(file for core in cores for file in core.runtime))
@@ -61,7 +62,7 @@ def core_files(plan: CorePlan) -> CoreFiles:
         if line.source is not None
     }
     made = [GeneratedFile(name, _text(part)) for name, part in zip(names, parts, strict=True)]
-    return CoreFiles(made[0], made[1], origins, runtime_files(plan.arithmetic))
+    return CoreFiles(made[0], made[1], origins, runtime_files(plan.arithmetic, plan.clock))
 
 
 def _text(part: Lines) -> bytes:

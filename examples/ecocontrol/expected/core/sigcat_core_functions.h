@@ -1,8 +1,8 @@
 /*
  * Functions that the adapters of all functions call. The rules are those of docs/reference/adapter.md.
  *
- * Part of sigcat: the same file for each function. All times are in nanoseconds. None of these functions has data of
- * its own: what they change is given to them.
+ * Part of sigcat: the same file for each function. Times are those of sigcat_core_time.h. None of these
+ * functions has data of its own: what they change is given to them.
  */
 
 #ifndef SIGCAT_CORE_FUNCTIONS_H
@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "sigcat_core.h"
+#include "sigcat_core_clock.h"
 
 /* Points of measurement (section 13). */
 #define SIGCAT_SET_INPUT_BEGINS 0
@@ -39,21 +40,12 @@ extern "C" {
 
 /* -- time (section 1) -- */
 
-/* The time: one before the last one counts as the last one. */
-static inline uint64_t Sigcat_Now(uint64_t *now, uint64_t t)
-{
-    if (t > *now) {
-        *now = t;
-    }
-    return *now;
-}
-
-static inline uint64_t Sigcat_Earlier(uint64_t a, uint64_t b)
+static inline Sigcat_Ticks Sigcat_Earlier(Sigcat_Ticks a, Sigcat_Ticks b)
 {
     return (a < b) ? a : b;
 }
 
-static inline uint64_t Sigcat_Later(uint64_t a, uint64_t b)
+static inline Sigcat_Ticks Sigcat_Later(Sigcat_Ticks a, Sigcat_Ticks b)
 {
     return (a > b) ? a : b;
 }
@@ -61,7 +53,7 @@ static inline uint64_t Sigcat_Later(uint64_t a, uint64_t b)
 /* -- reception (sections 2 and 3) -- */
 
 /* A value has come. */
-static inline void Sigcat_Receive(Sigcat_Reception *reception, uint64_t now)
+static inline void Sigcat_Receive(Sigcat_Reception *reception, Sigcat_Ticks now)
 {
     reception->time = now;
     reception->count++;
@@ -69,8 +61,8 @@ static inline void Sigcat_Receive(Sigcat_Reception *reception, uint64_t now)
 }
 
 /* Whether a value is late, checked in each snapshot. It stays late until enough new values have been received. */
-void Sigcat_CheckClock(Sigcat_Clock *own_clock, const Sigcat_Reception *reception, uint64_t entered, uint64_t time_out,
-    uint32_t recovery, bool starts_with_first, uint64_t now);
+void Sigcat_CheckClock(Sigcat_Clock *own_clock, const Sigcat_Reception *reception, Sigcat_Ticks entered,
+    Sigcat_Ticks time_out, uint32_t recovery, bool starts_with_first, Sigcat_Ticks now);
 
 /* The place for a value in a ring. A full ring loses its oldest value. */
 uint32_t Sigcat_Push(Sigcat_Queue *queue, uint32_t length);
@@ -308,7 +300,7 @@ static inline bool Sigcat_IsConfirmed(const Sigcat_Counts *counts, const Sigcat_
  * condition holds.
  */
 void Sigcat_Evaluate(Sigcat_Error *error, Sigcat_Counts *counts, const Sigcat_ErrorSettings *settings,
-    Sigcat_Verdict verdict, bool has_cause, bool may_heal, uint64_t now);
+    Sigcat_Verdict verdict, bool has_cause, bool may_heal, Sigcat_Ticks now);
 
 /* The mode excludes the call of an error: what was under way ends. */
 void Sigcat_Suspend(Sigcat_Error *error);
@@ -319,25 +311,25 @@ void Sigcat_BeginCycle(Sigcat_Counts *counts);
 /* -- schedule (section 9) -- */
 
 /* A sum that stays at the largest number. */
-uint32_t Sigcat_Added(uint32_t sum, uint64_t more);
+uint32_t Sigcat_Added(uint32_t sum, Sigcat_Ticks more);
 
 /* Number of releases up to now, at least one. The next one is after it: the grid stays, whatever is missed. */
-uint64_t Sigcat_Release(uint64_t *release, uint64_t cycle, uint64_t now);
+Sigcat_Ticks Sigcat_Release(Sigcat_Ticks *release, Sigcat_Ticks cycle, Sigcat_Ticks now);
 
 /* Releases up to now, and those before it, are dropped and counted. */
-void Sigcat_DropUpTo(uint64_t *release, uint32_t *dropped, uint64_t cycle, uint64_t now);
-void Sigcat_DropBefore(uint64_t *release, uint32_t *dropped, uint64_t cycle, uint64_t now);
+void Sigcat_DropUpTo(Sigcat_Ticks *release, uint32_t *dropped, Sigcat_Ticks cycle, Sigcat_Ticks now);
+void Sigcat_DropBefore(Sigcat_Ticks *release, uint32_t *dropped, Sigcat_Ticks cycle, Sigcat_Ticks now);
 
 /* -- supervision (section 10) -- */
 
 /* A call runs from now on: its window begins. */
-void Sigcat_EnterAlive(Sigcat_Alive *alive, uint64_t now);
+void Sigcat_EnterAlive(Sigcat_Alive *alive, Sigcat_Ticks now);
 
 /* What its windows said is forgotten. */
 void Sigcat_ResetAlive(Sigcat_Alive *alive);
 
 /* A window that is over. Each has `least` to `most` ends; if any is needed, a window that passed unseen is bad. */
-void Sigcat_CloseWindow(Sigcat_Alive *alive, uint64_t length, uint32_t least, uint32_t most, uint64_t now);
+void Sigcat_CloseWindow(Sigcat_Alive *alive, Sigcat_Ticks length, uint32_t least, uint32_t most, Sigcat_Ticks now);
 
 /* Windows that have closed since this was asked last. */
 void Sigcat_CheckWindows(Sigcat_Alive *alive);

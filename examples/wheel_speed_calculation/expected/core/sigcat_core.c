@@ -1,7 +1,8 @@
 /*
  * Functions that the adapters of all functions call. The rules are those of docs/reference/adapter.md.
  *
- * Part of sigcat: the same file for each function. Compile it with -ffp-contract=off. All times are in nanoseconds.
+ * Part of sigcat: the same file for each function. Compile it with -ffp-contract=off. Times are those of
+ * sigcat_core_time.h.
  */
 
 #include "sigcat_core_functions.h"
@@ -17,11 +18,11 @@
 
 /* -- reception (sections 2 and 3) -- */
 
-void Sigcat_CheckClock(Sigcat_Clock *own_clock, const Sigcat_Reception *reception, uint64_t entered, uint64_t time_out,
-    uint32_t recovery, bool starts_with_first, uint64_t now)
+void Sigcat_CheckClock(Sigcat_Clock *own_clock, const Sigcat_Reception *reception, Sigcat_Ticks entered,
+    Sigcat_Ticks time_out, uint32_t recovery, bool starts_with_first, Sigcat_Ticks now)
 {
     const bool is_there = reception->is_there;
-    const uint64_t last = (is_there && (reception->time > entered)) ? reception->time : entered;
+    const Sigcat_Ticks last = is_there ? Sigcat_Newer(reception->time, entered, now) : entered;
 
     if ((is_there || !starts_with_first) && ((now - last) > time_out)) {
         own_clock->is_late = true;
@@ -269,7 +270,7 @@ static Sigcat_ErrorState NextState(const Sigcat_Error *error, Sigcat_Verdict ver
 }
 
 void Sigcat_Evaluate(Sigcat_Error *error, Sigcat_Counts *counts, const Sigcat_ErrorSettings *settings,
-    Sigcat_Verdict verdict, bool has_cause, bool may_heal, uint64_t now)
+    Sigcat_Verdict verdict, bool has_cause, bool may_heal, Sigcat_Ticks now)
 {
     const bool had_failed = Sigcat_HasFailed(error);
     const Sigcat_ErrorState next = has_cause ? SIGCAT_FAILED : NextState(error, verdict, may_heal);
@@ -321,36 +322,36 @@ void Sigcat_BeginCycle(Sigcat_Counts *counts)
 
 /* -- schedule (section 9) -- */
 
-uint32_t Sigcat_Added(uint32_t sum, uint64_t more)
+uint32_t Sigcat_Added(uint32_t sum, Sigcat_Ticks more)
 {
-    return (more > ((uint64_t)UINT32_MAX - sum)) ? UINT32_MAX : (sum + (uint32_t)more);
+    return (more > ((Sigcat_Ticks)UINT32_MAX - sum)) ? UINT32_MAX : (sum + (uint32_t)more);
 }
 
-uint64_t Sigcat_Release(uint64_t *release, uint64_t cycle, uint64_t now)
+Sigcat_Ticks Sigcat_Release(Sigcat_Ticks *release, Sigcat_Ticks cycle, Sigcat_Ticks now)
 {
-    const uint64_t releases = ((now - *release) / cycle) + 1U;
+    const Sigcat_Ticks releases = ((now - *release) / cycle) + 1U;
 
     *release += releases * cycle;
     return releases;
 }
 
-void Sigcat_DropUpTo(uint64_t *release, uint32_t *dropped, uint64_t cycle, uint64_t now)
+void Sigcat_DropUpTo(Sigcat_Ticks *release, uint32_t *dropped, Sigcat_Ticks cycle, Sigcat_Ticks now)
 {
-    if (now >= *release) {
+    if (Sigcat_IsReached(*release, now)) {
         *dropped = Sigcat_Added(*dropped, Sigcat_Release(release, cycle, now));
     }
 }
 
-void Sigcat_DropBefore(uint64_t *release, uint32_t *dropped, uint64_t cycle, uint64_t now)
+void Sigcat_DropBefore(Sigcat_Ticks *release, uint32_t *dropped, Sigcat_Ticks cycle, Sigcat_Ticks now)
 {
-    if (now > *release) {
+    if (!Sigcat_IsReached(now, *release)) {
         *dropped = Sigcat_Added(*dropped, Sigcat_Release(release, cycle, now - 1U));
     }
 }
 
 /* -- supervision (section 10) -- */
 
-void Sigcat_EnterAlive(Sigcat_Alive *alive, uint64_t now)
+void Sigcat_EnterAlive(Sigcat_Alive *alive, Sigcat_Ticks now)
 {
     Sigcat_ResetAlive(alive);
     alive->window = now;
@@ -364,10 +365,10 @@ void Sigcat_ResetAlive(Sigcat_Alive *alive)
     alive->is_bad = false;
 }
 
-void Sigcat_CloseWindow(Sigcat_Alive *alive, uint64_t length, uint32_t least, uint32_t most, uint64_t now)
+void Sigcat_CloseWindow(Sigcat_Alive *alive, Sigcat_Ticks length, uint32_t least, uint32_t most, Sigcat_Ticks now)
 {
-    if (now >= (alive->window + length)) {
-        const uint64_t windows = (now - alive->window) / length;
+    if (Sigcat_IsReached(alive->window + length, now)) {
+        const Sigcat_Ticks windows = (now - alive->window) / length;
         const bool is_missed = (least > 0U) && (windows > 1U);
 
         alive->is_bad = alive->is_bad || (alive->ends > most) || (alive->ends < least) || is_missed;

@@ -8,19 +8,42 @@ import subprocess
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import pytest
 
 from sigcat.adapter.core.generate import RUNTIME_SOURCE, runtime_files
 from sigcat.adapter.core.numbers import DOUBLE, FLOAT, NumberType
+from sigcat.adapter.core.plan import MICROSECONDS, MILLISECONDS, NANOSECONDS, Clock
 from sigcat.adapter.toolchain import EXACT, toolchain
 from tests.adapter.core.compilers import SANITIZERS, STRICT, sanitizers
 from tests.needs import IS_SLOW_RUN
 
-CASES, FLOAT_CASES = (Path(__file__).with_name(name) for name in ("cases.c", "float_cases.h"))
-ARITHMETICS = (DOUBLE, FLOAT)
-SOURCES = ("sigcat_core.c", "sigcat_core_functions.h")
+CASES, *INCLUDED = (Path(__file__).with_name(name) for name in ("cases.c", "float_cases.h", "tick_cases.h"))
+
+
+class Variant(NamedTuple):
+    """The shared files as one program has them."""
+
+    arithmetic: NumberType
+    clock: Clock
+
+
+VARIANTS = {
+    "double": Variant(DOUBLE, NANOSECONDS),
+    "float": Variant(FLOAT, NANOSECONDS),
+    "microseconds": Variant(FLOAT, MICROSECONDS),
+    "milliseconds": Variant(FLOAT, MILLISECONDS),
+}
+BY_VARIANT = pytest.mark.parametrize("variant", VARIANTS.values(), ids=VARIANTS)
+CLOCK = "sigcat_core_clock.h"
+SOURCES = (
+    (RUNTIME_SOURCE, NANOSECONDS),
+    ("sigcat_core_functions.h", NANOSECONDS),
+    (CLOCK, NANOSECONDS),
+    (CLOCK, MILLISECONDS),
+)
+"""Files with functions, each once; those of other clocks are the same."""
 CHANGES = (
     (r"(?<![<>=!-])>(?![>=])", ">="), (r">=", ">"), (r"(?<![<=])<(?![<=])", "<="), (r"<=", "<"),
     (r"==", "!="), (r"!=", "=="), (r"&&", "||"), (r"\|\|", "&&"), (r" \+ ", " - "), (r" - ", " + "), (r"\+\+", "--"),
@@ -29,8 +52,9 @@ CHANGES = (
 EQUAL = re.compile(
     r"value [<>]= \(Sigcat_Real\)(?:least|most|0|INT64_MAX|UINT64_MAX)|-\(Sigcat_Real\)9223"  # the limit itself
     r"|value > 0\.0F?\) |value < 0\.0F?\) |value > DBL_MAX|value < -DBL_MAX"
-    r"|reception->time > entered|return \(a [<>] b\)|\(value [<>] (?:least|most)|\(value < 0\)|t > \*now|#if|-\(double\)FLT_MAX"
+    r"|return \((?:age_of_)?a [<>] (?:age_of_)?b\)|\(value [<>] (?:least|most)|\(value < 0\)|t > \*now|#if|-\(double\)FLT_MAX"
     r"|\(more > |\(value < \(Sigcat_Real\)INT64_MAX\)|value == value"
+    r"|\(now - \*time\) > |\? \(now - \*release\)|\(\*skipped > "
     r"|value >= -FLT_MAX|source >= -FLT_MAX|-LargestSplit|value >= 0\.0F|value < 0\.0F"
 )
 """Lines in which a limit and what is beside it give the same number."""
@@ -43,20 +67,22 @@ class Mutant(NamedTuple):
     line: int
     text: str
     place: int
+    clock: Clock
 
 
-def text_of(name: str) -> str:
-    (data,) = (file.data for file in runtime_files() if file.name == name)
+def text_of(name: str, clock: Clock) -> str:
+    (data,) = (file.data for file in runtime_files(DOUBLE, clock) if file.name == name)
     return data.decode()
 
 
 def mutants() -> Iterator[Mutant]:
-    for name in SOURCES:
-        for number, line in enumerate(text_of(name).partition("template <")[0].split("\n")):
+    for name, clock in SOURCES:
+        for number, line in enumerate(text_of(name, clock).partition("template <")[0].split("\n")):
             code = "" if line.startswith((" *", "#")) or EQUAL.search(line) else line.partition("/*")[0]
             for pattern, by in CHANGES:
                 for found in re.finditer(pattern, code):
-                    yield Mutant(name, number, f"{line[: found.start()]}{by}{line[found.end() :]}", found.start())
+                    changed = f"{line[: found.start()]}{by}{line[found.end() :]}"
+                    yield Mutant(name, number, changed, found.start(), clock)
 
 
 @cache
@@ -64,10 +90,10 @@ def every_mutant() -> tuple[Mutant, ...]:
     return tuple(dict.fromkeys(mutants()))
 
 
-def written(folder: Path, arithmetic: NumberType) -> Path:
-    for file in runtime_files(arithmetic):
+def written(folder: Path, variant: Variant) -> Path:
+    for file in runtime_files(*variant):
         (folder / file.name).write_bytes(file.data)
-    for path in (CASES, FLOAT_CASES):
+    for path in (CASES, *INCLUDED):
         shutil.copyfile(path, folder / path.name)
     return folder
 
@@ -83,35 +109,44 @@ def passes(program: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run([program], cwd=program.parent, capture_output=True, text=True, check=False, timeout=20)
 
 
-@pytest.mark.parametrize("arithmetic", ARITHMETICS)
+@BY_VARIANT
 @pytest.mark.parametrize("standard", ["c99", "c11", "c17"])
-def test_every_case_holds_without_a_warning(standard, arithmetic, tmp_path):
-    promotion = ("-Wdouble-promotion",) if arithmetic == FLOAT else ()
+def test_every_case_holds_without_a_warning(standard, variant, tmp_path):
+    promotion = ("-Wdouble-promotion",) if variant.arithmetic == FLOAT else ()
     flags = (f"-std={standard}", *STRICT, *promotion, "-Wno-unused-function")
-    done = passes(compiled(written(tmp_path, arithmetic), *flags))
+    done = passes(compiled(written(tmp_path, variant), *flags))
     assert (done.returncode, done.stdout) == (0, "")
 
 
-@pytest.mark.parametrize("arithmetic", ARITHMETICS)
-def test_every_case_holds_under_sanitizers(arithmetic, tmp_path):
+@BY_VARIANT
+def test_every_case_holds_under_sanitizers(variant, tmp_path):
     if not sanitizers():
         pytest.skip("sanitizers: a compiler that has them")
-    done = passes(compiled(written(tmp_path, arithmetic), "-std=c99", *SANITIZERS))
+    done = passes(compiled(written(tmp_path, variant), "-std=c99", *SANITIZERS))
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
 
 
-@pytest.mark.parametrize("arithmetic", ARITHMETICS)
-def test_every_branch_is_taken(arithmetic, tmp_path):
+@BY_VARIANT
+def test_every_branch_is_taken(variant, tmp_path):
     if shutil.which("gcov") is None or "gcc" not in Path(toolchain().c[0]).name:
         pytest.skip("gcov: install gcc")
-    passes(compiled(written(tmp_path, arithmetic), "-std=c99", "-O0", "--coverage"))
-    notes = [path.name for path in tmp_path.glob("*sigcat_core.gcda")]
-    done = subprocess.run(["gcov", "-b", "-j", "-t", *notes], cwd=tmp_path, capture_output=True, check=True)
-    (source,) = (file for file in json.loads(done.stdout)["files"] if file["file"] == RUNTIME_SOURCE)
-    missed = [line["line_number"] for line in source["lines"] if line["count"] == 0]
-    missed += [line["line_number"] for line in source["lines"] for each in line["branches"] if each["count"] == 0]
+    passes(compiled(written(tmp_path, variant), "-std=c99", "-O0", "--coverage"))
+    assert len(measured_lines(tmp_path, "sigcat_core", RUNTIME_SOURCE)) > 100
+    lines = measured_lines(tmp_path, "cases", CLOCK)
+    functions = re.findall(r"^static inline .*?(\w+)\(", text_of(CLOCK, variant.clock), re.MULTILINE)
+    assert {line["function_name"] for line in lines} == set(functions)
+
+
+def measured_lines(folder: Path, unit: str, name: str) -> list[dict[str, Any]]:
+    """Lines of a file as a unit compiles it: each is reached, and each branch is taken."""
+    (notes,) = folder.glob(f"*{unit}.gcda")
+    done = subprocess.run(["gcov", "-b", "-j", "-t", notes.name], cwd=folder, capture_output=True, check=True)
+    (file,) = (file for file in json.loads(done.stdout)["files"] if file["file"] == name)
+    lines: list[dict[str, Any]] = file["lines"]
+    missed = [line["line_number"] for line in lines if line["count"] == 0]
+    missed += [line["line_number"] for line in lines for each in line["branches"] if each["count"] == 0]
     assert missed == []
-    assert len(source["lines"]) > 100
+    return lines
 
 
 def test_there_are_many_faults():
@@ -121,15 +156,16 @@ def test_there_are_many_faults():
 @pytest.mark.parametrize(
     "mutant",
     every_mutant() if IS_SLOW_RUN else every_mutant()[::9],
-    ids=lambda mutant: f"{mutant.file}-{mutant.line + 1}-{mutant.place}-{len(mutant.text)}",
+    ids=lambda mutant: f"{mutant.file}-{mutant.line + 1}-{mutant.place}-{len(mutant.text)}-{mutant.clock.unit}",
 )
 def test_a_fault_is_found(mutant, tmp_path):
-    rows = text_of(mutant.file).split("\n")
+    rows = text_of(mutant.file, mutant.clock).split("\n")
     rows[mutant.line] = mutant.text
     with contextlib.suppress(subprocess.TimeoutExpired):
-        assert any(fails(mutant.file, "\n".join(rows), arithmetic, tmp_path) for arithmetic in ARITHMETICS)
+        variants = [each for each in VARIANTS.values() if each.clock == mutant.clock]
+        assert any(fails(mutant.file, "\n".join(rows), each, tmp_path) for each in variants)
 
 
-def fails(name: str, text: str, arithmetic: NumberType, folder: Path) -> bool:
-    (written(folder, arithmetic) / name).write_text(text)
+def fails(name: str, text: str, variant: Variant, folder: Path) -> bool:
+    (written(folder, variant) / name).write_text(text)
     return passes(compiled(folder, "-std=c99", "-O0", "-w")).returncode != 0

@@ -26,7 +26,11 @@ def _conditions(call: Call, scope: Scope) -> Iterator[str]:
     place = f"self->{call.name}"
     if scope.plan.is_moded(call):
         yield runs(call, scope)
-    yield f"(t >= {place}.release)" if call.cycle is not None else f"({place}.events > 0U)"
+    yield (
+        f"({scope.plan.clock.is_reached(f'{place}.release', 't')})"
+        if call.cycle is not None
+        else f"({place}.events > 0U)"
+    )
     yield f"!{place}.is_active"
     if call.debounce:
         yield f"(!{place}.has_begun || ((t - {place}.begun) >= {scope.macro}_DEBOUNCE_{call.name}))"

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator
 
 from sigcat.adapter.core.c.calls import CallPlan, call_plan
+from sigcat.adapter.core.c.clock import cyclic_calls, kept_times
 from sigcat.adapter.core.c.errors import error_plan, reaction_plan
 from sigcat.adapter.core.c.header import about
 from sigcat.adapter.core.c.inputs import received_init
@@ -68,6 +69,8 @@ def _functions(scope: Scope) -> Lines:
         cleared=cleared_members(plan),
         class_name=(plan.code.class_name or "").rpartition("::")[2],
         can_fail=any(init.success is not None for init in plan.inits),
+        kept=kept_times(plan),
+        cyclic=cyclic_calls(plan),
     )
 
 

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from sigcat.adapter.core.numbers import DOUBLE, FLOAT, NumberType
 from sigcat.adapter.core.plan.call import Call
+from sigcat.adapter.core.plan.clock import NANOSECONDS, Clock
 from sigcat.adapter.core.plan.interface import Method, Output, Parameter, Port
 from sigcat.adapter.core.plan.status import Error, ForeignError, ModeIn, ModeOut, Reaction
 from sigcat.adapter.core.plan.value import WireStruct
@@ -106,6 +107,8 @@ class CorePlan(NamedTuple):
     terminates: tuple[Call, ...]
     arithmetic: NumberType = DOUBLE
     """Type in which values are converted."""
+    clock: Clock = NANOSECONDS
+    """How it counts time."""
     provenance: Provenance = Provenance()
 
     @property

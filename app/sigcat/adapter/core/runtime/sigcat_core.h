@@ -1,7 +1,7 @@
 /*
  * What the adapters of all functions hold. The rules are those of docs/reference/adapter.md.
  *
- * Part of sigcat: the same file for each function. All times are in nanoseconds.
+ * Part of sigcat: the same file for each function. Times are those of sigcat_core_time.h.
  */
 
 #ifndef SIGCAT_CORE_H
@@ -11,6 +11,7 @@
 #include <stdint.h>
 
 #include "sigcat_core_arithmetic.h"
+#include "sigcat_core_time.h"
 
 /* An adapter and this file belong together if both have the same number. */
 #define SIGCAT_CORE_VERSION 1
@@ -54,7 +55,7 @@ typedef enum {
 typedef struct {
     Sigcat_ErrorState state;
     Sigcat_ErrorState before; /* the last one */
-    uint64_t since; /* when it began */
+    Sigcat_Ticks since; /* when it began */
     Sigcat_Verdict variable; /* what the function says */
     bool is_confirmed; /* for the fault memory */
     bool is_sent;
@@ -68,17 +69,17 @@ typedef struct {
     bool is_tested;
 } Sigcat_Counts;
 
-/* Times that debounce an error, in nanoseconds, and counts that confirm it. */
+/* Times that debounce an error, and counts that confirm it. */
 typedef struct {
-    uint64_t maturation;
-    uint64_t reset;
+    Sigcat_Ticks maturation;
+    Sigcat_Ticks reset;
     uint32_t occurrences;
     uint32_t ignition_cycles;
 } Sigcat_ErrorSettings;
 
 /* When a value was received last, and how many there were. */
 typedef struct {
-    uint64_t time;
+    Sigcat_Ticks time;
     uint32_t count;
     bool is_there;
 } Sigcat_Reception;
@@ -100,7 +101,7 @@ typedef struct {
 /* How often a call ends in each window of time (section 10). */
 typedef struct {
     Sigcat_Verdict verdict;
-    uint64_t window; /* its beginning */
+    Sigcat_Ticks window; /* its beginning */
     uint32_t ends; /* in this window */
     bool has_closed; /* whether one has since it was checked */
     bool is_bad; /* whether one of those was */

@@ -1,0 +1,72 @@
+"""How the cores of a program count time: in ticks of 32 bits if all declared times allow it, else in nanoseconds."""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from sigcat.adapter.core.plan import LONGEST, MICROSECONDS, MILLISECONDS, NANOSECONDS, Call, Clock, CorePlan
+from sigcat.function.document.text_filters import milliseconds
+
+
+class _Declared(NamedTuple):
+    """A declared time."""
+
+    what: str
+    nanoseconds: int
+
+
+def with_common_clock(plans: Sequence[CorePlan]) -> tuple[CorePlan, ...]:
+    """The plans, with the coarsest clock that all of them can have: they share the files that count time."""
+    clock = _common_clock(plans)
+    return tuple(plan._replace(clock=clock) for plan in plans)
+
+
+def _common_clock(plans: Sequence[CorePlan]) -> Clock:
+    reason = "the declared ones are whole milliseconds"
+    for clock in (MILLISECONDS, MICROSECONDS):
+        obstacle = next(_obstacles(plans, clock), None)
+        if obstacle is None:
+            return clock._replace(
+                reason=f"All times are in {clock.unit.lower()}, in 32 bits that wrap around: {reason}."
+            )
+        reason = obstacle
+    return NANOSECONDS._replace(reason=f"All times are in nanoseconds, in 64 bits: {reason}.")
+
+
+def _obstacles(plans: Sequence[CorePlan], clock: Clock) -> Iterator[str]:
+    """Reasons against a clock."""
+    for plan in plans:
+        for call in plan.steps:
+            if call.deadline and clock == MILLISECONDS:
+                yield f"the deadline supervision of {call.name} in {plan.function} needs them"
+        for declared in _declared_times(plan):
+            text = f"{declared.what} in {plan.function} is {milliseconds(declared.nanoseconds)}"
+            if declared.nanoseconds % clock.tick:
+                yield text
+            if declared.nanoseconds > LONGEST * clock.tick:
+                yield f"{text}, too long for {clock.unit.lower()} in 32 bits"
+
+
+def _declared_times(plan: CorePlan) -> Iterator[_Declared]:
+    for call in plan.steps:
+        yield from _of_call(call)
+    for error in plan.errors:
+        yield _Declared(f"the maturation time of {error.named.name}", error.maturation)
+        yield _Declared(f"the reset time of {error.named.name}", error.reset)
+    for reaction in plan.reactions:
+        yield _Declared(f"the time-out of {reaction.named.name}", reaction.time_out or 0)
+    for request in plan.requests:
+        yield _Declared(f"the time-out of {request.named.name}", request.time_out or 0)
+
+
+def _of_call(call: Call) -> Iterator[_Declared]:
+    yield _Declared(f"the cycle of {call.name}", call.cycle or 0)
+    yield _Declared(f"the offset of {call.name}", call.offset)
+    yield _Declared(f"the debounce time of {call.name}", call.debounce)
+    for item in call.inputs:
+        if item.time_out:
+            yield _Declared(f"the time-out of {item.named.name}", item.time_out.nanoseconds)
+    if call.alive:
+        yield _Declared(f"the window of {call.name}", call.alive.window)
+    if call.deadline:
+        yield _Declared(f"the shortest duration of {call.name}", call.deadline.least)
+        yield _Declared(f"the longest duration of {call.name}", call.deadline.most)
