@@ -305,7 +305,7 @@ def test_a_call_without_an_end_is_stopped_after_a_limit(case):
     assert status == 1
     assert (
         said[0]
-        == "filter.yaml:12:17: error T021 Filter_Step must return within 0.3 s; the one of 0.060000000 s did not."
+        == "filter.yaml:12:17: error T021 Filter_Step must return within 0.3 s; the call at 0.060000000 s did not."
     )
     assert said[2:] == INPUTS
 
