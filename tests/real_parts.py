@@ -428,7 +428,7 @@ KINDS = (
             "tests/adapter/core/test_float_cores.py::test_a_controller_needs_no_double_and_no_division_of_64_bits_for_a_value[conversions]",
             "tests/adapter/core/test_float_cores.py::test_no_compiler_warns_or_promotes_to_double[system-conversions]",
             "tests/adapter/core/test_float_cores.py::test_no_compiler_warns_or_promotes_to_double[system-classes]",
-            "tests/adapter/core/runtime/test_runtime.py::test_a_fault_is_found[sigcat_core.c-27-*",
+            "tests/adapter/core/runtime/test_runtime.py::test_a_fault_is_found[sigcat_core.c-36-*",
             "tests/adapter/core/test_ticks.py::test_every_decision_is_that_in_nanoseconds[schedules-4294965296]",
             "tests/adapter/core/test_ticks.py::test_so_it_is_with_float_arithmetic[time_outs]",
             "tests/adapter/core/test_ticks.py::test_what_is_long_over_stays_over[time_outs-0]",

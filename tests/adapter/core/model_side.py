@@ -28,7 +28,8 @@ class ModelSide:
     def __init__(self, subject: Subject) -> None:
         self._subject = subject
         self._variables: Variables = {item.name: numbers_zero(item) for item in subject.variables}
-        self._adapter = Adapter(subject.function, self._work, self._variables)
+        follows_clock = subject.plan.clock.is_in_ticks
+        self._adapter = Adapter(subject.function, self._work, self._variables, follows_clock=follows_clock)
         self._kept = Stored()
         self._stages = [0] * len(subject.calls)
         self._pending: list[tuple[int, str]] = []

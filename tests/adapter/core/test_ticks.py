@@ -184,6 +184,42 @@ def test_each_kind_of_time_is_kept_near(name, pattern, tmp_path):
     assert any(difference(made, script, core_side.run(program, script)) for script in scripts)
 
 
+def received_alone() -> tuple[Subject, Script]:
+    """A supervised function for which only values come, for long: no call of it looks at its windows."""
+    signals = signal("A", FLOAT_VARIABLE, VssDatatype="float")
+    made = subject(function(step(error("E"), signals, Watchdog=watchdog(alive=(1, 1, 5, "E")))), FLOAT, MILLISECONDS)
+    longest = 2**30 * MS
+    received = [("receive", 0, "3f800000", number * longest) for number in range(1, 3)]
+    return made, [("init", 0, 0), ("start", 0), *received, ("supervise", 2 * longest + 152 * MS)]
+
+
+@pytest.mark.parametrize("first", [0, NEAR_WRAP, NEAR_HALF])
+def test_windows_that_nobody_closed_are_over(first, tmp_path):
+    made, script = received_alone()
+    program = core_side.compiled(made, tmp_path, flags(first))
+    printed = core_side.run(program, script)
+    assert difference(made, script, printed) == ""
+    assert "E:3" in printed[-1]  # failed
+
+
+def test_a_window_has_to_be_kept_near(tmp_path):
+    made, script = received_alone()
+    program = core_side.compiled(made, tmp_path, flags(0), change=lambda texts: {
+        file: re.sub(r"\n *Sigcat_KeepWindowNear\(&self->(?:.|\n)*?;", "", text) for file, text in texts.items()
+    })  # fmt: skip
+    assert difference(made, script, core_side.run(program, script)) != ""
+
+
+@pytest.mark.parametrize("word", ["supervise", "next"])
+def test_the_clock_is_followed_before_the_start(word, tmp_path):
+    made = subject(FUNCTION, FLOAT, MILLISECONDS)
+    half = 2**30 * MS
+    before = [(word, number * half) for number in range(5)]
+    script: Script = [("init", 0, 0), *before, ("start", 5 * half), ("next", 5 * half + 10 * MS)]
+    printed = core_side.run(core_side.compiled(made, tmp_path, flags(0)), script)
+    assert difference(made, script, printed) == ""
+
+
 LONGEST_CYCLE = 268435
 """Milliseconds that are just not too many microseconds."""
 
@@ -257,12 +293,12 @@ CHOICES = {
     ),
     "a time too long for microseconds": (
         step(ExecOffset="0.001", cycle=268436), NANOSECONDS,
-        "All times are in nanoseconds, in 64 bits: the cycle of Step in F is 268436 ms, too long for microseconds in 32 bits.",
+        "All times are in nanoseconds, in 64 bits: the offset of Step in F is 0.001 ms, and the cycle of Step in F is 268436 ms, too long for microseconds in 32 bits.",
     ),
     "milliseconds for days": (step(cycle=268435455), MILLISECONDS, WHOLE),
     "a time too long for milliseconds": (
         step(cycle=268435456), NANOSECONDS,
-        "All times are in nanoseconds, in 64 bits: the cycle of Step in F is 268435456 ms, too long for microseconds in 32 bits.",
+        "All times are in nanoseconds, in 64 bits: the cycle of Step in F is 268435456 ms, too long for milliseconds in 32 bits, and the cycle of Step in F is 268435456 ms, too long for microseconds in 32 bits.",
     ),
 }  # fmt: skip
 
@@ -322,6 +358,44 @@ def test_the_files_of_another_clock_do_not_compile(own, other, tmp_path):
     for file in runtime_files(FLOAT, other):
         (tmp_path / file.name).write_bytes(file.data)
     assert "sigcat_core_time.h counts time in another unit" in compiler_says(tmp_path, "F_adapter.c")
+
+
+@pytest.mark.parametrize(("own", "other"), [*permutations((NANOSECONDS, MICROSECONDS, MILLISECONDS), 2)])
+def test_headers_of_two_clocks_are_not_in_one_file(own, other, tmp_path):
+    for folder, clock, name in (("own", own, "F"), ("other", other, "G")):
+        (tmp_path / folder).mkdir()
+        core_side.write(subject(FUNCTION, FLOAT, clock), tmp_path / folder)
+        (tmp_path / folder / "F_adapter.h").rename(tmp_path / folder / f"{name}_adapter.h")
+    other_header = tmp_path / "other/G_adapter.h"
+    other_header.write_text(
+        other_header.read_text().replace("F_Adapter", "G_Adapter").replace("F_ADAPTER", "G_ADAPTER")
+    )
+    (tmp_path / "caller.c").write_text('#include "own/F_adapter.h"\n#include "other/G_adapter.h"\n')
+    assert "sigcat_core_time.h counts time in another unit" in compiler_says(tmp_path, "caller.c")
+
+
+def test_a_core_in_ticks_does_not_link_with_the_shared_file_of_nanoseconds(tmp_path):
+    for folder, clock in (("ticks", MILLISECONDS), ("nanoseconds", NANOSECONDS)):
+        (tmp_path / folder).mkdir()
+        core_side.write(subject(FUNCTION, FLOAT, clock), tmp_path / folder)
+    main = (
+        '#include "F_adapter.h"\nint main(void)\n{\n    return F_Adapter_Init(&F_Adapter_Instance, 0, 0U) ? 0 : 1;\n}\n'
+    )
+    (tmp_path / "ticks/main.c").write_text(main)
+    own = [
+        "ticks/main.c",
+        "ticks/F_adapter.c",
+        *(str(path.relative_to(tmp_path)) for path in tmp_path.glob("ticks/code*.c")),
+    ]
+    said = {
+        shared: subprocess.run(
+            [*toolchain().c, "-w", *own, f"{shared}/{RUNTIME_SOURCE}", "-lm", "-o", "program"],
+            cwd=tmp_path, capture_output=True, text=True, check=False,
+        ).stderr
+        for shared in ("ticks", "nanoseconds")
+    }  # fmt: skip
+    assert "Sigcat_CountsInTicks" not in said["ticks"]
+    assert "Sigcat_CountsInTicks" in said["nanoseconds"]
 
 
 @pytest.mark.parametrize("name", FIXED)

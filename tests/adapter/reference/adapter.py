@@ -12,9 +12,10 @@ from tests.adapter.reference.values.value import Value
 class Adapter:
     """An adapter. Times are in ns; what is received and sent is in the catalogue's unit and datatype."""
 
-    def __init__(self, function: Function, code: Code, variables: Variables) -> None:
+    def __init__(self, function: Function, code: Code, variables: Variables, *, follows_clock: bool = False) -> None:
         self.function, self._code, self._variables = function, code, variables
-        self.running = Running(function, code, variables, Stored())
+        self._follows_clock = follows_clock
+        self.running = Running(function, code, variables, Stored(), follows_clock=follows_clock)
         """All that it knows: for tests, and for who wants to see inside."""
 
     @property
@@ -35,7 +36,7 @@ class Adapter:
     def init(self, stored: Stored | None = None, ignition_cycle: int = 0) -> bool:
         """Initialize, also again; return whether this was successful."""
         kept = life.in_cycle(stored, ignition_cycle)
-        self.running = Running(self.function, self._code, self._variables, kept)
+        self.running = Running(self.function, self._code, self._variables, kept, follows_clock=self._follows_clock)
         return life.init(self.running)
 
     def start(self, t: int) -> None:

@@ -42,6 +42,8 @@ class Running:
     is_good: bool = False
     """Whether Init was good and Terminate has not been called."""
     has_started: bool = False
+    follows_clock: bool = False
+    """Whether it takes times before the start too: ticks wrap around."""
     out: dict[str, Value] = field(default_factory=dict)
     publish: set[str] = field(default_factory=set)
     mode_out: int | None = None

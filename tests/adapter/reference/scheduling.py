@@ -9,6 +9,8 @@ from tests.adapter.reference.running import Running
 
 def next_call(running: Running, t: int) -> str | None:
     """The call that is due, in the mode that was received last; None if none is."""
+    if running.follows_clock:
+        running.tick(t)
     if not running.has_started:
         return None
     t = running.tick(t)

@@ -127,6 +127,8 @@ def _ask(running: Running, slot: Slot, t: int) -> None:
 
 def supervise(running: Running, t: int) -> None:
     """Look after calls that hang or never come."""
+    if running.follows_clock:
+        running.tick(t)
     if not running.has_started:
         return
     t = running.tick(t)

@@ -21,15 +21,17 @@ def with_common_clock(plans: Sequence[CorePlan]) -> tuple[CorePlan, ...]:
 
 
 def _common_clock(plans: Sequence[CorePlan]) -> Clock:
-    reason = "the declared ones are whole milliseconds"
+    reasons: list[str] = []
     for clock in (MILLISECONDS, MICROSECONDS):
         obstacle = next(_obstacles(plans, clock), None)
         if obstacle is None:
+            reason = reasons[0] if reasons else "the declared ones are whole milliseconds"
             return clock._replace(
                 reason=f"All times are in {clock.unit.lower()}, in 32 bits that wrap around: {reason}."
             )
-        reason = obstacle
-    return NANOSECONDS._replace(reason=f"All times are in nanoseconds, in 64 bits: {reason}.")
+        reasons.append(obstacle)
+    both = ", and ".join(dict.fromkeys(reasons))
+    return NANOSECONDS._replace(reason=f"All times are in nanoseconds, in 64 bits: {both}.")
 
 
 def _obstacles(plans: Sequence[CorePlan], clock: Clock) -> Iterator[str]:

@@ -19,9 +19,6 @@
 #if SIGCAT_FLOAT_ARITHMETIC != 1
 #error "sigcat_core_arithmetic.h is of another arithmetic"
 #endif
-#if SIGCAT_TICK_NS != 1000
-#error "sigcat_core_time.h counts time in another unit"
-#endif
 
 /* Points of measurement are those of sigcat_core_functions.h. */
 #ifndef WHEEL_SPEED_CALCULATION_ADAPTER_MARK
@@ -105,6 +102,7 @@ static void WheelSpeedCalculation_Adapter_KeepNear(WheelSpeedCalculation_Adapter
     Sigcat_KeepNear(&self->error.SequenceError.since, self->now);
     if (self->is_started) {
         Sigcat_CatchUp(&self->Step.release, &self->Step.skipped, WHEEL_SPEED_CALCULATION_ADAPTER_CYCLE_Step, self->now);
+        Sigcat_KeepWindowNear(&self->Step.alive.window, WHEEL_SPEED_CALCULATION_ADAPTER_WINDOW_Step, self->now);
     }
 }
 
@@ -631,9 +629,9 @@ WheelSpeedCalculation_Adapter_Call WheelSpeedCalculation_Adapter_NextCall(WheelS
     Sigcat_Time t)
 {
     WheelSpeedCalculation_Adapter_Call due = WHEEL_SPEED_CALCULATION_ADAPTER_NO_CALL;
+    const uint32_t now = WheelSpeedCalculation_Adapter_Now(self, t);
 
     if (self->is_started) {
-        const uint32_t now = WheelSpeedCalculation_Adapter_Now(self, t);
         WheelSpeedCalculation_Adapter_CloseWindows(self, now);
         WheelSpeedCalculation_Adapter_TakeMode(self, now);
         if (WheelSpeedCalculation_Adapter_IsDue_Step(self, now)) {
@@ -749,8 +747,9 @@ void WheelSpeedCalculation_Adapter_GetOutput_Step(WheelSpeedCalculation_Adapter 
 /* Calls that hang or never come (section 10) */
 void WheelSpeedCalculation_Adapter_Supervise(WheelSpeedCalculation_Adapter *self, Sigcat_Time t)
 {
+    const uint32_t now = WheelSpeedCalculation_Adapter_Now(self, t);
+
     if (self->is_started) {
-        const uint32_t now = WheelSpeedCalculation_Adapter_Now(self, t);
         WHEEL_SPEED_CALCULATION_ADAPTER_MARK(self, SIGCAT_SUPERVISES, WHEEL_SPEED_CALCULATION_ADAPTER_NO_CALL);
         WheelSpeedCalculation_Adapter_CloseWindows(self, now);
         if (self->Step.is_running && ((now - self->Step.begun) > WHEEL_SPEED_CALCULATION_ADAPTER_LONGEST_Step)) {
@@ -835,6 +834,7 @@ static void WheelSpeedCalculation_Adapter_SetInitialValues(WheelSpeedCalculation
 bool WheelSpeedCalculation_Adapter_Init(WheelSpeedCalculation_Adapter *self,
     const WheelSpeedCalculation_Adapter_Stored *stored, uint32_t ignition_cycle)
 {
+    Sigcat_CountsInTicks();
     if (stored != NULL) {
         self->stored = *stored;
     } else {

@@ -16,6 +16,10 @@
 
 #include "sigcat_core.h"
 
+#if SIGCAT_TICK_NS != 1000
+#error "sigcat_core_time.h counts time in another unit than WheelSpeedCalculation"
+#endif
+
 #include "WheelSpeedCalculation.h"
 
 /* WheelSpeedCalculation keeps its data in global variables: a process has one of it. */

@@ -19,6 +19,9 @@
 extern "C" {
 #endif
 
+/* In the shared file of cores with ticks alone: with that of others, a program does not link. */
+void Sigcat_CountsInTicks(void);
+
 /* Whether a time is now or over. */
 static inline bool Sigcat_IsReached(Sigcat_Ticks time, Sigcat_Ticks now)
 {
@@ -58,6 +61,16 @@ static inline void Sigcat_KeepNear(Sigcat_Ticks *time, Sigcat_Ticks now)
 {
     if ((now - *time) > SIGCAT_KEPT) {
         *time = now - SIGCAT_KEPT;
+    }
+}
+
+/* A window that began long ago comes nearer by whole windows. More than one of them stay to be closed. */
+static inline void Sigcat_KeepWindowNear(Sigcat_Ticks *window, Sigcat_Ticks length, Sigcat_Ticks now)
+{
+    const Sigcat_Ticks age = Sigcat_IsReached(*window, now) ? (now - *window) : 0U;
+
+    if (age > SIGCAT_KEPT) {
+        *window += ((age / length) - 2U) * length;
     }
 }
 

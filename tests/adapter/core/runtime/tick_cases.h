@@ -92,6 +92,26 @@ static int the_grid_and_windows_go_on(void)
     return 0;
 }
 
+static int windows_that_began_long_ago_are_kept_near(void)
+{
+    Sigcat_Ticks window = 10U;
+
+    Sigcat_CountsInTicks();
+    Sigcat_KeepWindowNear(&window, 0x100U, 5U); /* it is to come */
+    HOLDS(window == 10U);
+    window = 0U;
+    Sigcat_KeepWindowNear(&window, 0x100U, SIGCAT_KEPT);
+    HOLDS(window == 0U);
+    Sigcat_KeepWindowNear(&window, 0x100U, SIGCAT_KEPT + 1U);
+    HOLDS(window == (SIGCAT_KEPT - 0x200U));
+    window = 0U;
+    Sigcat_KeepWindowNear(&window, 0x0FFFFFFFU, SIGCAT_KEPT + 1U); /* more than one of the longest stay */
+    HOLDS(window == 0U);
+    Sigcat_KeepWindowNear(&window, 0x0FFFFFFFU, SIGCAT_KEPT + 0x10000000U);
+    HOLDS(window == 0x0FFFFFFFU);
+    return 0;
+}
+
 static int a_time_out_goes_on(void)
 {
     Sigcat_Clock clock = { SIGCAT_NOT_JUDGED, 0U, false };
@@ -113,5 +133,6 @@ static int time_wraps_around(void)
         || what_is_over_stays_over()
         || releases_that_are_long_over_are_counted_once()
         || the_grid_and_windows_go_on()
+        || windows_that_began_long_ago_are_kept_near()
         || a_time_out_goes_on();
 }

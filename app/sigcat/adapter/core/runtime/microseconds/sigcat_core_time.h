@@ -25,8 +25,8 @@ typedef struct {
 } Sigcat_Time;
 
 /*
- * A time on the steady clock of the platform. Its microseconds wrap around after 32 bits, so a core that runs
- * gets at least one time in each 2^30 of them.
+ * A time on the steady clock of the platform. Its microseconds wrap around at 2^32, no earlier. From its first time on,
+ * a core gets at least one in each 2^30 of them, by any function.
  */
 static inline Sigcat_Time Sigcat_Microseconds(uint32_t microseconds)
 {
