@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
-from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.c.names.scope import Scope
 from sigcat.adapter.core.derive import derive
 from sigcat.adapter.core.numbers import DOUBLE, NumberType
 from sigcat.adapter.core.plan import CLASS, NANOSECONDS, Clock, CorePlan, WireType

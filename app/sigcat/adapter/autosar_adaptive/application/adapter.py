@@ -24,7 +24,7 @@ from sigcat.adapter.autosar_adaptive.application.plan import (
     Required,
 )
 from sigcat.adapter.autosar_adaptive.arxml.components import IGNITION_CYCLE
-from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.c.names.scope import Scope
 from sigcat.adapter.core.plan import GLOBALS
 from sigcat.adapter.templates import rendered
 from sigcat.function.document.text import composed

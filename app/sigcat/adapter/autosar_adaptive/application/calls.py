@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from sigcat.adapter.autosar_adaptive.application.names import checkpoint
 from sigcat.adapter.autosar_adaptive.application.plan import ComponentPlan
-from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.c.names.scope import Scope
 from sigcat.adapter.core.plan import Call
 from sigcat.function.document.text import composed
 from sigcat.function.document.text_filters import AnyText

@@ -14,7 +14,7 @@ from sigcat.adapter.autosar_adaptive.application.structs_header import structs_h
 from sigcat.adapter.autosar_adaptive.arxml.generate import generate as generate_arxml
 from sigcat.adapter.autosar_adaptive.bench.generate import generate as generate_services
 from sigcat.adapter.autosar_adaptive.bench.runtime_files import runtime_files
-from sigcat.adapter.core.c.lines import c_file, lines
+from sigcat.adapter.core.c.text.lines import c_file, lines
 from sigcat.adapter.files import GeneratedFile, shipped, within
 from sigcat.adapter.placed_findings import placed_in
 from sigcat.adapter.source_cores import files_of, source_cores

@@ -7,7 +7,7 @@ from sigcat.adapter.autosar_classic.code.c_text import c_lines
 from sigcat.adapter.autosar_classic.code.names import core_object
 from sigcat.adapter.autosar_classic.code.plan import DataEnd, MethodEnd, SwcPlan
 from sigcat.adapter.autosar_classic.code.values import Copy, CopyRow, by_value
-from sigcat.adapter.core.c.lines import Lines
+from sigcat.adapter.core.c.text.lines import Lines
 
 
 class _Sent(NamedTuple):

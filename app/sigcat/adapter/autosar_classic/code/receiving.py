@@ -11,8 +11,8 @@ from sigcat.adapter.autosar_classic.code.c_text import c_lines
 from sigcat.adapter.autosar_classic.code.names import core_object, static
 from sigcat.adapter.autosar_classic.code.plan import DataEnd, MethodEnd, SwcPlan
 from sigcat.adapter.autosar_classic.code.values import Copy, CopyRow, by_address
-from sigcat.adapter.core.c.lines import Lines
-from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.c.names.scope import Scope
+from sigcat.adapter.core.c.text.lines import Lines
 from sigcat.integration.autosar_classic.model import Runnable
 
 

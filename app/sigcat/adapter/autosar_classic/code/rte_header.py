@@ -9,7 +9,7 @@ from sigcat.adapter.autosar_classic.code.c_text import c_lines
 from sigcat.adapter.autosar_classic.code.methods import end_of, head
 from sigcat.adapter.autosar_classic.code.plan import SwcPlan
 from sigcat.adapter.autosar_classic.code.types import rte_types
-from sigcat.adapter.core.c.lines import Lines
+from sigcat.adapter.core.c.text.lines import Lines
 from sigcat.integration.autosar_classic.model import (
     ClassicIntegration,
     Runnable,

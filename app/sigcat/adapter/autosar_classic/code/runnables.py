@@ -10,7 +10,7 @@ from sigcat.adapter.autosar_classic.code.plan import ParameterEnd, Reported, Swc
 from sigcat.adapter.autosar_classic.code.publishing import outputs
 from sigcat.adapter.autosar_classic.code.receiving import takes
 from sigcat.adapter.autosar_classic.code.values import Copy, CopyRow
-from sigcat.adapter.core.c.lines import Lines
+from sigcat.adapter.core.c.text.lines import Lines
 from sigcat.integration.autosar_classic.model import Runnable
 
 _WITHOUT_STARTS = ("Init", "JudgeWindows", "Terminate")

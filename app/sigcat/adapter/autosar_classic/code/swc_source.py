@@ -7,8 +7,8 @@ from sigcat.adapter.autosar_classic.code.c_text import c_lines
 from sigcat.adapter.autosar_classic.code.names import core_object, section_of
 from sigcat.adapter.autosar_classic.code.plan import SwcPlan
 from sigcat.adapter.autosar_classic.code.runnables import runnable
-from sigcat.adapter.core.c.lines import Lines
-from sigcat.adapter.core.c.shadowing import distinct
+from sigcat.adapter.core.c.names.shadowing import distinct
+from sigcat.adapter.core.c.text.lines import Lines
 from sigcat.adapter.core.plan import GLOBALS
 from sigcat.function.document.text import composed
 

@@ -9,8 +9,8 @@ from sigcat.adapter.autosar_classic.code.plan import DataEnd, MethodEnd, RteType
 from sigcat.adapter.autosar_classic.test_rte.operations import Request, Service, request, service
 from sigcat.adapter.autosar_classic.test_rte.plan import TestRte, received_at
 from sigcat.adapter.autosar_classic.test_rte.shapes import initializer
-from sigcat.adapter.core.c.lines import Lines
-from sigcat.adapter.core.c.shadowing import distinct
+from sigcat.adapter.core.c.names.shadowing import distinct
+from sigcat.adapter.core.c.text.lines import Lines
 from sigcat.integration.autosar_classic.model import ModeNumber, Port
 
 

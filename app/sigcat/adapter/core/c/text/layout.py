@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from sigcat.adapter.core.c.lines import Line, Lines
+from sigcat.adapter.core.c.text.lines import Line, Lines
 from sigcat.adapter.origins import marked_lines
 from sigcat.adapter.templates import rendered
 

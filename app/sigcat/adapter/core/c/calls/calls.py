@@ -3,11 +3,11 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from sigcat.adapter.core.c.inputs import InputPlan, input_plan
-from sigcat.adapter.core.c.methods import MethodPlan, method_plan
-from sigcat.adapter.core.c.outputs import OutputPlan, output_plan
-from sigcat.adapter.core.c.schedule import is_due, runs, statement, waits
-from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.c.calls.methods import MethodPlan, method_plan
+from sigcat.adapter.core.c.data.inputs import InputPlan, input_plan
+from sigcat.adapter.core.c.data.outputs import OutputPlan, output_plan
+from sigcat.adapter.core.c.names.scope import Scope
+from sigcat.adapter.core.c.schedule.schedule import is_due, runs, statement, waits
 from sigcat.adapter.core.plan import Call, Error, Logical, Reaction
 
 

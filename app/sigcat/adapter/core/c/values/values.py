@@ -4,8 +4,8 @@ from collections.abc import Collection, Iterator, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from sigcat.adapter.core.c.conversions import converted, is_beyond_float, limits, scaling, within
-from sigcat.adapter.core.c.literals import literal
+from sigcat.adapter.core.c.values.conversions import converted, is_beyond_float, limits, scaling, within
+from sigcat.adapter.core.c.values.literals import literal
 from sigcat.adapter.core.numbers import Number
 from sigcat.adapter.core.plan import Element, Leaf, Value
 from sigcat.function.document.document import Pointer

@@ -2,8 +2,8 @@
 
 from typing import NamedTuple
 
-from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.core.c.values import Ends, Transfer, transfer
+from sigcat.adapter.core.c.names.scope import Scope
+from sigcat.adapter.core.c.values.values import Ends, Transfer, transfer
 from sigcat.adapter.core.plan import Call, Output
 
 

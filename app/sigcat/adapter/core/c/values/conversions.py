@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import lru_cache
 
-from sigcat.adapter.core.c.literals import literal
+from sigcat.adapter.core.c.values.literals import literal
 from sigcat.adapter.core.numbers import FLOAT, NumberType, nearest_float
 from sigcat.adapter.core.plan import Element
 from sigcat.function.function_json.conversion import IDENTITY, Linear

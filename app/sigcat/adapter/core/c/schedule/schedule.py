@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.c.names.scope import Scope
 from sigcat.adapter.core.plan import CLASS, Call
 
 

@@ -3,8 +3,8 @@
 import re
 from collections.abc import Iterator
 
-from sigcat.adapter.core.c.lines import Lines, code_of, replaced
-from sigcat.adapter.core.c.scope import MARK, NAME
+from sigcat.adapter.core.c.names.scope import MARK, NAME
+from sigcat.adapter.core.c.text.lines import Lines, code_of, replaced
 from sigcat.adapter.core.plan import GLOBALS, CorePlan
 from sigcat.adapter.core.variables import expressions
 
