@@ -3,9 +3,9 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from sigcat.adapter.autosar_classic.code.api import Call
 from sigcat.adapter.autosar_classic.code.c_text import c_lines
 from sigcat.adapter.autosar_classic.code.plan import DataEnd, MethodEnd, RteType, SwcPlan
+from sigcat.adapter.autosar_classic.code.rte_headers.api import Call
 from sigcat.adapter.autosar_classic.test_rte.operations import Request, Service, request, service
 from sigcat.adapter.autosar_classic.test_rte.plan import TestRte, received_at
 from sigcat.adapter.autosar_classic.test_rte.shapes import initializer

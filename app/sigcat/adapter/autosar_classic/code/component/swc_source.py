@@ -2,11 +2,11 @@
 
 from typing import NamedTuple
 
-from sigcat.adapter.autosar_classic.code import publishing, receiving
 from sigcat.adapter.autosar_classic.code.c_text import c_lines
+from sigcat.adapter.autosar_classic.code.component import publishing, receiving
+from sigcat.adapter.autosar_classic.code.component.runnables import runnable
 from sigcat.adapter.autosar_classic.code.names import core_object, section_of
 from sigcat.adapter.autosar_classic.code.plan import SwcPlan
-from sigcat.adapter.autosar_classic.code.runnables import runnable
 from sigcat.adapter.core.c.names.shadowing import distinct
 from sigcat.adapter.core.c.text.lines import Lines
 from sigcat.adapter.core.plan import GLOBALS
@@ -25,7 +25,7 @@ def swc_source(swc: SwcPlan) -> Lines:
     version = f" {swc.core.version}" if swc.core.version else ""
     has_object, kept = swc.core.code.signature != GLOBALS, publishing.kept(swc)
     lines = c_lines(
-        "code/swc.c.j2",
+        "code/component/swc.c.j2",
         swc=swc,
         about=composed(f"Software component {swc.name} of {swc.core.function}{version}: ", swc.core.description),
         core=core_object(swc),

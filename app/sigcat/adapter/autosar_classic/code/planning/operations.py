@@ -3,8 +3,8 @@
 from collections.abc import Iterator, Mapping
 
 from sigcat import codes
-from sigcat.adapter.autosar_classic.code.ends import SwcContext
 from sigcat.adapter.autosar_classic.code.plan import ArgumentEnd, MethodEnd
+from sigcat.adapter.autosar_classic.code.planning.ends import SwcContext
 from sigcat.adapter.core.plan import Argument
 from sigcat.errors import InputRefused
 from sigcat.integration.autosar_classic.model import ClientServerInterface, Operation, OperationArgument, Use

@@ -1,9 +1,9 @@
 """Methods that the function offers: a server runnable for each."""
 
 from sigcat.adapter.autosar_classic.code.c_text import c_lines
+from sigcat.adapter.autosar_classic.code.component.values import Copy
 from sigcat.adapter.autosar_classic.code.names import core_object
 from sigcat.adapter.autosar_classic.code.plan import MethodEnd, RteType, SwcPlan
-from sigcat.adapter.autosar_classic.code.values import Copy
 from sigcat.adapter.core.c.names.scope import Scope
 from sigcat.adapter.core.c.text.lines import Lines
 from sigcat.integration.autosar_classic.model import Runnable
@@ -43,7 +43,7 @@ def offered(runnable: Runnable, swc: SwcPlan) -> Lines:
         for row in from_core.of(_written(each.type, f"taken_{each.name}"), f"results.{each.place}", each.type, each.wire.c)
     ]  # fmt: skip
     return c_lines(
-        "code/method.c.j2",
+        "code/component/method.c.j2",
         swc=swc,
         core=core_object(swc),
         macro=Scope(swc.core).macro,

@@ -3,9 +3,6 @@
 from collections.abc import Iterator, Mapping
 
 from sigcat import codes
-from sigcat.adapter.autosar_classic.code.disagreements import disagreements
-from sigcat.adapter.autosar_classic.code.ends import SwcContext, received, sent
-from sigcat.adapter.autosar_classic.code.operations import method_ends
 from sigcat.adapter.autosar_classic.code.plan import (
     ClassicPlan,
     ModeEnd,
@@ -15,6 +12,9 @@ from sigcat.adapter.autosar_classic.code.plan import (
     SwcPlan,
     Told,
 )
+from sigcat.adapter.autosar_classic.code.planning.disagreements import disagreements
+from sigcat.adapter.autosar_classic.code.planning.ends import SwcContext, received, sent
+from sigcat.adapter.autosar_classic.code.planning.operations import method_ends
 from sigcat.adapter.autosar_classic.code.types import rte_types, type_of
 from sigcat.adapter.source_cores import Holder, SourceCores, wrong_holders
 from sigcat.errors import InputRefused

@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code.c_text import c_lines
+from sigcat.adapter.autosar_classic.code.component.values import Copy, CopyRow, by_value
 from sigcat.adapter.autosar_classic.code.names import core_object
 from sigcat.adapter.autosar_classic.code.plan import DataEnd, MethodEnd, SwcPlan
-from sigcat.adapter.autosar_classic.code.values import Copy, CopyRow, by_value
 from sigcat.adapter.core.c.text.lines import Lines
 
 
@@ -42,7 +42,7 @@ class _Request(NamedTuple):
 def functions(swc: SwcPlan) -> Lines:
     """Functions for what the core may say at any time, for outputs of each call, each request and each verdict."""
     return c_lines(
-        "code/publishing.c.j2",
+        "code/component/publishing.c.j2",
         swc=swc,
         core=core_object(swc),
         requests=[_request(each, swc) for each in swc.requests],

@@ -4,12 +4,12 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code.c_text import c_lines
-from sigcat.adapter.autosar_classic.code.methods import offered
+from sigcat.adapter.autosar_classic.code.component.methods import offered
+from sigcat.adapter.autosar_classic.code.component.publishing import outputs
+from sigcat.adapter.autosar_classic.code.component.receiving import takes
+from sigcat.adapter.autosar_classic.code.component.values import Copy, CopyRow
 from sigcat.adapter.autosar_classic.code.names import core_object
 from sigcat.adapter.autosar_classic.code.plan import ParameterEnd, Reported, SwcPlan
-from sigcat.adapter.autosar_classic.code.publishing import outputs
-from sigcat.adapter.autosar_classic.code.receiving import takes
-from sigcat.adapter.autosar_classic.code.values import Copy, CopyRow
 from sigcat.adapter.core.c.text.lines import Lines
 from sigcat.integration.autosar_classic.model import Runnable
 
@@ -48,7 +48,7 @@ def runnable(each: Runnable, swc: SwcPlan) -> Lines:
     if each.role == "Method":
         return offered(each, swc)
     return c_lines(
-        "code/runnable.c.j2",
+        "code/component/runnable.c.j2",
         swc=swc,
         core=core_object(swc),
         runnable=each,

@@ -8,9 +8,9 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code.c_text import c_lines
+from sigcat.adapter.autosar_classic.code.component.values import Copy, CopyRow, by_address
 from sigcat.adapter.autosar_classic.code.names import core_object, static
 from sigcat.adapter.autosar_classic.code.plan import DataEnd, MethodEnd, SwcPlan
-from sigcat.adapter.autosar_classic.code.values import Copy, CopyRow, by_address
 from sigcat.adapter.core.c.names.scope import Scope
 from sigcat.adapter.core.c.text.lines import Lines
 from sigcat.integration.autosar_classic.model import Runnable
@@ -43,7 +43,7 @@ def functions(swc: SwcPlan) -> Lines:
     used = {end.key for each in swc.component.runnables for end in _explicit(each, swc)}
     taken = [_taken(end, swc) for end in swc.received if end.key in used]
     return c_lines(
-        "code/receiving.c.j2",
+        "code/component/receiving.c.j2",
         swc=swc,
         core=core_object(swc),
         has_codes=any(each.end.has_transformer_errors for each in taken),
