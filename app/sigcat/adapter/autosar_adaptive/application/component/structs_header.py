@@ -22,7 +22,7 @@ def structs_header(component: ComponentPlan, application: ApplicationPlan) -> st
     headers = ("application/values.h", *component.type_headers, f"core/{component.core.header_file}")
     guard = include_guard(application, component, "structs")
     return rendered(
-        "adapter/autosar_adaptive/application/structs.h.j2",
+        "adapter/autosar_adaptive/application/component/structs.h.j2",
         name=component.name,
         guard=guard,
         headers=sorted(headers),

@@ -3,7 +3,6 @@
 from collections.abc import Iterable, Iterator, Mapping
 
 from sigcat import codes
-from sigcat.adapter.autosar_adaptive.application.elements import ComponentContext, provided_services, required_services
 from sigcat.adapter.autosar_adaptive.application.plan import (
     ApplicationPlan,
     ComponentPlan,
@@ -12,8 +11,13 @@ from sigcat.adapter.autosar_adaptive.application.plan import (
     Storage,
     Stored,
 )
-from sigcat.adapter.autosar_adaptive.application.structs import struct_pairs
-from sigcat.adapter.autosar_adaptive.application.threads import joined_calls, threads_of
+from sigcat.adapter.autosar_adaptive.application.planning.elements import (
+    ComponentContext,
+    provided_services,
+    required_services,
+)
+from sigcat.adapter.autosar_adaptive.application.planning.structs import struct_pairs
+from sigcat.adapter.autosar_adaptive.application.planning.threads import joined_calls, threads_of
 from sigcat.adapter.autosar_adaptive.arxml.components import (
     SUPERVISION_PORT,
     checkpoints,

@@ -4,12 +4,12 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 from typing import NamedTuple
 
-from sigcat.adapter.autosar_adaptive.application.calls import (
+from sigcat.adapter.autosar_adaptive.application.component.calls import (
     adapter_calls,
     adapter_threads,
     watches,
 )
-from sigcat.adapter.autosar_adaptive.application.methods import (
+from sigcat.adapter.autosar_adaptive.application.component.methods import (
     error_namespace,
     offered_methods,
     refusals,
@@ -30,7 +30,7 @@ from sigcat.adapter.templates import rendered
 from sigcat.function.document.text import composed
 from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE
 
-_ROOM = "adapter/autosar_adaptive/application"
+_ROOM = "adapter/autosar_adaptive/application/component"
 
 
 class _Received(NamedTuple):

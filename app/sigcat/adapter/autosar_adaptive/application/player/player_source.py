@@ -12,9 +12,9 @@ from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, m
 from sigcat.adapter.templates import rendered
 from sigcat.integration.autosar_adaptive.model import IntegrationModel, Method, ServiceField, Symbol, TypeEntry
 
-CPP = Path(__file__).parent / "player_cpp"
+CPP = Path(__file__).parent / "cpp"
 """Files that are the same in every player."""
-_TEMPLATE = "adapter/autosar_adaptive/application/ports.cpp.j2"
+_TEMPLATE = "adapter/autosar_adaptive/application/player/ports.cpp.j2"
 
 
 class _Element(NamedTuple):
