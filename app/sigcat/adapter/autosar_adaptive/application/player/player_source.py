@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from sigcat.adapter.autosar_adaptive.application.names import cpp_type
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import Whole, wholes
-from sigcat.adapter.autosar_adaptive.bench.tables import player_port
+from sigcat.adapter.autosar_adaptive.bench.services.tables import player_port
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, member_name, service_names, type_names
 from sigcat.adapter.templates import rendered
 from sigcat.integration.autosar_adaptive.model import IntegrationModel, Method, ServiceField, Symbol, TypeEntry

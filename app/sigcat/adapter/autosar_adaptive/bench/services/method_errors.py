@@ -5,7 +5,7 @@ from sigcat.adapter.autosar_adaptive.bench.headers import guard
 from sigcat.adapter.autosar_adaptive.cpp_names import TypeNames
 from sigcat.adapter.templates import rendered
 
-_TEMPLATE = "adapter/autosar_adaptive/bench/error_domain.h.j2"
+_TEMPLATE = "adapter/autosar_adaptive/bench/services/error_domain.h.j2"
 
 
 def errors_header(names: TypeNames, namespace: tuple[str, ...]) -> str:

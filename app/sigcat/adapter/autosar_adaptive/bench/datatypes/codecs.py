@@ -3,16 +3,16 @@
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from sigcat.adapter.autosar_adaptive.bench.datatypes import alias_of, array_of
+from sigcat.adapter.autosar_adaptive.bench.datatypes.datatypes import alias_of, array_of
 from sigcat.adapter.autosar_adaptive.bench.headers import includes
-from sigcat.adapter.autosar_adaptive.bench.services import Service
+from sigcat.adapter.autosar_adaptive.bench.services.services import Service
 from sigcat.adapter.autosar_adaptive.cpp_names import TEXT, TypeNames
 from sigcat.adapter.templates import rendered
 from sigcat.integration.autosar_adaptive.model import IntegrationModel, TypeEntry
 from sigcat.integration.datatypes import BY_ADAPTIVE
 
 NAME = "codecs.cpp"
-_TEMPLATE = "adapter/autosar_adaptive/bench/codecs.cpp.j2"
+_TEMPLATE = "adapter/autosar_adaptive/bench/datatypes/codecs.cpp.j2"
 
 
 class _Struct(NamedTuple):

@@ -3,12 +3,12 @@
 from collections.abc import Iterable, Mapping
 
 from sigcat.adapter.autosar_adaptive.bench.headers import guard, includes
-from sigcat.adapter.autosar_adaptive.bench.method_errors import errors_path
-from sigcat.adapter.autosar_adaptive.bench.services import Service
+from sigcat.adapter.autosar_adaptive.bench.services.method_errors import errors_path
+from sigcat.adapter.autosar_adaptive.bench.services.services import Service
 from sigcat.adapter.templates import rendered
 from sigcat.integration.datatypes import BY_ADAPTIVE
 
-_ROOM = "adapter/autosar_adaptive/bench"
+_ROOM = "adapter/autosar_adaptive/bench/services"
 
 
 def service_headers(service: Service) -> Mapping[str, str]:

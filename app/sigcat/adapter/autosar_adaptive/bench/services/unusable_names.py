@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 
 from sigcat import codes
-from sigcat.adapter.autosar_adaptive.bench.services import Element, Service, ServiceMethod
+from sigcat.adapter.autosar_adaptive.bench.services.services import Element, Service, ServiceMethod
 from sigcat.findings import Finding
 
 _OF_EVERY_PROXY = {"Create", "FindService", "StartFindService", "StopFindService", "GetHandle", "HandleType"}

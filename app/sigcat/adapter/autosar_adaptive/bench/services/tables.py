@@ -5,15 +5,15 @@ from typing import NamedTuple
 
 from sigcat.adapter.autosar_adaptive.arxml.method_errors import DOMAIN, METHOD_ERRORS
 from sigcat.adapter.autosar_adaptive.bench.headers import includes
-from sigcat.adapter.autosar_adaptive.bench.method_errors import errors_path
-from sigcat.adapter.autosar_adaptive.bench.services import Service, error_namespace, hexadecimal
+from sigcat.adapter.autosar_adaptive.bench.services.method_errors import errors_path
+from sigcat.adapter.autosar_adaptive.bench.services.services import Service, error_namespace, hexadecimal
 from sigcat.adapter.autosar_adaptive.cpp_names import instance_specifier
 from sigcat.adapter.templates import rendered
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
 from sigcat.integration.autosar_adaptive.processes import processes
 from sigcat.integration.autosar_names import short_name
 
-_TEMPLATE = "adapter/autosar_adaptive/bench/tables.cpp.j2"
+_TEMPLATE = "adapter/autosar_adaptive/bench/services/tables.cpp.j2"
 
 
 class _Instance(NamedTuple):

@@ -10,7 +10,7 @@ from sigcat.function.document.text import Text, composed, sentence
 from sigcat.integration.autosar_adaptive.model import IntegrationModel, TypeEntry
 from sigcat.integration.datatypes import BY_ADAPTIVE
 
-_TEMPLATE = "adapter/autosar_adaptive/bench/datatype.h.j2"
+_TEMPLATE = "adapter/autosar_adaptive/bench/datatypes/datatype.h.j2"
 
 
 class _Member(NamedTuple):
