@@ -16,7 +16,7 @@ from sigcat.function.function_file import CheckedFunction
 from sigcat.function.function_json.model import FunctionJson, to_json
 from sigcat.function.sets.check_set import read_set
 from sigcat.limits import DEFAULT_LIMITS, Limits
-from sigcat.registry.candidate import Candidate
+from sigcat.registry.candidates.candidate import Candidate
 from sigcat.registry.reference import refused
 from sigcat.registry.use import Use, uses_of
 from sigcat.registry.use import to_json as uses_json

@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 from typing import NamedTuple, Protocol
 
-from sigcat.registry.acknowledgements import Deprecation
-from sigcat.registry.approvals import Decided, Pending
 from sigcat.registry.compatibility.deploying import Answer
+from sigcat.registry.decisions.acknowledgements import Deprecation
+from sigcat.registry.decisions.approvals import Decided, Pending
 from sigcat.registry.published import Published
 from sigcat.registry.reference import Kind, Reference, Rule, State
 from sigcat.registry.storing.entry import Action

@@ -14,11 +14,11 @@ from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding
 from sigcat.limits import REGISTRY_ANSWER_BYTES, REGISTRY_SECONDS
 from sigcat.names import question
-from sigcat.registry.access import Change, Listed
-from sigcat.registry.acknowledgements import Acknowledgement, Deprecation
-from sigcat.registry.approvals import Approval, Decided, Pending
+from sigcat.registry.access.access import Change, Listed
 from sigcat.registry.compatibility.conflicts import Conflict, Side
 from sigcat.registry.compatibility.deploying import Answer
+from sigcat.registry.decisions.acknowledgements import Acknowledgement, Deprecation
+from sigcat.registry.decisions.approvals import Approval, Decided, Pending
 from sigcat.registry.publish import Outcome, Receipt, Status
 from sigcat.registry.published import Published
 from sigcat.registry.reference import Kind, Reference, Rule, State

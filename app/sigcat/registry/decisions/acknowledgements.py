@@ -9,7 +9,7 @@ from sqlalchemy import Connection, select
 from sigcat import codes
 from sigcat.findings import shown
 from sigcat.names import did_you_mean
-from sigcat.registry.approvals import check_author
+from sigcat.registry.decisions.approvals import check_author
 from sigcat.registry.published import Published, all_versions, version_named
 from sigcat.registry.reference import Kind, Reference, refused
 from sigcat.registry.storing.content import content_of

@@ -5,11 +5,12 @@ from contextlib import contextmanager
 from typing import NamedTuple
 
 from sigcat.errors import UsageError
-from sigcat.registry import acknowledgements, approvals, lines
-from sigcat.registry.access import Change, Listed
-from sigcat.registry.acknowledgements import Deprecation
-from sigcat.registry.approvals import Decided, Pending
+from sigcat.registry import lines
+from sigcat.registry.access.access import Change, Listed
 from sigcat.registry.compatibility.deploying import Answer, can_deploy
+from sigcat.registry.decisions import acknowledgements, approvals
+from sigcat.registry.decisions.acknowledgements import Deprecation
+from sigcat.registry.decisions.approvals import Decided, Pending
 from sigcat.registry.published import all_versions, lines_by_version, version_named
 from sigcat.registry.reference import Kind, Reference, Rule, State
 from sigcat.registry.storing.content import content_of
