@@ -11,10 +11,10 @@ from sigcat.catalogue.model.interfaces import Category, category_of, interface_n
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.conversion import IDENTITY, Linear, between
-from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
-from sigcat.function.function_json.datatype import EnumerationValue
+from sigcat.function.function_json.datatypes.datatype import EnumerationValue
+from sigcat.function.function_json.datatypes.type_list import listed, symbols_of
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.type_list import listed, symbols_of
 from sigcat.function.function_json.walk import absent, contracts, data, parameters, runnables
 from sigcat.names import did_you_mean
 

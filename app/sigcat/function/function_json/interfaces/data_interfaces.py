@@ -18,9 +18,9 @@ from sigcat.function.document.field_types import (
     VssPath,
 )
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.code import DEFINED_BY, MEMBERS, Member
-from sigcat.function.function_json.datatype import EnumerationValue
+from sigcat.function.function_json.datatypes.c_type import C_TYPE, CTypeName
+from sigcat.function.function_json.datatypes.datatype import EnumerationValue
 from sigcat.function.function_json.error_fields import SetError, SetErrorName, SetsError, error_fields, errors_set_by
 from sigcat.function.function_json.wire import (
     PHYSICAL,

@@ -7,9 +7,9 @@ from pydantic import field_serializer, model_validator
 
 from sigcat.function.document.field_types import CExpression, Definer, Name, Quantity, UnknownAction, VssPath
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.code import DEFINED_BY
-from sigcat.function.function_json.datatype import EnumerationValue
+from sigcat.function.function_json.datatypes.c_type import C_TYPE, CTypeName
+from sigcat.function.function_json.datatypes.datatype import EnumerationValue
 from sigcat.function.function_json.duration import exact_time
 from sigcat.function.function_json.error_fields import SetErrorName
 from sigcat.function.function_json.wire import (

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES, element_of, is_array
-from sigcat.function.function_json.datatype import Datatype, EnumerationValue, TypeField
-from sigcat.function.function_json.primitive_types import BY_VSS
+from sigcat.function.function_json.datatypes.datatype import Datatype, EnumerationValue, TypeField
+from sigcat.function.function_json.datatypes.primitive_types import BY_VSS
 from sigcat.names import last_name
 
 Symbols = Mapping[str, int]
