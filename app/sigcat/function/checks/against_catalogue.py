@@ -144,7 +144,7 @@ def _close(one: Fraction, other: Fraction) -> bool:
 
 
 def _interfaces(function: FunctionJson, catalogue: Catalogue) -> Problems:
-    for pointer, name, path, category in _named(function):
+    for pointer, name, path, category in _call_and_status_interfaces(function):
         if path:
             yield from _interface(pointer, Subject(category, name), path, catalogue)
 
@@ -163,7 +163,7 @@ def _interface(pointer: Pointer, subject: Subject, path: str, catalogue: Catalog
         yield Problem(codes.DIFFERS_FROM_CATALOGUE, (*pointer, "Name"), message, subject=subject)
 
 
-def _named(function: FunctionJson) -> Iterator[tuple[Pointer, str, str | None, Category]]:
+def _call_and_status_interfaces(function: FunctionJson) -> Iterator[tuple[Pointer, str, str | None, Category]]:
     for pointer, _, call in runnables(function):
         yield pointer, call.name, call.vss_path, "scheduling"
     for pointer, _, contract in contracts(function):

@@ -44,7 +44,7 @@ def _swc(context: SwcContext) -> SwcPlan:
         sent=tuple(sent(context)),
         mode_in=_mode(context, "Required"),
         mode_out=_mode(context, "Provided"),
-        told=tuple(_told(context)),
+        told=tuple(_errors_to_diagnosis(context)),
         reported=_reported(context),
         methods=tuple(method_ends(context)),
         parameters=tuple(_parameters(context)),
@@ -70,7 +70,7 @@ def _mode(context: SwcContext, direction: str) -> ModeEnd | None:
     return None
 
 
-def _told(context: SwcContext) -> Iterator[Told]:
+def _errors_to_diagnosis(context: SwcContext) -> Iterator[Told]:
     ports = {port.name: port for port in context.component.ports}
     for event in context.component.diagnostic_events:
         error = context.errors.get(event.error)

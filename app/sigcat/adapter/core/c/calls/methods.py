@@ -45,10 +45,10 @@ def method_plan(method: Method, scope: Scope) -> MethodPlan:
     place = f"self->method.{method.named.name}"
     if method.is_offered:
         received = [_received(each, method, "arguments->", scope) for each in method.arguments]
-        given = [_given(each, method, "results->", scope) for each in method.results]
+        given = [_argument_from_code(each, method, "results->", scope) for each in method.results]
     else:
         received = [_received(each, method, f"{place}.answer.", scope) for each in method.results]
-        given = [_given(each, method, f"{place}.arguments.", scope) for each in method.arguments]
+        given = [_argument_from_code(each, method, f"{place}.arguments.", scope) for each in method.arguments]
     call = next((step for step in scope.plan.steps if step.name == method.call), None)
     return MethodPlan(
         method=method,
@@ -70,7 +70,7 @@ def _received(argument: Argument, method: Method, source: str, scope: Scope) -> 
     return _plan(argument, method, ends)
 
 
-def _given(argument: Argument, method: Method, target: str, scope: Scope) -> ArgumentPlan:
+def _argument_from_code(argument: Argument, method: Method, target: str, scope: Scope) -> ArgumentPlan:
     member = f"{target}{argument.name}"
     ends = _ends(argument, method, scope)
     return _plan(
