@@ -113,3 +113,15 @@ def test_a_signal_that_was_renamed_is_found_by_its_former_name(beta, tmp_path, c
     assert main(["lint", beta]) == 1
     said = "It is 'Vehicle.Demo.Result' now, as the `fka` there says. `sigcat migrate` renames it in all files."
     assert said in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("here", [".", "deeper"])
+def test_a_new_function_is_where_the_project_finds_it(tmp_path, monkeypatch, capsys, here):
+    (tmp_path / "deeper").mkdir()
+    (tmp_path / "functions").mkdir()
+    (tmp_path / "sigcat.toml").write_text('functions = ["functions"]\n')
+    monkeypatch.chdir(tmp_path / here)
+    assert main(["function", "new", "Gamma"]) == 0
+    assert (tmp_path / "functions/Gamma/Gamma.c").is_file()
+    assert main(["simulate", "--duration", "0.1"]) == 0
+    assert "Gamma_Init" in capsys.readouterr().out

@@ -89,7 +89,10 @@ def test_what_was_changed_since_is_not_lost(capsys):
     assert core() == 0
     Path("out/CoreAcc_adapter.c").write_text("mine\n")
     assert core() == 2
-    assert "out/CoreAcc_adapter.c is not as `sigcat generate` has written it" in capsys.readouterr().err
+    assert (
+        "out/CoreAcc_adapter.c is not a file that `sigcat generate` wrote, or was changed since"
+        in capsys.readouterr().err
+    )
     assert Path("out/CoreAcc_adapter.c").read_text() == "mine\n"
     assert core("--force") == 0
 

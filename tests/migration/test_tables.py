@@ -65,7 +65,7 @@ def test_a_table_names_nodes_of_both_trees_and_explains_every_removed_one(table)
         ("from: '1'\nto: '2'\nmoves:\n  A.B: {to: [C], confidence: 2}\n", 4, "from 0 to 1"),
         ("from: '1'\nto: '2'\nmoves: [A]\n", 3, "`moves` must be a mapping"),
         ("from: '1'\nto: '2'\nlabels: {A: [B]}\n", 1, "`A` must be a mapping"),
-        ("from: '1\n", 2, "YAML"),
+        ("from: '1\n", 1, "YAML"),
     ],
 )
 def test_a_table_with_an_error_is_refused(sides, text, line, message):

@@ -67,7 +67,7 @@ def test_what_differs_is_in_a_table_a_picture_and_a_report(run):
         "expected.csv:6:42: error T030 Vehicle.Filter.Trend must be FALLS at 0.020000000 s, not RISES.",
         "expected.csv:9:32: error T030 Vehicle.Counter.Mean must be 4.2 at 0.040000000 s, not 4.166666666666667.",
     ]
-    assert said[2] == "sigcat: 2 of 8 outputs differ from expected.csv:"
+    assert said[2] == "sigcat: 2 of 8 outputs differ from expected.csv."
     head, trend, mean = said[3:]
     assert head.split() == [
         "output",

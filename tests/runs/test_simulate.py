@@ -224,6 +224,13 @@ def test_sources_that_do_not_compile_stand_in_the_words_of_the_compiler(case, co
     assert not Path("out.csv").exists()
 
 
+@pytest.mark.parametrize("compiler", ["system", "pypi"], indirect=True)
+def test_a_call_of_a_function_that_no_header_declares_is_refused(case, compiler):
+    status, said = case(counter_c=("self->count += ", "self->count += (int)fabs(0.5) + "))
+    assert status == 1
+    assert re.match(r"code/counter\.c:\d+:\d+: error T011 The compiler says: .*fabs", said[0])
+
+
 def test_a_build_that_fails_prints_no_header(case):
     status, _ = case("-o", "-", counter_c=("self->count += ", "self->cuont += "))  # which checks standard output
     assert status == 1
@@ -305,7 +312,7 @@ def test_a_call_without_an_end_is_stopped_after_a_limit(case):
     assert status == 1
     assert (
         said[0]
-        == "filter.yaml:12:17: error T021 Filter_Step must return within 0.3 s; the one of 0.060000000 s did not."
+        == "filter.yaml:12:17: error T021 Filter_Step must return within 0.3 s; the call at 0.060000000 s did not."
     )
     assert said[2:] == INPUTS
 

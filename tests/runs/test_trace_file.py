@@ -105,7 +105,7 @@ def test_the_call_of_a_row_is_told_where_there_is_a_column_for_it(read):
 
 
 HEADERS = {
-    "": "1:1: error T001 The first column must be `time`, not ''. Give the time of each row in seconds.",
+    "": "1:1: error T001 The trace has no header. Give the time of each row in seconds.",
     "Vehicle.Speed,time": "1:1: error T001 The first column must be `time`, not 'Vehicle.Speed'. Give the time of each row in seconds.",
     "time;Vehicle.Speed": "1:1: error T001 The first column must be `time`, not 'time;Vehicle.Speed'. Separate cells by commas.",
     "time,Vehicle.Sped": "1:6: error T002 The column 'Vehicle.Sped' is neither a signal of the catalogue nor an interface of the functions. Did you mean 'Vehicle.Speed'?",

@@ -50,7 +50,7 @@ def _add_new(actions: Actions) -> None:
         "-o",
         "--output",
         metavar="FOLDER",
-        help="folder to write into, or FILE.yaml (default: NAME, or that of --from-c)",
+        help="folder to write into, or FILE.yaml (default: NAME, in the first folder of functions of the project, or the folder of --from-c)",
     )
     starting.add_argument(
         "--schema", metavar="ADDRESS", help="name this JSON Schema, such as that of a running service, and write none"
@@ -169,7 +169,7 @@ def new(arguments: argparse.Namespace) -> int:
     if not arguments.from_c and (arguments.model or arguments.define or arguments.define_under):
         raise UsageError("--model, --define and --define-under are about C code: name its folder with --from-c")
     schema = arguments.schema or SCHEMA_FILE
-    file = _new_file(arguments.output or arguments.from_c or Path(arguments.name))
+    file = _new_file(arguments.output or arguments.from_c or _own_folder(arguments))
     folder = file.parent
     code = {} if arguments.from_c else code_scaffold(arguments.name)
     for path in (file, *(folder / name for name in code)):
@@ -189,6 +189,12 @@ def new(arguments: argparse.Namespace) -> int:
     )
     print(f"{file}: {advice}", file=sys.stderr)
     return 0
+
+
+def _own_folder(arguments: argparse.Namespace) -> Path:
+    """The folder of a new function: where the commands of the project find it, or below the current one."""
+    folders = project_of(arguments).functions
+    return folders[0] / arguments.name if folders else Path(arguments.name)
 
 
 def _scaffold(arguments: argparse.Namespace, schema: str) -> str:

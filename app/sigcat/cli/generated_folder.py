@@ -92,8 +92,8 @@ def _remove(folder: Path, name: str, entry: _Entry) -> None:
 def _refusal(others: Sequence[Path]) -> str:
     more = f" (and {len(others) - 1} more)" if len(others) > 1 else ""
     return (
-        f"{others[0]}{more} is not as `sigcat generate` has written it, as far as {LIST} beside the files says, and would be "
-        "lost: name another folder, or say --force"
+        f"{others[0]}{more} is not a file that `sigcat generate` wrote, or was changed since ({LIST} lists them): "
+        "name another folder, or replace it with --force"
     )
 
 

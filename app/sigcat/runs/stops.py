@@ -40,7 +40,7 @@ def refusal(
 
 def _kind(stopped: Stopped, at: str, limits: Limits) -> tuple[RuleCode, str]:
     if stopped.reason == "hangs":
-        return codes.CALL_NEVER_RETURNS, f"must return within {limits.seconds:g} s; the one of {at} did not"
+        return codes.CALL_NEVER_RETURNS, f"must return within {limits.seconds:g} s; the call at {at} did not"
     if stopped.reason == "prints too much":
         return codes.PRINTS_TOO_MUCH, f"must print less; at {at} it was more than {limits.printed // 2**20} MiB"
     return codes.CALL_CRASHES, f"ended the process at {at} with {stopped.how}"

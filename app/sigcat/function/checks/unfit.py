@@ -7,7 +7,7 @@ from sigcat import codes
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.field_types import C_EXPRESSION, VSS_PATH
 from sigcat.function.document.problem import Problem
-from sigcat.function.document.unfit_texts import titled, unfit_texts
+from sigcat.function.document.unfit_texts import Unfit, titled, unfit_texts
 from sigcat.function.function_json.datatypes.datatype import innermost
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import Origin
@@ -25,16 +25,22 @@ def check_texts(function: FunctionJson, origin: Origin | None = None) -> Iterato
         return f"An allowed value of {user.name!r}" if user else titled(written(pointer) or pointer)
 
     own = function.info.function_name
-    is_in_paths = VSS_PATH.accepts(own)
-    if not is_in_paths:
+    texts = tuple(unfit_texts(function, accessors_of(function), name))
+    made_of_name = [each for each in texts if origin is not None and _is_path_of(own, each, written(each.pointer))]
+    if made_of_name:
         message = f"The name of a function must be letters, digits and underscores, a letter first, not {own!r}."
         yield Problem(codes.TEXT_OF_WRONG_TYPE, ("FunctionInfo", "FunctionName"), message)
-    for each in unfit_texts(function, accessors_of(function), name):
-        if each.grammar is VSS_PATH and not is_in_paths and not written(each.pointer):
-            continue  # the path is made of the name
+    for each in texts:
+        if each in made_of_name:
+            continue
         rule = codes.VARIABLE_NO_EXPRESSION if each.grammar is C_EXPRESSION else codes.TEXT_OF_WRONG_TYPE
         user = None if written(each.pointer) or origin is None else _user_of_symbol(function, each.pointer)
         yield Problem(rule, user.pointer if user else each.pointer, each.message, each.fix)
+
+
+def _is_path_of(function: str, text: Unfit, written: Pointer | None) -> bool:
+    """Whether a text is a path that was made of the name of a function, which no path can have."""
+    return text.grammar is VSS_PATH and written is None and not VSS_PATH.accepts(function)
 
 
 class _User(NamedTuple):

@@ -46,7 +46,7 @@ def mode_interfaces(item: ModesItem, at: Pointer, context: Context) -> list[Part
 
 def _without_interface(direction: str, at: Pointer, context: Context) -> Problem:
     name = f"{context.function}_Mode_{direction}"
-    message = f"The interface {name} must be listed for its side in the code to count."
+    message = f"The code has a variable of {name}, but the function does not list this interface."
     return Problem(codes.MODE_WITHOUT_INTERFACE, at, message, "Add it to `interfaces`.", Subject("mode", name))
 
 

@@ -12,9 +12,9 @@ from sigcat.function.function_json.code import CodeInterface
 _CPP = frozenset((".cc", ".cpp", ".cxx", ".c++"))
 _FLAGS = ("-c", "-O2", "-g", *EXACT)
 """`-g`: the linker says at which line a symbol is missing."""
-_OF_CORE = (
-    "-Werror=incompatible-pointer-types", "-Werror=int-conversion", "-Werror=implicit-function-declaration",
-)  # fmt: skip
+_DECLARED = "-Werror=implicit-function-declaration"
+"""A function without a declaration would return an `int`, whatever it returns: newer compilers of C refuse it by default."""
+_OF_CORE = ("-Werror=incompatible-pointer-types", "-Werror=int-conversion", _DECLARED)
 """Checks that older compilers of C do not make by default."""
 
 
@@ -54,7 +54,9 @@ def _of_member(index: int, member: Member, folder: Path, tools: Toolchain, own: 
         strict = () if is_cpp(found) else _OF_CORE
         yield _compilation(index, found, folder / f"{found.name}.o", (*strict, *flags), tools)
     for number, source in enumerate(code.sources or ()):
-        yield _compilation(index, member.folder / source, folder / f"{member.name}.{number}.o", (*flags, *own), tools)
+        path = member.folder / source
+        declared = () if is_cpp(path) else (_DECLARED,)
+        yield _compilation(index, path, folder / f"{member.name}.{number}.o", (*declared, *flags, *own), tools)
 
 
 def _compilation(member: int | None, source: Path, output: Path, flags: Sequence[str], tools: Toolchain) -> Compilation:

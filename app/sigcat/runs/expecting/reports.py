@@ -57,7 +57,7 @@ def summary(columns: Sequence[Compared], file: str) -> str:
     without = f" Not compared, as they have no value: {', '.join(empty)}." if empty else ""
     if not wrong:
         return f"All {len(compared)} outputs of {file} are as expected.{without}"
-    return f"{len(wrong)} of {len(compared)} outputs differ from {file}:{without}\n{_table(wrong)}"
+    return f"{len(wrong)} of {len(compared)} outputs differ from {file}.{without}\n{_table(wrong)}"
 
 
 def _table(wrong: Sequence[Compared]) -> str:

@@ -73,7 +73,7 @@ def _not_carried(code: CodeValue) -> Iterator[Problem]:
     default = code.node.values.get("default") if isinstance(code.item, DataItem) else None
     given = default if code.item.init is None else code.item.init
     if isinstance(given, str) and _is_unheld(code, given):
-        message = f"The start value {in_yaml(given)} of {code.item.path!r} is not carried: Function JSON has no texts."
+        message = f"Function JSON cannot have the text {in_yaml(given)} as the start value of {code.item.path!r}."
         yield code.problem(codes.START_VALUE_NOT_CARRIED, code.first_written("init"), message, "Set it in the code.")
 
 
