@@ -13,7 +13,7 @@ from bench.rows import Bench, Row, time_of
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.function.document.read_json import read_json
 from sigcat.function.function_file import CheckedFunction
-from sigcat.registry.candidate import Candidate
+from sigcat.registry.candidates.candidate import Candidate
 from sigcat.registry.compatibility.breaking import broken_by_catalogue, broken_by_functions
 from sigcat.registry.compatibility.member import Member
 from sigcat.registry.publish import publish

@@ -241,7 +241,7 @@ def test_a_worker_does_one_piece_of_work_after_another(queue: WorkQueue) -> None
 
 def models_are_built() -> bool:
     from sigcat.function.declaration.declaration import Declaration
-    from sigcat.function.function_json.data_interfaces import Signal
+    from sigcat.function.function_json.interfaces.data_interfaces import Signal
 
     return Declaration.__pydantic_complete__ and Signal.__pydantic_complete__
 

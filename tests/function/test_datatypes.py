@@ -3,7 +3,7 @@
 import pytest
 
 from sigcat.catalogue.model.datatypes import PRIMITIVES as VSS
-from sigcat.function.function_json.primitive_types import PRIMITIVES, CType, agree, c_type, reference_type
+from sigcat.function.function_json.datatypes.primitive_types import PRIMITIVES, CType, agree, c_type, reference_type
 
 
 def test_every_vss_datatype_has_a_row():

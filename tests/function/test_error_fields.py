@@ -11,8 +11,8 @@ from sigcat.function.checks.definitions import used_by
 from sigcat.function.checks.error_causes import check_error_causes
 from sigcat.function.declaration.declaration import DataItem
 from sigcat.function.declaration.form import key_of
-from sigcat.function.function_json.data_interfaces import DATA_ERRORS, DataQueue, Signal
 from sigcat.function.function_json.error_fields import error_fields
+from sigcat.function.function_json.interfaces.data_interfaces import DATA_ERRORS, DataQueue, Signal
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.names import camel_case
 from sigcat.registry.use import uses_of

@@ -6,9 +6,10 @@ from typing import Any
 import jsonschema
 import pytest
 
-from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
-from sigcat.function.function_json.datatype import Datatype
-from sigcat.function.function_json.methods import Argument, MethodInterface
+from sigcat.function.function_json.datatypes.datatype import Datatype
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.interfaces.methods import Argument, MethodInterface
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.function.function_json.model import (
     Component,
     FunctionInfo,
@@ -19,7 +20,6 @@ from sigcat.function.function_json.model import (
     to_json,
 )
 from sigcat.function.function_json.runnable import Contract, Runnable, Watchdog, WatchdogLimits
-from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.function.function_json.wire import WireModel
 from tests.published.schemas import definitions, schema
 from tests.reference_tools import checked_with

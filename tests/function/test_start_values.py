@@ -6,7 +6,7 @@ import pytest
 
 from sigcat.function.document.text import Text
 from sigcat.function.function_file import build_function
-from sigcat.function.function_json.data_interfaces import ParameterInterface, Signal
+from sigcat.function.function_json.interfaces.data_interfaces import ParameterInterface, Signal
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.platforms.integrate import integrate
 from sigcat.platforms.table import PLATFORMS

@@ -3,7 +3,7 @@
 import pytest
 
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
-from sigcat.function.function_json.primitive_types import PRIMITIVES
+from sigcat.function.function_json.datatypes.primitive_types import PRIMITIVES
 from sigcat.integration.datatypes import BY_VSS, SPELLINGS, of_reference
 from tests.published.schemas import WORDS
 

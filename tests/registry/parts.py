@@ -10,7 +10,7 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.function.function_file import CheckedFunction
 from sigcat.function.function_json.model import to_json
 from sigcat.function.sets.check_set import read_set
-from sigcat.registry.candidate import Candidate
+from sigcat.registry.candidates.candidate import Candidate
 from sigcat.registry.published import Published, version_named
 from sigcat.registry.reference import Reference
 from sigcat.registry.storing.ledger import Ledger

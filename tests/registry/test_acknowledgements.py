@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 from sigcat.errors import InputRefused
-from sigcat.registry.acknowledgements import acknowledge, deprecations
 from sigcat.registry.author import Author
+from sigcat.registry.decisions.acknowledgements import acknowledge, deprecations
 from sigcat.registry.events import events_after
 from sigcat.registry.lines import record, set_state
 from sigcat.registry.publish import publish

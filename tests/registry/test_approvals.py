@@ -6,11 +6,11 @@ from pathlib import Path
 import pytest
 
 from sigcat.errors import InputRefused
-from sigcat.registry import approvals
-from sigcat.registry.approvals import approve, pending, reject
 from sigcat.registry.author import Author
-from sigcat.registry.candidate import Candidate
+from sigcat.registry.candidates.candidate import Candidate
 from sigcat.registry.compatibility.deploying import can_deploy
+from sigcat.registry.decisions import approvals
+from sigcat.registry.decisions.approvals import approve, pending, reject
 from sigcat.registry.lines import set_rule, set_state
 from sigcat.registry.publish import publish
 from sigcat.registry.published import all_versions, version_named

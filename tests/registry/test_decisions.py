@@ -10,7 +10,7 @@ import pytest
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.function.function_file import CheckedFunction
 from sigcat.function.sets.check_set import check_set
-from sigcat.registry.candidate import Candidate
+from sigcat.registry.candidates.candidate import Candidate
 from sigcat.registry.compatibility.breaking import broken_by_catalogue
 from sigcat.registry.compatibility.deploying import can_deploy
 from sigcat.registry.published import all_versions

@@ -13,8 +13,8 @@ from cloudevents.core.bindings.http import HTTPMessage, from_structured
 from cloudevents.core.formats.json import JSONFormat
 from cloudevents.core.v1.event import CloudEvent
 
-from sigcat.registry.acknowledgements import acknowledge
-from sigcat.registry.approvals import approve, reject
+from sigcat.registry.decisions.acknowledgements import acknowledge
+from sigcat.registry.decisions.approvals import approve, reject
 from sigcat.registry.events import TYPES, event_text, events_after
 from sigcat.registry.lines import record, set_rule, set_state
 from sigcat.registry.publish import publish

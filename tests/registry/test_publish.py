@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sigcat.errors import InputRefused
-from sigcat.registry.candidate import Candidate
+from sigcat.registry.candidates.candidate import Candidate
 from sigcat.registry.lines import record, set_rule, set_state
 from sigcat.registry.publish import publish
 from sigcat.registry.published import all_versions, version_named

@@ -9,7 +9,7 @@ import pytest
 from sigcat.catalogue.hosting.source import Source, load
 from sigcat.errors import InputRefused
 from sigcat.limits import DEFAULT_LIMITS
-from sigcat.registry.catalogue_files import content_of_files, document_of, files_of, sent_catalogue
+from sigcat.registry.candidates.catalogue_files import content_of_files, document_of, files_of, sent_catalogue
 
 ROOT = "Vehicle: {type: branch, description: A vehicle.}\n"
 SPEED = "Vehicle.Speed: {type: sensor, datatype: float, unit: km/h, description: A speed.}\n"

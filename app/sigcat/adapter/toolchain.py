@@ -39,7 +39,7 @@ class Toolchain(NamedTuple):
 
 def toolchain(environment: Mapping[str, str] = os.environ) -> Toolchain:
     """The compilers. Raises UsageError if there are none."""
-    named = {variable: _named(variable, environment) for variable in ("CC", "CXX")}
+    named = {variable: _compiler_of_variable(variable, environment) for variable in ("CC", "CXX")}
     known = [found for found in (*(_pair(c, environment) for c, _ in _PAIRS), packaged()) if found]
     c = named["CC"] or (known[0].c if known else _alone(environment))
     if c is None:
@@ -56,7 +56,7 @@ def packaged() -> Toolchain | None:
     return Toolchain((*command, "cc", "-fno-sanitize=undefined"), (*command, "c++", "-fno-sanitize=undefined"))
 
 
-def _named(variable: str, environment: Mapping[str, str]) -> tuple[str, ...] | None:
+def _compiler_of_variable(variable: str, environment: Mapping[str, str]) -> tuple[str, ...] | None:
     command = tuple(shlex.split(environment.get(variable, "")))
     if command and shutil.which(command[0], path=environment.get("PATH")) is None:
         raise UsageError(f"{variable} must name a compiler, not {command[0]!r}: there is no such program.")

@@ -67,7 +67,7 @@ def _accepted(before: Schema, after: Schema, old: Schema, new: Schema) -> Iterat
     if later and (lost := sorted((earlier or {"any text"}) - later)):
         yield f"no longer takes {', '.join(lost)}."
     if _kinds(before, old) - _kinds(after, new) - {"null"}:
-        yield f"takes {_told(_kinds(after, new))}, and took {_told(_kinds(before, old))}."
+        yield f"takes {_kinds_in_words(_kinds(after, new))}, and took {_kinds_in_words(_kinds(before, old))}."
 
 
 def _body(before: Schema, after: Schema) -> Iterator[str]:
@@ -101,7 +101,7 @@ def _answered(before: Schema, after: Schema, old: Schema, new: Schema, at: str, 
     if depth > _DEEPEST or not was:
         return
     if _kinds(after, new) - _kinds(before, old):
-        yield f"{at} may be {_told(_kinds(after, new))} now; it was {_told(_kinds(before, old))}."
+        yield f"{at} may be {_kinds_in_words(_kinds(after, new))} now; it was {_kinds_in_words(_kinds(before, old))}."
     earlier, later = _values(before, old), _values(after, new)
     if earlier and (added := sorted((later or {"any text"}) - earlier)):
         yield f"{at} may be {', '.join(added)} now."
@@ -144,5 +144,5 @@ def _values(schema: Schema, document: Schema) -> set[str]:
     return {str(value) for value in holder.get("enum", ([holder["const"]] if "const" in holder else []))}
 
 
-def _told(kinds: frozenset[str]) -> str:
+def _kinds_in_words(kinds: frozenset[str]) -> str:
     return " or ".join(sorted(kinds)) or "anything"

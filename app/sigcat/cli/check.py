@@ -59,7 +59,7 @@ def check(arguments: argparse.Namespace) -> int:
 
 
 def _findings(arguments: argparse.Namespace, connection: "Snapshot") -> "Iterator[Finding]":
-    from sigcat.registry.candidates import read_functions
+    from sigcat.registry.candidates.candidates import read_functions
     from sigcat.registry.compatibility.breaking import broken_by_catalogue, broken_by_functions
     from sigcat.registry.compatibility.member import file_member
 
@@ -79,7 +79,7 @@ def _findings(arguments: argparse.Namespace, connection: "Snapshot") -> "Iterato
 def _with_overlay(arguments: argparse.Namespace, file: Path) -> "Catalogue":
     """The catalogue with an overlay in its present form. Raises InputRefused if it brings errors."""
     from sigcat.catalogue.reading.layers import read_layer
-    from sigcat.registry.candidates import overlay_trial
+    from sigcat.registry.candidates.candidates import overlay_trial
 
     layer = read_layer(file, arguments.include_dirs, is_overlay=True)
     return overlay_trial(layer, place_of(arguments, file)).catalogue

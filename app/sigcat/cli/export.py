@@ -57,7 +57,7 @@ def export(arguments: argparse.Namespace) -> int:
     if output is not None and exporter.refuses_ending and output.suffix not in ("", ".zip"):
         stem = output.with_suffix("")
         raise UsageError(f"{exporter.name} writes a folder, not {output}: pass `-o {stem}`, or `-o {stem}.zip`")
-    options = _given(arguments, exporter)
+    options = _given_options(arguments, exporter)
     expanded = options.get(EXPAND.name, True)
     catalogue = read_tree(arguments, expanded=expanded, for_export=not options.get(STRICT.name))
     name = _name(output, exporter)
@@ -128,7 +128,7 @@ def _shown(default: Any) -> str:
     return {True: "yes", False: "no"}.get(default, str(default)) if isinstance(default, bool) else str(default)
 
 
-def _given(arguments: argparse.Namespace, exporter: Exporter) -> dict[str, Any]:
+def _given_options(arguments: argparse.Namespace, exporter: Exporter) -> dict[str, Any]:
     """The options that were given; of a file to write beside, its name."""
     given = {}
     for option in exporter.options:

@@ -21,8 +21,8 @@ from sigcat.errors import UsageError
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from sigcat.registry.access import Change
-    from sigcat.registry.candidate import Candidate
+    from sigcat.registry.access.access import Change
+    from sigcat.registry.candidates.candidate import Candidate
     from sigcat.registry.publish import Receipt
 
 
@@ -74,7 +74,7 @@ def _published(arguments: argparse.Namespace) -> "tuple[Receipt, Change]":
             is_draft=arguments.draft, catalogue=server_catalogue(arguments),
         )  # fmt: skip
     registry = registry_of(arguments)
-    from sigcat.registry.access import Change
+    from sigcat.registry.access.access import Change
     from sigcat.registry.publish import publish as publish_candidates
 
     receipt = publish_candidates(registry, tuple(_candidates(arguments, files)), is_draft=arguments.draft)
@@ -83,8 +83,13 @@ def _published(arguments: argparse.Namespace) -> "tuple[Receipt, Change]":
 
 def _candidates(arguments: argparse.Namespace, files: PublishedFiles) -> "Iterator[Candidate]":
     from sigcat.catalogue.reading.layers import read_layer
-    from sigcat.registry.candidates import catalogue_candidate, function_candidates, overlay_candidate, read_functions
-    from sigcat.registry.catalogue_files import content_of_files, files_of
+    from sigcat.registry.candidates.candidates import (
+        catalogue_candidate,
+        function_candidates,
+        overlay_candidate,
+        read_functions,
+    )
+    from sigcat.registry.candidates.catalogue_files import content_of_files, files_of
 
     if files.functions:
         named = [(file.read_bytes(), str(file)) for file in files.functions]

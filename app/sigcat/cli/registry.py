@@ -32,7 +32,7 @@ from sigcat.limits import REGISTRY_ROWS
 from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
-    from sigcat.registry.access import Access
+    from sigcat.registry.access.access import Access
     from sigcat.registry.reference import Reference, State
 
 _RULES = ("backward", "full", "approval", "none")
@@ -228,7 +228,7 @@ def export(arguments: argparse.Namespace) -> int:
 def import_file(arguments: argparse.Namespace) -> int:
     """Read the export."""
     registry = registry_of(arguments)
-    from sigcat.registry.access import Change
+    from sigcat.registry.access.access import Change
     from sigcat.registry.storing.transfer import import_lines
 
     with existing_file(arguments.file).open("rb") as lines:

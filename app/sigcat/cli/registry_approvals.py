@@ -18,8 +18,8 @@ from sigcat.terminal_text import printable
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from sigcat.registry.access import Change
-    from sigcat.registry.approvals import Approval, Decided, Pending
+    from sigcat.registry.access.access import Change
+    from sigcat.registry.decisions.approvals import Approval, Decided, Pending
     from sigcat.registry.reference import Kind, Reference
 
 

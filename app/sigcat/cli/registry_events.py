@@ -12,8 +12,8 @@ from sigcat.errors import UsageError
 from sigcat.terminal_text import printable
 
 if TYPE_CHECKING:
+    from sigcat.registry.access.remote import Server
     from sigcat.registry.events import Event
-    from sigcat.registry.remote import Server
 
 _PAUSE = 1.0
 """Seconds between two looks at the log, and before the first attempt to reach a service again."""
@@ -99,7 +99,7 @@ def _number_of_event(server: "Server", event_id: str) -> int:
 
 def _followed(server: "Server", number: int) -> "Iterator[Sequence[Event]]":
     """Yield events as they come. Once the service has answered, it is asked again when it does not."""
-    from sigcat.registry.remote import Unanswered
+    from sigcat.registry.access.remote import Unanswered
 
     found, number = server.events(number)
     last: Event | None = None

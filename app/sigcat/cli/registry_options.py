@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 
     from sigcat.findings import Finding
     from sigcat.project.project import Project, RegistrySettings
-    from sigcat.registry.access import Access, Change
-    from sigcat.registry.remote import Server
+    from sigcat.registry.access.access import Access, Change
+    from sigcat.registry.access.remote import Server
     from sigcat.registry.storing.database import Snapshot
     from sigcat.registry.storing.ledger import Registry
 
@@ -65,7 +65,7 @@ def server_of(arguments: argparse.Namespace) -> "Server | None":
     if not re.fullmatch(SERVER, address):
         raise UsageError(f"--server must be an address such as https://signals.example, not {address[:80]!r}")
     with needing_extra():
-        from sigcat.registry.remote import Server
+        from sigcat.registry.access.remote import Server
     token = os.environ.get("SIGCAT_TOKEN", "").strip()
     if not (token.isascii() and token.isprintable()):
         raise UsageError("the token in SIGCAT_TOKEN must be printable ASCII; its value is not shown")
@@ -90,7 +90,7 @@ def posted_files(arguments: argparse.Namespace) -> "tuple[tuple[bytes, str], ...
 
 def _sent(arguments: argparse.Namespace, tree: Path) -> tuple[bytes, str]:
     """The document of a catalogue, and its name."""
-    from sigcat.registry.catalogue_files import ENDING, document_of
+    from sigcat.registry.candidates.catalogue_files import ENDING, document_of
 
     source, catalogue = read_catalogue(arguments, tree)
     return document_of(source, catalogue), f"{tree}{ENDING}"
@@ -143,7 +143,7 @@ def needing_extra() -> "Iterator[None]":
 def read_registry(arguments: argparse.Namespace) -> "Iterator[Snapshot]":
     """One state of the registry, to read. Raises UsageError if nothing is in it."""
     registry = registry_of(arguments)
-    from sigcat.registry.local import reading_published
+    from sigcat.registry.access.local import reading_published
 
     with reading_published(registry) as connection:
         yield connection
@@ -155,7 +155,7 @@ def access_of(arguments: argparse.Namespace) -> "Access":
     if server is not None:
         return server
     registry = registry_of(arguments)
-    from sigcat.registry.local import Local
+    from sigcat.registry.access.local import Local
 
     return Local(registry)
 

@@ -159,7 +159,7 @@ def _simulate(arguments: argparse.Namespace, found: "list[Finding]") -> int:
             return [*forms, expected] if expected else forms
 
         simulated = _written(partial(run, prepared, trace, settings, tools), begin)
-    _told(simulated.findings, found)
+    _print_and_keep(simulated.findings, found)
     for each in simulated.memory:
         print(each.text, file=sys.stderr)
     if expected is not None:
@@ -225,7 +225,7 @@ def _expected(
     if arguments.expect is None:
         return None
     expected = Expected(existing_file(arguments.expect), prepared, paths, arguments.tolerance)
-    _told(expected.trace.findings, found)
+    _print_and_keep(expected.trace.findings, found)
     return expected
 
 
@@ -291,19 +291,19 @@ def _prepared(
     sources = [(path.read_bytes(), str(path)) for path in functions_of(arguments)]
     catalogue = tree_for_functions(arguments, sources)
     functions, findings = read_functions(sources, catalogue)
-    _told(findings, found)
+    _print_and_keep(findings, found)
     prepared = prepare(functions)
-    _told(prepared.findings, found)
+    _print_and_keep(prepared.findings, found)
     paths = (*catalogue.nodes, *catalogue.interfaces)
     if arguments.trace is None:
         return prepared, None, paths
     known = prepared.known_columns(paths)
     trace = trace_of(arguments, known, prepared)
-    _told(trace.findings, found)
+    _print_and_keep(trace.findings, found)
     return prepared, trace, paths
 
 
-def _told(findings: "Iterable[Finding]", found: "list[Finding]") -> None:
+def _print_and_keep(findings: "Iterable[Finding]", found: "list[Finding]") -> None:
     told = tuple(findings)
     print_findings(told)
     found += told

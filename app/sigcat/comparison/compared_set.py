@@ -63,14 +63,14 @@ def _of_folder(folder: Path) -> ComparedSet:
     return ComparedSet(
         said.name or folder.absolute().name,
         tuple(existing_file(folder / each) for each in said.functions),
-        _named(folder, said.deployment),
-        _named(folder, said.trace),
-        _named(folder, said.faults),
+        _existing_file_named(folder, said.deployment),
+        _existing_file_named(folder, said.trace),
+        _existing_file_named(folder, said.faults),
         _existing_folder(folder / said.baseline) if said.baseline else None,
     )
 
 
-def _named(folder: Path, name: str | None) -> Path | None:
+def _existing_file_named(folder: Path, name: str | None) -> Path | None:
     return existing_file(folder / name) if name else None
 
 

@@ -9,8 +9,8 @@ from sigcat.function.c_project.declarations import CFunction, CType, Declaration
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.expression import is_identifier
 from sigcat.function.function_json.code import CLASS, POINTERS, CodeInterface
+from sigcat.function.function_json.interfaces.role import PROVIDER
 from sigcat.function.function_json.resolved_function import ResolvedFunction
-from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.walk import methods, runnables
 from sigcat.names import did_you_mean
 

@@ -27,7 +27,7 @@ def missing_files(function: ResolvedFunction) -> Iterator[Finding]:
     if code is None or function.origin is None:
         return
     folder = Path(function.document.name).parent
-    for pointer, what, path, places in _named(code):
+    for pointer, what, path, places in _files_named(code):
         faults = [_fault(folder / place, is_folder=what == "folder") for place in places] if is_inside(path) else [""]
         if all(faults):
             fault = next((each for each in faults if each != _MISSING), _MISSING)
@@ -65,7 +65,7 @@ def _fault(path: Path, *, is_folder: bool) -> str:
         return _MISSING if error.errno == errno.ENAMETOOLONG else f"cannot be read: {error.strerror}"
 
 
-def _named(code: CodeInterface) -> Iterator[tuple[Pointer, str, str, tuple[str, ...]]]:
+def _files_named(code: CodeInterface) -> Iterator[tuple[Pointer, str, str, tuple[str, ...]]]:
     """Files that the code names: pointer, kind, path, and possible places."""
     for index, path in enumerate(code.sources or ()):
         yield ("Code", "Sources", index), "file", path, (path,)

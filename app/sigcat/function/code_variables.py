@@ -15,9 +15,9 @@ from sigcat.function.c_project.parsing import lacks_system_header, parse_unit, s
 from sigcat.function.code_calls import called_functions, lines_of, unfit_calls
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.code import CLASS, GLOBALS, POINTERS, CodeInterface, is_inside
-from sigcat.function.function_json.datatype import Datatype, innermost
+from sigcat.function.function_json.datatypes.datatype import Datatype, innermost
+from sigcat.function.function_json.interfaces.role import PROVIDER
 from sigcat.function.function_json.resolved_function import ResolvedFunction
-from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.variables import CodeVariable, variables
 from sigcat.function.function_json.walk import data, declared_data, errors, parameters, safety_reactions
 from sigcat.function.variable_types import Seen, Types, misfits

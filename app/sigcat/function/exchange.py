@@ -10,13 +10,13 @@ from typing import Literal, NamedTuple, TypeVar
 
 from sigcat.asil import Level, level_of
 from sigcat.function.document.document import Pointer
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal, rejection_error
 from sigcat.function.function_json.error_fields import SetError
-from sigcat.function.function_json.methods import MethodInterface
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal, rejection_error
+from sigcat.function.function_json.interfaces.methods import MethodInterface
+from sigcat.function.function_json.interfaces.role import PROVIDER
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.model import Component, FunctionJson
-from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.runnable import Contract, Runnable
-from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.walk import interface_lists
 
 Interface = Signal | DataQueue | MethodInterface | ErrorInterface | SafetyReaction | ModeInterface

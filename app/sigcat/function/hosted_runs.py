@@ -12,9 +12,9 @@ from typing import NamedTuple
 
 from sigcat.errors import NotFound
 from sigcat.file_kind import RUN_COLUMNS, ending_of
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.interfaces.role import PROVIDER
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.walk import data, errors, safety_reactions
 from sigcat.limits import RUN_HEADER_BYTES, RUNS
 from sigcat.names import nearest

@@ -155,15 +155,15 @@ def built_over(files: HostedFiles, catalogue: Catalogue) -> tuple[HostedFunction
 
 def function_over(files: HostedFiles, catalogue: Catalogue, function_id: str) -> HostedFunction:
     """A function of a service by its id. Raises NotFound with the nearest ids."""
-    return _named(function_id, {each.id: each for each in functions_over(files, catalogue)})
+    return _function_with_id(function_id, {each.id: each for each in functions_over(files, catalogue)})
 
 
 def file_of(files: HostedFiles, function_id: str) -> HostedFile:
     """The file of a function by its id. Raises NotFound with the nearest ids."""
-    return _named(function_id, {each.id: each for each in files})
+    return _function_with_id(function_id, {each.id: each for each in files})
 
 
-def _named(function_id: str, known: Mapping[str, Found]) -> Found:
+def _function_with_id(function_id: str, known: Mapping[str, Found]) -> Found:
     if function_id not in known:
         raise NotFound(f"Unknown function {function_id!r}.", nearest(function_id[:100], known))
     return known[function_id]

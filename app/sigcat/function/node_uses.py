@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 from sigcat.catalogue.hosting.variants import expanded_of
 from sigcat.catalogue.model.catalogue import Catalogue, Node
+from sigcat.function.function_json.interfaces.role import PROVIDER
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.walk import calls_of, data_of
 from sigcat.function.hosted_files import HostedFiles
 from sigcat.function.hosting import buildable, functions_over

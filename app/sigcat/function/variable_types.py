@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from sigcat.function.c_project.c_types import vss_datatype
 from sigcat.function.c_project.declarations import Constant, CType, Member, Record
-from sigcat.function.function_json.datatype import Datatype, TypeField
+from sigcat.function.function_json.datatypes.datatype import Datatype, TypeField
 from sigcat.function.function_json.variables import CodeVariable
 from sigcat.names import did_you_mean, words
 

@@ -8,8 +8,14 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from sigcat.catalogue.model.datatypes import element_of
-from sigcat.function.function_json.datatype import Datatype
-from sigcat.function.function_json.primitive_types import BY_REFERENCE, PRIMITIVES, agree, c_type, reference_type
+from sigcat.function.function_json.datatypes.datatype import Datatype
+from sigcat.function.function_json.datatypes.primitive_types import (
+    BY_REFERENCE,
+    PRIMITIVES,
+    agree,
+    c_type,
+    reference_type,
+)
 
 
 class Spelling(NamedTuple):

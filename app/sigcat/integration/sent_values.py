@@ -6,7 +6,7 @@ from typing import Any
 
 from sigcat.function.document.text import json_of
 from sigcat.function.function_json.conversion import of_text
-from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
 
 Scaled = Signal | DataQueue | ParameterInterface
 

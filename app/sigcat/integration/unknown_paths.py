@@ -1,7 +1,7 @@
 """VSS paths that a deployment gives to signals that are not there, most likely by a typing error: alike on every platform."""
 
 from sigcat.findings import RuleCode
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.walk import parts
 from sigcat.integration.application import Application
 from sigcat.integration.finding_collector import FindingCollector

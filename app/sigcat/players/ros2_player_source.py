@@ -8,7 +8,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from sigcat.adapter.autosar_adaptive.application.player_source import CPP as CELLS
+from sigcat.adapter.autosar_adaptive.application.player.player_source import CPP as CELLS
 from sigcat.adapter.files import GeneratedFile, shipped
 from sigcat.adapter.ros2.cpp.names import header_of
 from sigcat.adapter.ros2.plan import InterfaceType

@@ -108,7 +108,7 @@ def paths_of(values: Mapping[str, Any], name: str, table: str, number: int, read
     kind = "folder" if name in FOLDERS else "file"
     found: list[Path] = []
     for item in listed:
-        paths, faults = _matches(item, kind, reading) if "*" in item else _named(item, kind, reading)
+        paths, faults = _matches(item, kind, reading) if "*" in item else _one_path(item, kind, reading)
         found += paths
         for fault in faults:
             reading.report(codes.FILE_MISSING, fault, table, number, key, value=item)
@@ -119,7 +119,7 @@ _Matches = tuple[Sequence[Path], Sequence[str]]
 """Paths, and sentences about those that cannot be used."""
 
 
-def _named(text: str, kind: str, reading: Reading) -> _Matches:
+def _one_path(text: str, kind: str, reading: Reading) -> _Matches:
     path = reading.path(text)
     fault = path_fault(path, kind)
     return ([], [fault]) if fault else ([path], [])

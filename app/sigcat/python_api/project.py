@@ -80,7 +80,7 @@ class Project:
 
     def diff(self, old: str, new: str) -> "tuple[Change, ...]":
         """Return the changes between two sides: ids of catalogues, or names as for `sigcat diff`."""
-        return changes_between(old, new, self._named)
+        return changes_between(old, new, self._source_named)
 
     def reload(self) -> None:
         """Read files that changed again."""
@@ -90,7 +90,7 @@ class Project:
     def _vehicle(self, name: str) -> Catalogue:
         from sigcat.catalogue.hosting.source import load
 
-        source = self._named(name)
+        source = self._source_named(name)
         return sound(load(source), source.title, self._project.lint, ())
 
     @cached_property
@@ -114,7 +114,7 @@ class Project:
     def _composed(self, name: str) -> "model.Catalogue":
         return self.catalogue(name)._composed
 
-    def _named(self, name: str) -> "Source":
+    def _source_named(self, name: str) -> "Source":
         from sigcat.catalogue.hosting.sources import source_of_tree
         from sigcat.catalogue.model.vehicle import VEHICLE
         from sigcat.project.chosen_tree import vehicle_source

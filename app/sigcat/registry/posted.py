@@ -12,15 +12,15 @@ from sigcat.errors import UsageError
 from sigcat.file_kind import file_kind, root_branch
 from sigcat.findings import Finding, in_order
 from sigcat.limits import Limits
-from sigcat.registry.candidate import Candidate
-from sigcat.registry.candidates import (
+from sigcat.registry.candidates.candidate import Candidate
+from sigcat.registry.candidates.candidates import (
     catalogue_candidate,
     function_candidates,
     overlay_candidate,
     overlay_trial,
     read_functions,
 )
-from sigcat.registry.catalogue_files import ENDING, sent_catalogue
+from sigcat.registry.candidates.catalogue_files import ENDING, sent_catalogue
 from sigcat.registry.compatibility.breaking import broken_by_catalogue, broken_by_functions
 from sigcat.registry.compatibility.member import file_member
 from sigcat.registry.storing.database import Snapshot

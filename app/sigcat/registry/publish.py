@@ -11,10 +11,10 @@ from sigcat.catalogue.comparing.changelog import next_version, part_of
 from sigcat.catalogue.comparing.changes import CLASSES
 from sigcat.digest import digest_of
 from sigcat.findings import Finding, shown
-from sigcat.registry.approvals import Approval, approvals_of, approving
-from sigcat.registry.candidate import Candidate
+from sigcat.registry.candidates.candidate import Candidate
 from sigcat.registry.changes import UseChange, function_changes, node_changes
 from sigcat.registry.compatibility.affected import Affected, affected_owners
+from sigcat.registry.decisions.approvals import Approval, approvals_of, approving
 from sigcat.registry.owners import alike_problem
 from sigcat.registry.published import COLUMNS, PUBLISHED, Published, all_versions, version_named
 from sigcat.registry.reference import CHANGEABLE, DEPLOYABLE, Kind, Reference, Rule, name_problem, refused

@@ -9,10 +9,10 @@ from sigcat.catalogue.comparing.diff_report import plain
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.datatypes import element_of
 from sigcat.function.exchange import Side, causes, exchange_of, parts_of
-from sigcat.function.function_json.data_interfaces import DATA_ERRORS, DataQueue, Signal
+from sigcat.function.function_json.interfaces.data_interfaces import DATA_ERRORS, DataQueue, Signal
+from sigcat.function.function_json.interfaces.role import CONSUMER
+from sigcat.function.function_json.interfaces.status_interfaces import SafetyReaction
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.role import CONSUMER
-from sigcat.function.function_json.status_interfaces import SafetyReaction
 from sigcat.function.function_json.walk import absent, parameters, runnables
 from sigcat.function.sets.check_set import needs_provider
 

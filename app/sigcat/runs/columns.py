@@ -8,8 +8,8 @@ from sigcat.adapter.core.cores import plans
 from sigcat.adapter.core.plan import CorePlan
 from sigcat.adapter.host.connections import Connections, Entry, Exit, Member, connect
 from sigcat.adapter.host.shapes import Shape
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.duration import milliseconds
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.walk import data
 from sigcat.integration.sent_values import sent

@@ -125,7 +125,7 @@ class _InMemory(MultiPartParser):
         self.spool_max_size = self.max_file_size = len(body) + 1
         super().__init__(
             Headers(raw=[(b"content-type", content_type)]),
-            _whole(body),
+            _one_chunk(body),
             max_files=FORM_FIELDS,
             max_fields=FORM_FIELDS,
             max_part_size=len(body),
@@ -136,7 +136,7 @@ async def _parts(body: bytes, boundary: bytes) -> FormData:
     return await _InMemory(body, boundary).parse()
 
 
-async def _whole(body: bytes) -> AsyncGenerator[bytes, None]:
+async def _one_chunk(body: bytes) -> AsyncGenerator[bytes, None]:
     yield body
 
 

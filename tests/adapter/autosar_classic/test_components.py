@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from sigcat.adapter.autosar_classic.code.literals import number as constant
+from sigcat.adapter.autosar_classic.code.rte_headers.literals import number as constant
 from sigcat.adapter.autosar_classic.generate import generate
 from sigcat.adapter.toolchain import EXACT, toolchain
 from sigcat.errors import InputRefused

@@ -3,7 +3,7 @@
 from collections.abc import Collection, Iterable
 from pathlib import Path
 
-from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.c.names.scope import Scope
 from sigcat.adapter.core.plan import CLASS, GLOBALS, POINTERS
 from tests.adapter.core.subject import Item, Leaf, Method, Subject
 

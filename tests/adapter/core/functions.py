@@ -7,7 +7,7 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from sigcat.function.function_json.data_interfaces import DATA_ERRORS
+from sigcat.function.function_json.interfaces.data_interfaces import DATA_ERRORS
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.names import camel_case
 from tests.adapter.core.driver import CLASS_NAME, OBJECT

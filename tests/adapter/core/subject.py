@@ -3,16 +3,16 @@
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
-from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.c.names.scope import Scope
 from sigcat.adapter.core.derive import derive
 from sigcat.adapter.core.numbers import DOUBLE, NumberType
 from sigcat.adapter.core.plan import CLASS, NANOSECONDS, Clock, CorePlan, WireType
 from sigcat.adapter.core.plan import Argument as PlannedArgument
 from sigcat.function.function_json import walk
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
-from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.function_json.datatypes.datatype import Datatype
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.interfaces.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from tests.adapter.reference.function import Function
 from tests.adapter.reference.parts.methods import Argument
 from tests.adapter.reference.reading.data import port_key

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import pytest
 
-from sigcat.adapter.core.c.conversions import converted
-from sigcat.adapter.core.c.literals import literal
+from sigcat.adapter.core.c.values.conversions import converted
+from sigcat.adapter.core.c.values.literals import literal
 from sigcat.adapter.core.generate import RUNTIME_SOURCE, runtime_files
 from sigcat.adapter.core.numbers import DOUBLE, FLOAT, NumberType, nearest_float, number_type
 from sigcat.adapter.core.plan import Element

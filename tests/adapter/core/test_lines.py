@@ -3,7 +3,7 @@
 import pytest
 from clang.cindex import Index, TokenKind
 
-from sigcat.adapter.core.c.lines import WIDEST, Line, code_of, lines, replaced, wrapped
+from sigcat.adapter.core.c.text.lines import WIDEST, Line, code_of, lines, replaced, wrapped
 from sigcat.function.document.text_filters import block_comment, c_string
 
 HOSTILE = "evil(evil, evil) || evil = evil /* evil */ evil; " * 8

@@ -4,10 +4,10 @@ import json
 
 import pytest
 
-from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
-from sigcat.function.function_json.methods import MethodInterface
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.interfaces.methods import MethodInterface
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.wire import written as to_json
 from sigcat.integration.autosar_adaptive.field_targets import CALL_TARGETS, PARAMETER_TARGETS, TABLES
 from sigcat.integration.report import NOT_CARRIED, to_markdown

@@ -6,10 +6,10 @@ import jsonschema_rs
 import pytest
 
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
-from sigcat.function.function_json.methods import MethodInterface
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.interfaces.methods import MethodInterface
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.wire import document_schema, written
 from sigcat.integration.autosar_classic.document import read_integration
 from sigcat.integration.autosar_classic.field_targets import CALL_TARGETS, PARAMETER_TARGETS, TABLES

@@ -3,12 +3,12 @@
 import pytest
 from pydantic import BaseModel
 
-from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
-from sigcat.function.function_json.datatype import Datatype
-from sigcat.function.function_json.methods import MethodInterface
+from sigcat.function.function_json.datatypes.datatype import Datatype
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.interfaces.methods import MethodInterface
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.model import FunctionInfo, Mode
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.report import NOT_CARRIED
 from sigcat.integration.ros2.field_targets import TABLES
 from sigcat.platforms.deployment_file import DEPLOYMENT_FILE

@@ -10,7 +10,7 @@ from sigcat.adapter.core.plan import Alive, Call, Deadline, Input, Logical, Outp
 from sigcat.adapter.core.planning import Context, ListedCall, nanoseconds
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
-from sigcat.function.function_json.data_interfaces import DataQueue
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue
 from sigcat.function.function_json.runnable import Runnable, WatchdogLimits
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
 

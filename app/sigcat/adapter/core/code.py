@@ -9,7 +9,7 @@ from sigcat.adapter.core.plan import CLASS, GLOBALS, Code, CodeObject, Extern
 from sigcat.adapter.core.planning import Context
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.code import CodeInterface
-from sigcat.function.function_json.datatype import innermost
+from sigcat.function.function_json.datatypes.datatype import innermost
 from sigcat.function.function_json.variables import variables
 
 _PLAIN = re.compile(r"[A-Za-z_]\w*", re.ASCII)

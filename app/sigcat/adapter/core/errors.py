@@ -21,8 +21,8 @@ from sigcat.adapter.core.plan import (
 )
 from sigcat.adapter.core.planning import Context, ListedCall, expression, nanoseconds
 from sigcat.function.document.document import Pointer
-from sigcat.function.function_json.datatype import EnumerationValue
-from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
+from sigcat.function.function_json.datatypes.datatype import EnumerationValue
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, SafetyReaction
 
 RESTART = "Restart"
 

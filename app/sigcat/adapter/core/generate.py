@@ -6,10 +6,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sigcat.adapter.core.c.header import header
-from sigcat.adapter.core.c.lines import Lines, wrapped
-from sigcat.adapter.core.c.scope import Scope, in_adapter
-from sigcat.adapter.core.c.shadowing import distinct
+from sigcat.adapter.core.c.names.scope import Scope, in_adapter
+from sigcat.adapter.core.c.names.shadowing import distinct
 from sigcat.adapter.core.c.source import source
+from sigcat.adapter.core.c.text.lines import Lines, wrapped
 from sigcat.adapter.core.numbers import DOUBLE, NumberType
 from sigcat.adapter.core.plan import NANOSECONDS, Clock, CorePlan
 from sigcat.adapter.files import GeneratedFile

@@ -9,9 +9,9 @@ from sigcat.adapter.core.planning import Context, expression, nanoseconds
 from sigcat.adapter.core.values import value_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
-from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.error_fields import errors_set_by
-from sigcat.function.function_json.role import CONSUMER
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.interfaces.role import CONSUMER
 from sigcat.function.function_json.runnable import Contract, Runnable
 from sigcat.function.function_json.walk import located_absent, located_data
 

@@ -10,10 +10,10 @@ from sigcat.adapter.core.values import value_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.data_interfaces import Signal
-from sigcat.function.function_json.methods import Argument as DeclaredArgument
-from sigcat.function.function_json.methods import MethodInterface
-from sigcat.function.function_json.role import CONSUMER
+from sigcat.function.function_json.interfaces.data_interfaces import Signal
+from sigcat.function.function_json.interfaces.methods import Argument as DeclaredArgument
+from sigcat.function.function_json.interfaces.methods import MethodInterface
+from sigcat.function.function_json.interfaces.role import CONSUMER
 
 
 def methods_of(calls: Sequence[ListedCall], context: Context) -> tuple[Method, ...]:

@@ -4,7 +4,7 @@ from sigcat.adapter.core.errors import status_type
 from sigcat.adapter.core.plan import ModeIn, ModeOut, ModeValue, Named
 from sigcat.adapter.core.planning import Context, expression
 from sigcat.function.document.document import Pointer
-from sigcat.function.function_json.status_interfaces import ModeInterface
+from sigcat.function.function_json.interfaces.status_interfaces import ModeInterface
 
 
 def mode_in(context: Context) -> ModeIn | None:

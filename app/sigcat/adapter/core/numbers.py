@@ -7,7 +7,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
-from sigcat.function.function_json.primitive_types import (
+from sigcat.function.function_json.datatypes.primitive_types import (
     BY_VSS,
     LARGEST_DOUBLE,
     LARGEST_FLOAT,

@@ -9,7 +9,7 @@ from sigcat.adapter.core.planning import Context, ListedCall, expression
 from sigcat.adapter.core.values import value_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
-from sigcat.function.function_json.data_interfaces import ParameterInterface
+from sigcat.function.function_json.interfaces.data_interfaces import ParameterInterface
 
 LEARNED = "LearningParameter"
 

@@ -9,7 +9,7 @@ from sigcat.findings import RuleCode
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.expression import may_hold_value
 from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.function_json.datatypes.datatype import Datatype
 from sigcat.function.function_json.duration import LONGEST_MILLISECONDS, milliseconds, whole_nanoseconds
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.runnable import Runnable

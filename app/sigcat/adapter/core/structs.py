@@ -7,7 +7,7 @@ from sigcat.adapter.core.numbers import type_of_c
 from sigcat.adapter.core.plan import WireField, WireStruct
 from sigcat.adapter.core.planning import Context
 from sigcat.adapter.core.values import struct_name
-from sigcat.function.function_json.datatype import Datatype, TypeField
+from sigcat.function.function_json.datatypes.datatype import Datatype, TypeField
 
 
 def wire_structs(references: Iterable[str], context: Context) -> tuple[WireStruct, ...]:

@@ -23,9 +23,9 @@ from sigcat.adapter.core.planning import Context
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.text import json_of
 from sigcat.function.function_json.conversion import IDENTITY, Linear, as_text, of_text
-from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
-from sigcat.function.function_json.datatype import Datatype, EnumerationValue
-from sigcat.function.function_json.type_list import smallest_integer
+from sigcat.function.function_json.datatypes.datatype import Datatype, EnumerationValue
+from sigcat.function.function_json.datatypes.type_list import smallest_integer
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
 
 Interface = Signal | DataQueue | ParameterInterface
 

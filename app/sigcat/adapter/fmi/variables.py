@@ -256,7 +256,7 @@ def _variable(leaf: _Leaf, place: _Place, *, is_whole: bool) -> Variable:
     greatest = element.greatest if element and is_input else None
     return Variable(
         leaf.name, place.causality, leaf.number, leaf.length, place.owner, leaf.offset,
-        _start(leaf, place, least, greatest), place.unit, _whole(least, leaf.number), _whole(greatest, leaf.number),
+        _start(leaf, place, least, greatest), place.unit, _limit_of_model(least, leaf.number), _limit_of_model(greatest, leaf.number),
         place.description,
     )  # fmt: skip
 
@@ -300,7 +300,7 @@ def _typed(number: float, datatype: Number) -> int | float | bool:
     return struct.unpack("=f", struct.pack("=f", number))[0] if datatype.datatype == "float" else float(number)
 
 
-def _whole(limit: float | None, datatype: Number) -> int | float | None:
+def _limit_of_model(limit: float | None, datatype: Number) -> int | float | None:
     """A limit as modelDescription.xml may have it: not of a truth value, and not of an enumeration, which has its items."""
     return None if limit is None or datatype.symbols or datatype.datatype == "boolean" else _typed(limit, datatype)
 

@@ -16,7 +16,7 @@ from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from sigcat.function.document.document import Pointer
 from sigcat.function.exchange import Side, exchange_of, parts_of
-from sigcat.function.function_json.datatype import innermost
+from sigcat.function.function_json.datatypes.datatype import innermost
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 

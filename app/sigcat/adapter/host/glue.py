@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.c.names.scope import Scope
 from sigcat.adapter.core.plan import GLOBALS, CorePlan, WireStruct, WireType
 from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.host.connections import Connections, Entry, Server, answer_struct, request_struct

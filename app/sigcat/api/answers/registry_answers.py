@@ -10,10 +10,10 @@ from sigcat.errors import NotFound
 from sigcat.findings import shown
 from sigcat.limits import REGISTRY_ROWS
 from sigcat.names import nearest
-from sigcat.registry.acknowledgements import Deprecation, deprecations
-from sigcat.registry.approvals import Approval, Decided, Pending, pending
 from sigcat.registry.compatibility.conflicts import Conflict
 from sigcat.registry.compatibility.deploying import can_deploy
+from sigcat.registry.decisions.acknowledgements import Deprecation, deprecations
+from sigcat.registry.decisions.approvals import Approval, Decided, Pending, pending
 from sigcat.registry.events import event_of, source_of
 from sigcat.registry.publish import Receipt
 from sigcat.registry.published import Published, Running, all_versions, lines_by_version, names_of, running

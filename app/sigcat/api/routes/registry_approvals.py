@@ -16,7 +16,7 @@ from sigcat.api.routes.registry_writing import CHANGED, AnyVersion, GroupName, T
 from sigcat.limits import PARAMETER_CHARACTERS
 
 if TYPE_CHECKING:
-    from sigcat.registry.approvals import Decided
+    from sigcat.registry.decisions.approvals import Decided
 
 router = APIRouter(prefix="/api/v1/registry", tags=["registry"], route_class=InThread)
 _VALID_DAYS = 30
@@ -64,7 +64,7 @@ async def acknowledge_deprecation(
 ) -> Response:
     """Record that an owner of functions knows of the deprecation of a version that they use."""
     from sigcat.api.answers.registry_answers import kind_of
-    from sigcat.registry.acknowledgements import acknowledge
+    from sigcat.registry.decisions.acknowledgements import acknowledge
     from sigcat.registry.reference import reference_of
 
     named, kind, team = reference_of(reference), kind_of(group), owner or author.owner
@@ -84,7 +84,7 @@ async def approve_version(
 ) -> Response:
     """Approve the content of a pending version. It is published when the same bytes are published again."""
     from sigcat.api.answers.registry_answers import kind_of
-    from sigcat.registry.approvals import approve
+    from sigcat.registry.decisions.approvals import approve
     from sigcat.registry.reference import reference_of
 
     named, kind, team = reference_of(reference), kind_of(group), owner or author.owner
@@ -108,7 +108,7 @@ async def reject_version(
 ) -> Response:
     """Reject the content of a pending version."""
     from sigcat.api.answers.registry_answers import kind_of
-    from sigcat.registry.approvals import reject
+    from sigcat.registry.decisions.approvals import reject
     from sigcat.registry.reference import reference_of
 
     named, kind, team = reference_of(reference), kind_of(group), owner or author.owner

@@ -27,7 +27,7 @@ from sigcat.project.project import ServerUrl
 
 if TYPE_CHECKING:
     from sigcat.registry.author import Author
-    from sigcat.registry.candidate import Candidate
+    from sigcat.registry.candidates.candidate import Candidate
     from sigcat.registry.storing.database import Snapshot
     from sigcat.registry.storing.entry import Action
 

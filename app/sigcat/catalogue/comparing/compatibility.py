@@ -126,7 +126,7 @@ def attribute_changes(
     turned = _rules_of_type(_Difference(old.get("type"), new.get("type"), old, new, vocabularies)) == ["type-structure"]
     found = []
     for name in {**old, **new}:
-        before, after = _given(old, name), _given(new, name)
+        before, after = _value_that_says_something(old, name), _value_that_says_something(new, name)
         if name in STRUCTURAL or name in ignored or same(before, after):
             continue
         if turned and name in CORE_ATTRIBUTES and name not in COMMON_ATTRIBUTES:
@@ -155,7 +155,7 @@ class _Difference(NamedTuple):
         return self.before is None or self.after is None
 
 
-def _given(values: Mapping[str, Any], name: str) -> Any:
+def _value_that_says_something(values: Mapping[str, Any], name: str) -> Any:
     """A value, or None where it says nothing: exports leave these out."""
     value = values.get(name)
     return None if value == [] or (name == "aggregate" and value is False) else value

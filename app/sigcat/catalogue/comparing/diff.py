@@ -121,7 +121,7 @@ class _Comparison:
         for path, count in _leaves(top, self._came).items():
             node = self._came[path]
             rule = "property-added" if node.type == "property" else "added"
-            yield _Single(_whole("added", rule, node, count), node.template)
+            yield _Single(_change_of_node("added", rule, node, count), node.template)
 
     # -- one change
 
@@ -162,7 +162,7 @@ class _Comparison:
 
     def _moved(self, path: str, move: Move, leaves: int) -> _Single:
         before, after = self._old.nodes[path], self._new.nodes[move.target]
-        change = _whole("moved", "moved", after, leaves)._replace(
+        change = _change_of_node("moved", "moved", after, leaves)._replace(
             former=path,
             former_paths=(path,),
             attributes=self._attributes_of_moved(path, move),
@@ -173,7 +173,9 @@ class _Comparison:
     def _removed(self, path: str, leaves: int) -> _Single:
         node = self._gone[path]
         note = node.values.get("deprecation")
-        change = _whole("removed", "removed", node, leaves)._replace(note=note if isinstance(note, str) else "")
+        change = _change_of_node("removed", "removed", node, leaves)._replace(
+            note=note if isinstance(note, str) else ""
+        )
         return _Single(change, node.template)
 
 
@@ -182,7 +184,7 @@ def _is_lost_at_the_root(attribute: AttributeChange) -> bool:
     return attribute.name not in CORE_ATTRIBUTES and (attribute.old is None or attribute.new is None)
 
 
-def _whole(kind: Kind, rule: str, node: Node, leaves: int) -> Change:
+def _change_of_node(kind: Kind, rule: str, node: Node, leaves: int) -> Change:
     return Change(kind, ROWS[rule].for_type(node.type), rule, node.path, node.type, (node.path,), leaves)
 
 

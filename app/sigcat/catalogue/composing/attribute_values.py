@@ -44,7 +44,7 @@ def number(value: Any) -> Any:
     return NO_VALUE
 
 
-def _whole(value: Any) -> Any:
+def _whole_number(value: Any) -> Any:
     found = number(value)
     return int(found) if found is not NO_VALUE and found == found // 1 else NO_VALUE
 
@@ -61,7 +61,7 @@ def _scalars(value: Any) -> Any:
 def _numbered(value: Any) -> Any:
     if not isinstance(value, dict):
         return NO_VALUE
-    numbers = {key: _whole(item) for key, item in value.items()}
+    numbers = {key: _whole_number(item) for key, item in value.items()}
     return NO_VALUE if NO_VALUE in numbers.values() else value if numbers == value else numbers
 
 
@@ -76,7 +76,7 @@ def _relation(value: Any) -> Any:
 CONVERSIONS: Mapping[str, Callable[[Any], Any]] = {
     "description": text, "comment": text, "deprecation": text, "constUID": text, "pattern": text,
     "unit": text, "datatype": text, "delete": _flag, "instantiate": _flag, "aggregate": _flag,
-    "is_instance": _flag, "fka": _texts, "arraysize": _whole, "min": number, "max": number,
+    "is_instance": _flag, "fka": _texts, "arraysize": _whole_number, "min": number, "max": number,
     "allowed": _scalars, "enum": _numbered, "instances": _instances, "instances_relation": _relation,
 }  # fmt: skip
 """Normalization of the value of each attribute, by its name."""

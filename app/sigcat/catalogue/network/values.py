@@ -121,7 +121,7 @@ def in_datatype(value: Any, datatype: str) -> Value:
             raise Unfit(NOT_HELD)
         return bool(value)
     if datatype in INTEGER_RANGES:
-        return _whole(value, *INTEGER_RANGES[datatype])
+        return _rounded_in_range(value, *INTEGER_RANGES[datatype])
     return _floating(float(value), datatype)
 
 
@@ -132,7 +132,7 @@ def _text(value: Any) -> str:
     return str(value).lower() if isinstance(value, bool) else str(value)
 
 
-def _whole(value: float, least: int, greatest: int) -> int:
+def _rounded_in_range(value: float, least: int, greatest: int) -> int:
     if isinstance(value, float) and not math.isfinite(value):
         raise Unfit(NOT_HELD)
     whole = round(value)

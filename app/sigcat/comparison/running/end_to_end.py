@@ -25,7 +25,7 @@ def read_end_to_end(
     if not path.exists():
         return {}
     sent, heard = _timed(path)
-    given = _given(trace, prepared, max(sent, default=-1))
+    given = _times_of_inputs(trace, prepared, max(sent, default=-1))
     return {
         member.name: tuple(
             _ages(
@@ -60,7 +60,7 @@ def _timed(path: Path) -> tuple[Mapping[int, int], Mapping[str, Sequence[int]]]:
     return sent, heard
 
 
-def _given(trace: Path, prepared: Prepared, last: int) -> Mapping[str, Sequence[int]]:
+def _times_of_inputs(trace: Path, prepared: Prepared, last: int) -> Mapping[str, Sequence[int]]:
     """Times of the rows that have something for a function, by its name."""
     members = prepared.connections.members
     takes = {

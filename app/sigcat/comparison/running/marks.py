@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import NamedTuple
 
-from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.c.names.scope import Scope
 from sigcat.adapter.host.connections import Connections, Member
 from sigcat.adapter.templates import rendered
 from sigcat.comparison.recording import CallTime, Sent, Supervised

@@ -8,7 +8,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from pathlib import PurePosixPath
 
-from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.c.names.scope import Scope
 from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.host.connections import Member
 from sigcat.adapter.templates import rendered

@@ -218,12 +218,12 @@ def _overhead(told: model.Report, platform: str, mode: str, more: Sequence[Overh
 def _repeated(told: model.Report, platform: str, by_hand: Sequence[str], mode: str) -> Iterator[Overhead]:
     """Overheads of each repetition of a run."""
     for run in sorted({each.run for each in told.processes if each.mode == mode}):
-        ours, theirs = _whole(told, [platform], mode, run), _whole(told, by_hand, mode, run)
+        ours, theirs = _load_of_processes(told, [platform], mode, run), _load_of_processes(told, by_hand, mode, run)
         if ours and theirs:
             yield overhead(ours, theirs)
 
 
-def _whole(told: model.Report, platforms: Sequence[str], mode: str, run: int) -> Load | None:
+def _load_of_processes(told: model.Report, platforms: Sequence[str], mode: str, run: int) -> Load | None:
     of_run = [each for each in told.processes if (each.mode, each.run) == (mode, run) and not each.is_player]
     own = [each for each in of_run if each.platform in platforms]
     if not own:

@@ -55,7 +55,7 @@ def find_calls(declarations: Declarations, model: str, function: str, folder: st
     if model:
         chosen = [group for group in groups if group.name == model]
         return chosen[0] if chosen else _not_one(groups, folder, f"has no model {model!r}, but")
-    chosen = _named(groups, function) or _outer(groups, declarations)
+    chosen = _group_named(groups, function) or _outer(groups, declarations)
     return chosen[0] if len(chosen) == 1 else _not_one(chosen, folder, f"has the calls of {len(chosen)} models:")
 
 
@@ -77,7 +77,7 @@ def _none(folder: str) -> Finding:
     return codes.CALLS_NOT_FOUND.finding(message, folder, fix=fix)
 
 
-def _named(groups: list[Group], wanted: str) -> list[Group]:
+def _group_named(groups: list[Group], wanted: str) -> list[Group]:
     plain = _plain(wanted)
     return [group for group in groups if plain and _plain(group.name) in (plain, f"{plain}modelclass")][:1]
 

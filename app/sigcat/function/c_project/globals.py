@@ -84,14 +84,14 @@ def _shared(declarations: Declarations, linked: frozenset[str]) -> Iterator[Vari
 def _with_roles(variable: Variable, code: Code, use: Use) -> Iterator[tuple[Role, Value]]:
     """The values of a variable with their roles: of the variable, or of each value by what the steps do with it."""
     heading = code.heading(variable.place)
-    role = _told(variable, heading, use)
+    role = _role_by_name_and_comment(variable, heading, use)
     if role in ("internal", "model"):
         return
     for value in values_of(variable.name, variable.type, variable.place, code, variable.value):
         yield role or _role(variable, value, use, heading, code), value
 
 
-def _told(variable: Variable, heading: str, use: Use) -> Role:
+def _role_by_name_and_comment(variable: Variable, heading: str, use: Use) -> Role:
     """The role that names and comments tell; internal if it is not part of the interface."""
     kind = variable.type.kind
     if is_of_the_generator(variable.name) or (kind in ("pointer", "other") and not _is_seen(variable, use)):

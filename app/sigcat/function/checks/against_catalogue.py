@@ -11,10 +11,10 @@ from sigcat.catalogue.model.interfaces import Category, category_of, interface_n
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.conversion import IDENTITY, Linear, between
-from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
-from sigcat.function.function_json.datatype import EnumerationValue
+from sigcat.function.function_json.datatypes.datatype import EnumerationValue
+from sigcat.function.function_json.datatypes.type_list import listed, symbols_of
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.type_list import listed, symbols_of
 from sigcat.function.function_json.walk import absent, contracts, data, parameters, runnables
 from sigcat.names import did_you_mean
 
@@ -144,7 +144,7 @@ def _close(one: Fraction, other: Fraction) -> bool:
 
 
 def _interfaces(function: FunctionJson, catalogue: Catalogue) -> Problems:
-    for pointer, name, path, category in _named(function):
+    for pointer, name, path, category in _call_and_status_interfaces(function):
         if path:
             yield from _interface(pointer, Subject(category, name), path, catalogue)
 
@@ -163,7 +163,7 @@ def _interface(pointer: Pointer, subject: Subject, path: str, catalogue: Catalog
         yield Problem(codes.DIFFERS_FROM_CATALOGUE, (*pointer, "Name"), message, subject=subject)
 
 
-def _named(function: FunctionJson) -> Iterator[tuple[Pointer, str, str | None, Category]]:
+def _call_and_status_interfaces(function: FunctionJson) -> Iterator[tuple[Pointer, str, str | None, Category]]:
     for pointer, _, call in runnables(function):
         yield pointer, call.name, call.vss_path, "scheduling"
     for pointer, _, contract in contracts(function):

@@ -9,8 +9,8 @@ from sigcat.function.checks.schedule.order import contradiction, previous_calls
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.duration import milliseconds
+from sigcat.function.function_json.interfaces.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED, absent_in, consumed_by, events_of
 from sigcat.function.function_json.walk import Located, data, errors, runnables
 from sigcat.names import did_you_mean

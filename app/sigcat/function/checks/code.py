@@ -16,9 +16,9 @@ from sigcat.function.function_json.code import (
     CodeObject,
     is_inside,
 )
-from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.function_json.datatypes.datatype import Datatype
+from sigcat.function.function_json.interfaces.role import PROVIDER
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.variables import CodeVariable, variables
 from sigcat.function.function_json.walk import methods, runnables
 from sigcat.names import did_you_mean, either

@@ -16,9 +16,8 @@ from sigcat.function.checks.against_catalogue import check_against
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.datatype import Datatype
-from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.primitive_types import (
+from sigcat.function.function_json.datatypes.datatype import Datatype
+from sigcat.function.function_json.datatypes.primitive_types import (
     BY_REFERENCE,
     CType,
     agree,
@@ -26,7 +25,8 @@ from sigcat.function.function_json.primitive_types import (
     proposed_reference,
     reference_type,
 )
-from sigcat.function.function_json.role import CONSUMER, PROVIDER
+from sigcat.function.function_json.interfaces.role import CONSUMER, PROVIDER
+from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.walk import (
     contracts,
     data,

@@ -46,10 +46,10 @@ def used_by(function: FunctionJson) -> Iterator[str]:
         *safety_reactions(function),
     ):
         yield located[2].vss_path or ""
-        yield from _named(located[2])
+        yield from _errors_referred_to(located[2])
     for _, _, runnable in runnables(function):
         yield runnable.vss_path or ""
-        yield from _named(runnable)
+        yield from _errors_referred_to(runnable)
         if watchdog := runnable.watchdog:
             yield from (limits.error_name for limits in (watchdog.alive, watchdog.deadline) if limits)
             yield watchdog.logical_error or ""
@@ -57,7 +57,7 @@ def used_by(function: FunctionJson) -> Iterator[str]:
     yield from (datatype.vss_datatype or "" for datatype in function.datatypes)
 
 
-def _named(item: BaseModel) -> Iterator[str]:
+def _errors_referred_to(item: BaseModel) -> Iterator[str]:
     """Names of the errors that an interface refers to."""
     for attribute in ("dependencies", "errors"):
         yield from getattr(item, attribute, ())

@@ -11,10 +11,10 @@ from sigcat.function.document.expression import is_identifier
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.document.text import Text, json_of
 from sigcat.function.document.yaml_words import in_yaml
-from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
-from sigcat.function.function_json.datatype import Datatype, innermost
+from sigcat.function.function_json.datatypes.datatype import Datatype, innermost
+from sigcat.function.function_json.datatypes.primitive_types import LARGEST_FLOAT, CType, c_type, integer_limits
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.primitive_types import LARGEST_FLOAT, CType, c_type, integer_limits
 from sigcat.function.function_json.walk import declared_data, parameters
 from sigcat.names import did_you_mean
 

@@ -7,13 +7,13 @@ from sigcat.function.checks.data_interfaces import declared_or_meant
 from sigcat.function.declaration.form import key_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
-from sigcat.function.function_json.datatype import Datatype, innermost
+from sigcat.function.function_json.datatypes.datatype import Datatype, innermost
+from sigcat.function.function_json.datatypes.primitive_types import c_type
 from sigcat.function.function_json.error_fields import errors_set_by
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.interfaces.role import CONSUMER, PROVIDER
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.primitive_types import c_type
-from sigcat.function.function_json.role import CONSUMER, PROVIDER
-from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.function.function_json.walk import data, declared_data, errors, parameters, runnables, safety_reactions
 from sigcat.names import did_you_mean
 

@@ -6,10 +6,10 @@ from sigcat import codes
 from sigcat.function.checks.schedule.order import previous_calls
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.function_json.datatypes.primitive_types import integer_limits
+from sigcat.function.function_json.interfaces.status_interfaces import ModeInterface
 from sigcat.function.function_json.model import FunctionJson, Mode
-from sigcat.function.function_json.primitive_types import integer_limits
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.function.function_json.status_interfaces import ModeInterface
 from sigcat.function.function_json.walk import Located, runnables, safety_reactions
 from sigcat.names import did_you_mean, either
 

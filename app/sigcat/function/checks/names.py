@@ -8,8 +8,8 @@ from sigcat.function.document.document import Pointer
 from sigcat.function.document.expression import may_hold_value
 from sigcat.function.document.field_types import C_EXPRESSION
 from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.function_json.interfaces.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.variables import CodeVariable, variables
 from sigcat.function.function_json.walk import (
     contracts,

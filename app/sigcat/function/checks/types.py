@@ -6,9 +6,9 @@ from sigcat import codes
 from sigcat.function.checks.circles import circles
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem
-from sigcat.function.function_json.datatype import Datatype, EnumerationValue
+from sigcat.function.function_json.datatypes.datatype import Datatype, EnumerationValue
+from sigcat.function.function_json.datatypes.primitive_types import integer_limits
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.primitive_types import integer_limits
 from sigcat.function.function_json.walk import references
 from sigcat.names import did_you_mean
 

@@ -8,7 +8,7 @@ from sigcat.function.document.document import Pointer
 from sigcat.function.document.field_types import C_EXPRESSION, VSS_PATH
 from sigcat.function.document.problem import Problem
 from sigcat.function.document.unfit_texts import Unfit, titled, unfit_texts
-from sigcat.function.function_json.datatype import innermost
+from sigcat.function.function_json.datatypes.datatype import innermost
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.function_json.walk import data, parameters

@@ -26,12 +26,12 @@ def check_words(function: FunctionJson) -> Iterator[Problem]:
     """Every word that is none of those that are known."""
     for pointer, part in parts(function):
         for field, known in WORDS.items():
-            word = _given(part, field)
+            word = _word_of_field(part, field)
             if word is not None and word not in known:
                 key = type(part).model_fields[field].alias or field
                 message = f"`{key}` must be {either(known)}, not {word!r}."
                 yield Problem(codes.ADAPTER_WORD_UNKNOWN, (*pointer, key), message, did_you_mean(word, known))
 
 
-def _given(part: BaseModel, field: str) -> str | None:
+def _word_of_field(part: BaseModel, field: str) -> str | None:
     return getattr(part, field) if field in type(part).model_fields else None

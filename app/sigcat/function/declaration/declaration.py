@@ -14,7 +14,7 @@ from sigcat.function.declaration.form import Asil, DeclarationModel, Duration, N
 from sigcat.function.document.document import Document
 from sigcat.function.document.read_yaml import read_yaml
 from sigcat.function.document.structure import structural_findings
-from sigcat.function.function_json.c_type import C_TYPE, CTypeName
+from sigcat.function.function_json.datatypes.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.wire import Count, Integer, Number, document_schema
 from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.names import last_name

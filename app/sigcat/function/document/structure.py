@@ -140,11 +140,9 @@ def _finding(
     if key == "[key]" and isinstance(error["input"], str):
         return _bad_name(str(error["input"]), pointer, document)
     if kind == "too_short" and isinstance(error["input"], list):
-        message = (
-            f"{_named(pointer)} must have at least {_items(error['ctx']['min_length'])}, and has {len(error['input'])}."
-        )
+        message = f"{_place_in_words(pointer)} must have at least {_items(error['ctx']['min_length'])}, and has {len(error['input'])}."
         return document.finding(codes.VALUE_UNFIT, pointer, message)
-    named = "A key" if key == "[key]" or kind == _BAD_KEY else _named(pointer)
+    named = "A key" if key == "[key]" or kind == _BAD_KEY else _place_in_words(pointer)
     message = f"{named} must {_wanted(kind, error)}, not {_shown(error['input'])}."
     return document.finding(codes.VALUE_UNFIT, pointer, message, _advice(kind, error))
 
@@ -308,7 +306,7 @@ def _model_in(annotation: Any) -> type[BaseModel] | None:
     return next((found for part in getattr(annotation, "__args__", ()) if (found := _model_in(part))), None)
 
 
-def _named(pointer: Pointer) -> str:
+def _place_in_words(pointer: Pointer) -> str:
     names = [part for part in pointer if isinstance(part, str)]
     if not names:
         return "The document"

@@ -180,7 +180,7 @@ class _Names(NamedTuple):
 
 
 def _leaf(item: LeafDefinition | DataDefinition) -> dict[str, Any]:
-    return _given(
+    return _without_absent(
         datatype=item.datatype,
         arraysize=item.arraysize,
         allowed=item.allowed,
@@ -197,7 +197,7 @@ def _leaf(item: LeafDefinition | DataDefinition) -> dict[str, Any]:
 
 
 def _error(item: ErrorDefinition, names: _Names) -> dict[str, Any]:
-    return _given(
+    return _without_absent(
         type="sensor",
         datatype=item.datatype,
         enum=item.enum or ERROR_STATES,
@@ -212,7 +212,7 @@ def _error(item: ErrorDefinition, names: _Names) -> dict[str, Any]:
 
 
 def _reaction(item: ReactionDefinition, names: _Names) -> dict[str, Any]:
-    return _given(
+    return _without_absent(
         type="sensor",
         datatype=item.datatype,
         enum=item.enum or CONDITION_STATES,
@@ -230,7 +230,7 @@ def _call(name: str, item: CallDefinition, names: _Names) -> dict[str, Any]:
     }
     kinds = [kind for kind, limits in supervised.items() if limits]
     is_step = name not in _RUN_TYPES
-    return _given(
+    return _without_absent(
         type="branch",
         runType=item.run_type or _RUN_TYPES.get(name, "Cyclic"),
         cycleTime=item.cycle_time,
@@ -256,6 +256,6 @@ def _supervision(item: Any, names: _Names) -> dict[str, Any] | None:
     return {**values, "error": names.error(values["error"])}
 
 
-def _given(**values: Any) -> dict[str, Any]:
+def _without_absent(**values: Any) -> dict[str, Any]:
     """The attributes that have a value."""
     return {name: value for name, value in values.items() if value is not None}

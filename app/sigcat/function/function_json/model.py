@@ -12,10 +12,10 @@ from pydantic import Field
 from sigcat.function.document.field_types import DATE, VERSION, Name, Version
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import CodeInterface
-from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.function_json.datatypes.datatype import Datatype
+from sigcat.function.function_json.interfaces.status_interfaces import ModeInterface
 from sigcat.function.function_json.provenance import Provenance
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.function.function_json.status_interfaces import ModeInterface
 from sigcat.function.function_json.wire import (
     TABLE,
     Listed,

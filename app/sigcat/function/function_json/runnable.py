@@ -8,11 +8,11 @@ from pydantic import field_serializer, model_validator
 from sigcat.function.document.field_types import CIdentifier, Name, Quantity, VssPath, Words
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import Checkpoint
-from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.duration import exact_time
 from sigcat.function.function_json.error_fields import SetErrorName
-from sigcat.function.function_json.methods import MethodInterface
-from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.interfaces.methods import MethodInterface
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.function.function_json.wire import (
     TABLE,
     Integer,

@@ -1,7 +1,7 @@
 """Triggers of an event-triggered call: the events that it lists are signals that it consumes."""
 
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
-from sigcat.function.function_json.role import CONSUMER
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.interfaces.role import CONSUMER
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.walk import absent_of, data_of
 

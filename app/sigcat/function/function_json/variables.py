@@ -9,10 +9,10 @@ from pydantic import BaseModel
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
 from sigcat.function.function_json.conversion import of_text
-from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
-from sigcat.function.function_json.methods import MethodInterface
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.interfaces.methods import MethodInterface
+from sigcat.function.function_json.interfaces.role import PROVIDER
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.walk import declared_data, errors, methods, parameters, safety_reactions
 
 

@@ -6,11 +6,11 @@ from typing import Any, NamedTuple
 from pydantic import BaseModel
 
 from sigcat.function.document.document import Pointer
-from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
-from sigcat.function.function_json.methods import MethodInterface
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.interfaces.methods import MethodInterface
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.function.function_json.model import Component, FunctionJson
 from sigcat.function.function_json.runnable import Contract, Runnable
-from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
 
 
 class Located(NamedTuple):

@@ -200,16 +200,16 @@ def _with_new_names(text: str, known: _Known, variables: AbstractSet[str]) -> tu
     fresh = _new(known.project, variables).interface
     by_role = {"consumed": fresh.inputs, "provided": fresh.outputs}
     for entry in gone:
-        role, told = text_of(value_at(entry.node, "role")) or "", _told(entry, whole)
+        role, told = text_of(value_at(entry.node, "role")) or "", _remark_above(entry, whole)
         alike = [value for value in by_role.get(role, ()) if told and _said(value) == told]
-        rivals = [other for other in gone if _told(other, whole) == told]
+        rivals = [other for other in gone if _remark_above(other, whole) == told]
         if len(alike) == len(rivals) == 1 and nearest(entry.variable, [alike[0].expression], cutoff=_SIMILAR):
             edits += whole.set_value(entry.node, "variable", alike[0].expression, "variable")
             names[entry.variable] = alike[0].expression
     return edited(text, edits), names
 
 
-def _told(entry: _Entry, whole: Text) -> str:
+def _remark_above(entry: _Entry, whole: Text) -> str:
     """Type and remark in the comment that the import wrote above an entry; empty if there is none."""
     made = (line for _, line in whole.comments_above(entry.node) if _MADE.match(line))
     return next((_MADE.sub("", line).strip() for line in made), "")

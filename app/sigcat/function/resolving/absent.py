@@ -11,8 +11,8 @@ from sigcat.function.declaration.declaration import DataItem
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.extension.sound_catalogue import sound_node
-from sigcat.function.function_json.primitive_types import BY_VSS
-from sigcat.function.function_json.type_list import smallest_integer
+from sigcat.function.function_json.datatypes.primitive_types import BY_VSS
+from sigcat.function.function_json.datatypes.type_list import smallest_integer
 from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.data_nodes import proposed
 

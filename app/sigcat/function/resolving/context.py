@@ -15,8 +15,8 @@ from sigcat.catalogue.model.interfaces import (
 )
 from sigcat.function.document.problem import Problem
 from sigcat.function.extension.defined_nodes import Definitions
-from sigcat.function.function_json.primitive_types import BY_VSS
-from sigcat.function.function_json.type_list import TypeList
+from sigcat.function.function_json.datatypes.primitive_types import BY_VSS
+from sigcat.function.function_json.datatypes.type_list import TypeList
 from sigcat.function.resolving.meant_signals import MeantSignals
 from sigcat.names import last_name
 

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 from sigcat.function.declaration.declaration import RunnableItem
 from sigcat.function.document.document import Pointer
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.function_json.runnable import Contract
 from sigcat.function.resolving.absent import is_absent

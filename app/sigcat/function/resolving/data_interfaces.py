@@ -14,12 +14,12 @@ from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.document.text import Text, optional
 from sigcat.function.function_json.conversion import IDENTITY, as_number, as_text
-from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.datatypes.primitive_types import BY_REFERENCE, value_range
+from sigcat.function.function_json.datatypes.type_list import listed, symbols_of
 from sigcat.function.function_json.error_fields import error_fields
-from sigcat.function.function_json.primitive_types import BY_REFERENCE, value_range
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.interfaces.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.resolved_function import Origin
-from sigcat.function.function_json.role import CONSUMER, PROVIDER
-from sigcat.function.function_json.type_list import listed, symbols_of
 from sigcat.function.function_json.wire import WireModel
 from sigcat.function.resolving.code import members, word
 from sigcat.function.resolving.context import Context

@@ -7,7 +7,7 @@ from sigcat.function.declaration.declaration import ArgumentItem, MethodItem
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.methods import Argument, MethodInterface
+from sigcat.function.function_json.interfaces.methods import Argument, MethodInterface
 from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.data_interfaces import ROLES

@@ -8,10 +8,10 @@ from sigcat.function.declaration.declaration import ActiveMode, ModeInItem, Mode
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.document.text import Text
+from sigcat.function.function_json.datatypes.type_list import listed, symbols_of
+from sigcat.function.function_json.interfaces.status_interfaces import ModeInterface
 from sigcat.function.function_json.model import Mode
 from sigcat.function.function_json.resolved_function import Origin
-from sigcat.function.function_json.status_interfaces import ModeInterface
-from sigcat.function.function_json.type_list import listed, symbols_of
 from sigcat.function.resolving.code import word
 from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.interfaces import error_name, interface_node

@@ -6,9 +6,9 @@ from sigcat.function.declaration.declaration import ErrorItem, ReactionItem
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
 from sigcat.function.document.text import Text, optional
+from sigcat.function.function_json.datatypes.type_list import symbols_of
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.function.function_json.resolved_function import Origin
-from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
-from sigcat.function.function_json.type_list import symbols_of
 from sigcat.function.resolving.code import word
 from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.interfaces import asil_of, interface_node, number_of, text_of, texts_of

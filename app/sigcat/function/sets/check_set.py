@@ -14,9 +14,9 @@ from sigcat.function.code_files import CodeCheck
 from sigcat.function.document.document import Pointer
 from sigcat.function.exchange import Side
 from sigcat.function.function_file import CheckedFunction, check_files, read_function_file
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.function.function_json.status_interfaces import ErrorInterface
 from sigcat.function.function_json.walk import errors, runnables
 from sigcat.function.sets.wiring import Wiring, connect
 from sigcat.limits import DEFAULT_LIMITS, Limits

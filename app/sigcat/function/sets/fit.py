@@ -9,10 +9,10 @@ from sigcat.asil import is_above
 from sigcat.findings import RuleCode
 from sigcat.function.exchange import Side
 from sigcat.function.function_json.conversion import of_text
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
-from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.function_json.datatypes.datatype import Datatype
+from sigcat.function.function_json.datatypes.primitive_types import c_type
 from sigcat.function.function_json.duration import milliseconds
-from sigcat.function.function_json.primitive_types import c_type
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
 
 
 class Mismatch(NamedTuple):

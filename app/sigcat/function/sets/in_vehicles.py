@@ -33,7 +33,7 @@ def findings_in_vehicles(
             if finding.rule == codes.OPTIONAL_SIGNAL_ABSENT.id:
                 lacking.setdefault(finding, []).append(vehicle.name)
             elif finding not in before:
-                yield _named(finding, vehicle.name, base, uses)
+                yield _with_vehicle(finding, vehicle.name, base, uses)
     yield from (_lacked(finding, names) for finding, names in lacking.items())
 
 
@@ -54,7 +54,7 @@ def _uses_by_path(files: Sequence[tuple[bytes, str]], base: Catalogue) -> Mappin
     return found
 
 
-def _named(
+def _with_vehicle(
     finding: Finding, vehicle: str, base: Catalogue, uses: Callable[[], Mapping[str, Sequence[NodeUse]]]
 ) -> Finding:
     """Return the finding with the vehicle, and of a signal that it does not have, with the calls that need it."""

@@ -4,9 +4,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from sigcat.function.exchange import Side, causes, exchange_of, parts_of
+from sigcat.function.function_json.interfaces.role import CONSUMER
+from sigcat.function.function_json.interfaces.status_interfaces import SafetyReaction
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.role import CONSUMER
-from sigcat.function.function_json.status_interfaces import SafetyReaction
 from sigcat.function.sets.fit import Mismatch, mismatches
 
 

@@ -62,7 +62,7 @@ def sqlite_frames(path: Path) -> Iterator[Frame | Passed]:
 
     reader = SqliteReader(path)
     try:
-        yield from _whole(iter(reader), sqlite3.Error)
+        yield from _until_damaged(iter(reader), sqlite3.Error)
     finally:
         reader.stop()
 
@@ -78,12 +78,12 @@ def mdf_frames(path: Path) -> Iterator[Frame | Passed]:
     except Exception as error:  # noqa: BLE001 — asammdf raises what the bytes make it meet
         raise NoLog(_first_line(error)) from None
     try:
-        yield from _whole(iter(reader), OSError)
+        yield from _until_damaged(iter(reader), OSError)
     finally:
         reader.stop()
 
 
-def _whole(messages: Iterator[Any], of_file: type[Exception]) -> Iterator[Frame | Passed]:
+def _until_damaged(messages: Iterator[Any], of_file: type[Exception]) -> Iterator[Frame | Passed]:
     """Messages of a reader that cannot continue after an error."""
     count = 0
     while True:

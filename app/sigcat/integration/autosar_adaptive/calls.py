@@ -8,7 +8,7 @@ from sigcat import codes
 from sigcat.function.document.text import Text
 from sigcat.function.exchange import Part
 from sigcat.function.function_json.conversion import as_number, of_text
-from sigcat.function.function_json.data_interfaces import ParameterInterface
+from sigcat.function.function_json.interfaces.data_interfaces import ParameterInterface
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
 from sigcat.integration.autosar_adaptive import model

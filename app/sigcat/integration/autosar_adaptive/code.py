@@ -14,9 +14,9 @@ from sigcat.function.document.field_types import (
     NumberText,
 )
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.code import Checkpoint, Member
-from sigcat.function.function_json.methods import MethodInterface
+from sigcat.function.function_json.datatypes.c_type import C_TYPE, CTypeName
+from sigcat.function.function_json.interfaces.methods import MethodInterface
 from sigcat.function.function_json.wire import Integer, Listed, WireModel, always, own
 
 

@@ -6,9 +6,9 @@ from pydantic import BaseModel
 
 from sigcat.function.exchange import Part, Side
 from sigcat.function.function_json.code import CodeInterface
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
-from sigcat.function.function_json.methods import MethodInterface
-from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.interfaces.methods import MethodInterface
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.autosar_adaptive.code import CallCode, ParameterCode
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.services.elements import Service, element_paths

@@ -31,11 +31,11 @@ from sigcat.function.document.field_types import (
 )
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import CodeInterface
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
-from sigcat.function.function_json.methods import Argument
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.interfaces.methods import Argument
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.runnable import Watchdog
-from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.wire import OWN, Integer, Listed, Number, WireModel, always, described, own
 from sigcat.integration.autosar_adaptive.code import CallCode, MethodUse, ParameterCode
 from sigcat.integration.autosar_adaptive.deployment.namespaces import DEFAULT_HEADER_FOLDERS, HeaderFolders, Namespace

@@ -4,10 +4,10 @@ from collections.abc import Sequence
 
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES, element_of
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
-from sigcat.function.function_json.datatype import Datatype, innermost
+from sigcat.function.function_json.datatypes.datatype import Datatype, innermost
+from sigcat.function.function_json.datatypes.type_list import smallest_integer
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.type_list import smallest_integer
 from sigcat.function.function_json.walk import data
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.model import StructField, Symbol, TypeEntry

@@ -10,10 +10,10 @@ from pydantic import BaseModel
 
 from sigcat.function.exchange import Part, Side
 from sigcat.function.function_json.code import CodeInterface
-from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
-from sigcat.function.function_json.methods import MethodInterface
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.interfaces.methods import MethodInterface
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.wire import own_fields
 from sigcat.integration.autosar_classic.context import Context, named_calls
 from sigcat.integration.autosar_classic.elements import Element

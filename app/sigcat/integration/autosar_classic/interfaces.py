@@ -4,11 +4,11 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
 from sigcat.function.exchange import Side
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
-from sigcat.function.function_json.datatype import innermost
-from sigcat.function.function_json.methods import MethodInterface
-from sigcat.function.function_json.role import PROVIDER
-from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
+from sigcat.function.function_json.datatypes.datatype import innermost
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.interfaces.methods import MethodInterface
+from sigcat.function.function_json.interfaces.role import PROVIDER
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.base_software import E_NOT_OK
 from sigcat.integration.autosar_classic.datatypes.types import Meaning, TypeTable

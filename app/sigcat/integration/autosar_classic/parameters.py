@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 from sigcat.function.document.text import Text
 from sigcat.function.exchange import Part
-from sigcat.function.function_json.data_interfaces import ParameterInterface
+from sigcat.function.function_json.interfaces.data_interfaces import ParameterInterface
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import OF_ADAPTER, named_calls
 from sigcat.integration.autosar_classic.datatypes.types import Meaning, TypeTable

@@ -4,10 +4,10 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from sigcat.function.exchange import Part, Side
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.duration import milliseconds, whole
-from sigcat.function.function_json.methods import MethodInterface
-from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.interfaces.methods import MethodInterface
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.datatypes.types import TypeTable
 from sigcat.integration.autosar_classic.deployment.e2e_settings import E2eSettings

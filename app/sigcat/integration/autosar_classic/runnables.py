@@ -6,10 +6,10 @@ from functools import cached_property
 
 from sigcat.function.document.text import Text
 from sigcat.function.exchange import Part
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal, rejection_error
 from sigcat.function.function_json.duration import milliseconds
-from sigcat.function.function_json.methods import MethodInterface
-from sigcat.function.function_json.role import CONSUMER
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal, rejection_error
+from sigcat.function.function_json.interfaces.methods import MethodInterface
+from sigcat.function.function_json.interfaces.role import CONSUMER
 from sigcat.function.function_json.runnable import Runnable as Call
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
 from sigcat.function.function_json.walk import data_of

@@ -14,7 +14,7 @@ from sigcat.names import did_you_mean
 SECTION = ("autosarClassic", "signals")
 
 
-def _named(elements: Sequence[Element]) -> Mapping[str, Element]:
+def _elements_by_name(elements: Sequence[Element]) -> Mapping[str, Element]:
     """Data elements by what the deployment may call them: the path or name of the signal, and the name of the port."""
     return {key: element for element in elements if element.kind == "data" for key in (element.identity, element.name)}
 
@@ -23,7 +23,7 @@ def system_signals(
     elements: Sequence[Element], composition: model.Composition, context: Context
 ) -> tuple[model.SystemSignal, ...]:
     """The system signal of each data element that the deployment names one for. Only what crosses the border has one."""
-    known = _named(elements)
+    known = _elements_by_name(elements)
     ports = {port.interface: port.name for port in composition.ports}
     outside = [key for key, element in known.items() if element.name in ports]
     chosen = {}
@@ -58,7 +58,7 @@ def system_signals(
 
 def report_narrow_signals(elements: Sequence[Element], integration: model.ClassicIntegration, context: Context) -> None:
     """Signals of buses that are too short for values that their data elements have."""
-    needs, known = needs_of(integration), _named(elements)
+    needs, known = needs_of(integration), _elements_by_name(elements)
     for key, settings in context.settings.signals.items():
         element = known.get(key)
         need = needs.get((element.name, element.leaf)) if element else None

@@ -5,9 +5,9 @@ from fractions import Fraction
 
 from sigcat import codes
 from sigcat.function.function_json.conversion import IDENTITY, Linear, as_decimal, as_number, of_text
-from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
-from sigcat.function.function_json.datatype import Datatype, EnumerationValue
-from sigcat.function.function_json.primitive_types import value_range
+from sigcat.function.function_json.datatypes.datatype import Datatype, EnumerationValue
+from sigcat.function.function_json.datatypes.primitive_types import value_range
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.integration.datatypes import Spelling
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.messages.field_types import FieldType, c_definition, code_type, symbols_of

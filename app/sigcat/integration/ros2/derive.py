@@ -8,7 +8,7 @@ from sigcat import codes
 from sigcat.findings import Finding
 from sigcat.function.document.text import Text
 from sigcat.function.exchange import Part, exchange_of
-from sigcat.function.function_json.data_interfaces import ParameterInterface
+from sigcat.function.function_json.interfaces.data_interfaces import ParameterInterface
 from sigcat.function.function_json.model import FunctionInfo, FunctionJson, Mode
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.walk import interface_lists

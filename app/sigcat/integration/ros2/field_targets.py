@@ -7,11 +7,11 @@ from pydantic import BaseModel
 
 from sigcat.function.exchange import Part
 from sigcat.function.function_json.code import CodeInterface
-from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
-from sigcat.function.function_json.methods import MethodInterface
-from sigcat.function.function_json.role import CONSUMER, PROVIDER
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.interfaces.methods import MethodInterface
+from sigcat.function.function_json.interfaces.role import CONSUMER, PROVIDER
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.wire import own_fields
 from sigcat.integration.report import NOT_CARRIED, OF_ABSENT, Entry, FieldTarget, Targets, entries
 from sigcat.integration.ros2.model import Communication, FieldMapping, RosNode, RosService, RosTopic

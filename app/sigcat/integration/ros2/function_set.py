@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.function_json.datatypes.datatype import Datatype
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 

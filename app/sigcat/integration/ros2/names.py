@@ -48,12 +48,12 @@ def report_renamed(name: Name, source: str, interface: Subject, findings: Findin
 
 def field_name(source: str, taken: Container[str] = ()) -> Name:
     """Name of a field, a parameter or an argument: `CylP` → `cyl_p`, `Switch` → `switch_value`."""
-    return _named(snake_case(source), "value", "_", taken)
+    return _permitted_name(snake_case(source), "value", "_", taken)
 
 
 def package_name(source: str, taken: Container[str] = ()) -> Name:
     """Name of a package or a node: `CoreAcc` → `core_acc`."""
-    return _named(snake_case(source), "function", "_", taken)
+    return _permitted_name(snake_case(source), "function", "_", taken)
 
 
 def message_name(source: str, taken: Container[str] = ()) -> Name:
@@ -62,21 +62,21 @@ def message_name(source: str, taken: Container[str] = ()) -> Name:
     `taken` has lower-case names: two messages whose names differ in case alone share the name of a header file.
     """
     text = re.sub(r"[^A-Za-z0-9]", "", camel_case(source))
-    return _named(text, "Message", "", taken, lower=True)
+    return _permitted_name(text, "Message", "", taken, lower=True)
 
 
 def constant_name(source: str, taken: Container[str] = ()) -> Name:
     """Name of a constant: `NOT_IN_MAP` stays, `kmPerHour` → `KM_PER_HOUR`, `NULL` → `NULL_VALUE`."""
     text = source if CONSTANT.fullmatch(source) else screaming_snake_case(source)
-    return _named(text, "VALUE", "_", taken)
+    return _permitted_name(text, "VALUE", "_", taken)
 
 
 def topic_name(*segments: str) -> str:
     """A relative topic or service name of lower_snake_case segments, `vehicle/speed`: nodes resolve it in their namespace."""
-    return "/".join(_named(snake_case(segment), "value", "_", (), reserved=False).text for segment in segments)
+    return "/".join(_permitted_name(snake_case(segment), "value", "_", (), reserved=False).text for segment in segments)
 
 
-def _named(
+def _permitted_name(
     text: str, word: str, joint: str, taken: Container[str], *, lower: bool = False, reserved: bool = True
 ) -> Name:
     reason = ""

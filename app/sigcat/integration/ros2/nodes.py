@@ -8,8 +8,8 @@ from sigcat.function.checks.schedule.order import previous_calls
 from sigcat.function.document.text import Text
 from sigcat.function.exchange import Part, contracts_of
 from sigcat.function.function_json.duration import milliseconds, whole
+from sigcat.function.function_json.interfaces.status_interfaces import ModeInterface
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.function.function_json.status_interfaces import ModeInterface
 from sigcat.function.function_json.triggers import absent_in, triggers
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.messages.common_types import STAMP

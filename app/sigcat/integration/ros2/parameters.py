@@ -9,9 +9,9 @@ from sigcat.catalogue.model.datatypes import INTEGER_RANGES
 from sigcat.function.document.text import Text, json_of, optional
 from sigcat.function.exchange import Part
 from sigcat.function.function_json.conversion import Linear
-from sigcat.function.function_json.data_interfaces import ParameterInterface
-from sigcat.function.function_json.datatype import Datatype
-from sigcat.function.function_json.primitive_types import value_range
+from sigcat.function.function_json.datatypes.datatype import Datatype
+from sigcat.function.function_json.datatypes.primitive_types import value_range
+from sigcat.function.function_json.interfaces.data_interfaces import ParameterInterface
 from sigcat.function.function_json.runnable import Contract
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.conversions import conversion, converted, physical, to_catalogue

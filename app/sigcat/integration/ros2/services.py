@@ -6,7 +6,7 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.function.document.text import Text
 from sigcat.function.exchange import Exchange, Side
-from sigcat.function.function_json.methods import Argument, MethodInterface
+from sigcat.function.function_json.interfaces.methods import Argument, MethodInterface
 from sigcat.integration.finding_collector import FindingCollector, Subject, subject_of
 from sigcat.integration.ros2.messages.field_types import c_definition, field_type
 from sigcat.integration.ros2.messages.made_messages import MessageBook, unresolved

@@ -10,8 +10,8 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.function.document.text import Text, optional
 from sigcat.function.exchange import Part, errors_of, reactions_of
-from sigcat.function.function_json.datatype import Datatype
-from sigcat.function.function_json.status_interfaces import ErrorInterface, SafetyReaction
+from sigcat.function.function_json.datatypes.datatype import Datatype
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, SafetyReaction
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.messages.common_types import ERROR_STATUS, SAFETY_REACTION
 from sigcat.integration.ros2.messages.field_types import c_definition

@@ -5,7 +5,7 @@ from typing import TypeAlias
 
 from sqlalchemy import Connection
 
-from sigcat.registry.candidate import Candidate
+from sigcat.registry.candidates.candidate import Candidate
 from sigcat.registry.compatibility.breaking import broken_by_functions, broken_uses
 from sigcat.registry.compatibility.conflicts import Side
 from sigcat.registry.compatibility.member import candidate_member

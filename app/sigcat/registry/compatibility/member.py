@@ -12,8 +12,8 @@ from sigcat.function.exchange import exchange_of, parts_of
 from sigcat.function.function_file import CheckedFunction
 from sigcat.function.function_json.reading import read_function
 from sigcat.function.function_json.walk import errors, runnables
-from sigcat.registry.candidate import Candidate
-from sigcat.registry.candidates import ReadFunction
+from sigcat.registry.candidates.candidate import Candidate
+from sigcat.registry.candidates.candidates import ReadFunction
 from sigcat.registry.published import Published
 from sigcat.registry.reference import Reference
 from sigcat.registry.storing.content import content_of

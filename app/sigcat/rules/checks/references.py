@@ -35,7 +35,7 @@ def reference(rule: Rule, tree: Tree) -> NodeTest:
 
 def names_in(definition: Definition, attribute: str) -> list[str]:
     """The interface names that an attribute of a node refers to."""
-    return _named(nested(definition.values, attribute))
+    return _item_names(nested(definition.values, attribute))
 
 
 def cycle(rule: Rule, tree: Tree) -> TreeTest:
@@ -55,7 +55,7 @@ def cycle(rule: Rule, tree: Tree) -> TreeTest:
     return test
 
 
-def _named(value: Any) -> list[str]:
+def _item_names(value: Any) -> list[str]:
     return [name for _, name in _named_items(value)]
 
 
@@ -95,7 +95,7 @@ def _cycle_through(start: str, attribute: str, interfaces: Mapping[str, Definiti
     while waiting:
         name = waiting.pop()
         definition = interfaces.get(name)
-        for target in _named(nested(definition.values, attribute)) if definition else ():
+        for target in _item_names(nested(definition.values, attribute)) if definition else ():
             if target == start:
                 return _way(start, name, before)
             if target in interfaces and target not in before:

@@ -131,7 +131,7 @@ def _number(text: str, shape: Number) -> Value:
     if shape.symbols:
         found = next((number for symbol, number in shape.symbols if symbol == text), None)
         return _symbol_by_number(text, shape) if found is None else found
-    return _boolean(text) if shape.datatype == "boolean" else _whole(text, shape.datatype)
+    return _boolean(text) if shape.datatype == "boolean" else _integer_in_range(text, shape.datatype)
 
 
 def _time(text: str) -> int:
@@ -150,7 +150,7 @@ def _error_code(text: str) -> int:
 def _symbol_by_number(text: str, shape: Number) -> int:
     """An enumeration by its number, which may be one that has no symbol: functions have to bear that."""
     try:
-        return _whole(text, shape.datatype)
+        return _integer_in_range(text, shape.datatype)
     except Unfit:
         symbols = [symbol for symbol, _ in shape.symbols]
         raise Unfit(f"must be {_any_of(symbols)}, not {shown(text)}", did_you_mean(text, symbols)) from None
@@ -165,12 +165,12 @@ def _boolean(text: str) -> bool:
     if found is not None:
         return found
     try:
-        return bool(_whole(text, "boolean"))
+        return bool(_integer_in_range(text, "boolean"))
     except Unfit:
         raise Unfit(f"must be true or false, not {shown(text)}") from None
 
 
-def _whole(text: str, datatype: str) -> int:
+def _integer_in_range(text: str, datatype: str) -> int:
     least, greatest = INTEGER_RANGES.get(datatype, (0, 1))
     number = _integer(text)
     if number is None or not least <= number <= greatest:

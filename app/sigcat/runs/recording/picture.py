@@ -103,7 +103,7 @@ def _panel(
     assert isinstance(shape, Number)
     top = TOP + index * (HEIGHT + GAP)
     both = [*points, *beside]
-    named = _named(shape, both)
+    named = _values_with_names(shape, both)
     near = () if named is not None else _near(limits, both)
     axis = _range([*both, *((0, each) for each in near)], named)
     ticks = named if named is not None else [(value, _short(value)) for value in _round_steps(axis)]
@@ -119,7 +119,7 @@ def _panel(
     )
 
 
-def _named(shape: Number, points: Sequence[tuple[int, float]]) -> list[tuple[float, str]] | None:
+def _values_with_names(shape: Number, points: Sequence[tuple[int, float]]) -> list[tuple[float, str]] | None:
     """The values of an enumeration or a boolean that occur, with their names; None for a number."""
     symbols = {number: symbol for symbol, number in shape.symbols} or {0: "false", 1: "true"}
     if not shape.symbols and shape.datatype != "boolean":

@@ -26,7 +26,7 @@ from sigcat.web.registry_visits import OwnSite, RegistryVisit, SignedForm, Signe
 from sigcat.web.rendering import page_for
 
 if TYPE_CHECKING:
-    from sigcat.registry.candidate import Candidate
+    from sigcat.registry.candidates.candidate import Candidate
     from sigcat.registry.reference import Kind, Reference
 
 router = APIRouter(route_class=InThread)
@@ -87,7 +87,7 @@ async def decide(
     form: SignedForm,
 ) -> Response:
     """Approve or reject the content of a pending version. A refused form keeps its values."""
-    from sigcat.registry.approvals import approve, reject
+    from sigcat.registry.decisions.approvals import approve, reject
 
     author = author_of(session.token, "approve")
     kind, reference = _version(form)
@@ -111,7 +111,7 @@ async def acknowledge_deprecation(
     request: Request, registry: TheRegistry, visit: RegistryVisit, session: SignedIn, form: SignedForm
 ) -> Response:
     """Record that an owner knows of a deprecation."""
-    from sigcat.registry.acknowledgements import acknowledge
+    from sigcat.registry.decisions.acknowledgements import acknowledge
 
     author = author_of(session.token, "approve")
     kind, reference = _version(form)

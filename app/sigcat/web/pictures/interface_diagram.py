@@ -4,8 +4,8 @@ import math
 from collections.abc import Iterable
 from typing import Literal, NamedTuple
 
+from sigcat.function.function_json.interfaces.role import PROVIDER
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.walk import absent_of, calls_of, data_of
 from sigcat.web.template_filters import unit as typeset_unit

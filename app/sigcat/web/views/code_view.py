@@ -5,13 +5,13 @@ from typing import NamedTuple
 
 from sigcat.function.function_json.code import CLASS, POINTERS, CodeInterface
 from sigcat.function.function_json.conversion import as_text, of_text
-from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.error_fields import errors_set_by
-from sigcat.function.function_json.methods import MethodInterface
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.interfaces.methods import MethodInterface
+from sigcat.function.function_json.interfaces.role import PROVIDER
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.role import PROVIDER
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.walk import declared_data, errors, methods, parameters, runnables, safety_reactions
 
 

@@ -9,12 +9,12 @@ from urllib.parse import urlsplit
 
 from sigcat.errors import NotFound
 from sigcat.names import nearest
-from sigcat.registry.acknowledgements import Deprecation, deprecations
-from sigcat.registry.approvals import Pending, pending
 from sigcat.registry.changes import UseChange, function_changes
 from sigcat.registry.compatibility.conflicts import Conflict
 from sigcat.registry.compatibility.deploying import Decision, can_deploy
 from sigcat.registry.compatibility.member import Member
+from sigcat.registry.decisions.acknowledgements import Deprecation, deprecations
+from sigcat.registry.decisions.approvals import Pending, pending
 from sigcat.registry.events import event_name
 from sigcat.registry.published import Published, all_versions, lines_by_version, names_of, running
 from sigcat.registry.reference import DEPLOYABLE, Kind

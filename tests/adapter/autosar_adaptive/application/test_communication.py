@@ -5,13 +5,12 @@ from pathlib import Path
 
 import pytest
 
-from sigcat.adapter.autosar_adaptive import bench
-from sigcat.adapter.autosar_adaptive.application import player_source
+from sigcat.adapter.autosar_adaptive import application, bench
 from sigcat.adapter.toolchain import toolchain
 from tests.needs import c_compiler
 
 pytestmark = c_compiler
-APPLICATION = Path(player_source.__file__).with_name("cpp")
+APPLICATION = Path(application.__file__).with_name("cpp")
 BENCH = Path(bench.__file__).with_name("runtime") / "include"
 LOGGER = """
 #pragma once

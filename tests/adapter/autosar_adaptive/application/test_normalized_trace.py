@@ -5,14 +5,14 @@ from pathlib import Path
 
 import pytest
 
-from sigcat.adapter.autosar_adaptive.application import player_source
+from sigcat.adapter.autosar_adaptive.application.player import player_source
 from sigcat.adapter.host.shapes import Array, Number, Shape
 from sigcat.adapter.toolchain import toolchain
 from sigcat.runs.recording.cells import plain_text
 from tests.needs import c_compiler
 
 pytestmark = c_compiler
-PLAYER = Path(player_source.__file__).with_name("player_cpp")
+PLAYER = Path(player_source.__file__).with_name("cpp")
 ARRAY = (
     "#include <array>\nnamespace ara::core { template <typename T, std::size_t n> using Array = std::array<T, n>; }\n"
 )

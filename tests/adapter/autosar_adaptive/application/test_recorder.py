@@ -7,12 +7,12 @@ from pathlib import Path
 import pytest
 
 from sigcat.adapter.autosar_adaptive import bench
-from sigcat.adapter.autosar_adaptive.application import player_source
+from sigcat.adapter.autosar_adaptive.application.player import player_source
 from sigcat.adapter.toolchain import toolchain
 from tests.needs import c_compiler
 
 pytestmark = c_compiler
-PLAYER = Path(player_source.__file__).with_name("player_cpp")
+PLAYER = Path(player_source.__file__).with_name("cpp")
 BENCH = Path(bench.__file__).with_name("runtime") / "include"
 MAIN = """
 #include <chrono>

@@ -7,13 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from sigcat.adapter.autosar_adaptive import bench
-from sigcat.adapter.autosar_adaptive.application import player_source
+from sigcat.adapter.autosar_adaptive import application, bench
 from sigcat.adapter.toolchain import toolchain
 from tests.needs import c_compiler
 
 pytestmark = c_compiler
-APPLICATION = Path(player_source.__file__).parent
+APPLICATION = Path(application.__file__).parent
 BENCH = Path(bench.__file__).with_name("runtime") / "include"
 MAIN = """
 #include <chrono>
@@ -52,7 +51,7 @@ int main() {
 @pytest.fixture(scope="module")
 def program(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("speed")
-    (folder / "player").symlink_to(APPLICATION / "player_cpp")
+    (folder / "player").symlink_to(APPLICATION / "player/cpp")
     (folder / "application").symlink_to(APPLICATION / "cpp")
     (folder / "main.cpp").write_text(MAIN)
     sources = ["main.cpp", "player/make_clock.cpp", "player/message.cpp", "application/clock.cpp"]

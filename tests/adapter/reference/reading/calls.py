@@ -3,8 +3,8 @@
 import re
 from collections.abc import Iterable, Mapping
 
+from sigcat.function.function_json.interfaces.role import CONSUMER
 from sigcat.function.function_json.model import Mode
-from sigcat.function.function_json.role import CONSUMER
 from sigcat.function.function_json.runnable import Runnable
 from tests.adapter.reference.function import Call
 from tests.adapter.reference.parts.inputs import Input

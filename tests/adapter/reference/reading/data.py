@@ -2,8 +2,8 @@
 
 from collections.abc import Mapping
 
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.error_fields import errors_set_by
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.runnable import Runnable
 from tests.adapter.reference.function import Output
 from tests.adapter.reference.parts.inputs import Input, Queue

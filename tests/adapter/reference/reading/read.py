@@ -3,11 +3,11 @@
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from sigcat.function.function_json.data_interfaces import ParameterInterface
-from sigcat.function.function_json.methods import Argument as DeclaredArgument
-from sigcat.function.function_json.methods import MethodInterface
+from sigcat.function.function_json.interfaces.data_interfaces import ParameterInterface
+from sigcat.function.function_json.interfaces.methods import Argument as DeclaredArgument
+from sigcat.function.function_json.interfaces.methods import MethodInterface
+from sigcat.function.function_json.interfaces.role import CONSUMER
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.role import CONSUMER
 from sigcat.function.function_json.runnable import Contract, Runnable
 from tests.adapter.reference.function import Call, Function
 from tests.adapter.reference.parts.methods import Argument, Method

@@ -4,8 +4,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from sigcat.function.function_json.datatype import Datatype, EnumerationValue
-from sigcat.function.function_json.primitive_types import c_type
+from sigcat.function.function_json.datatypes.datatype import Datatype, EnumerationValue
+from sigcat.function.function_json.datatypes.primitive_types import c_type
 from tests.adapter.reference.reading.scale import exact
 from tests.adapter.reference.values.number_format import NumberFormat
 

@@ -3,8 +3,8 @@
 from collections.abc import Iterable, Mapping
 from graphlib import CycleError, TopologicalSorter
 
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.runnable import Runnable
-from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from tests.adapter.reference.parts.errors import Error
 from tests.adapter.reference.parts.modes import ModeIn, ModeOut
 from tests.adapter.reference.parts.reactions import Reaction

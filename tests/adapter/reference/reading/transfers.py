@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
-from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
-from sigcat.function.function_json.datatype import Datatype
-from sigcat.function.function_json.methods import Argument
+from sigcat.function.function_json.datatypes.datatype import Datatype
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
+from sigcat.function.function_json.interfaces.methods import Argument
 from tests.adapter.reference.reading.given_values import Given, given_values
 from tests.adapter.reference.reading.scale import Scale, exact, scale, shortest
 from tests.adapter.reference.reading.shape import Leaf, Shape, Unsupported, numbers_by_name, shape_of

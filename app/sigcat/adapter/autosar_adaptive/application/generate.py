@@ -4,17 +4,18 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from sigcat import codes
-from sigcat.adapter.autosar_adaptive.application import cmake, player_source
-from sigcat.adapter.autosar_adaptive.application.adapter import adapter_files
-from sigcat.adapter.autosar_adaptive.application.derive import derive
+from sigcat.adapter.autosar_adaptive.application import cmake
+from sigcat.adapter.autosar_adaptive.application.component.adapter import adapter_files
+from sigcat.adapter.autosar_adaptive.application.component.structs_header import structs_header
 from sigcat.adapter.autosar_adaptive.application.main_source import main_source
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ExecutablePlan
+from sigcat.adapter.autosar_adaptive.application.planning.derive import derive
+from sigcat.adapter.autosar_adaptive.application.player import player_source
 from sigcat.adapter.autosar_adaptive.application.readme import readme
-from sigcat.adapter.autosar_adaptive.application.structs_header import structs_header
 from sigcat.adapter.autosar_adaptive.arxml.generate import generate as generate_arxml
 from sigcat.adapter.autosar_adaptive.bench.generate import generate as generate_services
 from sigcat.adapter.autosar_adaptive.bench.runtime_files import runtime_files
-from sigcat.adapter.core.c.lines import c_file, lines
+from sigcat.adapter.core.c.text.lines import c_file, lines
 from sigcat.adapter.files import GeneratedFile, shipped, within
 from sigcat.adapter.placed_findings import placed_in
 from sigcat.adapter.source_cores import files_of, source_cores

@@ -17,8 +17,8 @@ from sigcat.adapter.autosar_adaptive.arxml.components import (
 )
 from sigcat.adapter.autosar_adaptive.arxml.paths import COMPONENTS, EXECUTABLES, HEALTH, PROCESSES, SUPERVISIONS
 from sigcat.adapter.autosar_adaptive.arxml.releases import Release
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface
 from sigcat.function.function_json.runnable import WatchdogLimits
-from sigcat.function.function_json.status_interfaces import ErrorInterface
 from sigcat.integration.autosar_adaptive.model import Call, Component, ServiceField
 from sigcat.integration.autosar_adaptive.processes import Process
 from sigcat.integration.autosar_names import short_name

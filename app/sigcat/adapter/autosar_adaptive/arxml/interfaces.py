@@ -60,12 +60,12 @@ def wholes(model: IntegrationModel) -> tuple[Whole, ...]:
         for interface in component.services:
             by_name.setdefault(interface.name, []).append(interface)
     return tuple(
-        _whole(name, sorted(found, key=lambda interface: interface.role != "Provider"), namespace)
+        _joined_sides(name, sorted(found, key=lambda interface: interface.role != "Provider"), namespace)
         for name, found in sorted(by_name.items())
     )
 
 
-def _whole(name: str, found: list[ServiceInterface], namespace: str) -> Whole:
+def _joined_sides(name: str, found: list[ServiceInterface], namespace: str) -> Whole:
     parts = [services for interface in found for services in interface.services]
     first = found[0]
     assert first.service_id is not None

@@ -2,13 +2,13 @@
 
 from collections.abc import Mapping
 
-from sigcat.adapter.autosar_adaptive.bench import datatypes
-from sigcat.adapter.autosar_adaptive.bench.codecs import NAME, codecs_source
-from sigcat.adapter.autosar_adaptive.bench.method_errors import errors_header, errors_path
-from sigcat.adapter.autosar_adaptive.bench.service_files import proxy_source, service_headers, skeleton_source
-from sigcat.adapter.autosar_adaptive.bench.services import Service, error_namespace, services
-from sigcat.adapter.autosar_adaptive.bench.tables import tables_source
-from sigcat.adapter.autosar_adaptive.bench.unusable_names import unusable_names
+from sigcat.adapter.autosar_adaptive.bench.datatypes import datatypes
+from sigcat.adapter.autosar_adaptive.bench.datatypes.codecs import NAME, codecs_source
+from sigcat.adapter.autosar_adaptive.bench.services.method_errors import errors_header, errors_path
+from sigcat.adapter.autosar_adaptive.bench.services.service_files import proxy_source, service_headers, skeleton_source
+from sigcat.adapter.autosar_adaptive.bench.services.services import Service, error_namespace, services
+from sigcat.adapter.autosar_adaptive.bench.services.tables import tables_source
+from sigcat.adapter.autosar_adaptive.bench.services.unusable_names import unusable_names
 from sigcat.adapter.autosar_adaptive.cpp_names import type_names
 from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.templates import rendered

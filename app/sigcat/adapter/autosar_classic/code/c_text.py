@@ -3,7 +3,7 @@
 import re
 from typing import Any
 
-from sigcat.adapter.core.c.lines import Lines, lines
+from sigcat.adapter.core.c.text.lines import Lines, lines
 from sigcat.adapter.templates import rendered
 
 _FOLDER = "adapter/autosar_classic"

@@ -3,11 +3,11 @@
 from collections.abc import Iterator
 from pathlib import Path
 
-from sigcat.adapter.autosar_classic.code import rte_header
-from sigcat.adapter.autosar_classic.code.api import Apis
+from sigcat.adapter.autosar_classic.code.component.swc_source import swc_source
 from sigcat.adapter.autosar_classic.code.plan import ClassicPlan
-from sigcat.adapter.autosar_classic.code.swc_source import swc_source
-from sigcat.adapter.core.c.lines import c_file
+from sigcat.adapter.autosar_classic.code.rte_headers import rte_header
+from sigcat.adapter.autosar_classic.code.rte_headers.api import Apis
+from sigcat.adapter.core.c.text.lines import c_file
 from sigcat.adapter.files import GeneratedFile, shipped, within
 from sigcat.adapter.templates import rendered
 from sigcat.integration.autosar_classic.model import ClassicIntegration

@@ -3,14 +3,14 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from sigcat.adapter.autosar_classic.code.api import Call
 from sigcat.adapter.autosar_classic.code.c_text import c_lines
 from sigcat.adapter.autosar_classic.code.plan import DataEnd, MethodEnd, RteType, SwcPlan
+from sigcat.adapter.autosar_classic.code.rte_headers.api import Call
 from sigcat.adapter.autosar_classic.test_rte.operations import Request, Service, request, service
 from sigcat.adapter.autosar_classic.test_rte.plan import TestRte, received_at
 from sigcat.adapter.autosar_classic.test_rte.shapes import initializer
-from sigcat.adapter.core.c.lines import Lines
-from sigcat.adapter.core.c.shadowing import distinct
+from sigcat.adapter.core.c.names.shadowing import distinct
+from sigcat.adapter.core.c.text.lines import Lines
 from sigcat.integration.autosar_classic.model import ModeNumber, Port
 
 

@@ -9,7 +9,7 @@ from sigcat.adapter.autosar_classic.test_rte.component import component_source
 from sigcat.adapter.autosar_classic.test_rte.plan import TestRte
 from sigcat.adapter.autosar_classic.test_rte.readme import readme
 from sigcat.adapter.autosar_classic.test_rte.tables import data_header, tables
-from sigcat.adapter.core.c.lines import Lines, c_file
+from sigcat.adapter.core.c.text.lines import Lines, c_file
 from sigcat.adapter.files import GeneratedFile, shipped, within
 from sigcat.integration.autosar_classic.model import ClassicIntegration
 

@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from sigcat.adapter.autosar_classic.code.api import Call
-from sigcat.adapter.autosar_classic.code.methods import head
+from sigcat.adapter.autosar_classic.code.component.methods import head
 from sigcat.adapter.autosar_classic.code.plan import MethodEnd, SwcPlan
+from sigcat.adapter.autosar_classic.code.rte_headers.api import Call
 from sigcat.adapter.autosar_classic.test_rte.plan import TestRte, server
 from sigcat.function.document.text_filters import c_string
 

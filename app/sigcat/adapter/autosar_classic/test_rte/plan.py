@@ -3,8 +3,8 @@
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from sigcat.adapter.autosar_classic.code.api import Apis, Call
 from sigcat.adapter.autosar_classic.code.plan import ClassicPlan, DataEnd, MethodEnd, SwcPlan
+from sigcat.adapter.autosar_classic.code.rte_headers.api import Apis, Call
 from sigcat.integration.autosar_classic.model import (
     ClassicIntegration,
     Event,

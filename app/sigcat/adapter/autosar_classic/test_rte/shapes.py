@@ -4,8 +4,8 @@ import json
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from sigcat.adapter.autosar_classic.code.literals import number
 from sigcat.adapter.autosar_classic.code.plan import RteType
+from sigcat.adapter.autosar_classic.code.rte_headers.literals import number
 
 
 class _Number(NamedTuple):

@@ -7,7 +7,7 @@ from sigcat.adapter.autosar_classic.code.c_text import c_lines
 from sigcat.adapter.autosar_classic.code.plan import MethodEnd, RteType, SwcPlan
 from sigcat.adapter.autosar_classic.test_rte.plan import Scheduled, TestRte
 from sigcat.adapter.autosar_classic.test_rte.shapes import Shape, Symbols, shape_table
-from sigcat.adapter.core.c.lines import Lines
+from sigcat.adapter.core.c.text.lines import Lines
 from sigcat.integration.autosar_classic.model import Port
 
 _ECU = "EcuManager"

@@ -1,4 +1,4 @@
 """The plan of a core in, its header and its source in C out.
 
-A template for each section of docs/reference/adapter.md is beside the file that resolves its names, numbers and expressions.
+Each section of docs/reference/adapter.md has a template, beside the file that resolves its names, numbers and expressions.
 """

@@ -1,8 +1,8 @@
 """The header: types, members of the adapter, and what the platform calls."""
 
-from sigcat.adapter.core.c.layout import c_lines
-from sigcat.adapter.core.c.lines import Lines
-from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.c.names.scope import Scope
+from sigcat.adapter.core.c.text.layout import c_lines
+from sigcat.adapter.core.c.text.lines import Lines
 from sigcat.adapter.core.plan import CorePlan
 from sigcat.function.document.text import Text, composed
 

@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from sigcat.adapter.core.c.calls import CallPlan
-from sigcat.adapter.core.c.inputs import InputPlan
-from sigcat.adapter.core.c.outputs import OutputPlan
+from sigcat.adapter.core.c.calls.calls import CallPlan
+from sigcat.adapter.core.c.data.inputs import InputPlan
+from sigcat.adapter.core.c.data.outputs import OutputPlan
 from sigcat.adapter.core.plan import CorePlan
 
 

@@ -2,19 +2,19 @@
 
 from collections.abc import Iterable, Iterator
 
-from sigcat.adapter.core.c.calls import CallPlan, call_plan
-from sigcat.adapter.core.c.clock import cyclic_calls, kept_times
-from sigcat.adapter.core.c.errors import error_plan, reaction_plan
+from sigcat.adapter.core.c.calls.calls import CallPlan, call_plan
+from sigcat.adapter.core.c.calls.methods import STATUS, MethodPlan, method_plan
+from sigcat.adapter.core.c.data.inputs import received_init
+from sigcat.adapter.core.c.data.parameters import ParameterPlan, parameter_plan
+from sigcat.adapter.core.c.errors.errors import error_plan, reaction_plan
 from sigcat.adapter.core.c.header import about
-from sigcat.adapter.core.c.inputs import received_init
-from sigcat.adapter.core.c.layout import c_lines
 from sigcat.adapter.core.c.life import cleared_members, initial_values
-from sigcat.adapter.core.c.lines import Line, Lines
-from sigcat.adapter.core.c.methods import STATUS, MethodPlan, method_plan
-from sigcat.adapter.core.c.parameters import ParameterPlan, parameter_plan
-from sigcat.adapter.core.c.scope import Scope
-from sigcat.adapter.core.c.sizes import checks, needs_self
-from sigcat.adapter.core.c.values import Transfer
+from sigcat.adapter.core.c.names.scope import Scope
+from sigcat.adapter.core.c.schedule.clock import cyclic_calls, kept_times
+from sigcat.adapter.core.c.text.layout import c_lines
+from sigcat.adapter.core.c.text.lines import Line, Lines
+from sigcat.adapter.core.c.values.sizes import checks, needs_self
+from sigcat.adapter.core.c.values.values import Transfer
 
 
 def source(scope: Scope) -> Lines:

@@ -35,7 +35,7 @@ CONDITIONS: Mapping[str, Condition] = {
     "e2e_error": Condition("e2e"),
     "absent_error": Condition(""),
 }
-"""By the fields. Members beside those of time-outs and ranges, and how they are tested: `adapter/core/c/conditions.c.j2`."""
+"""By the fields. Members beside those of time-outs and ranges, and how they are tested: `adapter/core/c/errors/conditions.c.j2`."""
 
 
 class TimeOut(NamedTuple):

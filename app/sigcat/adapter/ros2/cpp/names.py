@@ -2,7 +2,7 @@
 
 import re
 
-from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.c.names.scope import Scope
 from sigcat.adapter.ros2.plan import InterfaceType, NodePlan, WorkspacePlan
 
 

@@ -28,7 +28,7 @@ def uses_of(cursor: Cursor) -> Json:
         each._tu = cursor._tu  # noqa: SLF001 - as libclang's own loop does, which makes lists of all that it visits
         kind = each._kind_id  # noqa: SLF001
         if kind in _REFERENCES:
-            used.update(_named(each))
+            used.update(_name_referred_to(each))
         elif kind in _OPERATORS and _writes(each):
             written.update(_base(next(each.get_children())))
         elif kind == CursorKind.CALL_EXPR.value:
@@ -47,7 +47,7 @@ _OPERATORS = frozenset((
 _OUTER = (CursorKind.FUNCTION_DECL, CursorKind.VAR_DECL, CursorKind.CXX_METHOD)
 
 
-def _named(cursor: Cursor) -> set[str]:
+def _name_referred_to(cursor: Cursor) -> set[str]:
     """Meaning of a reference: a name, or the key of a member."""
     target = cursor.referenced
     if target is not None and target.kind == CursorKind.FIELD_DECL:
@@ -88,9 +88,9 @@ def _base(cursor: Cursor) -> set[str]:
     found: set[str] = set()
     while cursor.kind != CursorKind.DECL_REF_EXPR:
         if cursor.kind == CursorKind.MEMBER_REF_EXPR:
-            found |= _named(cursor)
+            found |= _name_referred_to(cursor)
         inner = next(cursor.get_children(), None)
         if inner is None:
             return found
         cursor = inner
-    return found | _named(cursor)
+    return found | _name_referred_to(cursor)

@@ -7,8 +7,8 @@ from sigcat.catalogue.model.catalogue import Node
 from sigcat.catalogue.model.datatypes import DATATYPES, INTEGER_RANGES, element_of, is_array
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.function_json.primitive_types import BY_VSS
-from sigcat.function.function_json.type_list import Symbols, smallest_integer, symbols_of
+from sigcat.function.function_json.datatypes.primitive_types import BY_VSS
+from sigcat.function.function_json.datatypes.type_list import Symbols, smallest_integer, symbols_of
 from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.values.code_value import Item
 from sigcat.names import did_you_mean

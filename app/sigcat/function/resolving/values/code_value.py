@@ -8,7 +8,7 @@ from sigcat.function.declaration.declaration import DataItem, ParameterItem
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.function_json.conversion import Linear
-from sigcat.function.function_json.type_list import Symbols
+from sigcat.function.function_json.datatypes.type_list import Symbols
 
 Item = DataItem | ParameterItem
 

@@ -9,7 +9,7 @@ from typing import Any
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.datatypes import DATATYPES
 from sigcat.function.function_json.conversion import IDENTITY, Linear, as_number
-from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.function_json.datatypes.datatype import Datatype
 from sigcat.function.resolving.values.code_value import CodeValue
 
 TypeOf = Callable[[str], Datatype | None]

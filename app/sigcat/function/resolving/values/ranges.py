@@ -8,7 +8,7 @@ from sigcat.catalogue.model.datatypes import INTEGER_RANGES, LARGEST_ROUNDED_TO_
 from sigcat.function.declaration.declaration import DataItem
 from sigcat.function.document.problem import Problem
 from sigcat.function.function_json.conversion import Linear
-from sigcat.function.function_json.primitive_types import value_range
+from sigcat.function.function_json.datatypes.primitive_types import value_range
 from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.values.code_value import CodeValue
 from sigcat.function.resolving.values.numbers import fraction, shown

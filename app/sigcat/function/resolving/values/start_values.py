@@ -11,7 +11,7 @@ from sigcat.function.declaration.declaration import DataItem
 from sigcat.function.document.problem import Problem, Subject
 from sigcat.function.document.yaml_words import in_yaml
 from sigcat.function.function_json.conversion import as_number
-from sigcat.function.function_json.type_list import Symbols
+from sigcat.function.function_json.datatypes.type_list import Symbols
 from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.values.code_value import CodeValue
 from sigcat.function.resolving.values.numbers import fraction, optional_number

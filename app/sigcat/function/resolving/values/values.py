@@ -7,7 +7,7 @@ from sigcat.catalogue.model.catalogue import Node
 from sigcat.function.declaration.declaration import DataItem
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.conversion import IDENTITY, Linear
-from sigcat.function.function_json.type_list import Symbols, symbols_of
+from sigcat.function.function_json.datatypes.type_list import Symbols, symbols_of
 from sigcat.function.resolving.absent import absent_node, is_absent
 from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.data_nodes import data_node, data_of

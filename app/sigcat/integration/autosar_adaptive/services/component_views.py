@@ -3,9 +3,9 @@
 from collections.abc import Iterable, Sequence
 
 from sigcat.function.exchange import Side
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
-from sigcat.function.function_json.methods import Argument, MethodInterface
-from sigcat.function.function_json.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
+from sigcat.function.function_json.interfaces.methods import Argument, MethodInterface
+from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.code import MethodUse
 from sigcat.integration.autosar_adaptive.context import Context

@@ -59,7 +59,7 @@ def numbers(names: Names, context: Context) -> dict[str, int]:
 
 def is_given(names: Names, name: str, context: Context) -> bool:
     """Whether the deployment or an id catalogue has the id of a name."""
-    return any(each == name for each, _, _ in _given(names, context.settings))
+    return any(each == name for each, _, _ in _stated_ids(names, context.settings))
 
 
 def _reserved(names: Names, context: Context) -> dict[int, str]:
@@ -77,7 +77,7 @@ def _reserved(names: Names, context: Context) -> dict[int, str]:
 def _fixed(names: Names, reserved: Mapping[int, str], context: Context) -> dict[str, int]:
     """Ids that are given. One that cannot be is reported."""
     fixed: dict[str, int] = {}
-    for name, number, where in _given(names, context.settings):
+    for name, number, where in _stated_ids(names, context.settings):
         if reason := _refusal(number, name, names, reserved, fixed):
             message = f"Id 0x{number:04X} of {names.key(name)} in the {where} {reason}."
             context.findings.report(codes.ID_REFUSED, message, f"{names.scope}{name}", "Use another one.")
@@ -86,7 +86,7 @@ def _fixed(names: Names, reserved: Mapping[int, str], context: Context) -> dict[
     return fixed
 
 
-def _given(names: Names, settings: AutosarAdaptiveSettings) -> Iterator[tuple[str, int, str]]:
+def _stated_ids(names: Names, settings: AutosarAdaptiveSettings) -> Iterator[tuple[str, int, str]]:
     """Names with their ids, and where those stand: the deployment goes before the catalogue."""
     stated, catalogue = settings.identifiers, settings.identifier_catalogue
     keys = [(name, names.key(name)) for name in names.listed]

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from sigcat import codes
-from sigcat.function.function_json.primitive_types import c_type
+from sigcat.function.function_json.datatypes.primitive_types import c_type
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.deployment.someip_settings import (
     DEFAULT_TRANSFORMATION,

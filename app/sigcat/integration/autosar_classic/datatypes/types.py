@@ -6,10 +6,10 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES, element_of
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.data_interfaces import DataQueue, ParameterInterface, Signal
-from sigcat.function.function_json.datatype import Datatype, EnumerationValue, innermost
+from sigcat.function.function_json.datatypes.datatype import Datatype, EnumerationValue, innermost
+from sigcat.function.function_json.datatypes.type_list import smallest_integer
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.type_list import smallest_integer
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import Context
 from sigcat.integration.autosar_names import distinct, short_name

@@ -22,7 +22,7 @@ def _implementation(model: ClassicIntegration) -> Iterator[Problem]:
     seen: set[str] = set()
     for index, each in enumerate(model.implementation_types):
         at = ("ImplementationTypes", index)
-        yield from _whole(each, at)
+        yield from _missing_parts(each, at)
         if each.category == "VALUE" and each.base not in PLATFORM_TYPES:
             yield unknown((*at, "Base"), "platform type", str(each.base))
         base = each.base if each.category == "TYPE_REFERENCE" else None
@@ -41,7 +41,7 @@ def _application(model: ClassicIntegration) -> Iterator[Problem]:
         if code is not None and _form(each) != _form(code):
             message = f"{each.name} must be {_words(code)}, as {code.name} is in the code, not {_words(each)}."
             yield Problem(at, message, "Give both the same form.")
-        yield from _whole(each, at)
+        yield from _missing_parts(each, at)
         for used in filter(None, [each.element, *(member.type for member in each.members or ())]):
             if used not in seen:
                 yield unknown(at, "application type before it", used)
@@ -60,7 +60,7 @@ def _words(entry: ImplementationType | ApplicationType) -> str:
     return f"a structure of {', '.join(members)}" if members else "one value" if length is None else f"{length} values"
 
 
-def _whole(entry: ImplementationType | ApplicationType, at: Pointer) -> Iterator[Problem]:
+def _missing_parts(entry: ImplementationType | ApplicationType, at: Pointer) -> Iterator[Problem]:
     """An array has elements and a length, a structure has members, a reference a datatype that it is one for."""
     if entry.category == "ARRAY" and (not entry.element or (entry.length or 0) < 1):
         yield Problem(at, f"Array {entry.name} must have a type of its elements, and a length of at least 1.", "Add them.")  # fmt: skip

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.conversion import IDENTITY, Linear, as_number, as_text, between, of_text, same_kind
-from sigcat.function.function_json.data_interfaces import DataQueue, Signal
-from sigcat.function.function_json.datatype import Datatype, EnumerationValue
+from sigcat.function.function_json.datatypes.datatype import Datatype, EnumerationValue
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.runnable import Contract

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from sigcat.catalogue.model.datatypes import element_of, is_array
-from sigcat.function.function_json.datatype import Datatype, EnumerationValue, innermost
-from sigcat.function.function_json.type_list import smallest_integer
+from sigcat.function.function_json.datatypes.datatype import Datatype, EnumerationValue, innermost
+from sigcat.function.function_json.datatypes.type_list import smallest_integer
 from sigcat.integration.datatypes import BY_VSS, Spelling, of_reference
 
 

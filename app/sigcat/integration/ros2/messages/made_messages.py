@@ -5,7 +5,7 @@ from collections.abc import Set as AbstractSet
 
 from sigcat import codes
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.datatype import Datatype
+from sigcat.function.function_json.datatypes.datatype import Datatype
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.messages.common_types import ERROR_STATUS, SAFETY_REACTION, STEP
 from sigcat.integration.ros2.messages.field_types import FieldType, field_type

@@ -4,7 +4,7 @@ import re
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from sigcat.function.function_json.primitive_types import value_range
+from sigcat.function.function_json.datatypes.primitive_types import value_range
 from sigcat.integration.datatypes import SPELLINGS, Spelling
 
 _TYPE = r"(?P<type>[A-Za-z]\w*(?:/[A-Za-z]\w*)?)(?:<=\d{1,9})?(?P<array>\[(?:<=)?\d{0,9}\])?"

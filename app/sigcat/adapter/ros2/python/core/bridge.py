@@ -5,9 +5,9 @@ from collections.abc import Iterator, Sequence
 from hashlib import sha256
 from typing import NamedTuple
 
-from sigcat.adapter.core.c.layout import c_lines
-from sigcat.adapter.core.c.lines import c_file
-from sigcat.adapter.core.c.scope import Scope
+from sigcat.adapter.core.c.names.scope import Scope
+from sigcat.adapter.core.c.text.layout import c_lines
+from sigcat.adapter.core.c.text.lines import c_file
 from sigcat.adapter.core.plan import CorePlan
 from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.ros2.python.names import WIDEST
