@@ -77,6 +77,8 @@ CONFIGURATION_BYTES = 1024 * 1024
 VEHICLES = 1_000
 """Vehicles of a project, each of their states counted."""
 
+COMPILER_WARNINGS = 20
+"""Warnings of the compiler that a simulation reports."""
 INSTANCE_ROWS = 1_000
 """Rows that a vehicle gives the instances of a branch."""
 

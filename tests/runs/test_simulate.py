@@ -231,6 +231,19 @@ def test_a_call_of_a_function_that_no_header_declares_is_refused(case, compiler)
     assert re.match(r"code/counter\.c:\d+:\d+: error T011 The compiler says: .*fabs", said[0])
 
 
+@pytest.mark.parametrize("compiler", ["system", "pypi"], indirect=True)
+def test_warnings_of_the_compiler_are_notes_about_the_code(case, compiler):
+    status, said = case(counter_c=("self->count += ", "int unset;\n  self->count += unset + "))
+    assert status == 0
+    assert [line.partition(":")[0] for line in said if " T012 " in line] == ["code/counter.c"]
+    assert "uninitialized" in "".join(said)
+
+
+def test_code_without_warnings_has_no_notes(case):
+    status, said = case()
+    assert (status, [line for line in said if " T012 " in line]) == (0, [])
+
+
 def test_a_build_that_fails_prints_no_header(case):
     status, _ = case("-o", "-", counter_c=("self->count += ", "self->cuont += "))  # which checks standard output
     assert status == 1

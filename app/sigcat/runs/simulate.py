@@ -139,7 +139,7 @@ def simulated_blocks(prepared: Prepared, trace: Trace | None, settings: Settings
         start, end = _times(span, settings)
         check_length(members, start, end, trace, span.line if settings.duration is None else None)
         flags = FLAGS if settings.coverage else ()
-        program = build(prepared.connections, prepared.numbers, folder, tools, flags)
+        program, warned = build(prepared.connections, prepared.numbers, folder, tools, flags)
         memory = memory_of(members, folder, tools) if settings.tells_memory else ()
         limits = Limits(settings.step_limit, settings.output_limit)
         command = Command(
@@ -149,7 +149,7 @@ def simulated_blocks(prepared: Prepared, trace: Trace | None, settings: Settings
         done = yield from _run(prepared, command, trace, library)
         if settings.coverage is not None and done.stop is None:
             report_coverage(members, folder, settings.coverage, tools)
-        return done._replace(memory=memory, findings=(*notes, *done.findings))
+        return done._replace(memory=memory, findings=(*notes, *warned, *done.findings))
 
 
 def _sandbox(settings: Settings, folder: Path) -> tuple[str, ...]:

@@ -6,21 +6,30 @@ import subprocess
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import NamedTuple
 
 from sigcat.adapter.core.generate import CoreFiles, core_files
 from sigcat.adapter.host.connections import Connections
 from sigcat.adapter.host.glue import HOST_HEADER, glue_file
 from sigcat.adapter.host.numbering import Numbers
 from sigcat.adapter.toolchain import Toolchain
+from sigcat.findings import Finding
 from sigcat.runs.building.commands import Compilation, compilations, linking
-from sigcat.runs.building.failures import Said, refused
+from sigcat.runs.building.failures import Said, refused, warned
 from sigcat.runs.driver.tables import tables_file
 
 PROGRAM = "run.exe" if os.name == "nt" else "run"
 _DRIVER = Path(__file__).parents[1] / "driver"
 
 
-def build(connections: Connections, numbers: Numbers, folder: Path, tools: Toolchain, own: Sequence[str] = ()) -> Path:
+class Built(NamedTuple):
+    """The program of a set of functions, and notes about their code."""
+
+    program: Path
+    findings: tuple[Finding, ...]
+
+
+def build(connections: Connections, numbers: Numbers, folder: Path, tools: Toolchain, own: Sequence[str] = ()) -> Built:
     """The program of a set of functions, made in a folder. Raises InputRefused with what the compiler says.
 
     `own` are further flags for the code of functions, and for the linker.
@@ -29,14 +38,15 @@ def build(connections: Connections, numbers: Numbers, folder: Path, tools: Toolc
     _write(connections, numbers, cores, folder)
     compiled = tuple(compilations(connections.members, folder, tools, own))
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        failed = [said for said in pool.map(_compiled, compiled) if said]
+        printed = list(pool.map(_compiled, compiled))
+    failed = [said for said in printed if said.has_failed]
     program = folder / PROGRAM
     if not failed:
         said = _said(linking(compiled, program, tools, own), None)
-        failed = [said] if said else []
+        failed = [said] if said.has_failed else []
     if failed:
         raise refused(failed, connections.members, cores)
-    return program
+    return Built(program, tuple(warned(printed, connections.members)))
 
 
 def _write(connections: Connections, numbers: Numbers, cores: Sequence[CoreFiles], folder: Path) -> None:
@@ -47,14 +57,12 @@ def _write(connections: Connections, numbers: Numbers, cores: Sequence[CoreFiles
         (folder / file.name).write_bytes(file.data)
 
 
-def _compiled(one: Compilation) -> Said | None:
+def _compiled(one: Compilation) -> Said:
     return _said(one.command, one)
 
 
-def _said(command: tuple[str, ...], one: Compilation | None) -> Said | None:
-    """Run a command; return its output if it fails."""
+def _said(command: tuple[str, ...], one: Compilation | None) -> Said:
+    """Run a command, and return its output."""
     environment = {**os.environ, "LC_ALL": "C", "GCC_COLORS": ""}
     done = subprocess.run(command, capture_output=True, check=False, env=environment)  # noqa: S603 — no shell
-    if done.returncode == 0:
-        return None
-    return Said(one, (done.stderr or done.stdout).decode("utf-8", "replace"))
+    return Said(one, (done.stderr or done.stdout).decode("utf-8", "replace"), done.returncode != 0)

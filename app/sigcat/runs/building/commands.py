@@ -12,6 +12,8 @@ from sigcat.function.function_json.code import CodeInterface
 _CPP = frozenset((".cc", ".cpp", ".cxx", ".c++"))
 _FLAGS = ("-c", "-O2", "-g", *EXACT)
 """`-g`: the linker says at which line a symbol is missing."""
+WARNS = "-Wall"
+"""Flag of the code of functions, whose warnings are reported; generated code has its tests."""
 _DECLARED = "-Werror=implicit-function-declaration"
 """A function without a declaration would return an `int`, whatever it returns: newer compilers of C refuse it by default."""
 _OF_CORE = ("-Werror=incompatible-pointer-types", "-Werror=int-conversion", _DECLARED)
@@ -55,7 +57,7 @@ def _of_member(index: int, member: Member, folder: Path, tools: Toolchain, own: 
         yield _compilation(index, found, folder / f"{found.name}.o", (*strict, *flags), tools)
     for number, source in enumerate(code.sources or ()):
         path = member.folder / source
-        declared = () if is_cpp(path) else (_DECLARED,)
+        declared = (WARNS,) if is_cpp(path) else (WARNS, _DECLARED)
         yield _compilation(index, path, folder / f"{member.name}.{number}.o", (*declared, *flags, *own), tools)
 
 

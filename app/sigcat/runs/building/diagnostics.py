@@ -16,6 +16,7 @@ class Diagnostic(NamedTuple):
 
 
 _ERROR = re.compile(r"(?P<file>.+?):(?P<line>\d+):(?:(?P<column>\d+):)? (?:fatal )?error: (?P<message>.*)")
+_WARNING = re.compile(r"(?P<file>.+?):(?P<line>\d+):(?P<column>\d+): warning: (?P<message>.*)")
 _UNREADABLE = re.compile(r"cc1\w*: (?:fatal )?error: (?P<file>.+?): (?P<message>[^:]+)")
 """gcc for a file that it cannot read."""
 _LINKER = re.compile(
@@ -47,6 +48,12 @@ def diagnostics(text: str) -> Iterator[Diagnostic]:
         elif symbol and (match := _REFERENCED.match(line)):
             yield Diagnostic(match["file"], int(match["line"]), 0, f"undefined reference to '{symbol}'")
             symbol = ""
+
+
+def warnings(text: str) -> Iterator[Diagnostic]:
+    """The warnings in what was printed."""
+    for match in filter(None, map(_WARNING.match, text.splitlines())):
+        yield Diagnostic(match["file"], int(match["line"]), int(match["column"]), match["message"])
 
 
 def _where_it_is_used(found: Diagnostic, rest: Sequence[str]) -> Diagnostic:

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import islice
 from pathlib import Path
 from typing import NamedTuple
 
@@ -14,8 +15,9 @@ from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.walk import parts
-from sigcat.runs.building.commands import Compilation
-from sigcat.runs.building.diagnostics import Diagnostic, diagnostics
+from sigcat.limits import COMPILER_WARNINGS
+from sigcat.runs.building.commands import WARNS, Compilation
+from sigcat.runs.building.diagnostics import Diagnostic, diagnostics, warnings
 
 _CODE: Pointer = ("Code",)
 """Origin of a line of generated code that no interface causes."""
@@ -26,11 +28,12 @@ _SHARED = frozenset(file.name for file in runtime_files())
 
 
 class Said(NamedTuple):
-    """Output of a compiler or the linker that failed."""
+    """Output of a compiler or the linker."""
 
     compilation: Compilation | None
     """None: the linker."""
     text: str
+    has_failed: bool
 
 
 class _Generated(NamedTuple):
@@ -55,6 +58,15 @@ def refused(failed: Sequence[Said], members: Sequence[Member], cores: Sequence[C
     findings = tuple(dict.fromkeys(finding for each in told for finding in each))  # the first error causes others
     words = "" if findings else f"\n{failed[0].text.strip()}"
     return InputRefused(f"The functions cannot be run: {_doing(failed[0], generated)} failed.{words}", findings)
+
+
+def warned(said: Sequence[Said], members: Sequence[Member]) -> Iterator[Finding]:
+    """A note for each warning about code of the functions; of very many, the first ones."""
+    of_code = (each for each in said if each.compilation is not None and WARNS in each.compilation.command)
+    found = dict.fromkeys(each for one in of_code for each in warnings(one.text))
+    for each in islice(found, COMPILER_WARNINGS):
+        message = _sentence(each.message, "compiler")
+        yield codes.COMPILER_WARNING.finding(message, _as_given(each.file, members), each.line, each.column)
 
 
 def _causes(said: Said, members: Sequence[Member]) -> Iterator[Finding]:
