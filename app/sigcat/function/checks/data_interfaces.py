@@ -205,6 +205,10 @@ def _time_outs(function: FunctionJson, known: Collection[str]) -> Problems:
     for pointer, (_, _, runnable), item in data(function):
         subject = Subject("data", item.name)
         yield from _time_out(pointer, runnable, item, subject)
+        if item.role == PROVIDER and item.external_provider is not None:
+            message = f"A provider must be that of a consumed signal; {item.name!r} is provided."
+            fix = "Remove it, or write `role: consumed`."
+            yield Problem(codes.TIMEOUT_OF_PROVIDED, (*pointer, "ExternalProvider"), message, fix, subject)
         name = item.timeout_error
         if name and name not in declared:
             message = f"The timeout error of {item.name!r} must be one that the function declares, not {name!r}."
