@@ -45,7 +45,7 @@ def test_the_core_has_the_condition_that_sets_it(field: str) -> None:
 
 @pytest.mark.parametrize(
     "field", [field for field in DATA_ERRORS if field != "timeout_error"]
-)  # which has a rule of its own
+)  # a separate rule has it
 def test_its_error_has_to_be_declared(field: str) -> None:
     (problem,) = [each for each in check_error_causes(naming(field), ()) if each.rule == codes.SET_ERROR_UNDECLARED]
     assert f"`{key_of(field)}`" in problem.message

@@ -63,7 +63,7 @@ def application(functions: Sequence[ResolvedFunction], deployment: Deployment = 
 
 
 def meta_of(app: Application, about: str) -> MetaInfo:
-    """Who is responsible for a document about the application."""
+    """The persons responsible for a document about the application."""
     return MetaInfo(
         authority=app.authority or None,
         schema_author=app.author or None,

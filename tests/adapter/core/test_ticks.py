@@ -42,7 +42,7 @@ NEAR_WRAP, NEAR_HALF = 2**32 - 2000, 2**31 - 2000
 
 
 def clock_of(document: FunctionJson) -> Clock:
-    """How a core with float arithmetic counts time."""
+    """The clock of a core with float arithmetic."""
     return with_common_clock([subject(document).plan])[0].clock
 
 

@@ -1,4 +1,4 @@
-"""How the cores of a program count time: in ticks of 32 bits if all declared times allow it, else in nanoseconds."""
+"""Clocks of the cores of a program: ticks of 32 bits if all declared times allow it, else nanoseconds."""
 
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple

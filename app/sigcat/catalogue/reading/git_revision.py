@@ -88,7 +88,7 @@ def is_revision(name: str) -> bool:
 
 
 def near_revisions(name: str) -> tuple[str, ...]:
-    """Return branches and tags with names near one; none where there is no repository."""
+    """Return branches and tags with names near one; none outside of a repository."""
     try:
         return nearest(name, _git(name, "for-each-ref", "--format=%(refname:short)").split())
     except UsageError:

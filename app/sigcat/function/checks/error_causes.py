@@ -35,7 +35,7 @@ def _causes(function: FunctionJson) -> Iterator[tuple[Pointer, str, Subject]]:
     """Errors that are named, each with its pointer and what names it."""
     for pointer, _, item in (*declared_data(function), *parameters(function)):
         for each in errors_set_by(item):
-            if each.field != "timeout_error":  # which has a rule of its own
+            if each.field != "timeout_error":  # a separate rule has it
                 yield (*pointer, each.key), each.error, Subject("data", item.name)
     for pointer, _, call in runnables(function):
         yield from (

@@ -15,7 +15,7 @@ class SetsError:
     """Marks such a field."""
 
     cause: str = ""
-    """What sets the error, in the words of pages; empty if they say it with other fields."""
+    """The cause of the error, in the words of pages; empty if other fields name it."""
     is_of_consumer: bool = False
     """Whether only who consumes the data can find it."""
 

@@ -1,4 +1,4 @@
-"""How a core counts time (section 1)."""
+"""The clock of a core (section 1)."""
 
 from typing import NamedTuple
 
@@ -9,7 +9,7 @@ class Clock(NamedTuple):
     tick: int = 1
     """Nanoseconds of a tick."""
     unit: str = "Nanoseconds"
-    """Of a tick: in the name of the function that makes a time."""
+    """Unit of a tick: in the name of the function that makes a time."""
     reason: str = ""
     """Why it is this one, for readers; empty if there was no choice."""
 

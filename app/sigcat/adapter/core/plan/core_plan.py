@@ -108,7 +108,7 @@ class CorePlan(NamedTuple):
     arithmetic: NumberType = DOUBLE
     """Type in which values are converted."""
     clock: Clock = NANOSECONDS
-    """How it counts time."""
+    """Its clock."""
     provenance: Provenance = Provenance()
 
     @property
