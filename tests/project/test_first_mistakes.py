@@ -51,6 +51,7 @@ SIGNALS = [
      "5:14 V115", "Write [Left, Right] for 2 instances, or one name such as 'LeftRight'."),
 ]  # fmt: skip
 FUNCTIONS = [
+    (FUNCTION, "[CabinAir.h]", "[CabinAir.hpp]", "11:13 F201", "Did you mean 'CabinAir.h'? Correct the path, or add the file."),
     (FUNCTION, "[CabinAir.c]", "[Cabinair.c]", "10:13 F201", "Did you mean 'CabinAir.c'? Correct the path, or add the file."),
     (FUNCTION, "            provider: Climate control unit\n", "", "26:13 F103",
      "Add the function, or name the provider under `provider`. If this one provides it, write `role: provided`."),
