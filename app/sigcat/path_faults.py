@@ -43,9 +43,8 @@ def near_name(path: Path, start: Path | None = None) -> str:
     from sigcat.names import nearest  # loaded only when something is wrong
 
     with suppress(OSError, ValueError):
-        near = nearest(
-            path.name, [each.name for each in os.scandir(path.parent) if _is_alike(path, Path(each.name))], 1
-        )
+        alike = [each.name for each in os.scandir(path.parent) if _is_alike(path, Path(each.name))]
+        near = [name for name in alike if Path(name).stem == path.stem] or nearest(path.name, alike, 1)
         found = path.with_name(near[0]) if near else path
         return f" Did you mean {str(found.relative_to(start) if start else found)!r}?" if near else ""
     return ""
