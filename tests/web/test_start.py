@@ -42,6 +42,17 @@ def test_changes_of_the_default_catalogue_are_counted_and_lead_to_their_page() -
     assert "Recent changes" not in alone("/").text
 
 
+def test_a_catalogue_of_a_company_is_compared_with_the_tree_that_it_extends(tmp_path: Path) -> None:
+    overlay = tmp_path / "own.vspec"
+    overlay.write_text("Vehicle.Own: {type: branch, description: Signals of the company.}\n")
+    shipped = shipped_sources()
+    (plain,) = (each for each in shipped if not each.overlays)
+    own = Source("own", "Own", plain.spec, overlays=(overlay,))
+    page = asker(create_site(Library([own, *shipped])))("/").text
+    assert ">VSS 6.0 → Own</a>" in page
+    assert ">1\u00a0change<" in page
+
+
 def test_errors_of_a_catalogue_lead_to_its_findings() -> None:
     page = asker(create_site(Library(SOURCES), SETTINGS))("/").text
     assert '<a class="bad" href="/catalogues/broken#findings">' in page

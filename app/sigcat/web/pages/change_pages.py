@@ -97,12 +97,20 @@ def changes_between(old: Catalogue, new: Catalogue) -> tuple[Change, ...]:
 
 
 def sides_of(library: Library, old: str | None, new: str | None) -> tuple[Hosted, Hosted]:
-    """The two catalogues; without names, the second one and the default one."""
-    hosted = list(library)
+    """The two catalogues; without names, the default one and the one that it was made from."""
     after = find_hosted(library, new) if new else library.default
-    others = [each for each in hosted if each.source.id != after.source.id]
-    before = find_hosted(library, old) if old else (others[0] if others else after)
-    return before, after
+    return find_hosted(library, old) if old else _before(after, library), after
+
+
+def _before(after: Hosted, library: Library) -> Hosted:
+    """The catalogue with most of the overlays of another one over the same tree; else the first one beside it, or itself."""
+    others = [each for each in library if each.source.id != after.source.id]
+    below = [
+        each
+        for each in others
+        if each.source.spec == after.source.spec and {*each.source.overlays} <= {*after.source.overlays}
+    ]
+    return max(below, key=lambda each: len(each.source.overlays), default=(others or [after])[0])
 
 
 def _fits(change: Change, filters: Mapping[str, str], but: str = "") -> bool:

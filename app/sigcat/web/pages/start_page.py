@@ -40,7 +40,7 @@ def show_start(request: Request, library: TheLibrary, functions: TheFunctions) -
 
 
 def _last_changes(library: Library) -> LastChanges | None:
-    """Return the changes of the default catalogue over the next one; None for one catalogue alone."""
+    """Return the changes of the default catalogue over the one that it was made from; None for one catalogue alone."""
     old, new = sides_of(library, None, None)
     if old is new:
         return None
