@@ -238,7 +238,7 @@ def test_annotations_are_at_the_changed_lines(company, capsys):
     )
     assert changed == (
         "::notice file=overlays/acme.vspec,line=5,col=16,title=sigcat text::Changed: Vehicle.Cabin.AcmeFirst; "
-        "description: F. → First. (text only) (text). Only people read it."
+        "description: F. → First. (text only). Only people read it."
     )
     assert count == "Found 1 error and 1 note in 1 file."
 

@@ -28,7 +28,8 @@ def change_findings(changes: Sequence[Change], old: Side, new: Side) -> tuple[Fi
 
 
 def _finding(change: Change, place: Origin) -> Finding:
-    message = f"{sentence(change)} ({change.compatibility})."
+    is_said = {change.compatibility} == {attribute.compatibility for attribute in change.attributes}
+    message = f"{sentence(change)}." if is_said else f"{sentence(change)} ({change.compatibility})."
     why = reason(change.rule)
     return Finding(
         change.rule, _SEVERITIES[change.compatibility], message, *place.position, path=change.paths[0], fix=why
