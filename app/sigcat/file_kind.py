@@ -23,6 +23,9 @@ UNIT_NAMES = ("units.yaml", "units.yml")
 QUANTITY_NAMES = ("quantities.yaml", "quantities.yml")
 OVERLAY_FOLDERS = frozenset(("overlay", "overlays"))
 
+C_HEADERS = (".h", ".hh", ".hpp", ".hxx")
+C_SOURCES = (".c", ".cc", ".cpp", ".cxx")
+"""Endings of code in C and C++."""
 TREE_ENDINGS = (".vspec", ".yaml", ".yml")
 """Endings of the names of trees and overlays; an include without one means the first."""
 ENDINGS = (*TREE_ENDINGS, ".json")

@@ -5,6 +5,8 @@ import stat
 from contextlib import suppress
 from pathlib import Path
 
+from sigcat.file_kind import C_HEADERS, C_SOURCES, TREE_ENDINGS
+
 
 def path_fault(path: Path, kind: str = "file") -> str:
     """A sentence about a file or folder (`kind`) that is missing or cannot be read; empty for one that can be used."""
@@ -26,7 +28,7 @@ def path_fault(path: Path, kind: str = "file") -> str:
     return ""
 
 
-_ALIKE = ((".yaml", ".yml"), (".h", ".hh", ".hpp", ".hxx"), (".c", ".cc", ".cpp", ".cxx"))
+_ALIKE = (TREE_ENDINGS[1:], C_HEADERS, C_SOURCES)
 """Suffixes of files of one kind."""
 
 
@@ -40,11 +42,11 @@ def near_name(path: Path, start: Path | None = None) -> str:
 
     The proposal is relative to `start`, if that is given.
     """
-    from sigcat.names import nearest  # loaded only when something is wrong
+    from sigcat.names import nearest, question  # loaded only when something is wrong
 
     with suppress(OSError, ValueError):
-        alike = [each.name for each in os.scandir(path.parent) if _is_alike(path, Path(each.name))]
+        alike = sorted(each.name for each in os.scandir(path.parent) if _is_alike(path, Path(each.name)))
         near = [name for name in alike if Path(name).stem == path.stem] or nearest(path.name, alike, 1)
-        found = path.with_name(near[0]) if near else path
-        return f" Did you mean {str(found.relative_to(start) if start else found)!r}?" if near else ""
+        found = [path.with_name(name) for name in near[:1]]
+        return "".join(f" {question([str(each.relative_to(start) if start else each)])}" for each in found)
     return ""

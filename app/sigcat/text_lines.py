@@ -23,7 +23,11 @@ def line_and_column(text: str, index: int) -> tuple[int, int]:
     return len(before) - 1, len(before[-1])
 
 
+CONFLICT = ("The file has a merge conflict.", "Resolve it, and remove the lines that git wrote.")
+"""Message and fix of a finding about two sides of a merge."""
+
+
 def line_of_conflict(text: str) -> int:
     """The first line, from 1, that git wrote into a text where two changes meet; 0 without one."""
     conflict = re.search(r"^(?:<{7}|>{7}) ", text, re.MULTILINE)
-    return text.count("\n", 0, conflict.start()) + 1 if conflict else 0
+    return line_and_column(text, conflict.start())[0] + 1 if conflict else 0

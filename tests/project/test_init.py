@@ -194,7 +194,8 @@ def test_code_that_is_there_is_kept(folder, capsys):
 
 
 @pytest.mark.parametrize(
-    ("name", "catalogue"), [("vss", "own-vss"), ("v6.0", "own-v6.0"), ("shipped", "own-shipped"), ("VSS 2", "vss-2")]
+    ("name", "catalogue"),
+    [("vss", "own-vss"), ("v6.0", "own-v6.0"), ("shipped", "own-shipped"), ("VSS 2", "vss-2"), ("5.0", "own-5.0")],
 )
 def test_a_new_catalogue_hides_no_shipped_tree_and_no_release(folder, name, catalogue):
     assert main(["init", name]) == 0

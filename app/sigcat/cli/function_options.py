@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from sigcat.cli.project_options import project_of
 from sigcat.cli.tree_options import read_tree
 from sigcat.errors import UsageError, existing_file
+from sigcat.file_kind import C_HEADERS, C_SOURCES
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -28,19 +29,24 @@ def add_function(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("file", type=Path, nargs="?", metavar="FILE", help=text)
 
 
-_NO_FUNCTIONS = {
-    ".csv": "a table: name a trace with --trace",
-    ".mcap": "a recording: name a trace with --trace",
-    **dict.fromkeys((".c", ".cc", ".cpp", ".h", ".hpp"), "code: name the function file that lists it"),
-}
-"""Files that are often named in place of functions, by their suffixes."""
+_TABLES = (".csv", ".mcap")
+"""Endings of traces."""
+
+
+def _refuse_other(path: Path, *, takes_trace: bool) -> None:
+    """Raise UsageError for code and traces, which are often named in place of functions."""
+    ending = path.suffix.lower()
+    if ending in (*C_SOURCES, *C_HEADERS):
+        raise UsageError(f"{path} is code: name the function file that lists it")
+    if ending in _TABLES:
+        advice = "name a trace with --trace" if takes_trace else "name a function file"
+        raise UsageError(f"{path} is a table: {advice}")
 
 
 def functions_of(arguments: argparse.Namespace) -> tuple[Path, ...]:
     """Return the files that are named, else those of the project, which no output may replace. Raises UsageError."""
     for path in arguments.functions:
-        if path.suffix.lower() in _NO_FUNCTIONS:
-            raise UsageError(f"{path} is {_NO_FUNCTIONS[path.suffix.lower()]}")
+        _refuse_other(path, takes_trace=hasattr(arguments, "trace"))
     arguments.functions = list(map(existing_file, arguments.functions)) or list(project_functions(arguments))
     return tuple(arguments.functions)
 

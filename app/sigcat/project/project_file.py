@@ -10,7 +10,7 @@ from sigcat.catalogue.reading.toml_lines import Lines
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, RuleCode
 from sigcat.names import did_you_mean
-from sigcat.path_faults import near_name, path_fault
+from sigcat.path_faults import path_fault
 from sigcat.real_path import near_path
 
 TableReader = Callable[[Mapping[str, Any], Path], Any]
@@ -151,13 +151,7 @@ def _without_matches(text: str, path: Path, kind: str) -> str:
     if not _is_pattern(path):
         return f"`**` in {text!r} must be the whole name of a folder, as in '**/*.vspec'."
     folder = next(parent for parent in path.parents if "*" not in str(parent))
-    try:
-        os.scandir(folder).close()
-    except PermissionError as error:
-        return f"{str(near_path(folder))!r} cannot be read: {error.strerror}."
-    except OSError:
-        return f"There is no folder {str(near_path(folder))!r}.{near_name(near_path(folder))}"
-    return f"There is no {kind} {text!r}."
+    return path_fault(near_path(folder), "folder") or f"There is no {kind} {text!r}."
 
 
 def written_key(values: Mapping[str, Any], name: str) -> str:

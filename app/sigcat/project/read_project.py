@@ -41,7 +41,7 @@ from sigcat.project.read_vehicles import VEHICLE_KEYS, read_vehicles
 from sigcat.rules.linting.configuration import FIELDS as LINT_KEYS
 from sigcat.rules.linting.configuration import options_of
 from sigcat.rules.linting.options import LintOptions
-from sigcat.text_lines import line_of_conflict, lines_of
+from sigcat.text_lines import CONFLICT, line_of_conflict, lines_of
 
 _OF_CATALOGUES = ("units", "quantities", "types", "include-dirs")
 """Lists that a catalogue may have, and the project for all of its catalogues."""
@@ -227,8 +227,7 @@ def _syntax_error(error: Exception, file: Path, text: str) -> Finding:
     from sigcat.project.toml_syntax import open_bracket, toml_advice  # seldom needed
 
     if conflict := line_of_conflict(text):
-        fix = "Resolve it, and remove the lines that git wrote."
-        return codes.NOT_TOML.finding("The file has a merge conflict.", str(file), conflict, 1, fix=fix)
+        return codes.NOT_TOML.finding(CONFLICT[0], str(file), conflict, 1, fix=CONFLICT[1])
     lines = lines_of(text)
     fix = toml_advice(lines, line, column)
     if not fix and (opened := open_bracket(lines[: line - 1])):

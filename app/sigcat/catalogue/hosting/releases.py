@@ -97,6 +97,11 @@ def data_folder() -> Path:
     return Path.home() / ".local" / "share" / "sigcat"
 
 
+def is_version(text: str) -> bool:
+    """Whether a text is a version of VSS, such as `5.0` or `v5.1-rc1`."""
+    return _VERSION.fullmatch(text) is not None
+
+
 def releases_folder(data: Path | None = None) -> Path:
     """The folder of pulled releases, each in a folder of its name."""
     return (data or data_folder()) / "releases"
@@ -129,7 +134,7 @@ def find_release(name: str, data: Path | None = None) -> Release:
     if wanted not in pulled:
         there = f" Pulled are {', '.join(pulled)}." if pulled else ""
         near = nearest(wanted, (*pulled, *_SHIPPED), cutoff=60)
-        if _VERSION.fullmatch(wanted):
+        if is_version(wanted):
             shipped = " 'shipped' is VSS 6.0." if wanted == "v6.0" else ""
             raise NotFound(f"release {wanted} is not pulled.{there} Run `sigcat pull {wanted}`.{shipped}", near)
         hint = f" Did you mean {' or '.join(near)}?" if near else ""
@@ -166,7 +171,7 @@ def pull(
     name, digest = release_name(name), _sha256(digest)
     if allows_private and not _WEB.match(origin):
         raise UsageError("--allow-private is for the address that --from names, and none is named")
-    if not origin and not _VERSION.fullmatch(name):
+    if not origin and not is_version(name):
         raise UsageError(
             f"{name!r} is not a version of VSS such as v5.0. For another release, name its address or file with --from"
         )

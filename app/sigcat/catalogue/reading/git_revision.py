@@ -68,11 +68,12 @@ def _object(revision: str, kind: str) -> str:
     command = [_program(), "rev-parse", "--quiet", "--verify", "--end-of-options", f"{revision}^{{{kind}}}"]
     found = subprocess.run(command, capture_output=True, check=False)  # noqa: S603 -- no shell
     if found.returncode:
-        names = _git(revision, "for-each-ref", "--format=%(refname:short)").split()
-        advice = did_you_mean(revision, names) or "`git branch --all` and `git tag` list what there is."
+        names = _names(revision)
         if _git(revision, "rev-parse", "--is-shallow-repository") == "true":
             advice = f"{_SHALLOW}."
-        elif not names:
+        elif names:
+            advice = did_you_mean(revision, names) or "`git branch --all` and `git tag` list what there is."
+        else:
             advice = "It has no commit yet."
         raise UsageError(f"git:{revision}: {repository} has no such branch, tag or commit. {advice}")
     return found.stdout.decode().strip()
@@ -87,10 +88,15 @@ def is_revision(name: str) -> bool:
     return not subprocess.run(command, capture_output=True, check=False).returncode  # noqa: S603 -- no shell
 
 
+def _names(revision: str) -> list[str]:
+    """Names of branches and tags. Raises UsageError, which names the revision, outside of a repository."""
+    return _git(revision, "for-each-ref", "--format=%(refname:short)").split()
+
+
 def near_revisions(name: str) -> tuple[str, ...]:
     """Return branches and tags with names near one; none outside of a repository."""
     try:
-        return nearest(name, _git(name, "for-each-ref", "--format=%(refname:short)").split())
+        return nearest(name, _names(name))
     except UsageError:
         return ()
 

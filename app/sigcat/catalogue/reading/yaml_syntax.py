@@ -10,7 +10,7 @@ from typing import Literal, NamedTuple
 
 import yaml
 
-from sigcat.text_lines import line_and_column, line_of_conflict, lines_of
+from sigcat.text_lines import CONFLICT, line_and_column, line_of_conflict, lines_of
 
 _KEY = re.compile(r"""(?P<items>(?:- +)*)(?:"[^"]*"|'[^']*'|[^\s"'#][^#]*?):(?:\s|$)""")
 _LONGEST_KEY = 1024
@@ -52,9 +52,7 @@ def syntax_fault(text: str, error: yaml.MarkedYAMLError) -> SyntaxFault:
     """The place where an error can be corrected: libyaml often finds it lines later."""
     message = f"Not valid YAML: {', '.join(part for part in (error.context, error.problem) if part)}."
     if conflict := line_of_conflict(text):
-        return SyntaxFault(
-            "The file has a merge conflict.", conflict, 1, "Resolve it, and remove the lines that git wrote."
-        )
+        return SyntaxFault(CONFLICT[0], conflict, 1, CONFLICT[1])
     mark = error.problem_mark or error.context_mark
     if mark is None:
         return SyntaxFault(message, 0, 0)

@@ -8,13 +8,13 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sigcat import codes
+from sigcat.file_kind import C_HEADERS, C_SOURCES
 from sigcat.findings import Finding
 from sigcat.limits import CODE_BYTES, CODE_FILE_BYTES, CODE_FILES
 from sigcat.line_numbers import numbered
 from sigcat.real_path import real_path
 
-HEADERS = frozenset((".h", ".hh", ".hpp", ".hxx"))
-SOURCES = frozenset((".c", ".cc", ".cpp", ".cxx"))
+HEADERS, SOURCES = frozenset(C_HEADERS), frozenset(C_SOURCES)
 _OUTSIDE = re.compile(
     r"^(?P<before>[ \t]*(?:#|%:|\?\?=)[ \t]*(?:include|include_next|import|embed)\b[ \t]*[\"<][ \t]*)"
     r"(?P<path>[/\\][^\"<>\n]*|[A-Za-z]:[^\"<>\n]*)",

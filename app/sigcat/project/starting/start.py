@@ -4,6 +4,7 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
+from sigcat.catalogue.hosting.releases import is_version
 from sigcat.catalogue.hosting.sources import SHIPPED, shipped_sources
 from sigcat.project.project import FILE_NAME
 from sigcat.project.starting.ci import FILES
@@ -29,5 +30,5 @@ def starting_files(folder: Path) -> Mapping[str, str]:
 def catalogue_id(name: str) -> str:
     """Return a name as the id of a catalogue: `Our signals` → `our-signals`. Names of shipped trees and releases get a prefix."""
     plain = re.sub(r"[^a-z0-9._-]+", "-", name.lower()).strip("-._")[:60] or "catalogue"
-    is_taken = plain in (SHIPPED, *(source.id for source in shipped_sources())) or re.fullmatch(r"v[0-9.]+", plain)
+    is_taken = plain in (SHIPPED, *(source.id for source in shipped_sources())) or is_version(plain)
     return f"own-{plain}" if is_taken else plain

@@ -12,6 +12,8 @@ from typing import Literal, NamedTuple
 
 from sigcat.errors import NotFound, UsageError
 from sigcat.file_kind import (
+    C_HEADERS,
+    C_SOURCES,
     ENDINGS,
     OVERLAY_FOLDERS,
     ROOT_NAME,
@@ -33,9 +35,8 @@ from sigcat.rules.linting.nearby_trees import bytes_with_root, default_tree, has
 Kind = Literal["tree", "overlay", "types", "part", "function", "rules", "vocabulary", "unreadable", "other"]
 
 _SKIPPED = frozenset(("node_modules", "__pycache__", "build", "dist", "site-packages"))
-_OF_CODE = (".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".hxx")
 _NOT_LINTED = {
-    **dict.fromkeys(_OF_CODE, "Name a function file: its lint reads its headers."),
+    **dict.fromkeys((*C_SOURCES, *C_HEADERS), "Name a function file: its lint reads its headers."),
     ".csv": "`sigcat simulate` checks the traces that --trace names.",
 }
 _KINDS: Mapping[FileKind, Kind] = {

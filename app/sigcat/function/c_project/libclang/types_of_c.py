@@ -5,6 +5,7 @@ from typing import Any
 
 from clang.cindex import Cursor, CursorKind, TypeKind
 
+from sigcat.file_kind import C_SOURCES
 from sigcat.function.c_project.libclang.answer import Answer, Json, file_of, place_of, qualified
 
 _DEEPEST = 12
@@ -96,15 +97,12 @@ def written_type(kind: Any) -> str:
         kind = _inner(kind.get_array_element_type(), kind.get_canonical().get_array_element_type())
     volatile = "volatile " if kind.get_canonical().is_volatile_qualified() and "volatile" not in kind.spelling else ""
     declaration = kind.get_declaration()
-    if declaration.kind == CursorKind.NO_DECL_FOUND or not file_of(declaration).endswith(_SOURCES):
+    if declaration.kind == CursorKind.NO_DECL_FOUND or not file_of(declaration).endswith(C_SOURCES):
         return volatile + _plain_bool(kind.spelling)
     canonical = kind.get_canonical()
     if canonical.kind == TypeKind.ENUM:
         return volatile + str(canonical.get_declaration().enum_type.spelling)
     return volatile + _plain_bool(canonical.spelling)
-
-
-_SOURCES = (".c", ".cc", ".cpp", ".cxx")
 
 
 def _plain_bool(name: str) -> str:
