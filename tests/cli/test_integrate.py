@@ -94,7 +94,7 @@ def test_a_missing_file_is_said(capsys):
 
 def test_a_function_given_twice_is_refused(capsys):
     assert main(["integrate", "ros2", CORE_ACC, CORE_ACC]) == 2
-    assert "CoreAcc is in " in capsys.readouterr().err
+    assert "CoreAcc is named twice, as " in capsys.readouterr().err
 
 
 def test_a_document_with_errors_is_not_written(capsys):

@@ -66,7 +66,8 @@ def names_of_sides(arguments: argparse.Namespace) -> tuple[str, str]:
     if old is None:
         raise UsageError("name the sides: `sigcat diff OLD NEW`, such as `sigcat diff git:main .`")
     revision, _, path = old.removeprefix(GIT).partition(":")
-    if ".." in revision and (old.startswith(GIT) or is_revision(revision.partition("..")[0])):
+    is_named = not Path(old).exists() and is_revision(revision.partition("..")[0])
+    if ".." in revision and (old.startswith(GIT) or is_named):
         if new is not None:
             raise UsageError(f"{old} names both sides; remove {new}")
         return _range(revision, f":{path}" if path else "")

@@ -46,7 +46,7 @@ def application(functions: Sequence[ResolvedFunction], deployment: Deployment = 
     ordered = tuple(sorted(functions, key=lambda function: function.name))
     wholes = [function.function for function in ordered]
     infos = [function.info for function in wholes]
-    refuse_doubles([info.function_name for info in infos])
+    refuse_doubles(functions)
     return Application(
         functions=ordered,
         name=deployment.name or " and ".join(info.function_name for info in infos),
@@ -78,11 +78,15 @@ def joined(texts: Iterable[Text | None], separator: str = "; ") -> Text:
     return Text(separator.join(dict.fromkeys(text.raw for text in texts if text)))
 
 
-def refuse_doubles(names: Sequence[str]) -> None:
+def refuse_doubles(functions: Sequence[ResolvedFunction]) -> None:
     """Raise UsageError if a function is given twice."""
-    twice = sorted({name for name in names if names.count(name) > 1})
-    if twice:
-        raise UsageError(f"Each function must be given once, not twice: {', '.join(twice)}.")
+    first: dict[str, ResolvedFunction] = {}
+    for function in functions:
+        other = first.setdefault(function.name, function)
+        if other is not function:
+            files = tuple(dict.fromkeys((other.document.name, function.document.name)))
+            where = f"in {' and in '.join(files)}" if len(files) > 1 else f"named twice, as {files[0]}"
+            raise UsageError(f"{function.name} is {where}: name one, or remove one from the project")
 
 
 def _date(function: FunctionJson) -> dt.date | None:

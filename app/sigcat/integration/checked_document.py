@@ -51,7 +51,7 @@ class DocumentKind(Generic[M]):
     def read(self, data: bytes, name: str, limits: Limits) -> M:
         """The model of a document. Raises InputRefused with everything that is wrong."""
         if not data.lstrip().startswith(b"{") and holds_function(data):
-            raise self._before_integration(name)
+            raise self._refused(name, (self._before_integration(name),))
         document = read_json(data, name, limits)
         findings: tuple[Finding, ...] = document.findings
         if not has_errors(findings):
@@ -66,16 +66,17 @@ class DocumentKind(Generic[M]):
                     findings = tuple(document.finding(self.rule, *problem) for problem in self.problems(whole))
                     if not findings:
                         return whole
-        raise InputRefused(
+        raise self._refused(name, findings)
+
+    def _refused(self, name: str, findings: tuple[Finding, ...]) -> InputRefused:
+        return InputRefused(
             f"{name} must be Integration JSON as `sigcat integrate {self.platform}` writes it.", findings
         )
 
-    def _before_integration(self, name: str) -> InputRefused:
-        """The refusal of a function file, from which the document is made."""
-        command = f"sigcat integrate {self.platform}"
-        fix = f"Run `{command}` with it, and name the document that it writes."
-        finding = codes.NOT_JSON.finding("The file is a function file, not Integration JSON.", name, 1, 1, fix=fix)
-        return InputRefused(f"{name} must be Integration JSON as `{command}` writes it.", (finding,))
+    def _before_integration(self, name: str) -> Finding:
+        """The finding about a function file, from which the document is made."""
+        fix = f"Run `sigcat integrate {self.platform}` with it, and name the document that it writes."
+        return codes.NOT_JSON.finding("The file is a function file, not Integration JSON.", name, 1, 1, fix=fix)
 
     def _at_the_door(self, model: M, document: Document) -> Iterator[Finding]:
         """Strings that are not of the type of their field, and errors of the functions that the document carries."""

@@ -6,12 +6,13 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.catalogue.reading.yaml_document import collector_paused
-from sigcat.errors import InputRefused, UsageError
+from sigcat.errors import InputRefused
 from sigcat.file_kind import document_kind
 from sigcat.findings import Finding, has_errors, in_order
 from sigcat.function.function_file import CheckedFunction
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.sets.check_set import check_set, read_set
+from sigcat.integration.application import refuse_doubles
 from sigcat.limits import DEFAULT_LIMITS, Limits
 
 
@@ -37,19 +38,8 @@ def read_functions(
     if has_errors(findings):
         raise InputRefused(_refusal(files, members), findings)
     functions = tuple(each.resolved for each in members if each.resolved is not None)
-    _refuse_copies(functions)
+    refuse_doubles(functions)
     return ReadFunctions(functions, findings)
-
-
-def _refuse_copies(functions: Sequence[ResolvedFunction]) -> None:
-    """Raise UsageError if two files are the same function."""
-    first: dict[str, str] = {}
-    for function in functions:
-        file = function.document.name
-        if (other := first.setdefault(function.name, file)) is not file:
-            raise UsageError(
-                f"{function.name} is in {other} and in {file}: name one of them, or remove one from the project"
-            )
 
 
 def _refusal(files: Sequence[tuple[bytes, str]], members: Sequence[CheckedFunction]) -> str:

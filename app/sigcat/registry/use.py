@@ -9,7 +9,8 @@ from sigcat.catalogue.comparing.diff_report import plain
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.datatypes import element_of
 from sigcat.function.exchange import Side, causes, exchange_of, parts_of
-from sigcat.function.function_json.interfaces.data_interfaces import DATA_ERRORS, DataQueue, Signal
+from sigcat.function.function_json.error_fields import errors_set_by
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.interfaces.role import CONSUMER
 from sigcat.function.function_json.interfaces.status_interfaces import SafetyReaction
 from sigcat.function.function_json.model import FunctionJson
@@ -104,7 +105,7 @@ def _consequences(side: Side, function: FunctionJson, sides: Iterable[Side]) -> 
     """Names of consequences: a time-out sets its error, an error its reactions, a reaction changes the mode."""
     interface = side.interface
     if isinstance(interface, Signal | DataQueue):
-        yield from (error for field in DATA_ERRORS if (error := getattr(interface, field, None)))
+        yield from (each.error for each in errors_set_by(interface))
     elif isinstance(interface, SafetyReaction):
         yield from (mode.name for mode in function.mode_interfaces or () if mode.direction == "Out")
     elif side.kind == "error":

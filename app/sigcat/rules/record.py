@@ -164,21 +164,30 @@ def _for_its_check(values: dict[str, Any]) -> dict[str, Any]:
 
 
 def _position_of(node: Any, key: str) -> tuple[int, int] | None:
+    pair = _pair(node, key)
+    return position(pair[0]) if pair is not None else None
+
+
+def _pair(node: Any, key: str) -> tuple[Any, Any] | None:
+    """A key of a mapping, and its value, as nodes."""
     pairs = node.value if isinstance(node, MappingNode) else []
-    return next((position(k) for k, _ in pairs if isinstance(k, ScalarNode) and k.value == key), None)
+    return next((pair for pair in pairs if isinstance(pair[0], ScalarNode) and pair[0].value == key), None)
 
 
 def option_position(rule: Rule, option: str) -> tuple[int, int]:
     """Line and column of an option of a rule; of the rule without one, or if its file is no longer there."""
+    at = rule.line, 1
+    if not option:
+        return at
     try:
         node: Any = read_document(read_bytes(Path(rule.file)), rule.file).root
     except (OSError, ValueError):
-        return rule.line, 1
-    at = rule.line, 1
-    for key in (rule.id, "options", option) if option else ():
-        at = _position_of(node, key) or at
-        pairs = node.value if isinstance(node, MappingNode) else []
-        node = next((value for name, value in pairs if isinstance(name, ScalarNode) and name.value == key), None)
+        return at
+    for key in (rule.id, "options", option):
+        pair = _pair(node, key)
+        if pair is None:
+            return at
+        at, node = position(pair[0]), pair[1]
     return at
 
 

@@ -7,7 +7,8 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from sigcat.function.function_json.interfaces.data_interfaces import DATA_ERRORS
+from sigcat.function.function_json.error_fields import error_fields
+from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.names import camel_case
 from tests.adapter.core.driver import CLASS_NAME, OBJECT
@@ -300,6 +301,8 @@ def _time_out(choice: Choice, errors: tuple[str, ...]) -> Json:
     return {"Timeout": choice.one("20", "10", "35.5", "0"), **fields}
 
 
+DATA_ERRORS = error_fields(Signal, DataQueue)
+"""Fields of data that name an error which the core sets."""
 _FOUND_BY_CONSUMERS = tuple(camel_case(field) for field, mark in DATA_ERRORS.items() if mark.is_of_consumer)
 
 

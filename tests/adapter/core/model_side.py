@@ -4,7 +4,7 @@ import copy
 import math
 from collections.abc import Iterator
 
-from sigcat.adapter.core.plan import FURTHEST, GLOBALS
+from sigcat.adapter.core.plan import GLOBALS
 from tests.adapter.core.script import Line, Script, bits, text, value
 from tests.adapter.core.subject import Item, Subject
 from tests.adapter.reference.adapter import Adapter
@@ -13,6 +13,8 @@ from tests.adapter.reference.parts.methods import Reply
 from tests.adapter.reference.running import Stored, Variables
 from tests.adapter.reference.values.value import Value, numbers_of
 
+FURTHEST = 2**29
+"""Ticks until the next time of a core that counts them, at most."""
 _STAGES = ["NOT_TESTED", "PASSED", "PREFAILED", "FAILED", "HEALING"]
 _REPLIES = [Reply.OK, Reply.EXCLUDED, Reply.BAD_ARGUMENT]
 

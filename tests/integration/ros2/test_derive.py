@@ -44,7 +44,7 @@ def test_every_name_is_one_of_rosidl():
 
 
 def test_a_set_has_each_function_once_and_one_at_least():
-    with pytest.raises(UsageError, match="once, not twice: CoreAcc"):
+    with pytest.raises(UsageError, match="CoreAcc is "):
         derived([example("core_acc"), example("core_acc")])
     with pytest.raises(UsageError, match="No function to integrate"):
         derived([])

@@ -33,7 +33,7 @@ def cores(functions: Sequence[ResolvedFunction], arithmetic: NumberType = DOUBLE
 
 def plans(functions: Sequence[ResolvedFunction], arithmetic: NumberType = DOUBLE) -> tuple[Planned, ...]:
     """The plan of each function. Raises InputRefused with all obstacles."""
-    refuse_doubles([function.name for function in functions])
+    refuse_doubles(functions)
     planned: list[Planned] = []
     refused: list[InputRefused] = []
     for function in functions:

@@ -21,7 +21,7 @@ from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.data import ROOT_FILE
 from sigcat.errors import UsageError, without_signals
 from sigcat.file_kind import QUANTITY_NAMES, UNIT_NAMES
-from sigcat.findings import Finding, has_errors, in_order
+from sigcat.findings import Finding, RuleCode, has_errors, in_order
 from sigcat.limits import DEFAULT_LIMITS
 from sigcat.names import bounded_proposals
 from sigcat.open_files import made_once, read_bytes, size_of
@@ -222,8 +222,7 @@ def _unlisted_overlays(sources: Iterable[Source], options: LintOptions) -> Itera
     listed = {*map(real_path, (*all_overlays(options), *options.of_vehicles))}
     for source in sources if options.catalogues else ():
         if source.kind == "overlay" and not source.named and real_path(source.path) not in listed:
-            message, fix = "No catalogue of the project has this overlay.", "Add it to `overlays` in sigcat.toml."
-            yield codes.OVERLAY_NOT_LISTED.finding(message, str(source.path), 1, 1, fix=fix)
+            yield _not_listed(source.path, codes.OVERLAY_NOT_LISTED, "overlay", "overlays")
 
 
 def _lint_stack(base: Path, stack: Sequence[Path], named: Collection[str], options: LintOptions, lint: _Lint) -> None:
@@ -371,7 +370,8 @@ def _lint_vocabulary(source: Source, lint: _Lint) -> None:
     lint.add_composed(((finding, None) for finding in vocabulary.findings), vocabulary, {name})
     if options.catalogues and not source.named and not _is_listed(path, options) and default_tree(path) is None:
         lint.causes.add(name)
-        lint.add([(_not_listed(path, is_of_units=is_of_units), None)])
+        key = "units" if is_of_units else "quantities"
+        lint.add([(_not_listed(path, codes.VOCABULARY_NOT_LISTED, "file", key), None)])
     lint.look_at([name])
 
 
@@ -379,10 +379,9 @@ def _is_listed(path: Path, options: LintOptions) -> bool:
     return real_path(path) in map(real_path, (*all_units(options), *all_quantities(options)))
 
 
-def _not_listed(path: Path, *, is_of_units: bool) -> Finding:
-    key = "units" if is_of_units else "quantities"
-    fix = f"Add it to `{key}` in sigcat.toml."
-    return codes.VOCABULARY_NOT_LISTED.finding("No catalogue of the project has this file.", str(path), 1, 1, fix=fix)
+def _not_listed(path: Path, rule: RuleCode, what: str, key: str) -> Finding:
+    message, fix = f"No catalogue of the project has this {what}.", f"Add it to `{key}` in sigcat.toml."
+    return rule.finding(message, str(path), 1, 1, fix=fix)
 
 
 def _lint_unreadable(source: Source, lint: _Lint) -> None:

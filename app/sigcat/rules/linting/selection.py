@@ -58,12 +58,12 @@ def _with_options(rule: Rule, given: Mapping[str, Any], options: LintOptions) ->
     check = CHECKS.get(rule.check)
     if check is None:
         raise _refused_option(options, rule.id, "", f"Rule {rule.id} has no options.")
-    for name, value in given.items():
-        try:
-            check_options(rule._replace(options={**rule.options, name: value}, trusted=False), check)
-        except BadOption as error:
-            raise _refused_option(options, rule.id, name, str(error), error.fix) from None
-    return rule._replace(options={**rule.options, **given}, trusted=False)
+    changed = rule._replace(options={**rule.options, **given}, trusted=False)
+    try:
+        check_options(changed, check)
+    except BadOption as error:
+        raise _refused_option(options, rule.id, error.option, str(error), error.fix) from None
+    return changed
 
 
 def _refused_option(options: LintOptions, code: str, name: str, message: str, fix: str = "") -> SigcatError:

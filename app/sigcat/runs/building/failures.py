@@ -89,9 +89,10 @@ def _doing(said: Said, generated: Mapping[str, _Generated]) -> str:
 def _findings(said: Said, members: Sequence[Member], generated: Mapping[str, _Generated]) -> Iterator[Finding]:
     placed = [(found, generated.get(Path(found.file).name)) for found in diagnostics(said.text)]
     pointers = [_pointer(found, file) if file else () for found, file in placed]
+    is_linked = said.compilation is None
     has_interfaces = any(pointer not in ((), _CODE) for pointer in pointers)
     for (found, file), pointer in zip(placed, pointers, strict=True):
-        message = _sentence(found.message, "linker" if said.compilation is None else "compiler")
+        message = _sentence(found.message, "linker" if is_linked else "compiler")
         is_shared = Path(found.file).name in _SHARED
         if has_interfaces and (is_shared or (file is not None and pointer == _CODE)):
             continue  # an assertion about a variable that is wrong, which is reported at its interface
@@ -100,7 +101,6 @@ def _findings(said: Said, members: Sequence[Member], generated: Mapping[str, _Ge
             yield function.finding(codes.CODE_UNFIT, _CODE, message, "Correct the code, or its declaration.")
             continue
         if file is not None:
-            is_linked = said.compilation is None
             fix = (
                 "Define it in a file of `sources`, or correct this line."
                 if is_linked

@@ -4,7 +4,7 @@ Every name, number and conversion is resolved. The writer of C asks nothing but 
 """
 
 from sigcat.adapter.core.plan.call import Alive, Call, Deadline, Logical
-from sigcat.adapter.core.plan.clock import FURTHEST, LONGEST, MICROSECONDS, MILLISECONDS, NANOSECONDS, Clock
+from sigcat.adapter.core.plan.clock import LONGEST, MICROSECONDS, MILLISECONDS, NANOSECONDS, Clock
 from sigcat.adapter.core.plan.core_plan import Code, CodeObject, CorePlan, Extern, Provenance
 from sigcat.adapter.core.plan.interface import (
     CONDITIONS,
@@ -25,7 +25,6 @@ from sigcat.function.function_json.code import CLASS, GLOBALS, POINTERS
 __all__ = [
     "CLASS",
     "CONDITIONS",
-    "FURTHEST",
     "GLOBALS",
     "LONGEST",
     "MICROSECONDS",

@@ -56,5 +56,3 @@ MICROSECONDS = Clock(1_000, "Microseconds")
 MILLISECONDS = Clock(1_000_000, "Milliseconds")
 LONGEST = 2**28 - 1
 """Ticks of the longest declared time: few enough that times which are over are in order with those to come."""
-FURTHEST = 2**29
-"""Ticks until the next time at which a core is called, at most: SIGCAT_KEPT."""

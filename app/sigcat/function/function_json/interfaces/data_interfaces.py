@@ -21,7 +21,7 @@ from sigcat.function.document.text import Text
 from sigcat.function.function_json.code import DEFINED_BY, MEMBERS, Member
 from sigcat.function.function_json.datatypes.c_type import C_TYPE, CTypeName
 from sigcat.function.function_json.datatypes.datatype import EnumerationValue
-from sigcat.function.function_json.error_fields import SetError, SetErrorName, SetsError, error_fields, errors_set_by
+from sigcat.function.function_json.error_fields import SetError, SetErrorName, SetsError, errors_set_by
 from sigcat.function.function_json.wire import (
     PHYSICAL,
     TABLE,
@@ -177,10 +177,6 @@ class DataQueue(WireModel):
     )
     is_optional: bool | None = own("Optional", "As in a signal.")
     absent_error: SetErrorName = own("AbsentError", "As in a signal.")
-
-
-DATA_ERRORS = error_fields(Signal, DataQueue)
-"""Fields of data that name an error which the core sets."""
 
 
 def rejection_error(item: BaseModel) -> SetError | None:
