@@ -49,6 +49,11 @@ READ = {
     "a number beyond the variable": (signal("A", "DT_Far"), "uint8_t a;", "io.a must be an integer that holds 0 to 300"),
     "a number within the variable": (signal("A", "DT_Far"), "int16_t a;", ""),
     "a number of either sign": (signal("A", "DT_Signed"), "int8_t a;", ""),
+    "a count in any integer that holds it": (queue("A", 400, U8, ValuesPerStep=200, CountVariable="io.n"), "uint8_t a[200]; int16_t n;", ""),
+    "a count beyond the variable": (
+        queue("A", 400, U8, ValuesPerStep=300, CountVariable="io.n"), "uint8_t a[300], n;",
+        "io.n must be an integer that holds 0 to 300",
+    ),
     "one place for queued values": (queue("A", 4, U8, ValuesPerStep=3), "uint8_t a;", "subscript"),
 }  # fmt: skip
 WRITTEN = {
@@ -81,6 +86,11 @@ KINDS = {
     "a negative number for a wide one": (signal("A", "DT_Signed"), "uint64_t a;", "io.a must be an integer that holds -1 to 1"),
     "an enumeration in a flag": (signal("A", "DT_Gear"), "bool a;", "io.a must be an integer that holds 0 to 5"),
     "an enumeration of two in a flag": (signal("A", "DT_Bit"), "bool a;", ""),
+    "a count in a flag": (queue("A", 4, U8, ValuesPerStep=3, CountVariable="io.n"), "uint8_t a[3]; bool n;", "io.n must be an integer that holds 0 to 3"),
+    "a count beyond the signed variable": (
+        queue("A", 400, U8, ValuesPerStep=200, CountVariable="io.n"), "uint8_t a[200]; int8_t n;",
+        "io.n must be an integer that holds 0 to 200",
+    ),
     "a character": (signal("A", U8), "char a;", ""),
     "signed elements": (signal("A", "DT_Bytes"), "int8_t a[3];", "io.a[0] must be uint8_t"),
     "provided unsigned and narrower": (output("A", S16), "uint8_t a;", ""),

@@ -12,7 +12,7 @@ PUT, GOT = "HOLDS", "FITS"
 WHOLE = "WHOLE"
 """A flag may be in an integer of any size, but not in a floating-point variable."""
 NUMBERS = "NUMBERS"
-"""An enumeration or a mode may be in any integer that holds its numbers."""
+"""An enumeration, a mode or a count of values may be in any integer that holds its numbers."""
 
 
 class Check(NamedTuple):
@@ -52,6 +52,9 @@ def _checks(scope: Scope) -> Iterator[Check]:
 
 
 def _of_input(item: Input, scope: Scope) -> Iterator[Check]:
+    if item.queue and item.queue.count_variable is not None:
+        numbers = f"0, {item.queue.values_per_step}"
+        yield _check(NUMBERS, item.queue.count_variable, numbers, item.named.pointer, scope)
     count = item.queue.values_per_step if item.queue and item.queue.values_per_step > 1 else None
     for leaf in item.value.leaves:
         yield from _of_leaf(item.variable, leaf.target, leaf, PUT, count, item.named.pointer, scope)
