@@ -303,3 +303,15 @@ def test_all_names_of_a_file_have_the_new_content():
     write_bytes(b"new", Path("result"))
     assert Path("other").read_bytes() == b"new"
     assert Path("result").samefile("other")
+
+
+def test_a_closed_standard_input_is_named():
+    done = run_in_shell("sigcat lint - <&-")
+    assert (done.returncode, done.stderr) == (2, b"sigcat: standard input is closed: open it, or name a file\n")
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full")
+def test_a_project_is_written_whole_though_its_list_cannot_be_printed(tmp_path):
+    done = run_in_shell(f"sigcat init {tmp_path}/p >/dev/full")
+    assert done.returncode == 2
+    assert main(["lint", f"{tmp_path}/p"]) == 0

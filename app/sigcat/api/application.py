@@ -65,10 +65,10 @@ from sigcat.api.work.queue import WorkQueue
 from sigcat.api.work.turns import Turns
 from sigcat.api.work.worker import EXPORTS
 from sigcat.catalogue.hosting.library import Library
-from sigcat.data import INTERFACE_RULES
 from sigcat.function.hosting import FunctionLibrary
 from sigcat.limits import EVENT_WAITS
 from sigcat.project.project import RegistrySettings
+from sigcat.rules.linting.options import NO_OPTIONS, LintOptions
 
 _DESCRIPTION = """\
 A catalogue of vehicle signals and function interfaces: trees of the COVESA Vehicle Signal Specification with
@@ -129,6 +129,7 @@ def create_app(
     settings: Settings = DEFAULT_SETTINGS,
     functions: FunctionLibrary | None = None,
     registry: RegistrySettings | None = None,
+    lint: LintOptions = NO_OPTIONS,
 ) -> Service:
     """The API over a library. Pages for people are put on top of it by `sigcat.web.site.create_site`."""
     tracing = telemetry()
@@ -146,7 +147,7 @@ def create_app(
     app.state.functions = functions or FunctionLibrary(catalogues=library)
     app.state.registry = HostedRegistry(registry) if registry else None
     app.state.settings = settings
-    app.state.rules = service_rules(INTERFACE_RULES)
+    app.state.rules = service_rules(lint)
     app.state.modules_of_work = [*_MODULES_OF_WORK, *(_MODULES_OF_REGISTRY if registry else ())]
     app.state.rehearsals = tuple
     app.state.work_queue = _queue(settings.heavy_requests, settings)

@@ -12,7 +12,7 @@ from importlib import import_module
 from io import TextIOWrapper
 
 from sigcat import __version__
-from sigcat.cli.closed_output import is_closed_output, reopen_closed_streams
+from sigcat.cli.closed_streams import is_closed_output, reopen_closed_streams
 from sigcat.cli.command_parser import CommandParser
 from sigcat.cli.ended_by_signals import remembering_interrupts, was_interrupted
 from sigcat.cli.output_options import refuse_overwriting

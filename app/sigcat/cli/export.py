@@ -116,7 +116,7 @@ def _add_option(group: argparse._ArgumentGroup, option: Option) -> None:
             add(type=int, metavar="N")
         case "choice":
             add(choices=option.choices)
-        case "text" | "name":
+        case "text" | "name" | "identifier":
             add(metavar="TEXT")
         case "input":
             add(type=Path, metavar="FILE")

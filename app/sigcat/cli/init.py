@@ -48,7 +48,7 @@ def init(arguments: argparse.Namespace) -> int:
         raise UsageError(f"nothing was written: {', '.join(taken)} {'is' if len(taken) == 1 else 'are'} there already")
     for name, text in texts.items():
         write_text(text, folder / name)
-        print(folder / name)
+    print("\n".join(str(folder / name) for name in texts))  # after all is written: a full output stops nothing
     run = (
         f"`sigcat lint`, `sigcat simulate --trace {_TRACE}` and `sigcat serve`" if _TRACE in texts else "`sigcat lint`"
     )

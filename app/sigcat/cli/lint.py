@@ -9,7 +9,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sigcat.cli.closed_output import is_closed_output
+from sigcat.cli.closed_streams import input_bytes, is_closed_output
 from sigcat.cli.output import could_not_run, discard_output, write_text
 from sigcat.cli.output_options import FORMATS, add_output, refuse_overwriting
 from sigcat.cli.project_options import add_project_options, project_of
@@ -164,7 +164,7 @@ def _lint_input(paths: "Sequence[Path]", project: "Project", arguments: argparse
     needs_files = arguments.fix or arguments.diff or options.baseline or arguments.write_baseline
     if len(paths) > 1 or needs_files:
         raise UsageError("- is linted by itself, without --fix, --diff and baselines: name a file for these")
-    text = sys.stdin.buffer.read()
+    text = input_bytes()
     if holds_function(text):
         checked = _check_functions(tree, project.functions, [(text, _INPUT_NAME)], is_whole=False, is_on_disk=False)
         findings, beside = tuple(checked.findings), checked.beside

@@ -72,7 +72,7 @@ def serve(arguments: argparse.Namespace) -> int:
         raise KeyboardInterrupt
     file = _project_file(arguments, project, library, functions)
     with Watch(file, library, functions) if project.is_watching else nullcontext():
-        run(create_site(library, settings, functions, hosted_registry(project)), settings)
+        run(create_site(library, settings, functions, hosted_registry(project), project.lint), settings)
     return 0
 
 
@@ -132,7 +132,7 @@ def application() -> "FastAPI":
     _refuse_without_signals(library, project)
     check_openid(settings)
     functions = FunctionLibrary(project.functions, has_shipped=project.has_shipped_functions, catalogues=library)
-    service = create_site(library, settings, functions, hosted_registry(project))
+    service = create_site(library, settings, functions, hosted_registry(project), project.lint)
     prepare(service, settings)
     if project.is_watching:
         watching = ExitStack()

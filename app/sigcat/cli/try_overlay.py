@@ -1,9 +1,9 @@
 """`sigcat try OVERLAY`: what an overlay would make of a tree, before it becomes part of one."""
 
 import argparse
-import sys
 from typing import TYPE_CHECKING, Any
 
+from sigcat.cli.closed_streams import input_bytes
 from sigcat.cli.diff import is_coloured
 from sigcat.cli.tree_options import add_tree_options, place_of, read_tree
 from sigcat.errors import UsageError, existing_file
@@ -49,7 +49,7 @@ def _trial(arguments: argparse.Namespace) -> "Trial":
     from sigcat.catalogue.reading.layers import read_layer
 
     if arguments.overlay == "-":
-        return trial.try_overlay(read_tree(arguments), sys.stdin.buffer.read(), "standard input")
+        return trial.try_overlay(read_tree(arguments), input_bytes(), "standard input")
     path = existing_file(arguments.overlay)
     if holds_function(path.read_bytes()):
         raise UsageError(f"{path} is a function file, not an overlay: run `sigcat function validate` on it")

@@ -21,6 +21,7 @@ from sigcat.catalogue.hosting.library import Library
 from sigcat.function.hosted_files import HostedFiles
 from sigcat.function.hosting import FunctionLibrary
 from sigcat.project.project import RegistrySettings
+from sigcat.rules.linting.options import NO_OPTIONS, LintOptions
 from sigcat.web.pages import (
     api_reference,
     basket_pages,
@@ -73,9 +74,10 @@ def create_site(
     settings: Settings = DEFAULT_SETTINGS,
     functions: FunctionLibrary | None = None,
     registry: RegistrySettings | None = None,
+    lint: LintOptions = NO_OPTIONS,
 ) -> FastAPI:
-    """The API with the browser pages. Without functions given: those that sigcat ships."""
-    app = create_app(library, settings, functions, registry)
+    """The API with the browser pages. Without functions given: those that sigcat ships; `lint` has the rules of a project."""
+    app = create_app(library, settings, functions, registry, lint)
     app.state.modules_of_work += [
         comparison_pages.__name__,
         function_pages.__name__,

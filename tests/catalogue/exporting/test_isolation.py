@@ -167,6 +167,7 @@ def test_a_name_that_could_leave_the_folder_is_refused(node):
     [
         ("ros2interface", {"package-name": "../evil"}, "must be a plain file name"),
         ("samm", {"target-namespace": ".."}, "must be a plain file name"),
+        ("go", {"package": '";\nevil'}, "must be letters, digits and underscores"),
         ("csv", {"types-output": "/tmp/t.csv"}, "must be a plain file name"),
         ("samm", {"signals-file": "/etc/passwd"}, "must be a file"),
         ("samm", {"split-depth": "2"}, "must be a whole number"),

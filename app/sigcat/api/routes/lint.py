@@ -24,7 +24,6 @@ from sigcat.api.routes.functions import check_posted
 from sigcat.api.service_rules import ServiceRules
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.limits import Limits
-from sigcat.rules.linting.posted import lint_text
 
 router = APIRouter(prefix="/api/v1", tags=["lint"])
 
@@ -56,7 +55,7 @@ async def lint(
     ] = "overlay",
     name: FileName = "posted.vspec",
 ) -> Response:
-    """Check a text against the rules that are on by default. The text is not stored."""
+    """Check a text against the rules of the project; without one, those that are on by default. The text is not stored."""
     report = await queue.run(_report, kind, text, name, hosted.catalogue, rules, settings.limits)
     return Response(report, media_type=JSON)
 
@@ -65,5 +64,5 @@ def _report(kind: TextKind, text: bytes, name: str, catalogue: Catalogue, rules:
     if kind == "function":
         findings = check_posted(text, name, catalogue, limits)
     else:
-        findings = lint_text(text, name, catalogue, rules.active, is_tree=kind == "tree", limits=limits)
+        findings = rules.findings_in_text(text, name, catalogue, limits, is_tree=kind == "tree")
     return json_bytes(lint_report(findings))

@@ -7,10 +7,12 @@ if TYPE_CHECKING:
     from sigcat.catalogue.exporting.files import Export
     from sigcat.catalogue.model.catalogue import Catalogue
 
-Kind = Literal["flag", "switch", "text", "name", "texts", "number", "choice", "input", "output", "folder", "state"]
+Kind = Literal[
+    "flag", "switch", "text", "name", "identifier", "texts", "number", "choice", "input", "output", "folder", "state"
+]
 """Kinds of options.
 
-flag: given or not. switch: true or false. name: text that becomes part of a file name. input: a file to read.
+flag: given or not. switch: true or false. name: text that becomes part of a file name. identifier: a name in a language. input: a file to read.
 output, folder: a file or folder to write beside the main one. state: a file that is read, if it exists, and written.
 """
 

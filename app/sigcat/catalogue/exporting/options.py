@@ -1,5 +1,6 @@
 """The options that an export is asked for, checked before anything runs."""
 
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -47,6 +48,8 @@ def _checked_value(option: Option, value: Any) -> Any:
         wrong = "must be a list of texts"
     elif option.kind in ("name", "output", "folder") and not is_file_name(value):
         wrong = "must be a plain file name, without folders"
+    elif option.kind == "identifier" and not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", value):
+        wrong = "must be letters, digits and underscores, no digit first"
     elif option.kind == "input" and not value.is_file():
         wrong = "must be a file"
     elif option.choices and not set([value] if isinstance(value, str) else value) <= set(option.choices):
@@ -58,7 +61,7 @@ def _checked_value(option: Option, value: Any) -> Any:
 
 _EXPECTED: Mapping[str, tuple[Any, str]] = {
     "flag": (bool, "true or false"), "switch": (bool, "true or false"), "text": (str, "text"),
-    "name": (str, "text"), "texts": (list | tuple, "a list of texts"), "number": (int, "a whole number"),
+    "name": (str, "text"), "identifier": (str, "text"), "texts": (list | tuple, "a list of texts"), "number": (int, "a whole number"),
     "choice": (str, "text"), "input": (Path, "a file"), "state": (Path, "a file"), "output": (str, "a file name"),
     "folder": (str, "a folder name"),
 }  # fmt: skip

@@ -93,6 +93,9 @@ class LintOptions(NamedTuple):
         )
 
 
+NO_OPTIONS = LintOptions()
+
+
 Identity = tuple[str, str, int, int, str]
 """Identity of a finding, whatever its severity and instance: rule, file, line, column, message."""
 

@@ -15,12 +15,10 @@ from sigcat.limits import DEFAULT_LIMITS, Limits
 from sigcat.rules.engine import Found, found_in, lint_lines
 from sigcat.rules.linting.context import with_instances
 from sigcat.rules.linting.counted import counted
-from sigcat.rules.linting.options import LintOptions
+from sigcat.rules.linting.options import NO_OPTIONS, LintOptions
 from sigcat.rules.linting.severity import Grading
 from sigcat.rules.linting.suppression import MARK, apply_suppressions, read_suppressions
 from sigcat.rules.rule_set import RuleSet
-
-_NO_OPTIONS = LintOptions()
 
 
 def lint_text(
@@ -31,7 +29,7 @@ def lint_text(
     *,
     is_tree: bool = False,
     limits: Limits = DEFAULT_LIMITS,
-    options: LintOptions = _NO_OPTIONS,
+    options: LintOptions = NO_OPTIONS,
     known: frozenset[str] = frozenset(),
 ) -> tuple[Finding, ...]:
     """Findings in an overlay over `base`, or in a tree by itself. `name` is what findings call the text.

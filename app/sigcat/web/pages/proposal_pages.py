@@ -22,7 +22,6 @@ from sigcat.errors import UsageError
 from sigcat.function.hosted_files import HostedFiles
 from sigcat.function.node_uses import uses_in
 from sigcat.limits import PARAMETER_CHARACTERS, Limits
-from sigcat.rules.linting.posted import lint_text
 from sigcat.web.addresses import Addresses
 from sigcat.web.forms import Form, PostedForm, form_catalogue, posted_form, read_form
 from sigcat.web.pages.checked_text import Asked, text_values
@@ -109,7 +108,7 @@ def _proposal(hosted: Hosted, form: Form) -> Proposal:
 def _page(asked: Asked, form: Form, proposal: Proposal, text: str, mode: Mode) -> Response:
     hosted, data = asked.hosted, text.encode("utf-8", "replace")
     without_effect = {rule.id for rule in asked.rules.active.rules if rule.check == _NO_EFFECT}
-    found = lint_text(data, "posted.vspec", hosted.catalogue, asked.rules.active, limits=asked.limits)
+    found = asked.rules.findings_in_text(data, "posted.vspec", hosted.catalogue, asked.limits)
     findings = tuple(each for each in found if each.rule not in without_effect)
     outcome = overlay_outcome(data, expanded_of(hosted.catalogue), asked.files, asked.limits)
     return page_for(

@@ -27,7 +27,6 @@ from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.hosted_files import FILE, HostedFiles
 from sigcat.function.hosting import file_of
 from sigcat.limits import Limits
-from sigcat.rules.linting.posted import lint_text
 from sigcat.web.forms import Form, PostedForm, form_catalogue, posted_form, read_form
 from sigcat.web.pages.checked_text import Asked, text_values
 from sigcat.web.pictures.interface_diagram import interface_diagram
@@ -160,8 +159,7 @@ def _outcome(
 def tried(data: bytes, kind: Kind, catalogue: Catalogue, rules: ServiceRules, limits: Limits) -> Tried:
     """Return the findings in a text, and the function that it declares."""
     if kind != "function":
-        is_tree = kind == "tree"
-        return Tried(lint_text(data, "posted.vspec", catalogue, rules.active, is_tree=is_tree, limits=limits))
+        return Tried(rules.findings_in_text(data, "posted.vspec", catalogue, limits, is_tree=kind == "tree"))
     if is_json(data, FILE):
         document = check_function_json(data, "function.json", catalogue, limits)
         return Tried(document.findings, document.resolved)

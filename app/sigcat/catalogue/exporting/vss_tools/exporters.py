@@ -58,7 +58,7 @@ _PROTOBUF = (
     Option("include-comments", "flag", "write descriptions and metadata as comments"),
 )
 _GO = (
-    Option("package", "text", "name of the Go package", "vss"),
+    Option("package", "identifier", "name of the Go package", "vss"),
     Option("short-names", "switch", "shorten the names of structs", True),
 )
 _AVRO = (

@@ -1,8 +1,10 @@
-"""Standard streams that the caller closed, as `>&-` does."""
+"""Standard streams that the caller closed, as `>&-` and `<&-` do."""
 
 import errno
 import os
 import sys
+
+from sigcat.errors import UsageError
 
 
 def reopen_closed_streams() -> None:
@@ -21,3 +23,10 @@ def reopen_closed_streams() -> None:
 def is_closed_output(error: OSError) -> bool:
     """Whether an error is that of writing to a standard output that was closed."""
     return error.errno == errno.EBADF and error.filename is None
+
+
+def input_bytes() -> bytes:
+    """Return what standard input has. Raises UsageError if it is closed."""
+    if sys.stdin is None:
+        raise UsageError("standard input is closed: open it, or name a file")
+    return sys.stdin.buffer.read()
