@@ -58,7 +58,8 @@ def merge_base(revision: str, other: str = "HEAD") -> str:
         [_program(), "merge-base", "--end-of-options", revision, other], capture_output=True, check=False
     )
     if found.returncode:
-        raise UsageError(f"git:{revision}: it has no commit in common with {other}. {_SHALLOW}.")
+        advice = f" {_SHALLOW}." if _is_shallow(revision) else ""
+        raise UsageError(f"git:{revision}: it has no commit in common with {other}.{advice}")
     return found.stdout.decode().strip()
 
 
@@ -69,7 +70,7 @@ def _object(revision: str, kind: str) -> str:
     found = subprocess.run(command, capture_output=True, check=False)  # noqa: S603 -- no shell
     if found.returncode:
         names = _names(revision)
-        if _git(revision, "rev-parse", "--is-shallow-repository") == "true":
+        if _is_shallow(revision):
             advice = f"{_SHALLOW}."
         elif names:
             advice = did_you_mean(revision, names) or "`git branch --all` and `git tag` list what there is."
@@ -86,6 +87,11 @@ def is_revision(name: str) -> bool:
         return False
     command = [program, "rev-parse", "--quiet", "--verify", "--end-of-options", f"{name}^{{tree}}"]
     return not subprocess.run(command, capture_output=True, check=False).returncode  # noqa: S603 -- no shell
+
+
+def _is_shallow(revision: str) -> bool:
+    """Whether the history of the repository was cut."""
+    return _git(revision, "rev-parse", "--is-shallow-repository") == "true"
 
 
 def _names(revision: str) -> list[str]:
