@@ -195,12 +195,24 @@ def test_sides_that_are_not_two(company, capsys, arguments, message):
     assert message in capsys.readouterr().err
 
 
-def test_a_shallow_clone_is_told_what_it_lacks(company, capsys):
+def test_a_shallow_clone_is_told_what_it_lacks(company, capsys, tmp_path, monkeypatch):
+    for branch in ("topic", "other"):
+        git("switch", "--quiet", "--create", branch, "main")
+        Path(branch).write_text("")
+        commit(f"{branch}-1")
+    clone = tmp_path / "shallow"
+    git("clone", "--quiet", "--depth", "1", "--no-single-branch", company.as_uri(), str(clone))
+    monkeypatch.chdir(clone)
+    assert main(["diff", "--merge-base", "origin/topic"]) == 2
+    assert "fetch-depth: 0" in capsys.readouterr().err
+
+
+def test_histories_without_a_common_commit_are_not_for_want_of_a_fetch(company, capsys):
     git("switch", "--quiet", "--orphan", "alone")
     Path("x").write_text("")
     commit("alone-1")
     assert main(["diff", "--merge-base", "main"]) == 2
-    assert "fetch-depth: 0" in capsys.readouterr().err
+    assert capsys.readouterr().err == "sigcat: git:main: it has no commit in common with HEAD.\n"
 
 
 def test_what_is_wrong_in_a_revision_is_named_by_the_revision(company, capsys):
