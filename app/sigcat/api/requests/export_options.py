@@ -16,7 +16,7 @@ Flag = Annotated[bool, BeforeValidator(lambda value: value == "" or value)]
 """True or false; `?pretty` alone is true."""
 Text = Annotated[str, Field(max_length=PARAMETER_CHARACTERS)]
 Number = Annotated[int, Field(ge=0, le=999_999_999)]
-_TYPES: Mapping[str, Any] = {"flag": Flag, "switch": Flag, "text": Text, "name": Text, "texts": Text, "number": Number, "choice": Text}  # fmt: skip
+_TYPES: Mapping[str, Any] = {"flag": Flag, "switch": Flag, "text": Text, "name": Text, "identifier": Text, "texts": Text, "number": Number, "choice": Text}  # fmt: skip
 """By kind of the option. Those that name files of the machine a request cannot give."""
 
 
