@@ -5,22 +5,13 @@ from typing import NamedTuple
 
 from sigcat.adapter.core.cores import plans
 from sigcat.adapter.core.generate import all_files
-from sigcat.adapter.core.plan import CorePlan
 from sigcat.adapter.files import GeneratedFile
+from sigcat.adapter.host.plan import HostPlan, host_plan
 from sigcat.findings import Finding, RuleCode
-from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 
-
-class SourceCore(NamedTuple):
-    """A function of the document, and the plan of its core."""
-
-    function: FunctionJson
-    plan: CorePlan
-
-
-SourceCores = Mapping[str, SourceCore]
-"""By the names of functions, in the order of the document."""
+SourceCores = Mapping[str, HostPlan]
+"""Functions of the document with their cores, by name, in the order of the document."""
 
 
 class Holder(NamedTuple):
@@ -35,12 +26,12 @@ class Holder(NamedTuple):
 def source_cores(functions: Sequence[ResolvedFunction]) -> SourceCores:
     """The core of each function. Raises InputRefused with all obstacles."""
     planned = plans(functions)
-    return {each.name: SourceCore(each.function, core.plan) for each, core in zip(functions, planned, strict=True)}
+    return {each.name: host_plan(each.function, core.plan) for each, core in zip(functions, planned, strict=True)}
 
 
 def files_of(cores: SourceCores) -> tuple[GeneratedFile, ...]:
     """Header and source of each core, and files that all cores share."""
-    return all_files(each.plan for each in cores.values())
+    return all_files(each.core for each in cores.values())
 
 
 def wrong_holders(

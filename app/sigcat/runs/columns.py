@@ -1,20 +1,18 @@
 """Parts of a run that belong to one function: the columns that it sends and receives, and its calls."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 from sigcat.adapter.core.cores import plans
-from sigcat.adapter.core.plan import CorePlan
-from sigcat.adapter.host.connections import Connections, Entry, Exit, Member, connect
+from sigcat.adapter.host.connections import Entry, Exit, Member, connect
+from sigcat.adapter.host.plan import Kind
 from sigcat.adapter.host.shapes import Shape
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.walk import data
 from sigcat.integration.sent_values import sent
-
-Kind = Literal["signal", "error", "safety reaction", "mode"]
 
 
 class Column(NamedTuple):
@@ -49,10 +47,9 @@ def columns_of(function: ResolvedFunction) -> FunctionColumns:
     (planned,) = plans((function,))
     plan = planned.plan
     connections = connect((Member(function, plan, Path()),))
-    kinds, good = _kinds(plan), _good(plan)
     found = [
-        *(_sent(each, kinds, good) for each in connections.exits),
-        *(_received(each, kinds, good) for each in _entries(connections)),
+        *(_sent(each) for each in connections.exits),
+        *(_received(each) for each in connections.entries if not each.is_answer),
     ]
     declared = {item.vss_path or item.name: item for _, _, item in data(function.function)}
     columns = {each.name: _limited(each, declared.get(each.name)) for each in reversed(found)}
@@ -60,18 +57,12 @@ def columns_of(function: ResolvedFunction) -> FunctionColumns:
     return FunctionColumns(ordered, tuple(dict.fromkeys(call.interface for call in plan.calls)))
 
 
-def _entries(connections: Connections) -> Iterator[Entry]:
-    return (each for each in connections.entries if not each.is_answer)
+def _sent(each: Exit) -> Column:
+    return Column(each.name, each.kind, each.shape, each.unit, True, each.is_shared, each.good)
 
 
-def _sent(each: Exit, kinds: Mapping[str, Kind], good: Mapping[str, int]) -> Column:
-    kind = kinds.get(each.field, "signal")
-    return Column(each.name, kind, each.shape, each.unit, True, each.is_shared, good.get(each.field))
-
-
-def _received(each: Entry, kinds: Mapping[str, Kind], good: Mapping[str, int]) -> Column:
-    kind = kinds.get(each.receiver, "signal")
-    return Column(each.names[0], kind, each.shape, each.unit, False, True, good.get(each.receiver))
+def _received(each: Entry) -> Column:
+    return Column(each.names[0], each.kind, each.shape, each.unit, False, True, each.good)
 
 
 def _limited(column: Column, declared: Signal | DataQueue | None) -> Column:
@@ -81,20 +72,3 @@ def _limited(column: Column, declared: Signal | DataQueue | None) -> Column:
     limits = (sent(declared.min, declared), sent(declared.max, declared))
     timeout = 0 if column.is_sent else round((milliseconds(declared.timeout) or 0) * 1_000_000)
     return column._replace(limits=tuple(sorted(each for each in limits if each is not None)), timeout=timeout)
-
-
-def _kinds(plan: CorePlan) -> dict[str, Kind]:
-    """Return the kinds of statuses and modes, by their names in the context."""
-    kinds: dict[str, Kind] = {each.name: "error" for each in plan.foreign_errors}
-    kinds |= {each.named.name: "error" for each in plan.errors}
-    kinds |= {each.named.name: "safety reaction" for each in plan.reactions}
-    kinds |= {each.named.name: "mode" for each in (plan.mode_in, plan.mode_out) if each}
-    return kinds
-
-
-def _good(plan: CorePlan) -> dict[str, int]:
-    """The numbers that say that all is well, by names in the context."""
-    passed = {each.named.name: each.passed for each in plan.errors}
-    inactive = {each.named.name: each.inactive for each in plan.reactions}
-    foreign = {each.name: dict(each.wire.symbols).get("PASSED", 0) for each in plan.foreign_errors}
-    return {**foreign, **passed, **inactive}

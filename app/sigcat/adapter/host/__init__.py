@@ -1,4 +1,4 @@
-"""Functions in, what a host of their cores needs out: what they receive, send and keep, and a file in C that calls each by one table.
+"""Functions in, what a host of their cores needs out: what they receive, send and store.
 
-Hosts are the simulation and FMUs. The platforms have their own.
+`plan.py` is for every platform, the rest for simulation and FMUs: connections of a set, and a file in C that calls each core.
 """

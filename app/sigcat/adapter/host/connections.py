@@ -7,9 +7,10 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.numbers import type_of_c
-from sigcat.adapter.core.plan import Argument, CorePlan, Method, ModeIn, ModeOut, WireField, WireStruct, WireType
+from sigcat.adapter.core.plan import Argument, CorePlan, Method, WireField, WireStruct, WireType
 from sigcat.adapter.core.planning import Context, context_of
 from sigcat.adapter.core.values import struct_name
+from sigcat.adapter.host.plan import Kind, received_values, sent_values
 from sigcat.adapter.host.ranges import Range, range_of
 from sigcat.adapter.host.shapes import Array, Number, Record, Shape
 from sigcat.errors import InputRefused
@@ -52,6 +53,9 @@ class Entry(NamedTuple):
     pointer: Pointer | None
     unit: str = ""
     range: Range | None = None
+    kind: Kind = "signal"
+    good: int | None = None
+    """Number that says that all is well."""
     is_answer: bool = False
     """Whether it is what is answered from then on to a method that the function uses: its results, or whether it is good."""
 
@@ -68,8 +72,14 @@ class Exit(NamedTuple):
     shape: Shape
     unit: str = ""
     is_queue: bool = False
-    is_shared: bool = True
-    """Whether others receive it. A safety reaction is decided by each function for itself, from the same errors."""
+    kind: Kind = "signal"
+    good: int | None = None
+    """Number that says that all is well."""
+
+    @property
+    def is_shared(self) -> bool:
+        """Whether others receive it. A safety reaction is decided by each function for itself, from the same errors."""
+        return self.kind != "safety reaction"
 
     @property
     def name(self) -> str:
@@ -114,8 +124,7 @@ class Connections(NamedTuple):
     @property
     def inputs(self) -> tuple[tuple[str, ...], ...]:
         """The names of each signal and mode that is received from outside."""
-        found = (each for each in self._outside if each.receiver in _signals_and_modes(self.members[each.member].plan))
-        return tuple(entry.names for entry in found if not entry.is_answer)
+        return tuple(each.names for each in self._outside if each.kind in ("signal", "mode") and not each.is_answer)
 
     @property
     def _outside(self) -> Iterator[Entry]:
@@ -127,11 +136,6 @@ class Connections(NamedTuple):
         """Units of the catalogue, by every name of a value that has one."""
         ends = [(each.names, each.unit) for each in self.entries] + [(each.names, each.unit) for each in self.exits]
         return {name: unit for names, unit in ends for name in names if unit}
-
-
-def _signals_and_modes(plan: CorePlan) -> set[str]:
-    modes = {plan.mode_in.named.name} if plan.mode_in else set()
-    return modes | {port.name for port in plan.ports}
 
 
 def connect(members: Sequence[Member]) -> Connections:
@@ -217,21 +221,17 @@ def _mismatches(
 
 
 def _entries(index: int, member: Member) -> Iterator[Entry]:
-    plan, sides, structs = member.plan, sides_of(member.function.function), structs_of(member)
-    for port in plan.ports:
-        (_, item), *_ = port.consumers
-        at, shape = item.named.pointer, shape_of(port.wire, structs)
-        data = sides[at].data
-        held = range_of(data.vss_min, data.vss_max, shape)
-        yield Entry(index, port.name, sides[at].names, port.wire, shape, at, data.vss_unit or "", held)
-    for error in plan.foreign_errors:
-        yield Entry(index, error.name, (error.name,), error.wire, shape_of(error.wire), None)
-    for reaction in plan.reactions:
-        at, shape = reaction.named.pointer, shape_of(reaction.wire)
-        yield Entry(index, reaction.named.name, sides[at].names, reaction.wire, shape, at)
-    if plan.mode_in:
-        at, shape = plan.mode_in.named.pointer, _shape_of_mode(plan.mode_in)
-        yield Entry(index, plan.mode_in.named.name, sides[at].names, plan.mode_in.wire, shape, at)
+    sides, structs = sides_of(member.function.function), structs_of(member)
+    for each in received_values(member.plan):
+        at, shape = each.pointer, shape_of(each.wire, structs)
+        names = sides[at].names if at else (each.name,)
+        unit, held = "", None
+        if at and each.kind == "signal":
+            data = sides[at].data
+            unit, held = data.vss_unit or "", range_of(data.vss_min, data.vss_max, shape)
+        yield Entry(
+            index, each.name, names, each.wire, shape, at, unit, held, each.kind, next(iter(each.numbers), None)
+        )
     yield from _answers(index, member)
 
 
@@ -264,21 +264,12 @@ def _answers(index: int, member: Member) -> Iterator[Entry]:
 
 
 def _exits(index: int, member: Member) -> Iterator[Exit]:
-    plan, sides, structs = member.plan, sides_of(member.function.function), structs_of(member)
-    for output in plan.outputs:
-        wire = output.value.wire
-        side, shape = sides[output.named.pointer], shape_of(wire, structs)
-        unit = side.data.vss_unit or ""
-        yield Exit(index, output.named.name, side.names, wire, shape, unit, output.queue is not None)
-    for error in plan.errors:
-        yield Exit(index, error.named.name, sides[error.named.pointer].names, error.wire, shape_of(error.wire))
-    for reaction in plan.reactions:
-        shape = shape_of(reaction.wire)
-        known = sides[reaction.named.pointer].names
-        yield Exit(index, reaction.named.name, known, reaction.wire, shape, is_shared=False)
-    if plan.mode_out:
-        named, shape = plan.mode_out.named, _shape_of_mode(plan.mode_out)
-        yield Exit(index, named.name, sides[named.pointer].names, plan.mode_out.wire, shape)
+    sides, structs = sides_of(member.function.function), structs_of(member)
+    for each in sent_values(member.plan):
+        side, shape = sides[each.pointer or ()], shape_of(each.wire, structs)
+        unit = side.data.vss_unit or "" if each.kind == "signal" else ""
+        good = next(iter(each.numbers), None)
+        yield Exit(index, each.name, side.names, each.wire, shape, unit, each.is_queue, each.kind, good)
 
 
 def sides_of(function: FunctionJson) -> Mapping[Pointer, Side]:
@@ -333,10 +324,6 @@ def _number(c: str, symbols: Symbols) -> Number:
     found = type_of_c(c)
     assert found is not None, c
     return Number(found.name, tuple(symbols))
-
-
-def _shape_of_mode(mode: ModeIn | ModeOut) -> Shape:
-    return _number(mode.wire.c, tuple((each.name, each.number) for each in mode.modes))
 
 
 def _fit(one: Shape, other: Shape) -> bool:

@@ -3,8 +3,8 @@
 from collections.abc import Iterator, Sequence
 from typing import Literal, NamedTuple
 
-from sigcat.adapter.core.stored_keys import stored_keys
 from sigcat.adapter.host.connections import Member, shape_of, sides_of, structs_of
+from sigcat.adapter.host.plan import stored_keys
 from sigcat.adapter.host.shapes import Number, Record, Shape
 
 COUNTS = Record((

@@ -3,13 +3,13 @@
 from collections.abc import Iterable, Iterator
 
 from sigcat import codes
-from sigcat.adapter.core.stored_keys import stored_keys
+from sigcat.adapter.host.plan import HostPlan
 from sigcat.adapter.ros2.node_context import NodeContext
 from sigcat.adapter.ros2.node_ends import mixed_queues, publishers, services, subscriptions
 from sigcat.adapter.ros2.node_parameters import monitors, node_parameters
 from sigcat.adapter.ros2.plan import InterfaceType, NodePlan, WorkspacePlan
 from sigcat.adapter.ros2.structs import struct_pairs
-from sigcat.adapter.source_cores import Holder, SourceCore, SourceCores, wrong_holders
+from sigcat.adapter.source_cores import Holder, SourceCores, wrong_holders
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from sigcat.integration.ros2.model import NodePackage, Ros2Integration, RosNode
@@ -36,9 +36,9 @@ def derive(model: Ros2Integration, cores: SourceCores, release: str) -> Workspac
     )
 
 
-def _context(node: RosNode, core: SourceCore, model: Ros2Integration) -> NodeContext:
+def _context(node: RosNode, host: HostPlan, model: Ros2Integration) -> NodeContext:
     messages = {message.name: message for each in model.interface_packages or () for message in each.messages}
-    return NodeContext(node, core.function, core.plan, model.communications, messages)
+    return NodeContext(node, host, model.communications, messages)
 
 
 def _refuse_disagreements(contexts: Iterable[NodeContext]) -> None:
@@ -56,11 +56,11 @@ def _refuse_disagreements(contexts: Iterable[NodeContext]) -> None:
 
 def _disagreements(context: NodeContext) -> Iterator[tuple[str, str]]:
     diagnosed = {diagnostic.error for diagnostic in context.node.diagnostics}
-    for error in context.errors:
+    for error in context.host.errors:
         if error not in diagnosed:
             yield f"`Diagnostics` must have the error {error}", "/Diagnostics"
     for service in (service for role in (SERVER, CLIENT) for service in context.services(role)):
-        method = context.methods.get(service.method)
+        method = context.host.methods.get(service.method)
         counts = (len(service.request), len(service.response))
         if method is None:
             yield f"The service {service.name} must be a method", ""
@@ -121,12 +121,12 @@ def _refused(findings: Iterable[Finding]) -> InputRefused:
 
 
 def _node(context: NodeContext, package: str, interfaces: str) -> NodePlan:
-    node, function = context.node, context.function
+    node = context.node
     priorities = [schedule.thread_priority for schedule in node.schedules if schedule.thread_priority is not None]
     return NodePlan(
         name=node.name,
         package=package,
-        core=context.core,
+        host=context.host,
         executable=node.executable,
         priority=max(priorities, default=None),
         policy=node.scheduling_policy or "other",
@@ -136,7 +136,6 @@ def _node(context: NodeContext, package: str, interfaces: str) -> NodePlan:
         used=services(context, "Client"),
         parameters=tuple(node_parameters(context)),
         monitors=tuple(monitors(context)),
-        stored_keys=stored_keys(function, context.core),
         structs=struct_pairs(context, interfaces),
         step_service=InterfaceType(interfaces, "srv", "Step"),
         error_status=InterfaceType(interfaces, "msg", "ErrorStatus"),

@@ -5,8 +5,9 @@ from typing import NamedTuple
 
 from sigcat.adapter.core.identifiers import identifier, unique
 from sigcat.adapter.core.numbers import type_of_c
-from sigcat.adapter.core.plan import Method, Output, Port, WireType
-from sigcat.adapter.ros2.node_context import NodeContext, signal_key
+from sigcat.adapter.core.plan import Method, WireType
+from sigcat.adapter.host.plan import HostPlan, HostValue
+from sigcat.adapter.ros2.node_context import NodeContext
 from sigcat.adapter.ros2.plan import (
     ArgumentField,
     Fixed,
@@ -70,20 +71,21 @@ def _subscription(
     takes: dict[str, ReceivedField] = {}
     for call, topic in ends:
         for mapping in topic.mappings:
-            port = context.port(call, mapping.signal)
-            if port is not None:
-                takes[port.name] = _received_field(mapping, port)
+            value = context.host.consumed.get((call, mapping.signal))
+            if value is not None:
+                takes[value.name] = _received_field(mapping, value)
     first = ends[0][1]
     assert first.message is not None
     quality = _combined([topic.quality for _, topic in ends if topic.quality is not None])
     return Subscription(name, interface_type(first.message), _member(name, names), quality, tuple(takes.values()))
 
 
-def _received_field(mapping: FieldMapping, port: Port) -> ReceivedField:
-    symbols = () if mapping.number_field else _text_symbols(mapping, port.wire)
+def _received_field(mapping: FieldMapping, value: HostValue) -> ReceivedField:
+    symbols = () if mapping.number_field else _text_symbols(mapping, value.wire)
     field = mapping.number_field or mapping.field
-    nameless = _nameless(port.wire) if symbols else None
-    return ReceivedField(port.name, field, port.wire, port.comment, symbols, nameless, wakes=bool(port.triggers))
+    nameless = _nameless(value.wire) if symbols else None
+    wakes = value.port is not None and bool(value.port.triggers)
+    return ReceivedField(value.name, field, value.wire, value.comment, symbols, nameless, wakes=wakes)
 
 
 _FIRST_NAMELESS = 2**31 - 1
@@ -112,7 +114,7 @@ def _status_subscription(topic: StatusTopic, taken: ReceivedField, names: dict[s
 
 def _received_status(topic: StatusTopic, context: NodeContext) -> ReceivedField | None:
     """The input that receives an error of others, a safety reaction or the mode."""
-    place = context.received_status(topic.interface)
+    place = context.host.received_status(topic.interface)
     if place is None:
         return None
     return ReceivedField(
@@ -146,9 +148,9 @@ def _publisher(name: str, ends: list[tuple[str, RosTopic]], names: dict[str, str
     gives: dict[str, SentField] = {}
     for call, topic in ends:
         for mapping in topic.mappings:
-            output = context.output(call, mapping.signal)
-            if output is not None:
-                gives[output.named.name] = _sent_field(mapping, output, context)
+            value = context.host.provided.get((call, mapping.signal))
+            if value is not None:
+                gives[value.name] = _sent_field(mapping, value, context.host)
     first = ends[0][1]
     assert first.message is not None
     assert first.quality is not None
@@ -158,23 +160,22 @@ def _publisher(name: str, ends: list[tuple[str, RosTopic]], names: dict[str, str
     )  # fmt: skip
 
 
-def _sent_field(mapping: FieldMapping, output: Output, context: NodeContext) -> SentField:
-    wire = output.value.wire
+def _sent_field(mapping: FieldMapping, value: HostValue, host: HostPlan) -> SentField:
     return SentField(
-        place=output.named.name,
+        place=value.name,
         field=mapping.field,
-        wire=wire,
-        comment=output.named.comment,
-        is_queue=output.queue is not None,
+        wire=value.wire,
+        comment=value.comment,
+        is_queue=value.is_queue,
         number_field=mapping.number_field,
-        symbols=_text_symbols(mapping, wire),
-        own_ports=context.receiving_ports.get(signal_key(mapping), ()),
+        symbols=_text_symbols(mapping, value.wire),
+        own_ports=host.own_ports[value.name],
     )
 
 
 def _sent_status(topic: StatusTopic, context: NodeContext) -> SentField | None:
     """Sent status of an error, a safety reaction or the mode."""
-    place = context.sent_status(topic.interface)
+    place = context.host.sent_status(topic.interface)
     if place is None:
         return None
     numbers = _differing(tuple((number, index) for index, number in enumerate(place.numbers)))
@@ -205,7 +206,7 @@ def services(context: NodeContext, role: str) -> tuple[MethodService, ...]:
     names: dict[str, str] = {}
     found: dict[str, MethodService] = {}
     for service in context.services(role):
-        method = context.methods.get(service.method)
+        method = context.host.methods.get(service.method)
         if method is not None and service.name not in found:
             found[service.name] = MethodService(
                 topic=service.name,

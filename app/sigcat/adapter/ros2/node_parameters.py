@@ -10,7 +10,7 @@ from sigcat.integration.ros2.model import RosParameter
 
 def node_parameters(context: NodeContext) -> Iterator[NodeParameter]:
     """The parameters of the node. One whose datatype is a struct has none; its start value holds."""
-    by_name = {context.name_of(parameter.named): parameter for parameter in context.core.parameters}
+    by_name = {context.host.interfaces[each.named.pointer]: each for each in context.host.core.parameters}
     for declared in context.node.parameters:
         parameter = by_name.get(declared.parameter)
         if parameter is not None:
@@ -38,5 +38,5 @@ def _parameter(declared: RosParameter, parameter: Parameter) -> NodeParameter:
 def monitors(context: NodeContext) -> Iterator[Monitor]:
     """The errors of the core, as they are shown to people."""
     diagnostics = {diagnostic.error: diagnostic for diagnostic in context.node.diagnostics}
-    for name, error in context.errors.items():
+    for name, error in context.host.errors.items():
         yield Monitor(error, name, diagnostics[name])

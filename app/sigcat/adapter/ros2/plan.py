@@ -1,10 +1,10 @@
 """The plan of the packages: every name resolved, so that the writers need nothing else."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from sigcat.adapter.core.plan import Argument, Call, CorePlan, Error, Method, Parameter, Port, WireStruct, WireType
+from sigcat.adapter.core.plan import Argument, CorePlan, Error, Method, Parameter, Port, WireStruct, WireType
+from sigcat.adapter.host.plan import HostPlan
 from sigcat.function.document.text import Text, composed
 from sigcat.integration.ros2.model import Diagnostic, Package, QualityOfService
 from sigcat.integration.ros2.settings import SchedulingPolicy
@@ -189,7 +189,7 @@ class NodePlan:
     """`core_acc`: default name of the node, and what its files begin with."""
     package: str
     """Namespace in C++ and folder of its header."""
-    core: CorePlan
+    host: HostPlan
     executable: str
     priority: int | None
     """Priority of the thread that runs its calls."""
@@ -201,8 +201,6 @@ class NodePlan:
     used: tuple[MethodService, ...]
     parameters: tuple[NodeParameter, ...]
     monitors: tuple[Monitor, ...]
-    stored_keys: Mapping[str, str]
-    """Keys under which parameters are stored, by their variables."""
     structs: tuple[StructPair, ...]
     """Each after those that it holds."""
     step_service: InterfaceType
@@ -240,19 +238,9 @@ class NodePlan:
         return f"~/{topic.removeprefix(own)}" if topic.startswith(own) else topic
 
     @property
-    def steps(self) -> tuple[Call, ...]:
-        """Calls that run while it is active."""
-        return self.core.steps
-
-    @property
-    def learned(self) -> tuple[Parameter, ...]:
-        """Parameters that are stored."""
-        return tuple(each for each in self.core.parameters if each.learned is not None)
-
-    @property
-    def is_stored(self) -> bool:
-        """Whether it keeps anything from one run to the next."""
-        return bool(self.monitors or self.learned)
+    def core(self) -> CorePlan:
+        """The core of its function."""
+        return self.host.core
 
     @property
     def settable(self) -> tuple[NodeParameter, ...]:

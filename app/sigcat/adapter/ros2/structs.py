@@ -14,7 +14,7 @@ from sigcat.integration.ros2.topics import PUBLISHER, SUBSCRIPTION
 
 def struct_pairs(context: NodeContext, package: str) -> tuple[StructPair, ...]:
     """The structs that a node takes and gives, each after those that it holds."""
-    known = {struct.name: struct for struct in context.core.structs}
+    known = {struct.name: struct for struct in context.host.core.structs}
     found: dict[str, StructPair] = {}
     for field_type, wire in _uses(context):
         if wire.is_struct:
@@ -32,12 +32,11 @@ def _uses(context: NodeContext) -> Iterator[tuple[str, WireType]]:
     for role in (SUBSCRIPTION, PUBLISHER):
         for call, topic in context.topics(role):
             for mapping in topic.mappings:
-                port, output = context.port(call, mapping.signal), context.output(call, mapping.signal)
-                wire = port.wire if port else output.value.wire if output else None
-                if wire is not None:
-                    yield mapping.field_type, wire
+                known = context.host.consumed if role == SUBSCRIPTION else context.host.provided
+                if (value := known.get((call, mapping.signal))) is not None:
+                    yield mapping.field_type, value.wire
     for service in (*context.services(SERVER), *context.services(CLIENT)):
-        method = context.methods[service.method]
+        method = context.host.methods[service.method]
         for maps, arguments in ((service.request, method.arguments), (service.response, method.results)):
             yield from ((each.field_type, argument.value.wire) for each, argument in zip(maps, arguments, strict=True))
 

@@ -79,12 +79,8 @@ def _times_of_inputs(trace: Path, prepared: Prepared, last: int) -> Mapping[str,
 
 
 def _signals(connections: Connections, member: int) -> Iterator[str]:
-    """Yield names of values that a function's calls send, without statuses: those are sent when they change."""
-    plan = connections.members[member].plan
-    statuses = {each.named.name for each in plan.statuses}
-    for each in connections.exits:
-        if each.member == member and each.field not in statuses:
-            yield each.name
+    """Names of values that a function's calls send, without statuses: those are sent when they change."""
+    return (each.name for each in connections.exits if each.member == member and each.kind == "signal")
 
 
 def _ages(sent: Sequence[int], heard: Sequence[int], calls: Sequence[CallTime]) -> Iterator[int]:

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames
 from sigcat.adapter.core.plan import Call, CorePlan, Error, Method, Parameter, Port, WireStruct, WireType
+from sigcat.adapter.host.plan import HostPlan
 from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE
 
 
@@ -197,7 +198,7 @@ class ComponentPlan:
     name: str
     stem: str
     """Base name of its files."""
-    core: CorePlan
+    host: HostPlan
     required: tuple[Required, ...]
     provided: tuple[Provided, ...]
     structs: tuple[StructPair, ...]
@@ -225,6 +226,11 @@ class ComponentPlan:
         return f"{self.name}Adapter"
 
     @property
+    def core(self) -> CorePlan:
+        """The core of its function."""
+        return self.host.core
+
+    @property
     def learned(self) -> tuple[Stored, ...]:
         """Parameters that the function changes."""
         return tuple(each for each in self.stored if each.parameter.learned is not None)
@@ -244,16 +250,6 @@ class ComponentPlan:
     def has_offered(self) -> bool:
         """Whether the function offers a method."""
         return any(each.methods for each in self.provided)
-
-    @property
-    def has_deadline(self) -> bool:
-        """Whether a call may be late while it runs."""
-        return any(step.deadline for step in self.core.steps)
-
-    @property
-    def writes(self) -> bool:
-        """Whether there is anything to store at the end."""
-        return bool(self.monitors or self.learned)
 
     @property
     def call_mutex(self) -> str:

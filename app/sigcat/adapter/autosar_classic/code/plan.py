@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import NamedTuple, Union
 
 from sigcat.adapter.core.plan import CorePlan, Error, Method, Parameter, WireType
+from sigcat.adapter.host.plan import HostPlan
 from sigcat.integration.autosar_classic.model import Component, PerInstanceMemory, Port, Runnable
 
 
@@ -145,7 +146,7 @@ class SwcPlan:
     """A software component, with the core of its function."""
 
     component: Component
-    core: CorePlan
+    host: HostPlan
     received: tuple[DataEnd, ...]
     sent: tuple[DataEnd, ...]
     mode_in: ModeEnd | None
@@ -174,6 +175,11 @@ class SwcPlan:
     def name(self) -> str:
         """Name of the component type."""
         return self.component.name
+
+    @property
+    def core(self) -> CorePlan:
+        """The core of its function."""
+        return self.host.core
 
     @property
     def requests(self) -> tuple[MethodEnd, ...]:

@@ -162,6 +162,21 @@ class CorePlan(NamedTuple):
         return tuple(each for each in self.parameters if each.learned is None)
 
     @property
+    def learned(self) -> tuple[Parameter, ...]:
+        """Parameters that the function learns."""
+        return tuple(each for each in self.parameters if each.learned is not None)
+
+    @property
+    def is_stored(self) -> bool:
+        """Whether the host has anything to store from one run to the next."""
+        return bool(self.errors or self.learned)
+
+    @property
+    def has_deadline(self) -> bool:
+        """Whether a call may be late while it runs."""
+        return any(step.deadline for step in self.steps)
+
+    @property
     def received_statuses(self) -> tuple[ForeignError, ...]:
         """Errors of others, and the mode."""
         mode = self.mode_in

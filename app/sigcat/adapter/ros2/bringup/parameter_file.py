@@ -22,7 +22,7 @@ class _Entry(NamedTuple):
 def parameter_file(node: NodePlan, workspace: WorkspacePlan) -> str:
     """The text of `config/NODE.yaml`, for the node of this name in any namespace."""
     entries = [_entry(each) for each in node.parameters]
-    has_own = node.priority is not None or node.is_stored
+    has_own = node.priority is not None or node.core.is_stored
     has_values = has_own or any(entry.value is not None for entry in entries)
     return rendered(
         "adapter/ros2/bringup/parameters.yaml.j2",

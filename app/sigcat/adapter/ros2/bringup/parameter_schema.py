@@ -33,7 +33,7 @@ def _own(node: NodePlan) -> dict[str, Any]:
     found: dict[str, Any] = {"use_sim_time": {"type": "boolean"}, "lock_step": {"type": "boolean"}}
     if node.priority is not None:
         found["scheduling_policy"] = {"enum": ["other", "fifo", "rr"]}
-    if node.is_stored:
+    if node.core.is_stored:
         found["storage_folder"] = {"type": "string"}
     return found | {"qos_overrides": {"type": "object"}}
 

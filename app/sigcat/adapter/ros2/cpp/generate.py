@@ -6,7 +6,7 @@ from pathlib import Path
 from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.ros2.cpp.cmake import cmake
 from sigcat.adapter.ros2.cpp.layout import fitted
-from sigcat.adapter.ros2.cpp.node.header import has_deadline, node_header
+from sigcat.adapter.ros2.cpp.node.header import node_header
 from sigcat.adapter.ros2.cpp.node.source import main_source, node_source
 from sigcat.adapter.ros2.cpp.structs import structs_header
 from sigcat.adapter.ros2.cpp.tests import launch_test, node_test
@@ -55,8 +55,8 @@ def _support(workspace: WorkspacePlan) -> Iterator[GeneratedFile]:
     """Yield support files that a node of the set uses."""
     unused = {
         *(() if any(node.priority is not None for node in workspace.nodes) else ("scheduling",)),
-        *(() if any(has_deadline(node) for node in workspace.nodes) else ("watch",)),
-        *(() if any(node.is_stored for node in workspace.nodes) else ("storage", "stored_text")),
+        *(() if any(node.core.has_deadline for node in workspace.nodes) else ("watch",)),
+        *(() if any(node.core.is_stored for node in workspace.nodes) else ("storage", "stored_text")),
         *(() if workspace.has_bond else ("bond",)),
     }
     for path in sorted(SUPPORT.rglob("*.j2")):

@@ -27,13 +27,15 @@ def node_test(node: NodePlan, workspace: WorkspacePlan) -> str:
         refused=[
             _refused(each, each.high) for each in node.settable if not each.is_read_only and each.high is not None
         ],
-        cycle=min((step.cycle for step in node.steps if step.cycle), default=10**7),  # nanoseconds between two steps
+        cycle=min(
+            (step.cycle for step in node.core.steps if step.cycle), default=10**7
+        ),  # nanoseconds between two steps
     )
 
 
 def _headers(node: NodePlan, workspace: WorkspacePlan) -> list[str]:
     headers = [f"{workspace.name}/{node.stem}.hpp", header_of(node.step_service), "lifecycle_msgs/msg/state.hpp"]
-    headers += ["rclcpp/rclcpp.hpp", *([f"{workspace.name}/storage.hpp"] if node.is_stored else [])]
+    headers += ["rclcpp/rclcpp.hpp", *([f"{workspace.name}/storage.hpp"] if node.core.is_stored else [])]
     return sorted(headers)
 
 

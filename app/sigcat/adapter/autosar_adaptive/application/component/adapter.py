@@ -94,7 +94,7 @@ def _headers(component: ComponentPlan) -> Iterator[str]:
         "error_monitor": component.monitors,
         "required_service": component.required,
         "storage": component.storages,
-        "watch": component.has_deadline,
+        "watch": component.core.has_deadline,
         "call_thread": component.is_threaded,
         "call_mutex": component.is_threaded and component.has_offered,
     }

@@ -28,7 +28,8 @@ from sigcat.adapter.autosar_adaptive.arxml.components import (
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import wholes
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, service_names, type_names
 from sigcat.adapter.core.plan import CorePlan
-from sigcat.adapter.source_cores import Holder, SourceCore, SourceCores, wrong_holders
+from sigcat.adapter.host.plan import HostPlan
+from sigcat.adapter.source_cores import Holder, SourceCores, wrong_holders
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from sigcat.integration.autosar_adaptive.deployment.namespaces import parts as namespace_parts
@@ -74,9 +75,9 @@ def _unusable(components: Iterable[Component], cores: SourceCores) -> Iterator[F
         if component.executable.lower() in _TAKEN:
             message = f"No executable must be called {component.executable}: the folder or the target of that name is another one."
             yield codes.NOT_WRITABLE_AS_ARXML.finding(message, pointer=f"{at}/ExecutableName", fix="Rename it.")
-        core = cores.get(component.function or "")
+        host = cores.get(component.function or "")
         listed = {each.parameter.variable for each in stored_parameters(component)}
-        for parameter in core.plan.parameters if core else ():
+        for parameter in host.core.parameters if host else ():
             if parameter.variable not in listed:
                 message = (
                     f"{component.name} must list the parameter in {parameter.variable} of its function, and does not."
@@ -88,35 +89,31 @@ def _unusable(components: Iterable[Component], cores: SourceCores) -> Iterator[F
 def _component(
     model: IntegrationModel,
     component: Component,
-    core: SourceCore,
+    host: HostPlan,
     types: TypeNames,
     names: Mapping[str, ServiceNames],
 ) -> ComponentPlan:
     assert model.deployment is not None
-    context = ComponentContext(component, core.function, core.plan, types, names)
-    structs = struct_pairs(core.plan, model, core.function, types)
+    context = ComponentContext(component, host, types, names)
+    structs = struct_pairs(host, model, types)
     required, provided = required_services(context), provided_services(context)
     ports = f"{component.executable}/{root_name(component)}"
     storages = {name: Storage(name, f"{ports}/{name}") for name in storage_ports(component)}
-    joined = joined_calls(core.plan, component.calls)
-    names_of_errors = {id(error): name for name, error in context.errors.items()}
+    joined = joined_calls(host.core, component.calls)
     return ComponentPlan(
         name=component.name,
         stem=snake_case(component.name),
-        core=core.plan,
+        host=host,
         required=required,
         provided=provided,
         structs=structs,
         type_headers=tuple(types.headers(pair.type.rpartition("::")[2] for pair in structs)),
-        monitors=tuple(
-            Monitor(error, names_of_errors[id(error)], f"{ports}/{monitor_port(names_of_errors[id(error)])}")
-            for error in core.plan.errors
-        ),
+        monitors=tuple(Monitor(error, name, f"{ports}/{monitor_port(name)}") for name, error in host.errors.items()),
         storages=tuple(storages.values()),
-        stored=tuple(_stored(component, core.plan, storages)),
+        stored=tuple(_stored(component, host.core, storages)),
         supervision=f"{ports}/{SUPERVISION_PORT}",
         checkpoints=checkpoints(component),
-        threads=threads_of(core.plan, joined),
+        threads=threads_of(host.core, joined),
         joined=joined,
         error_namespace=tuple(namespace_parts(model.deployment.namespace or "")),
     )

@@ -1,7 +1,7 @@
 """Services of a component, and what its core has for each of their elements."""
 
-from collections.abc import Callable, Iterator, Mapping
-from typing import TypeVar
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
 
 from sigcat.adapter.autosar_adaptive.application.plan import (
     CalledMethod,
@@ -12,31 +12,21 @@ from sigcat.adapter.autosar_adaptive.application.plan import (
     SentField,
 )
 from sigcat.adapter.autosar_adaptive.cpp_names import ServiceNames, TypeNames, instance_specifier, member_name
-from sigcat.adapter.core.places import CorePlaces
-from sigcat.adapter.core.plan import CorePlan
-from sigcat.function.function_json.model import FunctionJson
+from sigcat.adapter.core.plan import Port
+from sigcat.adapter.host.plan import HostPlan, HostValue
 from sigcat.integration.autosar_adaptive.model import Component, Event, MethodArgument, ServiceField, ServiceInterface
 
-T = TypeVar("T")
 SAMPLES = 16
 """Values of an event that wait while the handler runs."""
 
 
-class ComponentContext(CorePlaces):
-    """A component of an integration, beside the core of its function."""
+class ComponentContext(NamedTuple):
+    """A component of an integration, and the host that it is for its function."""
 
-    def __init__(
-        self,
-        component: Component,
-        function: FunctionJson,
-        core: CorePlan,
-        types: TypeNames,
-        names: Mapping[str, ServiceNames],
-    ) -> None:
-        super().__init__(function, core)
-        self.component = component
-        self.types = types
-        self.names = names
+    component: Component
+    host: HostPlan
+    types: TypeNames
+    names: Mapping[str, ServiceNames]
 
 
 def required_services(context: ComponentContext) -> tuple[Required, ...]:
@@ -73,21 +63,21 @@ def provided_services(context: ComponentContext) -> tuple[Provided, ...]:
 def _receivers(interface: ServiceInterface, context: ComponentContext) -> Iterator[Receiver]:
     for services in interface.services:
         for event in services.events:
-            for port in _distinct(event, context.port):
+            for value, port in _received(event, context.host):
                 capacity = max(SAMPLES, *(item.queue.length if item.queue else 0 for _, item in port.consumers))
                 type_ = context.types.type(event.datatype)
                 yield Receiver(
                     member_name(event.name),
-                    port.name,
+                    value.name,
                     type_,
-                    port.wire,
+                    value.wire,
                     capacity,
-                    port.comment,
+                    value.comment,
                     port.tells_of_rejection,
                     event.protection is not None,
                 )
         for field in services.fields:
-            taken = context.received_status(_status_name(field))
+            taken = context.host.received_status(_status_name(field))
             if taken is not None:
                 type_ = context.types.type(field.word)
                 yield Receiver(
@@ -104,21 +94,24 @@ def _receivers(interface: ServiceInterface, context: ComponentContext) -> Iterat
 def _sent_events(interface: ServiceInterface, context: ComponentContext) -> Iterator[SentEvent]:
     for services in interface.services:
         for event in services.events:
-            for output in _distinct(event, context.output):
-                named = output.named
-                own = tuple(_distinct(event, context.port))
-                yield SentEvent(member_name(event.name), named.name, output.queue is not None, named.comment, own)
+            for value in _values(event, context.host.provided):
+                own = context.host.own_ports[value.name]
+                yield SentEvent(member_name(event.name), value.name, value.is_queue, value.comment, own)
 
 
-def _distinct(event: Event, of: Callable[[str, str], T | None]) -> list[T]:
-    """Values of the core on both sides of an event, each once."""
-    found = {id(each): each for use in event.uses or () if (each := of(use.call, use.interface.name)) is not None}
-    return list(found.values())
+def _received(event: Event, host: HostPlan) -> Iterator[tuple[HostValue, Port]]:
+    return ((value, value.port) for value in _values(event, host.consumed) if value.port is not None)
+
+
+def _values(event: Event, known: Mapping[tuple[str, str], HostValue]) -> list[HostValue]:
+    """Values of the core on one side of an event, each once."""
+    ends = (known.get((use.call, use.interface.name)) for use in event.uses or ())
+    return list({each.name: each for each in ends if each is not None}.values())
 
 
 def _sent_fields(interface: ServiceInterface, context: ComponentContext) -> Iterator[SentField]:
     for field in (field for services in interface.services for field in services.fields):
-        error, place = context.errors.get(_status_name(field)), context.sent_status(_status_name(field))
+        error, place = context.host.errors.get(_status_name(field)), context.host.sent_status(_status_name(field))
         if place is not None:
             again = _repeated_by(field, error.call if error else None, context)
             yield SentField(
@@ -129,7 +122,7 @@ def _sent_fields(interface: ServiceInterface, context: ComponentContext) -> Iter
 
 def _repeated_by(field: ServiceField, call: str | None, context: ComponentContext) -> str | None:
     """The call that evaluates a protected status, or else the first one."""
-    steps = [step.name for step in context.core.steps]
+    steps = [step.name for step in context.host.core.steps]
     if field.protection is None or not steps:
         return None
     return call if call in steps else steps[0]
@@ -145,7 +138,11 @@ def _methods(interface: ServiceInterface, context: ComponentContext) -> Iterator
     for services in interface.services:
         for method in services.methods:
             used = next(
-                (context.methods[use.method.name] for use in method.uses or () if use.method.name in context.methods),
+                (
+                    context.host.methods[use.method.name]
+                    for use in method.uses or ()
+                    if use.method.name in context.host.methods
+                ),
                 None,
             )
             if used is not None:

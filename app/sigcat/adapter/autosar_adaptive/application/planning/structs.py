@@ -4,21 +4,19 @@ from collections.abc import Iterator
 
 from sigcat.adapter.autosar_adaptive.application.plan import StructPair
 from sigcat.adapter.autosar_adaptive.cpp_names import TypeNames
-from sigcat.adapter.core.plan import CorePlan
 from sigcat.adapter.core.planning import context_of
 from sigcat.adapter.core.values import struct_name
+from sigcat.adapter.host.plan import HostPlan
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
 
 
-def struct_pairs(
-    core: CorePlan, model: IntegrationModel, function: FunctionJson, types: TypeNames
-) -> tuple[StructPair, ...]:
+def struct_pairs(host: HostPlan, model: IntegrationModel, types: TypeNames) -> tuple[StructPair, ...]:
     """The structs that the core takes and gives, in its order: each after those that it holds."""
     entries = {entry.reference or entry.name: entry for entry in model.datatypes or () if entry.fields}
-    by_name = dict(_references(function))
+    by_name = dict(_references(host.function))
     found = []
-    for struct in core.structs:
+    for struct in host.core.structs:
         entry = entries.get(by_name[struct.name])
         if entry is not None and len(entry.fields or ()) == len(struct.fields):
             members = tuple(field.name for field in entry.fields or ())

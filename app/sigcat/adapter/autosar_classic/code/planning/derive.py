@@ -29,17 +29,17 @@ def derive(model: ClassicIntegration, cores: SourceCores) -> ClassicPlan:
     if found := list(wrong_holders(holders, cores, codes.NOT_WRITABLE_AS_CLASSIC, "software")):
         raise InputRefused("The integration cannot become software components.", tuple(found))
     types = rte_types(model)
-    swcs = tuple(_swc(SwcContext(model, each, *cores[each.function], types)) for each in model.components)
+    swcs = tuple(_swc(SwcContext(model, each, cores[each.function], types)) for each in model.components)
     if told := dict.fromkeys(finding for at, swc in enumerate(swcs) for finding in disagreements(swc, at)):
         raise InputRefused("The integration cannot become software components.", tuple(told))
     return ClassicPlan(model.info.name, swcs, types)
 
 
 def _swc(context: SwcContext) -> SwcPlan:
-    component, core = context.component, context.core
+    component = context.component
     return SwcPlan(
         component=component,
-        core=core,
+        host=context.host,
         received=tuple(received(context)),
         sent=tuple(sent(context)),
         mode_in=_mode(context, "Required"),
@@ -61,19 +61,20 @@ def _swc(context: SwcContext) -> SwcPlan:
 def _mode(context: SwcContext, direction: str) -> ModeEnd | None:
     """The mode of the function: that of the ECU is for its end."""
     interfaces = {each.name: each for each in context.model.mode_switch_interfaces}
-    core = context.core.mode_in if direction == "Required" else context.core.mode_out
+    core = context.host.core
+    mode = core.mode_in if direction == "Required" else core.mode_out
     for port in context.component.ports:
-        if core and port.kind == "ModeSwitch" and port.direction == direction and port.elements[0].uses:
+        if mode and port.kind == "ModeSwitch" and port.direction == direction and port.elements[0].uses:
             interface = interfaces[port.interface]
             columns = tuple(use.interface for use in port.elements[0].uses)
-            return ModeEnd(port.name, interface.prototype, interface.group, core.named.name, columns)
+            return ModeEnd(port.name, interface.prototype, interface.group, mode.named.name, columns)
     return None
 
 
 def _errors_to_diagnosis(context: SwcContext) -> Iterator[Told]:
     ports = {port.name: port for port in context.component.ports}
     for event in context.component.diagnostic_events:
-        error = context.errors.get(event.error)
+        error = context.host.errors.get(event.error)
         if error is not None:
             yield Told(event.port, _operation(ports[event.port]), error)
 
@@ -94,7 +95,7 @@ def _reported(context: SwcContext) -> Mapping[tuple[str, str], tuple[Reported, .
 
 def _parameters(context: SwcContext) -> Iterator[ParameterEnd]:
     """Yield parameters that are calibrated: a learned one is kept, and has no other source."""
-    by_name = {context.name_of(each.named): each for each in context.core.parameters if each.learned is None}
+    by_name = {context.host.interfaces[each.named.pointer]: each for each in context.host.core.settable}
     elements = {(one.name, each.name): each for one in context.model.parameter_interfaces for each in one.elements}
     for port in context.component.ports:
         for element in port.elements if port.kind == "Parameter" else ():

@@ -1,35 +1,30 @@
 """Data elements of a component, and what its core has for each of them."""
 
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
 from itertools import islice
 
 from sigcat.adapter.autosar_classic.code.plan import DataEnd, RteType
 from sigcat.adapter.autosar_classic.code.types import type_of
-from sigcat.adapter.core.places import CorePlaces, StatusPlace
-from sigcat.adapter.core.plan import CorePlan
-from sigcat.adapter.core.plan import Port as CorePort
-from sigcat.function.function_json.model import FunctionJson
+from sigcat.adapter.host.plan import HostPlan, HostValue
 from sigcat.integration.autosar_classic.model import ClassicIntegration, Component, DataElement, Element, Port, Use
 
 
-class SwcContext(CorePlaces):
-    """A component of an integration, beside the core of its function."""
+@dataclass(frozen=True)
+class SwcContext:
+    """A component of an integration, and the host that it is for its function."""
 
-    def __init__(
-        self,
-        model: ClassicIntegration,
-        component: Component,
-        function: FunctionJson,
-        core: CorePlan,
-        types: Mapping[str, RteType],
-    ) -> None:
-        super().__init__(function, core)
-        self.model = model
-        self.component = component
-        self.types = types
-        self.elements = {
-            (one.name, each.name): each for one in model.sender_receiver_interfaces for each in one.elements
-        }
+    model: ClassicIntegration
+    component: Component
+    host: HostPlan
+    types: Mapping[str, RteType]
+
+    @cached_property
+    def elements(self) -> Mapping[tuple[str, str], DataElement]:
+        """Data elements, by interface and name."""
+        interfaces = self.model.sender_receiver_interfaces
+        return {(one.name, each.name): each for one in interfaces for each in one.elements}
 
     def data(self, direction: str) -> Iterator[tuple[Port, Element, DataElement]]:
         """Data elements that the component requires or provides."""
@@ -50,14 +45,14 @@ def received(context: SwcContext) -> Iterator[DataEnd]:
 
 
 def _received(port: Port, element: Element, data: DataElement, use: Use, context: SwcContext) -> DataEnd | None:
-    core = context.port(use.call, use.interface)
-    if core is not None:
+    signal = context.host.consumed.get((use.call or "", use.interface))
+    if signal is not None and (core := signal.port) is not None:
         immediate = frozenset(call for call, item in core.consumers if item.is_immediate)
-        end = _end(port, element, data, use, context, core)
+        end = _end(port, element, data, use, context, signal)
         return end._replace(
             tells_of_rejection=core.tells_of_rejection, tells_of_loss=core.tells_of_loss, immediate_in=immediate
         )
-    status = context.received_status(use.interface) or context.received_status(port.interface)
+    status = context.host.received_status(use.interface) or context.host.received_status(port.interface)
     return _end(port, element, data, use, context, status) if status else None
 
 
@@ -67,15 +62,15 @@ def _end(
     data: DataElement,
     use: Use,
     context: SwcContext,
-    place: CorePort | StatusPlace,
+    value: HostValue,
 ) -> DataEnd:
     return DataEnd(
         port=port.name,
         element=element.name,
         type=type_of(data.type, context.model, context.types),
-        wire=place.wire,
-        place=place.name,
-        comment=place.comment,
+        wire=value.wire,
+        place=value.name,
+        comment=value.comment,
         columns=_columns(data, use),
         is_queue=bool(data.queued),
         room=element.queue_length or 1,
@@ -102,11 +97,7 @@ def sent(context: SwcContext) -> Iterator[DataEnd]:
 
 
 def _sent(port: Port, element: Element, data: DataElement, use: Use, context: SwcContext) -> DataEnd | None:
-    output = context.output(use.call, use.interface)
-    if output is not None:
-        named, call = output.named, next(step.name for step in context.core.steps if output in step.outputs)
-        place = StatusPlace(named.name, output.value.wire, named.comment)
-        end = _end(port, element, data, use, context, place)
-        return end._replace(has_count=output.queue is not None, call=call)
-    status = context.sent_status(use.interface)
-    return _end(port, element, data, use, context, status) if status else None
+    value = context.host.provided.get((use.call or "", use.interface)) or context.host.sent_status(use.interface)
+    if value is None:
+        return None
+    return _end(port, element, data, use, context, value)._replace(has_count=value.is_queue, call=value.call)

@@ -16,7 +16,7 @@ def method_ends(context: SwcContext) -> Iterator[MethodEnd]:
     for port in context.component.ports:
         for element in port.elements if port.kind == "ClientServer" else ():
             for use in element.uses or ():
-                method = context.methods.get(use.interface)
+                method = context.host.methods.get(use.interface)
                 if method is not None:
                     interface = interfaces[port.interface]
                     operation = next(each for each in interface.operations if each.name == element.name)

@@ -20,11 +20,11 @@ class NodeCall(NamedTuple):
 def node_calls(node: NodePlan) -> Sequence[NodeCall]:
     """All of them."""
     constant = scope_of(node).call
-    return [NodeCall(step, constant(step.name), _stem(node, step)) for step in node.steps]
+    return [NodeCall(step, constant(step.name), _stem(node, step)) for step in node.core.steps]
 
 
 def _stem(node: NodePlan, call: Call) -> str:
     """A call in snake_case, unless another one has the same."""
-    names = [snake_case(step.name) for step in node.steps]
+    names = [snake_case(step.name) for step in node.core.steps]
     name = snake_case(call.name)
     return name if name and names.count(name) == 1 else call.name

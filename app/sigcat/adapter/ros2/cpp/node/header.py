@@ -22,7 +22,7 @@ def node_header(node: NodePlan, workspace: WorkspacePlan) -> str:
         has_messages=has_messages(node, node.publishers),
         calls=node_calls(node),
         has_taken_callback=workspace.release != "humble",
-        has_deadline=has_deadline(node),
+        has_deadline=node.core.has_deadline,
         has_bond=workspace.has_bond,
     )
 
@@ -32,15 +32,10 @@ def has_messages(node: NodePlan, ends: Iterable[Publisher | Subscription]) -> bo
     return any(node.is_own(each.message) for each in ends)
 
 
-def has_deadline(node: NodePlan) -> bool:
-    """Whether a call may be late while it runs."""
-    return any(step.deadline for step in node.steps)
-
-
 def _headers(node: NodePlan, workspace: WorkspacePlan) -> list[str]:
     messages = {each.message for each in node.publishers} | {each.service for each in (*node.offered, *node.used)}
     own = ["clock", "diagnostics", "receiver", "topics"]
-    own += [*(["storage"] if node.is_stored else []), *(["watch"] if has_deadline(node) else [])]
+    own += [*(["storage"] if node.core.is_stored else []), *(["watch"] if node.core.has_deadline else [])]
     headers = [header_of(each) for each in {*messages, node.step_service}]
     headers += [f"{workspace.name}/{each}.hpp" for each in own]
     headers += ["diagnostic_msgs/msg/diagnostic_array.hpp", "rclcpp/rclcpp.hpp", "rclcpp_lifecycle/lifecycle_node.hpp"]

@@ -4,7 +4,7 @@ from sigcat.adapter.core.plan import GLOBALS
 from sigcat.adapter.ros2.cpp.names import header_of, scope_of
 from sigcat.adapter.ros2.cpp.node.calls import node_calls
 from sigcat.adapter.ros2.cpp.node.connections import advertised, subscribed
-from sigcat.adapter.ros2.cpp.node.header import has_deadline, has_messages
+from sigcat.adapter.ros2.cpp.node.header import has_messages
 from sigcat.adapter.ros2.cpp.node.parameters import declared, unset
 from sigcat.adapter.ros2.cpp.node.sending import messages_of
 from sigcat.adapter.ros2.cpp.node.stored import learned_parameters
@@ -31,7 +31,7 @@ def node_source(node: NodePlan, workspace: WorkspacePlan) -> str:
         # Whether a process can have one node of it: the code has its data in global variables.
         is_once=node.core.code.signature == GLOBALS,
         has_bond=workspace.has_bond,
-        has_deadline=has_deadline(node),
+        has_deadline=node.core.has_deadline,
         calls=node_calls(node),
         tables=symbol_tables(node),
         learned=learned_parameters(node),

@@ -28,12 +28,12 @@ class Learned(NamedTuple):
 
 def learned_parameters(node: NodePlan) -> Sequence[Learned]:
     """All of them."""
-    return [Learned(each.named.name, _leaves(each, node)) for each in node.learned]
+    return [Learned(each.named.name, _leaves(each, node)) for each in node.core.learned]
 
 
 def _leaves(parameter: Parameter, node: NodePlan) -> tuple[StoredLeaf, ...]:
     """The lines of a parameter in the file: one for each number or array of numbers."""
-    wire, key = parameter.value.wire, node.stored_keys[parameter.variable]
+    wire, key = parameter.value.wire, node.host.stored_keys[parameter.variable]
     if not wire.is_struct:
         return (StoredLeaf(key, ""),)
     indexes = [""] if wire.length is None else [f"[{i}]" for i in range(wire.length)]

@@ -1,10 +1,11 @@
 """The module of a core: a class over the shared library that notebooks use without ROS."""
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.core.plan import CorePlan, Method, WireType
+from sigcat.adapter.host.plan import received_values, sent_values
 from sigcat.adapter.ros2.plan import NodePlan
 from sigcat.adapter.ros2.python.core.bridge import declarations, digest, publish_names, struct_names
 from sigcat.adapter.ros2.python.names import Import, class_name, imports, python_names, typed
@@ -58,10 +59,8 @@ def core_type(core: CorePlan) -> str:
 
 def receivers(core: CorePlan) -> dict[str, str]:
     """Methods that take values, by their names in the library."""
-    names = [*(port.name for port in core.ports), *(each.named.name for each in core.reactions)]
-    names += [each.name for each in core.foreign_errors]
-    names += [core.mode_in.named.name] if core.mode_in else []
-    return {name: f"receive_{each}" for name, each in python_names(names).items()}
+    names = python_names(each.name for each in received_values(core))
+    return {name: f"receive_{each}" for name, each in names.items()}
 
 
 def method_names(core: CorePlan) -> dict[str, str]:
@@ -104,7 +103,7 @@ def core_module(node: NodePlan) -> str:
         has_errors=bool(core.errors),
         monitors=node.monitors,
         # Stored parameters with their keys.
-        learned=[(each.named.name, node.stored_keys[each.variable]) for each in node.learned],
+        learned=[(each.named.name, node.host.stored_keys[each.variable]) for each in core.learned],
         received=_received(core),
         methods=[_method(each, methods) for each in core.methods],
         out=_sent(core),
@@ -124,34 +123,23 @@ def _typing_imports(core: CorePlan) -> Sequence[Import]:
 def _received(core: CorePlan) -> Sequence[_Received]:
     names = receivers(core)
     return [
-        _Received(name, names[name], wire, typed(wire, is_sequence=True), comment)
-        for name, wire, comment in _received_values(core)
+        _Received(each.name, names[each.name], each.wire, typed(each.wire, is_sequence=True), each.comment)
+        for each in received_values(core)
     ]
-
-
-def _received_values(core: CorePlan) -> Iterator[tuple[str, WireType, str]]:
-    """Names in the library, types and comments."""
-    yield from ((each.name, each.wire, each.comment) for each in core.ports)
-    yield from ((each.named.name, each.wire, each.named.comment) for each in core.reactions)
-    yield from ((each.name, each.wire, each.comment) for each in core.foreign_errors)
-    if core.mode_in:
-        yield core.mode_in.named.name, core.mode_in.wire, core.mode_in.named.comment
 
 
 def _sent(core: CorePlan) -> Sequence[_Sent]:
     names = members(core)
-    values = [(each.named, each.value.wire, each.queue is not None) for each in core.outputs]
-    values += [(each.named, each.wire, False) for each in core.statuses]
     return [
         _Sent(
-            names[named.name],
-            named.name,
-            f"List[{typed(wire)}]" if is_queue else typed(wire),
-            named.comment,
-            is_queue,
-            is_plain=wire.is_plain,
+            names[each.name],
+            each.name,
+            f"List[{typed(each.wire)}]" if each.is_queue else typed(each.wire),
+            each.comment,
+            each.is_queue,
+            is_plain=each.wire.is_plain,
         )
-        for named, wire, is_queue in values
+        for each in sent_values(core)
     ]
 
 

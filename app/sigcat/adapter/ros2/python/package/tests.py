@@ -46,5 +46,5 @@ def _test(name: str, node: NodePlan, needed: Sequence[Import]) -> str:
         imports=needed,
         core=core_type(node.core),
         type=node.type,
-        is_stored=node.is_stored,
+        is_stored=node.core.is_stored,
     )
