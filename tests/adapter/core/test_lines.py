@@ -3,7 +3,8 @@
 import pytest
 from clang.cindex import Index, TokenKind
 
-from sigcat.adapter.core.c.text.lines import WIDEST, Line, code_of, lines, replaced, wrapped
+from sigcat.adapter.core.c.text.lines import Line, code_of, lines, replaced, wrapped
+from sigcat.adapter.line_breaks import ROS, C, broken
 from sigcat.function.document.text_filters import block_comment, c_string
 
 HOSTILE = "evil(evil, evil) || evil = evil /* evil */ evil; " * 8
@@ -16,9 +17,18 @@ def kinds(text: str) -> list[TokenKind]:
     return [token.kind for token in unit.get_tokens(extent=unit.cursor.extent)]
 
 
-def test_a_line_is_broken_between_words():
+@pytest.mark.parametrize("layout", [C, ROS])
+def test_a_line_is_broken_between_words(layout):
     text = f"value = first({', '.join(['second'] * 30)});"
-    assert max(len(line.text) for line in wrapped((Line(text),))) <= WIDEST
+    rows = broken(text, layout)
+    assert max(map(len, rows)) <= layout.widest
+    assert "".join(rows).replace(" ", "") == text.replace(" ", "")
+
+
+def test_a_call_without_arguments_stays_whole():
+    rows = broken(f"  first = {'long_' * 16}name(), second();", ROS)
+    assert len(rows) > 1
+    assert not [row for row in rows if row.endswith("(")]
 
 
 def test_a_string_stays_whole():

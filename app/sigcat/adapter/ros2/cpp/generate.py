@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from sigcat.adapter.files import GeneratedFile
+from sigcat.adapter.line_breaks import ROS, fitted
 from sigcat.adapter.ros2.cpp.cmake import cmake
-from sigcat.adapter.ros2.cpp.layout import fitted
 from sigcat.adapter.ros2.cpp.node.header import node_header
 from sigcat.adapter.ros2.cpp.node.source import main_source, node_source
 from sigcat.adapter.ros2.cpp.structs import structs_header
@@ -41,12 +41,12 @@ def cpp_files(workspace: WorkspacePlan) -> Iterator[GeneratedFile]:
     }
     own["test/test_launch.py"] = launch_test(workspace)
     for node in workspace.nodes:
-        own[f"test/test_{node.stem}.cpp"] = fitted(node_test(node, workspace))
-        own[f"include/{workspace.name}/{node.stem}.hpp"] = fitted(node_header(node, workspace))
-        own[f"src/{node.stem}.cpp"] = fitted(node_source(node, workspace))
-        own[f"src/{node.name}_main.cpp"] = fitted(main_source(node, workspace))
+        own[f"test/test_{node.stem}.cpp"] = fitted(node_test(node, workspace), ROS)
+        own[f"include/{workspace.name}/{node.stem}.hpp"] = fitted(node_header(node, workspace), ROS)
+        own[f"src/{node.stem}.cpp"] = fitted(node_source(node, workspace), ROS)
+        own[f"src/{node.name}_main.cpp"] = fitted(main_source(node, workspace), ROS)
         if node.structs:
-            own[f"include/{workspace.name}/{node.name}_structs.hpp"] = fitted(structs_header(node, workspace))
+            own[f"include/{workspace.name}/{node.name}_structs.hpp"] = fitted(structs_header(node, workspace), ROS)
     made = (GeneratedFile(name, text.encode()) for name, text in own.items())
     yield from (*made, *support)
 

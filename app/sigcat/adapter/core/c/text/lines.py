@@ -5,6 +5,7 @@ import textwrap
 from typing import NamedTuple
 
 from sigcat.adapter.files import GeneratedFile
+from sigcat.adapter.line_breaks import C, broken
 from sigcat.function.document.document import Pointer
 
 
@@ -45,12 +46,6 @@ def c_file(name: str, part: Lines) -> GeneratedFile:
     return GeneratedFile(name, ("\n".join(line.text for line in wrapped(part)) + "\n").encode())
 
 
-WIDEST = 120
-_OPERATORS = (" || ", " && ", " ? ", " : ", " * ")
-"""Signs that begin the next line."""
-_BREAKS = (" || ", " && ", " ? ", " : ", ", ", " = ", " * ", "(")
-
-
 def wrapped(part: Lines) -> Lines:
     """Lines that are not wider than a page: a comment goes before its line, a long line is broken where it can be.
 
@@ -69,37 +64,14 @@ def _wrapped(line: Line) -> Lines:
         return _wrapped_comment(line)
     code, mark, comment = line.text.partition(" /* ")
     indent = " " * (len(code) - len(code.lstrip()))
-    if len(line.text) <= WIDEST or code.lstrip().startswith(("#", "*", "//")) or code.endswith("\\"):
-        return (line,)
-    if mark and code.strip():
+    if len(line.text) > C.widest and mark and code.strip():
         return (Line(f"{indent}/* {comment}"), *_wrapped(line._replace(text=code)))
-    for sign in _BREAKS:
-        at = _outside_of_strings(code, sign, len(indent) + 1)
-        if at > len(indent) + 20:
-            cut = at + (len(sign) - 1 if sign in (", ", " = ") else 1 if sign == "(" else 0)
-            rest = Line(f"{indent}    {code[cut:].lstrip()}", line.source)
-            return (Line(code[:cut].rstrip(), line.source), *_wrapped_rest(rest, indent))
-    return (line,)
-
-
-def _outside_of_strings(code: str, sign: str, start: int) -> int:
-    """Index of the last sign within the width of a line. A string has no quotation mark inside."""
-    end = WIDEST + len(sign) if sign in _OPERATORS else WIDEST - len(sign.rstrip())
-    at = code.rfind(sign, start, end)
-    while at >= 0 and code.count('"', 0, at) % 2:
-        at = code.rfind(sign, start, at)
-    return at
+    return tuple(line._replace(text=row) for row in broken(line.text, C))
 
 
 def _wrapped_comment(line: Line) -> Lines:
     indent = " " * (len(line.text) - len(line.text.lstrip()))
-    if len(line.text) <= WIDEST:
+    if len(line.text) <= C.widest:
         return (line,)
-    rows = textwrap.wrap(line.text.strip(), WIDEST - len(indent), subsequent_indent=" * ")
+    rows = textwrap.wrap(line.text.strip(), C.widest - len(indent), subsequent_indent=" * ")
     return tuple(Line(f"{indent}{row}", line.source) for row in rows)
-
-
-def _wrapped_rest(line: Line, indent: str) -> Lines:
-    """Indent the lines after a break alike."""
-    found = _wrapped(line)
-    return tuple(each._replace(text=f"{indent}    {each.text.lstrip()}") for each in found)
