@@ -37,7 +37,7 @@ def main() -> int:
 
 def generate_into(folder: Path, integration: Path = INTEGRATION) -> None:
     """Write the applications with the bench."""
-    from sigcat.adapter.autosar_adaptive.application.generate import generate
+    from sigcat.adapter.autosar_adaptive.application.adaptive_application import generate
     from sigcat.limits import DEFAULT_LIMITS
 
     write(generate(integration.read_bytes(), str(integration), DEFAULT_LIMITS, None, bench=True), folder)

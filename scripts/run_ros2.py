@@ -57,7 +57,7 @@ def main() -> int:
 
 def generate_into(folder: Path, integration: Path = INTEGRATION) -> None:
     """Write the packages."""
-    from sigcat.adapter.ros2.generate import generate
+    from sigcat.adapter.ros2.ros2_workspace import generate
     from sigcat.limits import DEFAULT_LIMITS
 
     write(generate(integration.read_bytes(), str(integration), DEFAULT_LIMITS, None), folder)

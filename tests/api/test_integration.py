@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from sigcat.adapter.core.generate import runtime_files
+from sigcat.adapter.core.core_files import runtime_files
 from sigcat.api.application import create_app
 from sigcat.api.settings import DEFAULT_SETTINGS
 from sigcat.catalogue.hosting.library import Library, shipped_sources

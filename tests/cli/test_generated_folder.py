@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from sigcat.adapter.core.generate import runtime_files
+from sigcat.adapter.core.core_files import runtime_files
 from sigcat.cli import main
 from sigcat.cli.generated_folder import LIST
 from sigcat.data import EXAMPLES

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from sigcat import codes
-from sigcat.adapter.core.derive import derive
+from sigcat.adapter.core.planned_core import derive
 from sigcat.function.checks.definitions import used_by
 from sigcat.function.checks.error_causes import check_error_causes
 from sigcat.function.declaration.declaration import DataItem

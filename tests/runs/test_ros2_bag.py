@@ -16,7 +16,7 @@ from mcap.writer import Writer as RawWriter
 from mcap_ros2.writer import Writer
 
 from sigcat.adapter.host.shapes import Array, Number, Record
-from sigcat.adapter.ros2.generate import generate
+from sigcat.adapter.ros2.ros2_workspace import generate
 from sigcat.cli import main
 from sigcat.errors import InputRefused
 from sigcat.function.function_json.conversion import IDENTITY, between

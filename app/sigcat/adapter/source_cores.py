@@ -3,8 +3,8 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from sigcat.adapter.core.core_files import all_files
 from sigcat.adapter.core.cores import plans
-from sigcat.adapter.core.generate import all_files
 from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.host.plan import HostPlan, host_plan
 from sigcat.findings import Finding, RuleCode

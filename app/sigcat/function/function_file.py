@@ -12,7 +12,7 @@ from sigcat.catalogue.reading.yaml_document import collector_paused
 from sigcat.errors import InputRefused
 from sigcat.file_kind import is_json
 from sigcat.findings import Finding, has_errors, in_order
-from sigcat.function.checks.calls import check_inputs
+from sigcat.function.checks.call_checks import check_inputs
 from sigcat.function.checks.consequences import without_consequences
 from sigcat.function.checks.consistency import check_consistency
 from sigcat.function.checks.conventions import check_conventions

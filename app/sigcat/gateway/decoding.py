@@ -12,8 +12,8 @@ from sigcat.adapter.host.shapes import Number
 from sigcat.catalogue.network.can_database import CanDatabase
 from sigcat.catalogue.network.mapped_signals import Mapped
 from sigcat.catalogue.network.markers import with_markers
+from sigcat.catalogue.network.network_values import OUTSIDE, Unfit, Value, value_of
 from sigcat.catalogue.network.signal_limits import limited, names, network_value, physical
-from sigcat.catalogue.network.values import OUTSIDE, Unfit, Value, value_of
 from sigcat.gateway.counts import Counts
 from sigcat.gateway.frames import Frame
 from sigcat.gateway.j1939 import by_pgn, pgn

@@ -7,8 +7,8 @@ from pathlib import Path
 
 from sigcat import codes
 from sigcat.catalogue.network.can_database import CanDatabase
+from sigcat.catalogue.network.network_values import Unfit
 from sigcat.catalogue.network.sent_numbers import raw_of
-from sigcat.catalogue.network.values import Unfit
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, has_errors, shown
 from sigcat.limits import DEFAULT_LIMITS

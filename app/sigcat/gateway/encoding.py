@@ -7,9 +7,9 @@ from sigcat.adapter.host.shapes import Number
 from sigcat.catalogue.network.can_database import CanDatabase
 from sigcat.catalogue.network.mapping import SignalMapping
 from sigcat.catalogue.network.markers import with_markers
+from sigcat.catalogue.network.network_values import Unfit, Value
 from sigcat.catalogue.network.sent_numbers import Outgoing, number_of, raw_of
 from sigcat.catalogue.network.signal_limits import limited, names, physical
-from sigcat.catalogue.network.values import Unfit, Value
 from sigcat.gateway.frames import Frame
 from sigcat.runs.recording import cells
 

@@ -7,8 +7,8 @@ from types import MappingProxyType
 
 from sigcat import codes
 from sigcat.catalogue.network.can_database import CanDatabase
+from sigcat.catalogue.network.network_values import Unfit
 from sigcat.catalogue.network.sent_numbers import Outgoing
-from sigcat.catalogue.network.values import Unfit
 from sigcat.findings import Finding
 from sigcat.gateway.encoding import MessageState, Place, places
 from sigcat.gateway.frames import Frame

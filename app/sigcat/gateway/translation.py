@@ -8,7 +8,7 @@ from sigcat.adapter.host.shapes import Number
 from sigcat.catalogue.network.can_database import CanDatabase
 from sigcat.catalogue.network.mapped_signals import Mapped
 from sigcat.catalogue.network.mapping import SignalMapping
-from sigcat.catalogue.network.values import Value
+from sigcat.catalogue.network.network_values import Value
 from sigcat.findings import Finding
 from sigcat.gateway.counts import Counts
 from sigcat.gateway.decoding import Decoded, Decoder, Failed, decoded

@@ -46,7 +46,7 @@ def _generate_arxml(data: bytes, name: str, limits: "Limits", options: Options) 
 
 
 def _generate_application(data: bytes, name: str, limits: "Limits", options: Options) -> "tuple[GeneratedFile, ...]":
-    from sigcat.adapter.autosar_adaptive.application.generate import generate
+    from sigcat.adapter.autosar_adaptive.application.adaptive_application import generate
 
     return generate(data, name, limits, options.release, bench=options.bench)
 

@@ -45,7 +45,7 @@ def _schema() -> dict[str, Any]:
 
 
 def _generate(data: bytes, name: str, limits: "Limits", options: Options) -> "tuple[GeneratedFile, ...]":
-    from sigcat.adapter.ros2.generate import generate
+    from sigcat.adapter.ros2.ros2_workspace import generate
 
     return generate(data, name, limits, options.release)
 

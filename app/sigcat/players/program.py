@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Literal, NamedTuple
 
 from sigcat import codes
-from sigcat.adapter.autosar_adaptive.application.generate import generate_player
+from sigcat.adapter.autosar_adaptive.application.adaptive_application import generate_player
 from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.host.shapes import Shape
 from sigcat.adapter.source_functions import source_functions

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sigcat.adapter.core.cores import plans
-from sigcat.adapter.core.derive import Planned
+from sigcat.adapter.core.planned_core import Planned
 from sigcat.adapter.host.connections import Connections, Member, connect
 from sigcat.adapter.host.numbering import Numbers, numbers_of
 from sigcat.adapter.host.shapes import SECONDS, Shape

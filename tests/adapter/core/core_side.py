@@ -4,7 +4,7 @@ import subprocess
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
-from sigcat.adapter.core.generate import RUNTIME_SOURCE, core_files, runtime_files
+from sigcat.adapter.core.core_files import RUNTIME_SOURCE, core_files, runtime_files
 from sigcat.adapter.core.plan import CLASS
 from sigcat.adapter.toolchain import EXACT, toolchain
 from tests.adapter.core.driver import HELPERS, header, program

@@ -4,10 +4,10 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from sigcat.adapter.core.c.names.scope import Scope
-from sigcat.adapter.core.derive import derive
 from sigcat.adapter.core.numbers import DOUBLE, NumberType
 from sigcat.adapter.core.plan import CLASS, NANOSECONDS, Clock, CorePlan, WireType
 from sigcat.adapter.core.plan import Argument as PlannedArgument
+from sigcat.adapter.core.planned_core import derive
 from sigcat.function.function_json import walk
 from sigcat.function.function_json.datatypes.datatype import Datatype
 from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal

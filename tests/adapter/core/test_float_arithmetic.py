@@ -14,7 +14,7 @@ import pytest
 
 from sigcat.adapter.core.c.values.conversions import converted
 from sigcat.adapter.core.c.values.literals import literal
-from sigcat.adapter.core.generate import RUNTIME_SOURCE, runtime_files
+from sigcat.adapter.core.core_files import RUNTIME_SOURCE, runtime_files
 from sigcat.adapter.core.numbers import DOUBLE, FLOAT, NumberType, nearest_float, number_type
 from sigcat.adapter.core.plan import Element
 from sigcat.adapter.toolchain import EXACT, toolchain

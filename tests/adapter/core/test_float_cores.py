@@ -9,8 +9,8 @@ import pytest
 
 from bench.cortex_m4 import Memory, memory
 from bench.rows import Missing
+from sigcat.adapter.core.core_files import RUNTIME_SOURCE, runtime_files
 from sigcat.adapter.core.cores import cores
-from sigcat.adapter.core.generate import RUNTIME_SOURCE, runtime_files
 from sigcat.adapter.core.numbers import DOUBLE, FLOAT, NumberType
 from sigcat.adapter.toolchain import EXACT, toolchain
 from sigcat.errors import InputRefused

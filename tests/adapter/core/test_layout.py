@@ -2,7 +2,7 @@
 
 import re
 
-from sigcat.adapter.core.generate import core_files
+from sigcat.adapter.core.core_files import core_files
 from tests.adapter.core.subject import subject
 from tests.adapter.written import FLOAT, function, on_event, output, parameter, signal, structure
 

@@ -9,9 +9,9 @@ from typing import Any
 import pytest
 
 from sigcat import __version__
-from sigcat.adapter.core.derive import derive
-from sigcat.adapter.core.generate import core_files
+from sigcat.adapter.core.core_files import core_files
 from sigcat.adapter.core.plan import CorePlan
+from sigcat.adapter.core.planned_core import derive
 from sigcat.function.function_json.model import to_json
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.integration.reading import read_functions

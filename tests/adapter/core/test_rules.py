@@ -2,7 +2,7 @@
 
 import pytest
 
-from sigcat.adapter.core.derive import derive
+from sigcat.adapter.core.planned_core import derive
 from sigcat.data import INTERFACE_RULES
 from sigcat.errors import InputRefused
 from sigcat.function.function_file import checked_file

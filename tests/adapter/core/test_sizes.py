@@ -4,8 +4,8 @@ import subprocess
 
 import pytest
 
-from sigcat.adapter.core.derive import derive
-from sigcat.adapter.core.generate import core_files
+from sigcat.adapter.core.core_files import core_files
+from sigcat.adapter.core.planned_core import derive
 from sigcat.adapter.toolchain import toolchain
 from tests.adapter.written import (
     BOOL,

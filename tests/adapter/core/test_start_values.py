@@ -2,8 +2,8 @@
 
 import pytest
 
-from sigcat.adapter.core.derive import derive
-from sigcat.adapter.core.generate import core_files
+from sigcat.adapter.core.core_files import core_files
+from sigcat.adapter.core.planned_core import derive
 from sigcat.function.function_file import checked_file
 from tests.function.shipped import interfaces
 

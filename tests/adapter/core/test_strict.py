@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from sigcat.adapter.core.generate import RUNTIME_SOURCE, runtime_files
+from sigcat.adapter.core.core_files import RUNTIME_SOURCE, runtime_files
 from sigcat.adapter.toolchain import EXACT, packaged, toolchain
 from tests.adapter.core import core_side
 from tests.adapter.core.compilers import STRICT

@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 from bench.cortex_m4 import memory
 from bench.rows import Missing
 from sigcat.adapter.core.clocks import with_common_clock
+from sigcat.adapter.core.core_files import RUNTIME_SOURCE, runtime_files
 from sigcat.adapter.core.cores import cores
-from sigcat.adapter.core.generate import RUNTIME_SOURCE, runtime_files
 from sigcat.adapter.core.numbers import DOUBLE, FLOAT
 from sigcat.adapter.core.plan import MICROSECONDS, MILLISECONDS, NANOSECONDS, Clock
 from sigcat.adapter.toolchain import EXACT, toolchain

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from sigcat.adapter.core.derive import derive
-from sigcat.adapter.core.generate import core_files
+from sigcat.adapter.core.core_files import core_files
+from sigcat.adapter.core.planned_core import derive
 from sigcat.adapter.files import GeneratedFile
 from sigcat.integration.reading import read_functions
 from sigcat.limits import DEFAULT_LIMITS

@@ -5,8 +5,8 @@ import subprocess
 
 import pytest
 
-from sigcat.adapter.core.derive import derive
-from sigcat.adapter.core.generate import core_files
+from sigcat.adapter.core.core_files import core_files
+from sigcat.adapter.core.planned_core import derive
 from sigcat.adapter.toolchain import toolchain
 from sigcat.function.document.document import Document, Position
 from sigcat.function.function_json.resolved_function import ResolvedFunction

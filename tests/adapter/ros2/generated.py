@@ -2,7 +2,7 @@
 
 from functools import cache
 
-from sigcat.adapter.ros2.generate import generate
+from sigcat.adapter.ros2.ros2_workspace import generate
 from sigcat.data import EXAMPLES
 from sigcat.function.function_file import build_function
 from sigcat.limits import DEFAULT_LIMITS

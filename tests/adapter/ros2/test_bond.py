@@ -8,7 +8,7 @@ from types import ModuleType
 
 import pytest
 
-from sigcat.adapter.ros2.python.generate import SUPPORT
+from sigcat.adapter.ros2.python.python_files import SUPPORT
 from sigcat.adapter.toolchain import toolchain
 from tests.adapter.autosar_adaptive.application.generated import FULL
 from tests.adapter.ros2 import generated

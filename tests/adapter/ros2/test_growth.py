@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from sigcat.adapter.ros2.generate import generate
+from sigcat.adapter.ros2.ros2_workspace import generate
 from sigcat.limits import DEFAULT_LIMITS
 from tests.adapter.ros2.generated import integration
 from tests.growth import LINEAR, growth

@@ -8,7 +8,7 @@ from functools import cache
 from pathlib import Path
 
 from sigcat.catalogue.exporting.exporter import Exporter
-from sigcat.catalogue.exporting.vss_tools.calls import call_of
+from sigcat.catalogue.exporting.vss_tools.exporter_calls import call_of
 
 
 @cache

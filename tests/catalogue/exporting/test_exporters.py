@@ -13,7 +13,7 @@ from sigcat.catalogue.exporting.export import exported
 from sigcat.catalogue.exporting.exporter import Exporter, Job
 from sigcat.catalogue.exporting.exporters import EXPORTERS, exporter_named
 from sigcat.catalogue.exporting.files import Export, ExportedFile
-from sigcat.catalogue.exporting.vss_tools.calls import call_of
+from sigcat.catalogue.exporting.vss_tools.exporter_calls import call_of
 from sigcat.errors import InputRefused, NotFound
 from tests.catalogue.trees import ROOT, catalogue_of
 

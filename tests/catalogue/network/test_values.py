@@ -6,7 +6,7 @@ import pytest
 
 from sigcat.catalogue.network.mapping import mapping_of
 from sigcat.catalogue.network.markers import means_no_value, with_markers
-from sigcat.catalogue.network.values import NetworkValue, Unfit, value_of
+from sigcat.catalogue.network.network_values import NetworkValue, Unfit, value_of
 
 NAMES = {4: "GEAR_D", 2: "GEAR_P", 3: "GEAR_R", 7: "GEAR_SNA"}
 

@@ -2,8 +2,8 @@
 
 from sigcat import codes
 from sigcat.adapter.autosar_classic.arxml.generate import generate as generate_arxml
-from sigcat.adapter.autosar_classic.code.generate import generate as generate_components
-from sigcat.adapter.autosar_classic.code.planning.derive import derive
+from sigcat.adapter.autosar_classic.code.component_files import generate as generate_components
+from sigcat.adapter.autosar_classic.code.planning.planned_components import derive
 from sigcat.adapter.autosar_classic.test_rte.generate import generate as generate_test_rte
 from sigcat.adapter.files import GeneratedFile, within
 from sigcat.adapter.placed_findings import placed_in

@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sigcat import codes
-from sigcat.adapter.core.derive import derive
-from sigcat.adapter.core.generate import core_files
+from sigcat.adapter.core.core_files import core_files
 from sigcat.adapter.core.plan import CorePlan
+from sigcat.adapter.core.planned_core import derive
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from sigcat.function.c_project.files import headers_of

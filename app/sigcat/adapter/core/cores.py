@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.core.clocks import with_common_clock
-from sigcat.adapter.core.derive import Planned, derive
-from sigcat.adapter.core.generate import all_files
+from sigcat.adapter.core.core_files import all_files
 from sigcat.adapter.core.numbers import DOUBLE, FLOAT, NumberType
+from sigcat.adapter.core.planned_core import Planned, derive
 from sigcat.adapter.files import GeneratedFile
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, in_order

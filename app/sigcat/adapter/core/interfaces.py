@@ -3,10 +3,10 @@
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from sigcat import codes
+from sigcat.adapter.core.core_values import value_of
 from sigcat.adapter.core.identifiers import identifier, unique
 from sigcat.adapter.core.plan import CONDITIONS, Call, Element, Input, Named, Output, Port, Queue, TimeOut
 from sigcat.adapter.core.planning import Context, expression, nanoseconds
-from sigcat.adapter.core.values import value_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
 from sigcat.function.function_json.error_fields import errors_set_by

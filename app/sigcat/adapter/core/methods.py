@@ -3,10 +3,10 @@
 from collections.abc import Sequence
 
 from sigcat import codes
+from sigcat.adapter.core.core_values import value_of
 from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.plan import Argument, Method, Named, Value
 from sigcat.adapter.core.planning import Context, ListedCall, expression, nanoseconds
-from sigcat.adapter.core.values import value_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
 from sigcat.function.document.text import Text

@@ -3,10 +3,10 @@
 from collections.abc import Sequence
 
 from sigcat import codes
+from sigcat.adapter.core.core_values import value_of
 from sigcat.adapter.core.interfaces import named
 from sigcat.adapter.core.plan import Parameter
 from sigcat.adapter.core.planning import Context, ListedCall, expression
-from sigcat.adapter.core.values import value_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
 from sigcat.function.function_json.interfaces.data_interfaces import ParameterInterface

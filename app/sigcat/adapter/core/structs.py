@@ -2,11 +2,11 @@
 
 from collections.abc import Iterable, Iterator
 
+from sigcat.adapter.core.core_values import struct_name
 from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.numbers import type_of_c
 from sigcat.adapter.core.plan import WireField, WireStruct
 from sigcat.adapter.core.planning import Context
-from sigcat.adapter.core.values import struct_name
 from sigcat.function.function_json.datatypes.datatype import Datatype, TypeField
 
 

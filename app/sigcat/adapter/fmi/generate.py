@@ -11,7 +11,7 @@ from typing import NamedTuple
 from pydantic import BaseModel
 
 from sigcat import codes
-from sigcat.adapter.core.generate import RUNTIME_SOURCE, all_files
+from sigcat.adapter.core.core_files import RUNTIME_SOURCE, all_files
 from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.plan import CorePlan
 from sigcat.adapter.files import GeneratedFile, shipped, within

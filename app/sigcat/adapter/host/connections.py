@@ -5,11 +5,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sigcat import codes
+from sigcat.adapter.core.core_values import struct_name
 from sigcat.adapter.core.identifiers import identifier
 from sigcat.adapter.core.numbers import type_of_c
 from sigcat.adapter.core.plan import Argument, CorePlan, Method, WireField, WireStruct, WireType
 from sigcat.adapter.core.planning import Context, context_of
-from sigcat.adapter.core.values import struct_name
 from sigcat.adapter.host.plan import Kind, received_values, sent_values
 from sigcat.adapter.host.ranges import Range, range_of
 from sigcat.adapter.host.shapes import Array, Number, Record, Shape

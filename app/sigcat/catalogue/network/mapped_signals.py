@@ -9,7 +9,7 @@ from sigcat.catalogue.model.definition import SIGNALS
 from sigcat.catalogue.model.interfaces import interface_name
 from sigcat.catalogue.network.mapping import SignalMapping, mappings_of
 from sigcat.catalogue.network.mapping_attributes import RECEIVED
-from sigcat.catalogue.network.values import Unfit, Value, in_datatype
+from sigcat.catalogue.network.network_values import Unfit, Value, in_datatype
 
 
 class Mapped(NamedTuple):

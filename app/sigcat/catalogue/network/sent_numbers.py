@@ -11,8 +11,8 @@ from sigcat.catalogue.model.interfaces import interface_name
 from sigcat.catalogue.network.can_database import LARGEST
 from sigcat.catalogue.network.mapping import SignalMapping, mappings_of
 from sigcat.catalogue.network.mapping_attributes import KUKSA_TARGET, PROFILE
+from sigcat.catalogue.network.network_values import NO_FORMULA_VALUE, NOT_HELD, OUTSIDE, UNLISTED, WORD, Unfit, Value
 from sigcat.catalogue.network.signal_limits import limited, names
-from sigcat.catalogue.network.values import NO_FORMULA_VALUE, NOT_HELD, OUTSIDE, UNLISTED, WORD, Unfit, Value
 
 NO_SUCH_NAME = "a text that the database has no number for"
 

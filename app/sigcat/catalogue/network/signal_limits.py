@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from sigcat.catalogue.network.values import NetworkValue
+from sigcat.catalogue.network.network_values import NetworkValue
 
 _ROUNDING = 1e-14
 """Largest relative error of a product and a sum of doubles against the decimal that they mean."""

@@ -4,12 +4,12 @@ from collections.abc import Iterator
 
 from sigcat import codes
 from sigcat.findings import Finding
-from sigcat.function.c_project.calls import Group, use_of
+from sigcat.function.c_project.code_values import Code, Value, values_of
 from sigcat.function.c_project.declarations import CClass, CFunction, Member
+from sigcat.function.c_project.found_calls import Group, use_of
 from sigcat.function.c_project.globals import ADD_BY_HAND, direction_unknown
 from sigcat.function.c_project.project import Interface
 from sigcat.function.c_project.roles import Role, role_of
-from sigcat.function.c_project.values import Code, Value, values_of
 
 
 def class_interface(group: Group, code: Code) -> Interface:

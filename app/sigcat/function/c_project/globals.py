@@ -5,11 +5,11 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from sigcat import codes
 from sigcat.findings import Finding
-from sigcat.function.c_project.calls import Group, Use, use_of
+from sigcat.function.c_project.code_values import Code, Value, values_of
 from sigcat.function.c_project.declarations import CType, Declarations, Variable
+from sigcat.function.c_project.found_calls import Group, Use, use_of
 from sigcat.function.c_project.project import CodeObject, Interface
 from sigcat.function.c_project.roles import Role, is_of_the_generator, role_of
-from sigcat.function.c_project.values import Code, Value, values_of
 
 _PARAMETER = re.compile(
     r"Referenced by:|\b(?:Variable|Computed Parameter|Expression|Simulink\.Parameter)\b", re.IGNORECASE

@@ -6,12 +6,12 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.findings import Finding
-from sigcat.function.c_project.calls import Group, use_of
+from sigcat.function.c_project.code_values import Code, Value, values_of
 from sigcat.function.c_project.declarations import CFunction, CType, Member, Variable
+from sigcat.function.c_project.found_calls import Group, use_of
 from sigcat.function.c_project.globals import ADD_BY_HAND, direction_unknown
 from sigcat.function.c_project.project import CodeObject, Interface
 from sigcat.function.c_project.roles import Role, is_model_of_the_generator, role_of, role_of_words
-from sigcat.function.c_project.values import Code, Value, values_of
 
 _MEMBERS: dict[str, tuple[Role, str]] = {
     "inputs": ("input", "U"),

@@ -5,9 +5,9 @@ from pathlib import Path
 from typing import Literal, NamedTuple
 
 from sigcat.findings import Finding
-from sigcat.function.c_project.calls import CallKind, Use
+from sigcat.function.c_project.code_values import Value
 from sigcat.function.c_project.declarations import CFunction, Place
-from sigcat.function.c_project.values import Value
+from sigcat.function.c_project.found_calls import CallKind, Use
 
 Signature = Literal["globals", "pointers", "class"]
 

@@ -8,18 +8,18 @@ from pathlib import Path
 from sigcat import codes
 from sigcat.errors import InputRefused, UsageError
 from sigcat.findings import Finding, in_order
-from sigcat.function.c_project.calls import CallKind, Group, find_calls, main_files, reachable, use_of
 from sigcat.function.c_project.classes import class_interface
+from sigcat.function.c_project.code_values import Code, Value, values_of
 from sigcat.function.c_project.comments import Comments
 from sigcat.function.c_project.declarations import CFunction, CompilerError, Declarations, Place, Variable
 from sigcat.function.c_project.files import HEADERS, CodeFiles, read_folder
+from sigcat.function.c_project.found_calls import CallKind, Group, find_calls, main_files, reachable, use_of
 from sigcat.function.c_project.globals import global_interface
 from sigcat.function.c_project.parsing import missing_includes, parse, syntax_error
 from sigcat.function.c_project.pointers import pointer_interface, takes_pointers
 from sigcat.function.c_project.project import Call, CodeProject, Interface, Signature
 from sigcat.function.c_project.remarks import cycle_time_of
 from sigcat.function.c_project.usable import usable
-from sigcat.function.c_project.values import Code, Value, values_of
 
 _STEP_SIZE = re.compile(r"\bTiming\s*\.\s*stepSize0?\s*=\s*(?P<time>[0-9.]+(?:[eE][-+]?[0-9]+)?)")
 _DEFINITION = re.compile(r"[A-Za-z_]\w*(?:=[^\0\n]*)?", re.ASCII)

@@ -5,9 +5,9 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.findings import Finding
+from sigcat.function.c_project.code_values import Value
 from sigcat.function.c_project.declarations import CompilerError, Declarations, Place
 from sigcat.function.c_project.project import Interface
-from sigcat.function.c_project.values import Value
 from sigcat.limits import CODE_VALUES
 
 

@@ -2,9 +2,10 @@
 
 from collections.abc import Iterator
 
-from sigcat.function.checks.calls import check_calls
+from sigcat.function.checks.call_checks import check_calls
 from sigcat.function.checks.code import check_code
 from sigcat.function.checks.data_interfaces import check_data_interfaces
+from sigcat.function.checks.datatype_checks import check_types
 from sigcat.function.checks.elements import check_elements
 from sigcat.function.checks.error_causes import check_error_causes
 from sigcat.function.checks.error_references import NO_ERRORS, KnownErrors, check_error_references
@@ -13,7 +14,6 @@ from sigcat.function.checks.names import check_names
 from sigcat.function.checks.schedule.checkpoints import check_checkpoints
 from sigcat.function.checks.schedule.supervision import check_supervision
 from sigcat.function.checks.schedule.times import check_times
-from sigcat.function.checks.types import check_types
 from sigcat.function.checks.unfit import check_texts
 from sigcat.function.checks.words import check_words
 from sigcat.function.document.problem import Problem

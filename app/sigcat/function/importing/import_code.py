@@ -8,9 +8,9 @@ from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.interfaces import interface_name
 from sigcat.errors import UsageError
 from sigcat.findings import Finding, has_errors
+from sigcat.function.c_project.code_values import Value
 from sigcat.function.c_project.project import CodeProject
 from sigcat.function.c_project.read_project import read_project
-from sigcat.function.c_project.values import Value
 from sigcat.function.declaration.scaffold import checked_name, checked_schema
 from sigcat.function.function_file import check_function
 from sigcat.function.importing.function_text import Draft, function_text, to_do

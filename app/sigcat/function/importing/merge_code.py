@@ -11,9 +11,9 @@ from yaml.nodes import MappingNode, Node, SequenceNode
 from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
+from sigcat.function.c_project.code_values import Value
 from sigcat.function.c_project.project import Call, CodeProject
 from sigcat.function.c_project.read_project import read_project
-from sigcat.function.c_project.values import Value
 from sigcat.function.declaration.declaration import Declaration, read_declaration
 from sigcat.function.importing.added_entries import added, root_of
 from sigcat.function.importing.function_text import Draft, said_of

@@ -3,8 +3,8 @@
 import re
 from collections.abc import Mapping, Sequence
 
+from sigcat.function.c_project.code_values import Value
 from sigcat.function.c_project.project import CodeObject, CodeProject
-from sigcat.function.c_project.values import Value
 from sigcat.function.declaration.code_section import ObjectItem
 
 

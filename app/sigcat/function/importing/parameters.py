@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 from sigcat.catalogue.model.catalogue import Node
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
 from sigcat.catalogue.model.vocabulary import Vocabulary
-from sigcat.function.c_project.values import Value
+from sigcat.function.c_project.code_values import Value
 from sigcat.function.importing.start_values import factor_of, start_of, stored_ends, stored_range
 from sigcat.function.importing.unique_names import unique_names
 from sigcat.function.importing.units import unit_of, without_unit

@@ -9,7 +9,7 @@ from sigcat.asil import Level, level_of
 from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.datatypes import element_of, is_array
 from sigcat.catalogue.near_signals import PLACEHOLDER, Near, NearSignals, is_to_be_chosen
-from sigcat.function.c_project.values import Value
+from sigcat.function.c_project.code_values import Value
 from sigcat.function.function_json.conversion import between
 from sigcat.function.importing.start_values import factor_of, stored_ends, stored_range
 from sigcat.function.importing.unique_names import unique_names

@@ -6,7 +6,7 @@ from math import isfinite
 from typing import Any
 
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
-from sigcat.function.c_project.values import Value
+from sigcat.function.c_project.code_values import Value
 
 
 def factor_of(value: Value) -> float | int | None:

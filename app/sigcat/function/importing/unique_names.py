@@ -4,7 +4,7 @@ import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from sigcat.function.c_project.values import Value
+from sigcat.function.c_project.code_values import Value
 
 
 def unique_names(values: Sequence[Value]) -> Iterator[str]:

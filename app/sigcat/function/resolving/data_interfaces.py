@@ -27,7 +27,7 @@ from sigcat.function.resolving.interfaces import asil_of, error_name
 from sigcat.function.resolving.part import Part, written
 from sigcat.function.resolving.values.elements import converted
 from sigcat.function.resolving.values.numbers import fraction, plain_text
-from sigcat.function.resolving.values.values import Value, value_of
+from sigcat.function.resolving.values.resolved_values import Value, value_of
 from sigcat.names import with_article
 
 ROLES = {"consumed": CONSUMER, "provided": PROVIDER}

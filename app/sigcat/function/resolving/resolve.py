@@ -15,11 +15,11 @@ from sigcat.function.extension.defined_nodes import DefinedNode
 from sigcat.function.function_json.model import Component, FunctionInfo, FunctionJson, MetaInfo
 from sigcat.function.function_json.provenance import CatalogueLayer, DefinedInterface, Provenance
 from sigcat.function.function_json.resolved_function import Origin, ResolvedFunction
-from sigcat.function.resolving.calls import call
 from sigcat.function.resolving.code import code_interface
 from sigcat.function.resolving.context import Context
 from sigcat.function.resolving.modes import mode, mode_interfaces
 from sigcat.function.resolving.part import Part, each, missing_in, origin_of, values_of, written
+from sigcat.function.resolving.resolved_calls import call
 
 SCHEMA_VERSION = "1.0.0"
 """Version of the published schema under which every document validates."""

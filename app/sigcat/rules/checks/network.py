@@ -10,7 +10,7 @@ from sigcat.catalogue.model.vocabulary import Unit, Vocabulary
 from sigcat.catalogue.network.mapping import SignalMapping, doubts_of_transform, faults_of_transform, mapping_of
 from sigcat.catalogue.network.mapping_attributes import ATTRIBUTES, KUKSA_TARGET, RECEIVED
 from sigcat.catalogue.network.markers import means_no_value
-from sigcat.catalogue.network.values import Unfit, in_datatype
+from sigcat.catalogue.network.network_values import Unfit, in_datatype
 from sigcat.findings import shown
 from sigcat.names import did_you_mean, nearest
 from sigcat.rules.checks.kind import NodeTest, TreeTest, is_bound, is_number, listed

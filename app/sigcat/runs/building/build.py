@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import NamedTuple
 
-from sigcat.adapter.core.generate import CoreFiles, core_files
+from sigcat.adapter.core.core_files import CoreFiles, core_files
 from sigcat.adapter.host.connections import Connections
 from sigcat.adapter.host.glue import HOST_HEADER, glue_file
 from sigcat.adapter.host.numbering import Numbers

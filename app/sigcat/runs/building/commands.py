@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from sigcat.adapter.core.generate import RUNTIME_SOURCE
+from sigcat.adapter.core.core_files import RUNTIME_SOURCE
 from sigcat.adapter.host.connections import Member
 from sigcat.adapter.toolchain import EXACT, Toolchain
 from sigcat.function.function_json.code import CodeInterface

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.adapter.core.clashes import clashes
-from sigcat.adapter.core.generate import CoreFiles, runtime_files
+from sigcat.adapter.core.core_files import CoreFiles, runtime_files
 from sigcat.adapter.files import GeneratedFile
 from sigcat.adapter.host.connections import Member
 from sigcat.errors import InputRefused

@@ -3,7 +3,7 @@
 from functools import cache
 from pathlib import Path
 
-from sigcat.adapter.autosar_adaptive.application.generate import generate
+from sigcat.adapter.autosar_adaptive.application.adaptive_application import generate
 from sigcat.data import EXAMPLES
 from sigcat.function.function_file import build_function
 from sigcat.function.function_json.wire import written

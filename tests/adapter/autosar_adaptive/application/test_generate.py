@@ -9,7 +9,7 @@ import pytest
 
 from bench import integration as large_set
 from scripts.run_autosar import CODE
-from sigcat.adapter.autosar_adaptive.application.generate import generate
+from sigcat.adapter.autosar_adaptive.application.adaptive_application import generate
 from sigcat.adapter.autosar_adaptive.application.report import report
 from sigcat.catalogue.composing.compose import read_catalogue
 from sigcat.errors import InputRefused

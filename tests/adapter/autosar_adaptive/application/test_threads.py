@@ -16,7 +16,7 @@ from e2e.p04 import e2e_p04_check
 from scripts import run_autosar
 from sigcat import codes
 from sigcat.adapter.autosar_adaptive.application.plan import ComponentPlan
-from sigcat.adapter.autosar_adaptive.application.planning.derive import derive
+from sigcat.adapter.autosar_adaptive.application.planning.planned_application import derive
 from sigcat.adapter.host.connections import Connections
 from sigcat.adapter.source_cores import source_cores
 from sigcat.adapter.source_functions import source_functions

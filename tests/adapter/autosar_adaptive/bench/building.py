@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
-from sigcat.adapter.autosar_adaptive.application.generate import CPP
+from sigcat.adapter.autosar_adaptive.application.adaptive_application import CPP
 from sigcat.adapter.autosar_adaptive.bench.generate import generate
 from sigcat.adapter.autosar_adaptive.bench.runtime_files import runtime_files
 from sigcat.adapter.files import GeneratedFile, shipped

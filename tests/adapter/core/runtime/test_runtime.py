@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from sigcat.adapter.core.generate import RUNTIME_SOURCE, runtime_files
+from sigcat.adapter.core.core_files import RUNTIME_SOURCE, runtime_files
 from sigcat.adapter.core.numbers import DOUBLE, FLOAT, NumberType
 from sigcat.adapter.core.plan import MICROSECONDS, MILLISECONDS, NANOSECONDS, Clock
 from sigcat.adapter.toolchain import EXACT, toolchain

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from sigcat.adapter.autosar_adaptive.arxml.components import checkpoints
 from sigcat.adapter.autosar_adaptive.arxml.field_targets import field_targets
 from sigcat.adapter.autosar_adaptive.arxml.health import alive_supervisions
-from sigcat.adapter.core.calls import short_name
+from sigcat.adapter.core.core_calls import short_name
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.integration.autosar_adaptive.model import Call, Component, ServiceField
 from sigcat.integration.report import Entry

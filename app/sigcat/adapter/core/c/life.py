@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from sigcat.adapter.core.c.calls.calls import CallPlan
+from sigcat.adapter.core.c.calls.call_functions import CallPlan
 from sigcat.adapter.core.c.data.inputs import InputPlan
 from sigcat.adapter.core.c.data.outputs import OutputPlan
 from sigcat.adapter.core.plan import CorePlan

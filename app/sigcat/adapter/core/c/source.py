@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator
 
-from sigcat.adapter.core.c.calls.calls import CallPlan, call_plan
+from sigcat.adapter.core.c.calls.call_functions import CallPlan, call_plan
 from sigcat.adapter.core.c.calls.methods import STATUS, MethodPlan, method_plan
 from sigcat.adapter.core.c.data.inputs import received_init
 from sigcat.adapter.core.c.data.parameters import ParameterPlan, parameter_plan
@@ -13,8 +13,8 @@ from sigcat.adapter.core.c.names.scope import Scope
 from sigcat.adapter.core.c.schedule.clock import cyclic_calls, kept_times
 from sigcat.adapter.core.c.text.layout import c_lines
 from sigcat.adapter.core.c.text.lines import Line, Lines
+from sigcat.adapter.core.c.values.c_values import Transfer
 from sigcat.adapter.core.c.values.sizes import checks, needs_self
-from sigcat.adapter.core.c.values.values import Transfer
 
 
 def source(scope: Scope) -> Lines:

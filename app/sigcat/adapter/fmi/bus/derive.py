@@ -12,9 +12,9 @@ from sigcat.adapter.host.shapes import Number
 from sigcat.catalogue.network.mapped_signals import Mapped
 from sigcat.catalogue.network.mapping import SignalMapping
 from sigcat.catalogue.network.markers import with_markers
+from sigcat.catalogue.network.network_values import Unfit, Value, value_of
 from sigcat.catalogue.network.sent_numbers import Outgoing, held, number_of
 from sigcat.catalogue.network.signal_limits import limited, names, network_value, physical
-from sigcat.catalogue.network.values import Unfit, Value, value_of
 from sigcat.findings import Finding
 from sigcat.function.document.text import Text
 from sigcat.integration.fmi.bus import (

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from sigcat.adapter.core.generate import RUNTIME_SOURCE
+from sigcat.adapter.core.core_files import RUNTIME_SOURCE
 from sigcat.adapter.ros2.cpp.names import bridge_source
 from sigcat.adapter.ros2.plan import NodePlan, WorkspacePlan
 from sigcat.adapter.templates import rendered

@@ -14,7 +14,7 @@ from sigcat.catalogue.exporting.export_json import kept_instances
 from sigcat.catalogue.exporting.exporter import Exporter, Job, Option
 from sigcat.catalogue.exporting.files import Export, ExportedFile
 from sigcat.catalogue.exporting.shared_options import KEEP_INSTANCES
-from sigcat.catalogue.exporting.vss_tools.calls import call_of
+from sigcat.catalogue.exporting.vss_tools.exporter_calls import call_of
 from sigcat.catalogue.exporting.vss_tools.processes import ExportEnded, ExportProcess, export_process
 from sigcat.catalogue.exporting.vss_tools.worker import FULL, NO_MEMORY, NO_SPACE, REFUSED
 from sigcat.catalogue.exporting.vss_tools.written_catalogue import Files, refused_attributes, write_catalogue

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 from typing import NamedTuple
 
-from sigcat.adapter.autosar_adaptive.application.component.calls import (
+from sigcat.adapter.autosar_adaptive.application.component.due_calls import (
     adapter_calls,
     adapter_threads,
     watches,

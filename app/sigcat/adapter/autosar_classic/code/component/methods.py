@@ -1,7 +1,7 @@
 """Methods that the function offers: a server runnable for each."""
 
 from sigcat.adapter.autosar_classic.code.c_text import c_lines
-from sigcat.adapter.autosar_classic.code.component.values import Copy
+from sigcat.adapter.autosar_classic.code.component.rte_values import Copy
 from sigcat.adapter.autosar_classic.code.names import core_object
 from sigcat.adapter.autosar_classic.code.plan import MethodEnd, RteType, SwcPlan
 from sigcat.adapter.core.c.names.scope import Scope

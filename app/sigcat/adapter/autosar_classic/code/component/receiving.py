@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code.c_text import c_lines
-from sigcat.adapter.autosar_classic.code.component.values import Copy, CopyRow, by_address
+from sigcat.adapter.autosar_classic.code.component.rte_values import Copy, CopyRow, by_address
 from sigcat.adapter.autosar_classic.code.names import core_object, static
 from sigcat.adapter.autosar_classic.code.plan import DataEnd, MethodEnd, SwcPlan
 from sigcat.adapter.core.c.names.scope import Scope

@@ -7,7 +7,7 @@ from sigcat.adapter.autosar_classic.code.c_text import c_lines
 from sigcat.adapter.autosar_classic.code.component.methods import offered
 from sigcat.adapter.autosar_classic.code.component.publishing import outputs
 from sigcat.adapter.autosar_classic.code.component.receiving import takes
-from sigcat.adapter.autosar_classic.code.component.values import Copy, CopyRow
+from sigcat.adapter.autosar_classic.code.component.rte_values import Copy, CopyRow
 from sigcat.adapter.autosar_classic.code.names import core_object
 from sigcat.adapter.autosar_classic.code.plan import ParameterEnd, Reported, SwcPlan
 from sigcat.adapter.core.c.text.lines import Lines

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code.component.methods import argument
 from sigcat.adapter.autosar_classic.code.plan import RteType, SwcPlan
-from sigcat.adapter.autosar_classic.code.types import type_of
+from sigcat.adapter.autosar_classic.code.rte_types import type_of
 from sigcat.integration.autosar_classic.model import (
     Access,
     ClassicIntegration,

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from sigcat.adapter.autosar_classic.code.plan import RteType, SwcPlan
-from sigcat.adapter.autosar_classic.code.types import rte_types
+from sigcat.adapter.autosar_classic.code.rte_types import rte_types
 from sigcat.integration.autosar_classic.datatypes.used_types import (
     element_types,
     enumerations_of,

@@ -8,7 +8,7 @@ from sigcat.adapter.autosar_classic.code.component.methods import end_of, head
 from sigcat.adapter.autosar_classic.code.plan import SwcPlan
 from sigcat.adapter.autosar_classic.code.rte_headers import literals
 from sigcat.adapter.autosar_classic.code.rte_headers.api import Call
-from sigcat.adapter.autosar_classic.code.types import rte_types
+from sigcat.adapter.autosar_classic.code.rte_types import rte_types
 from sigcat.adapter.core.c.text.lines import Lines
 from sigcat.integration.autosar_classic.model import (
     ClassicIntegration,

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from sigcat.adapter.core.c.names.scope import Scope
 from sigcat.adapter.core.c.schedule.schedule import runs, statement
-from sigcat.adapter.core.c.values.values import Ends, Transfer, transfer
+from sigcat.adapter.core.c.values.c_values import Ends, Transfer, transfer
 from sigcat.adapter.core.plan import Argument, Method
 
 STATUS = {"IDLE": 0, "PENDING": 1, "DONE": 2, "FAILED": 3, "TIMED_OUT": 4}

@@ -4,8 +4,8 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.core.c.names.scope import Scope
+from sigcat.adapter.core.c.values.c_values import Ends, Transfer, Way, merged, transfer
 from sigcat.adapter.core.c.values.literals import literal
-from sigcat.adapter.core.c.values.values import Ends, Transfer, Way, merged, transfer
 from sigcat.adapter.core.plan import Call, Input, Leaf, Port
 from sigcat.function.function_json.conversion import IDENTITY
 

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from sigcat.adapter.core.c.names.scope import Scope
-from sigcat.adapter.core.c.values.values import Ends, Transfer, transfer
+from sigcat.adapter.core.c.values.c_values import Ends, Transfer, transfer
 from sigcat.adapter.core.plan import Call, Output
 
 

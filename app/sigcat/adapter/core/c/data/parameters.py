@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.core.c.names.scope import Scope
-from sigcat.adapter.core.c.values.values import Ends, Transfer, Way, merged, transfer
+from sigcat.adapter.core.c.values.c_values import Ends, Transfer, Way, merged, transfer
 from sigcat.adapter.core.plan import Parameter
 
 

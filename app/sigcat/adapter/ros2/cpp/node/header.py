@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from sigcat.adapter.ros2.cpp.names import guard, header_of
-from sigcat.adapter.ros2.cpp.node.calls import node_calls
+from sigcat.adapter.ros2.cpp.node.node_calls import node_calls
 from sigcat.adapter.ros2.package_xml import rights
 from sigcat.adapter.ros2.plan import NodePlan, Publisher, Subscription, WorkspacePlan
 from sigcat.adapter.templates import rendered

@@ -2,9 +2,9 @@
 
 from sigcat.adapter.core.plan import GLOBALS
 from sigcat.adapter.ros2.cpp.names import header_of, scope_of
-from sigcat.adapter.ros2.cpp.node.calls import node_calls
 from sigcat.adapter.ros2.cpp.node.connections import advertised, subscribed
 from sigcat.adapter.ros2.cpp.node.header import has_messages
+from sigcat.adapter.ros2.cpp.node.node_calls import node_calls
 from sigcat.adapter.ros2.cpp.node.parameters import declared, unset
 from sigcat.adapter.ros2.cpp.node.sending import messages_of
 from sigcat.adapter.ros2.cpp.node.stored import learned_parameters

@@ -6,8 +6,8 @@ from typing import NamedTuple, TypeVar
 
 from pydantic import BaseModel
 
-from sigcat.adapter.core.calls import in_order_of_due, logical_graph, planned_call, short_name
 from sigcat.adapter.core.code import planned_code
+from sigcat.adapter.core.core_calls import in_order_of_due, logical_graph, planned_call, short_name
 from sigcat.adapter.core.errors import (
     Resets,
     causes_of,
@@ -29,7 +29,7 @@ from sigcat.adapter.core.structs import wire_structs
 from sigcat.asil import level_of
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, has_errors
-from sigcat.function.checks.types import circular_types
+from sigcat.function.checks.datatype_checks import circular_types
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction

@@ -9,7 +9,7 @@ from sigcat.adapter.autosar_adaptive.application.component.adapter import adapte
 from sigcat.adapter.autosar_adaptive.application.component.structs_header import structs_header
 from sigcat.adapter.autosar_adaptive.application.main_source import main_source
 from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, ExecutablePlan
-from sigcat.adapter.autosar_adaptive.application.planning.derive import derive
+from sigcat.adapter.autosar_adaptive.application.planning.planned_application import derive
 from sigcat.adapter.autosar_adaptive.application.player import player_source
 from sigcat.adapter.autosar_adaptive.application.readme import readme
 from sigcat.adapter.autosar_adaptive.arxml.generate import generate as generate_arxml

@@ -15,7 +15,7 @@ from sigcat.adapter.autosar_classic.code.plan import (
 from sigcat.adapter.autosar_classic.code.planning.disagreements import disagreements
 from sigcat.adapter.autosar_classic.code.planning.ends import SwcContext, received, sent
 from sigcat.adapter.autosar_classic.code.planning.operations import method_ends
-from sigcat.adapter.autosar_classic.code.types import rte_types, type_of
+from sigcat.adapter.autosar_classic.code.rte_types import rte_types, type_of
 from sigcat.adapter.source_cores import Holder, SourceCores, wrong_holders
 from sigcat.errors import InputRefused
 from sigcat.integration.autosar_classic.model import ClassicIntegration, Port

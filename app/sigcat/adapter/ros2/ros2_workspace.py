@@ -3,13 +3,13 @@
 from sigcat import codes
 from sigcat.adapter.files import GeneratedFile, within
 from sigcat.adapter.placed_findings import placed_in
-from sigcat.adapter.ros2.bringup.generate import bringup_files
-from sigcat.adapter.ros2.cpp.generate import cpp_files
-from sigcat.adapter.ros2.derive import derive
-from sigcat.adapter.ros2.interfaces.generate import interface_files
+from sigcat.adapter.ros2.bringup.bringup_files import bringup_files
+from sigcat.adapter.ros2.cpp.cpp_files import cpp_files
+from sigcat.adapter.ros2.interfaces.interface_files import interface_files
 from sigcat.adapter.ros2.package_xml import rights
 from sigcat.adapter.ros2.plan import WorkspacePlan
-from sigcat.adapter.ros2.python.generate import python_files
+from sigcat.adapter.ros2.planned_workspace import derive
+from sigcat.adapter.ros2.python.python_files import python_files
 from sigcat.adapter.source_cores import files_of, source_cores
 from sigcat.adapter.source_functions import source_functions
 from sigcat.catalogue.reading.yaml_document import collector_paused
