@@ -12,7 +12,7 @@ from sigcat.findings import Finding
 from sigcat.function.hosted_files import HostedFiles
 from sigcat.limits import Limits
 from sigcat.web.views.change_trees import SIGNS
-from sigcat.web.views.overlay_outcome import OverlayOutcome
+from sigcat.web.views.proposing.overlay_outcome import OverlayOutcome
 from sigcat.web.views.source_view import source_view
 from sigcat.web.visits import Visit
 

@@ -27,9 +27,9 @@ from sigcat.web.forms import Form, PostedForm, form_catalogue, posted_form, read
 from sigcat.web.pages.checked_text import Asked, text_values
 from sigcat.web.rendering import page_for
 from sigcat.web.views.command_lines import overlay_commands
-from sigcat.web.views.overlay_outcome import overlay_outcome
-from sigcat.web.views.proposal import Proposal, adding, changing, posted_fields, types_for
-from sigcat.web.views.proposal_patch import proposal_patch
+from sigcat.web.views.proposing.overlay_outcome import overlay_outcome
+from sigcat.web.views.proposing.proposal import Proposal, adding, changing, posted_fields, types_for
+from sigcat.web.views.proposing.proposal_patch import proposal_patch
 from sigcat.web.visits import Visit, visit_of
 
 router = APIRouter()

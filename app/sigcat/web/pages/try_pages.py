@@ -35,7 +35,7 @@ from sigcat.web.rendering import page_for
 from sigcat.web.views.command_lines import overlay_commands
 from sigcat.web.views.document_tabs import TABS, chosen_tab, download, open_tab
 from sigcat.web.views.generated_documents import documents_of
-from sigcat.web.views.overlay_outcome import OverlayOutcome, overlay_outcome
+from sigcat.web.views.proposing.overlay_outcome import OverlayOutcome, overlay_outcome
 from sigcat.web.views.source_view import shown_text
 from sigcat.web.visits import Visit, visit_of
 
