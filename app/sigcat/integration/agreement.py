@@ -1,7 +1,7 @@
 """Names in an Integration JSON that the functions it carries must have."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from pydantic import BaseModel
 
@@ -16,21 +16,14 @@ from sigcat.function.function_json.walk import (
     runnables,
     safety_reactions,
 )
+from sigcat.integration.problem import Problem
 from sigcat.names import did_you_mean
 
 Names = Mapping[str, frozenset[str]]
 """Names by what they are of: `call`, `method`."""
 
 
-class Missing(NamedTuple):
-    """A name that no function has."""
-
-    pointer: Pointer
-    message: str
-    fix: str
-
-
-def missing_names(model: BaseModel, functions: Sequence[FunctionJson]) -> Iterator[Missing]:
+def missing_names(model: BaseModel, functions: Sequence[FunctionJson]) -> Iterator[Problem]:
     """Every name of a document that its functions do not have; below the name of a function, those that it does not have."""
     of_each = {function.info.function_name: _names(function) for function in functions}
     of_all = {"function": frozenset(of_each)}
@@ -57,7 +50,7 @@ def _names(function: FunctionJson) -> Names:
 
 def _in_model(
     model: BaseModel, known: Names, of_each: Mapping[str, Names], of_all: Names, at: Pointer
-) -> Iterator[Missing]:
+) -> Iterator[Problem]:
     fields = string_fields(type(model))
     for field in fields:
         value = getattr(model, field.name)
@@ -70,7 +63,7 @@ def _in_model(
 
 def _in_value(
     value: Any, field: StringField, known: Names, of_each: Mapping[str, Names], of_all: Names, at: Pointer
-) -> Iterator[Missing]:
+) -> Iterator[Problem]:
     if isinstance(value, BaseModel):
         yield from _in_model(value, known, of_each, of_all, at)
     elif isinstance(value, tuple):
@@ -83,7 +76,7 @@ def _in_value(
             message = (
                 f"{titled(at)} must be {article} {kind} of the functions in `SourceFunctionList`, not {value[:80]!r}."
             )
-            yield Missing(at, message, did_you_mean(value, known[kind]) or "Integrate the functions again.")
+            yield Problem(at, message, did_you_mean(value, known[kind]) or "Integrate the functions again.")
 
 
 def argument_counts(functions: Sequence[FunctionJson]) -> Mapping[str, frozenset[tuple[int, int]]]:

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 from pydantic import BaseModel
 
 from sigcat.function.document.document import Pointer
-from sigcat.integration.checked_document import Problem
+from sigcat.integration.problem import Problem
 from sigcat.names import did_you_mean
 
 

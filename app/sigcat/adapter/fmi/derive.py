@@ -22,7 +22,7 @@ from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.walk import methods, parts
 from sigcat.integration.application import Application, application, joined, meta_of
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
-from sigcat.integration.finding_collector import FindingCollector, Subject
+from sigcat.integration.finding_collector import FindingCollector
 from sigcat.integration.fmi.bus import FmuBus
 from sigcat.integration.fmi.model import (
     Causality,
@@ -206,7 +206,7 @@ def _report_methods(app: Application, settings: FmiSettings, findings: FindingCo
             if not is_inside:
                 message = f"{method.name} cannot be called through FMI: an FMU exchanges values alone."
                 fix = "Use `fmi: {fmus: set}` in the deployment file if both functions are in the set."
-                findings.report(codes.METHOD_WITHOUT_FMI, message, Subject(method.name, method), fix)
+                findings.report(codes.METHOD_WITHOUT_FMI, message, method, fix)
 
 
 def _targets(app: Application, units: Sequence[Unit]) -> Iterator[Entry]:

@@ -17,7 +17,6 @@ from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.deployment.settings import RunModes
 from sigcat.integration.autosar_adaptive.types import TypeTable
 from sigcat.integration.autosar_names import distinct, short_name
-from sigcat.integration.finding_collector import Subject
 
 T = TypeVar("T", str, None)
 _RUN_TYPES = {
@@ -72,14 +71,10 @@ def _run_type(call: Runnable, part: Part, context: Context) -> str:
         message = (
             f"{call.name} runs on events, which the published schema has no run type for: it is written as Cyclic."
         )
-        context.findings.report(
-            codes.CALL_ON_EVENTS, message, Subject(call.name, call), "Read `Trigger`, which says Event.", key="Runtype"
-        )
+        context.findings.report(codes.CALL_ON_EVENTS, message, call, "Read `Trigger`, which says Event.", key="Runtype")
     if run_type is None:
         message = f"The run type of {call.name} of {part.function_name} must be Init, Cyclic, EventTriggered or Shutdown, not {call.run_type!r}: it is written as Cyclic."
-        context.findings.report(
-            codes.RUN_TYPE_UNKNOWN, message, Subject(call.name, call), "Correct it in the function.", key="Runtype"
-        )
+        context.findings.report(codes.RUN_TYPE_UNKNOWN, message, call, "Correct it in the function.", key="Runtype")
     return run_type or "Cyclic"
 
 
@@ -89,7 +84,7 @@ def _scheduling(call: Runnable, part: Part, context: Context) -> str | None:
     if call.scheduling and plain not in _SCHEDULING:
         message = f"The scheduling of {call.name} of {part.function_name} must be Preemptive or Non-Preemptive, not {call.scheduling!r}: none is written."
         context.findings.report(
-            codes.SCHEDULING_UNKNOWN, message, Subject(call.name, call), "Correct it in the function.", key="Scheduling"
+            codes.SCHEDULING_UNKNOWN, message, call, "Correct it in the function.", key="Scheduling"
         )
     return _SCHEDULING.get(plain)
 
@@ -182,7 +177,7 @@ def _known(
         return word or otherwise
     near = {known.lower(): known for known in words}.get(word.lower())
     message = f"{parameter.name} of {part.function_name} must be one of {', '.join(words)}, not {word!r}: {near or otherwise or 'nothing'} is written."
-    context.findings.report(codes.WORD_NOT_IN_SCHEMA, message, Subject(parameter.name, parameter), key=key)
+    context.findings.report(codes.WORD_NOT_IN_SCHEMA, message, parameter, key=key)
     return near or otherwise
 
 

@@ -171,7 +171,7 @@ def _startup(component: model.Component, settings: ComponentSettings, part: Part
         if call.name in refused:
             message = f"Priority of {call.name} of {part.function_name} must be from 1 to {HIGHEST_PRIORITY}, as that of a process is, not {call.priority!r}."
             fix = f"Correct it in the function, or set `priority` under `startup` of component {part.name} in the deployment file."
-            context.findings.report(codes.PRIORITY_OUT_OF_RANGE, message, Subject(call.name, call), fix, key="Priority")
+            context.findings.report(codes.PRIORITY_OUT_OF_RANGE, message, call, fix, key="Priority")
     return startup(settings.startup, component.wishes)
 
 

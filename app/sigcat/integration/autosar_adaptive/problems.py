@@ -30,8 +30,8 @@ from sigcat.integration.autosar_adaptive.processes import process_problems
 from sigcat.integration.autosar_adaptive.someip.versions import Version, version_of
 from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE, storage_name, storages
 from sigcat.integration.autosar_names import short_name
-from sigcat.integration.checked_document import Problem
 from sigcat.integration.datatypes import BY_ADAPTIVE
+from sigcat.integration.problem import Problem
 from sigcat.integration.references import places
 from sigcat.names import IDENTIFIER
 

@@ -12,7 +12,6 @@ from sigcat.asil import Level, is_above, level_of, rank
 from sigcat.function.exchange import Part
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import Context
-from sigcat.integration.finding_collector import Subject
 from sigcat.integration.report import Entry
 
 
@@ -56,9 +55,7 @@ def report_lower_calls(part: Part, context: Context) -> None:
         if is_above(cause.level, declared):
             message = f"{call.name} must have ASIL {cause.level}, not {declared}: its runnable writes the core, which holds {cause.name}."
             fix = f"Develop its code to ASIL {cause.level}, or move the call to a separate component."
-            context.findings.report(
-                codes.CALL_BELOW_ITS_MEMORY, message, Subject(call.name, call), fix, key="AsilLevel"
-            )
+            context.findings.report(codes.CALL_BELOW_ITS_MEMORY, message, call, fix, key="AsilLevel")
 
 
 def partition_entries(part: Part, component: model.Component) -> tuple[Entry, ...]:

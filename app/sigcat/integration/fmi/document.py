@@ -4,15 +4,10 @@ from collections.abc import Iterator
 
 from sigcat import codes
 from sigcat.function.document.document import Pointer
-from sigcat.integration.checked_document import DocumentKind, Problem
+from sigcat.integration.checked_document import DocumentKind
 from sigcat.integration.fmi.bus import MOST_BITS, REAL_BITS, BusMapping, BusMessage, BusSignal
 from sigcat.integration.fmi.model import FmiIntegration, Fmu
-from sigcat.limits import DEFAULT_LIMITS, Limits
-
-
-def read_integration(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> FmiIntegration:
-    """The model of a document. Raises InputRefused with every finding."""
-    return _KIND.read(data, name, limits)
+from sigcat.integration.problem import Problem
 
 
 def _problems(model: FmiIntegration) -> Iterator[Problem]:
@@ -87,4 +82,5 @@ def _mapping(fmu: Fmu, signal: BusSignal, mapping: BusMapping, at: Pointer) -> I
                 yield Problem((*at, "ConvertedValues", index), "The number must fit the bits of the signal.", fix)
 
 
-_KIND = DocumentKind("fmi", FmiIntegration, codes.NOT_WRITABLE_AS_FMU, _problems)
+read_integration = DocumentKind("fmi", FmiIntegration, codes.NOT_WRITABLE_AS_FMU, _problems).read
+"""The model of a document. Raises InputRefused with every finding."""

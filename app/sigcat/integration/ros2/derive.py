@@ -63,7 +63,7 @@ def derive(
     wholes = tuple(each.function for each in merged.functions)
     findings = FindingCollector(merged.functions, deployment)
     for problem in existing.problems:
-        findings.report_deployment(codes.FIELD_DOES_NOT_FIT, problem.message, problem.at, problem.fix, "")
+        findings.report_deployment(codes.FIELD_DOES_NOT_FIT, problem.message, problem.pointer, problem.fix, "")
     packages = _packages(app, settings)
     book = MessageBook(packages.interfaces, {each.reference: each for each in merged.datatypes}, findings)
     parts = node_parts(wholes, findings)

@@ -116,7 +116,7 @@ def _schedule(call: Runnable, part: Part, context: NodeContext) -> Schedule:
         findings.report(
             codes.CALL_WITHOUT_TRIGGER,
             f"{call.name} must have {lacking} to run on.",
-            Subject(call.name, call),
+            call,
             "Add it, or correct the run type.",
             key="Runtype",
         )
@@ -156,7 +156,7 @@ def _after(call: Runnable, part: Part, findings: FindingCollector) -> str | None
         if name not in own:
             message = f"{call.name} is ordered after {name}, which runs in another node; ROS 2 cannot order calls across nodes."
             fix = "Trigger it by a signal, or use offsets."
-            findings.report(codes.ORDER_BETWEEN_NODES, message, Subject(call.name, call), fix, key="PrevRunnable")
+            findings.report(codes.ORDER_BETWEEN_NODES, message, call, fix, key="PrevRunnable")
     return ", ".join(name for name in before if name in own and run_kind(own[name]) != INIT) or None
 
 
@@ -167,7 +167,7 @@ def _priority(call: Runnable, findings: FindingCollector) -> int | None:
     if call.priority.strip():
         message = f"The priority of {call.name} must be from 1 to 99, not {shortened(call.priority.strip())!r}."
         fix = "Use a number; higher ones run first."
-        findings.report(codes.PRIORITY_NOT_A_NUMBER, message, Subject(call.name, call), fix, key="Priority")
+        findings.report(codes.PRIORITY_NOT_A_NUMBER, message, call, fix, key="Priority")
     return None
 
 
@@ -215,11 +215,11 @@ def _unexpressed(call: Runnable, findings: FindingCollector) -> None:
     if call.stack_size:
         message = f"{call.name}: ROS 2 has no setting for the stack size of {shortened(call.stack_size)} bytes; it is left out."
         fix = "Set it for the process, for instance with `ulimit -s`."
-        findings.report(codes.STACK_SIZE_NOT_CARRIED, message, Subject(call.name, call), fix, key="StackSize")
+        findings.report(codes.STACK_SIZE_NOT_CARRIED, message, call, fix, key="StackSize")
     if call.watchdog and call.watchdog.logical and call.checkpoint is None:
         message = f"{call.name}: the logical supervision is free text and cannot be checked."
         fix = "Give the calls a `checkpoint` each, with the calls that may follow."
-        findings.report(codes.LOGICAL_SUPERVISION_IN_WORDS, message, Subject(call.name, call), fix, key="Watchdog")
+        findings.report(codes.LOGICAL_SUPERVISION_IN_WORDS, message, call, fix, key="Watchdog")
 
 
 # -- modes --------------------------------------------------------------------------------------------------------

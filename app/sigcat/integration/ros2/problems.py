@@ -8,8 +8,8 @@ from typing import Any
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.text import Text
 from sigcat.integration.agreement import argument_counts
-from sigcat.integration.checked_document import Problem
 from sigcat.integration.datatypes import BY_VSS
+from sigcat.integration.problem import Problem
 from sigcat.integration.ros2.messages.common_types import ERROR_STATUS, SAFETY_REACTION, STEP
 from sigcat.integration.ros2.messages.message_definitions import PRIMITIVES, holds
 from sigcat.integration.ros2.model import (

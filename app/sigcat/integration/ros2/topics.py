@@ -179,17 +179,13 @@ def _report_uses(uses: Iterable[Side], exchange: Exchange, findings: FindingColl
             message = (
                 f"{use.identity} must have a path in the catalogue; without it only {use.function} can know its topic."
             )
-            findings.report(
-                codes.SIGNAL_WITHOUT_PATH, message, subject_of(use), "Set it under `paths` in the deployment file."
-            )
+            findings.report(codes.SIGNAL_WITHOUT_PATH, message, use, "Set it under `paths` in the deployment file.")
         first = exchange.element(use).leading.function
         if use.provides and first != use.function:
             message = (
                 f"{use.identity} must have one publisher, not {first} and {use.function}: subscribers get a mixture."
             )
-            findings.report(
-                codes.SEVERAL_PUBLISHERS, message, subject_of(use), "Let only one of them provide it.", key="Role"
-            )
+            findings.report(codes.SEVERAL_PUBLISHERS, message, use, "Let only one of them provide it.", key="Role")
 
 
 def _group(use: Side, providing: Side | None, together: _Together, settings: Ros2Settings) -> _Group:
@@ -290,9 +286,7 @@ def _member(
     for use, other in zip(own[1:], resolved[1:], strict=True):
         if _disagree(kind, other) or first.data.vss_unit != use.data.vss_unit:
             message = f"{first.identity} must have one datatype and unit; {first.function} and {use.function} differ."
-            findings.report(
-                codes.MEANINGS_DIFFER, message, subject_of(first), "Build both functions from the same catalogue."
-            )
+            findings.report(codes.MEANINGS_DIFFER, message, first, "Build both functions from the same catalogue.")
     kind = sent(kind, first.data.vss_symbols, as_number=settings.enumerations == "number")
     written = book.written(kind, subject_of(first))
     if written is None:
@@ -369,7 +363,7 @@ def _check_timeouts(mine: Sequence[Side], topic: Topic, findings: FindingCollect
         if timeout and not use.provides and cycle and timeout < 2 * cycle:
             message = f"{use.identity}: the time-out must be at least two cycles of {cycle} ms, not {timeout} ms."
             fix = "Raise it, or one late value triggers it."
-            findings.report(codes.TIMEOUT_BELOW_TWO_CYCLES, message, subject_of(use), fix, key="Timeout")
+            findings.report(codes.TIMEOUT_BELOW_TWO_CYCLES, message, use, fix, key="Timeout")
 
 
 def _data_map(
@@ -394,7 +388,7 @@ def _row(
     data = use.data
     if not data.variable:
         message = f"{use.identity} must name the variable of the code; its own name, {data.name!r}, is used."
-        findings.report(codes.VARIABLE_ASSUMED, message, subject_of(use), "Set `variable` in the declaration.")
+        findings.report(codes.VARIABLE_ASSUMED, message, use, "Set `variable` in the declaration.")
     way = "to_topic" if use.provides else "from_topic"
     name = package_name(f"{use.function}_{data.name}_{way}", taken).text
     made = conversion(

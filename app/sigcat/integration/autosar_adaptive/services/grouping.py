@@ -59,7 +59,7 @@ def _outside(side: Side, context: Context) -> Group:
     message = f"{side.identity} ({side.where}) must have a VSS path or a provider in the set."
     fix = f"Set its path in the deployment file, as `paths: {{{side.function}.{side.interface.name}: Vehicle...}}`, or add the provider."
     fix = "Add its provider." if side.kind == "method" else fix
-    context.findings.report(codes.PROVIDER_UNKNOWN, message, Subject(side.identity, side.interface), fix)
+    context.findings.report(codes.PROVIDER_UNKNOWN, message, side, fix)
     return _of_origin(f"{side.part.name}Required")
 
 

@@ -6,7 +6,7 @@ from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.model import ClassicIntegration, Event, InitBatch, Port, Task, TaskEvent
 from sigcat.integration.autosar_classic.problems.problem import name
 from sigcat.integration.autosar_classic.signal_lengths import needs_of
-from sigcat.integration.checked_document import Problem
+from sigcat.integration.problem import Problem
 from sigcat.integration.references import unknown
 
 LONGEST_SIGNAL = 512

@@ -14,7 +14,7 @@ from sigcat.integration.autosar_classic.problems.types import type_problems
 from sigcat.integration.autosar_classic.problems.uses import use_problems
 from sigcat.integration.autosar_classic.problems.values import value_problems
 from sigcat.integration.autosar_classic.problems.windows import window_problems
-from sigcat.integration.checked_document import Problem
+from sigcat.integration.problem import Problem
 
 
 def problems_of(model: ClassicIntegration) -> Iterator[Problem]:

@@ -8,7 +8,7 @@ from pydantic import BaseModel
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.problems.names_table import NAMESPACES, REFERENCES, SINGLE_NAMES
 from sigcat.integration.autosar_names import LONGEST_SHORT_NAME
-from sigcat.integration.checked_document import Problem
+from sigcat.integration.problem import Problem
 from sigcat.integration.references import places, unknown_names
 from sigcat.names import IDENTIFIER
 from sigcat.reserved_words import is_reserved
