@@ -1,16 +1,14 @@
 """From functions to the Integration JSON of AUTOSAR adaptive, without any further input."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.asil import is_above
-from sigcat.findings import Finding
 from sigcat.function.document.text import Text
-from sigcat.function.exchange import Part, Side, exchange_of
+from sigcat.function.exchange import Part, contracts_of
 from sigcat.function.function_json.resolved_function import ResolvedFunction
-from sigcat.function.function_json.runnable import Contract
-from sigcat.integration.application import DEFAULT_VERSION, NO_DATE, Application, application
+from sigcat.function.function_json.walk import data_of
+from sigcat.integration.application import Application
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.calls import calls, function_modes, parameters
 from sigcat.integration.autosar_adaptive.context import Context
@@ -29,6 +27,7 @@ from sigcat.integration.autosar_adaptive.protection import (
     report_open_lengths,
     report_unset_errors,
     states_asil,
+    unprotected_sides,
 )
 from sigcat.integration.autosar_adaptive.services.component_views import view
 from sigcat.integration.autosar_adaptive.services.disagreements import report_disagreements
@@ -45,41 +44,28 @@ from sigcat.integration.autosar_adaptive.startup import (
 from sigcat.integration.autosar_adaptive.types import TypeTable
 from sigcat.integration.autosar_adaptive.units import units_of
 from sigcat.integration.autosar_adaptive.unused import report_units, report_unused
+from sigcat.integration.autosar_context import autosar_context, meta_information
 from sigcat.integration.autosar_names import short_name
-from sigcat.integration.autosar_parts import named_parts
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
-from sigcat.integration.finding_collector import FindingCollector, Subject
+from sigcat.integration.derived import Derived
 from sigcat.integration.not_carried import report_not_carried
-from sigcat.integration.report import Entry
 
 UNKNOWN_PROVIDER = "SOME/IP"
 """Provider of a service that comes from somewhere in the network, as the authors write it."""
-
-
 _PROTECT = "State a `profile` under `e2e` in the deployment file, or protect it in the code."
 _PROTECT_METHOD = (
     f"{METHODS_ARE_NOT_PROTECTED} Send its arguments and results as signals, with their ASIL and a profile."
 )
 
 
-class Derived(NamedTuple):
-    """The document, the findings about it, and where each field of each interface went."""
-
-    model: model.IntegrationModel
-    findings: tuple[Finding, ...]
-    report: tuple[Entry, ...]
-
-
 def derive(
     functions: Sequence[ResolvedFunction],
     deployment: Deployment = NO_DEPLOYMENT,
     settings: AutosarAdaptiveSettings = NO_SETTINGS,
-) -> Derived:
+) -> Derived[model.IntegrationModel]:
     """The integration of a function or a set of functions. The order in which they are given does not matter."""
-    app = application(functions, deployment)
-    parts = named_parts([each.function for each in app.functions])
-    exchange = exchange_of(parts, app.paths)
-    context = Context(app, settings, parts, exchange, FindingCollector(app.functions, deployment))
+    context = autosar_context(functions, deployment, settings)
+    app = context.application
     types = TypeTable(context)
     all_services = protected(services(context), context)
     report_disagreements(all_services, types, context)
@@ -88,14 +74,13 @@ def derive(
     components = tuple(_component(part, all_services, types, context) for part in context.parts)
     _report_open_arrays(types.entries, context)
     integration = model.IntegrationModel(
-        meta=_meta(context),
+        meta=model.MetaInformation(**meta_information(codes.DATE_MISSING, context)),
         info=_info(app),
         components=components,
         datatypes=types.entries or None,
         deployment=_arxml_deployment(context),
-        provenance=tuple(made.model_dump(mode="json") for f in app.functions if (made := f.function.provenance))
-        or None,
-        functions=tuple(each.function for each in app.functions),
+        provenance=app.provenance,
+        functions=app.wholes,
     )
     integration = segmented(integration, context)
     report_open_lengths(integration, context)
@@ -127,18 +112,11 @@ def _report_processes(components: Sequence[model.Component], context: Context) -
 
 def _report_asil(all_services: Sequence[Service], context: Context) -> None:
     """One finding for each interface above QM that nothing protects end to end."""
-    for service in all_services:
-        for element in service.elements:
-            for side in element.sides if element.name not in service.protections else ():
-                _report_unprotected(side, context)
-
-
-def _report_unprotected(side: Side, context: Context) -> None:
-    if is_above(side.asil, "QM") and states_asil(side):
-        message = f"{side.identity} has ASIL {side.asil}, and its service has no end-to-end protection."
-        fix = _PROTECT_METHOD if side.kind == "method" else _PROTECT
-        subject = Subject(side.identity, side.interface)
-        context.findings.report(codes.ASIL_NOT_PROTECTED, message, subject, fix, key="AsilLevel")
+    for _, side in unprotected_sides(all_services):
+        if is_above(side.asil, "QM") and states_asil(side):
+            message = f"{side.identity} has ASIL {side.asil}, and its service has no end-to-end protection."
+            fix = _PROTECT_METHOD if side.kind == "method" else _PROTECT
+            context.findings.report(codes.ASIL_NOT_PROTECTED, message, side, fix, key="AsilLevel")
 
 
 def _component(part: Part, all_services: Sequence[Service], types: TypeTable, context: Context) -> model.Component:
@@ -181,39 +159,28 @@ def _header_files(part: Part, settings: ComponentSettings) -> tuple[str, ...] | 
         return tuple(settings.header_files) or None
     if part.function.code is not None and part.function.code.headers:
         return part.function.code.headers
-    contracts = [contract for call in part.component.runnables for contract in call.contracts or ()]
-    return (f"{part.name}.h",) if any(map(_has_variables, contracts)) else None
-
-
-def _has_variables(contract: Contract) -> bool:
-    return (
-        any(item.variable for item in contract.signals or ())
-        or any(item.variable for item in contract.queues or ())
-        or any(item.variable for item in contract.parameters or ())
+    has_variables = any(
+        item.variable for each in contracts_of(part) for item in (*data_of(each), *(each.parameters or ()))
     )
+    return (f"{part.name}.h",) if has_variables else None
 
 
 def _interfaces(
     part: Part, all_services: Sequence[Service], types: TypeTable, context: Context
 ) -> list[model.ServiceInterface]:
     """Services of a component, what it consumes first, as in the published example."""
-    made = []
-    for service in all_services:
-        seen = view(service, part.name, types, context)
-        if seen is not None:
-            made.append(_interface(service, *seen, context))
+    seen = ((service, view(service, part.name, types, context)) for service in all_services)
+    made = (_interface(service, *content, context) for service, content in seen if content is not None)
     return sorted(made, key=lambda interface: (interface.role, interface.name))
 
 
 def _interface(service: Service, content: model.Services, provides: bool, context: Context) -> model.ServiceInterface:
     used = {event.event_group for event in content.events} | {field.event_group for field in content.fields}
+    contract = Text(context.settings.contract)
     providers = tuple(
-        model.Provider(
-            name=name, deployment="SOME/IP", instance_id=service.instance,
-            contract=Text(context.settings.contract),
-        )
+        model.Provider(name=name, deployment="SOME/IP", instance_id=service.instance, contract=contract)
         for name in _provider_names(service, content, context)
-    )  # fmt: skip
+    )
     groups = sorted((name, number) for name, number in service.event_groups.items() if name in used)
     stated = _of_outside(service, context)
     version = parsed(context.settings.versions.get(service.name, str(FIRST)))
@@ -251,19 +218,6 @@ def _provider_names(service: Service, content: model.Services, context: Context)
         return [manager]
     uses = [use.interface.external_provider for event in content.events for use in event.uses or ()]
     return sorted({name for name in uses if name}) or [Text(UNKNOWN_PROVIDER)]
-
-
-def _meta(context: Context) -> model.MetaInformation:
-    app = context.application
-    if app.date is None:
-        message = f"No function has a date: the document has {NO_DATE}."
-        context.findings.report(codes.DATE_MISSING, message, fix="Set `date` in the deployment file or in a function.")
-    return model.MetaInformation(
-        authority=app.authority,
-        author=app.author,
-        date=app.date.isoformat() if app.date else NO_DATE,
-        version=app.version or DEFAULT_VERSION,
-    )
 
 
 def _info(app: Application) -> model.FunctionInformation:

@@ -16,7 +16,6 @@ from sigcat.integration.autosar_adaptive.e2e import E2eProtection, EventE2eSetti
 from sigcat.integration.autosar_adaptive.model import IntegrationModel, TypeEntry
 from sigcat.integration.autosar_adaptive.services.elements import Element, Service
 from sigcat.integration.autosar_adaptive.someip.numbering import Names, is_given, numbers
-from sigcat.integration.finding_collector import Subject
 
 METHODS_ARE_NOT_PROTECTED = "sigcat protects events and fields end to end, and this is a method."
 TEXT = "string"
@@ -53,10 +52,20 @@ def _with_instance(number: int, profile: Profile, instance: int) -> int:
 
 def report_unset_errors(services: Sequence[Service], context: Context) -> None:
     """Report errors of end-to-end protection that nothing sets."""
+    for key, side in unprotected_sides(services):
+        if rejection := side.rejection_error:
+            message = f"{key} must be protected end to end to set {rejection.error} of {side.function}."
+            fix = f"State a profile for it under `e2e` in the deployment file: events: {{{key}: {{profile: 4}}}}."
+            context.findings.report(codes.E2E_ERROR_NEVER_SET, message, side, fix, key=rejection.key)
+
+
+def unprotected_sides(services: Sequence[Service]) -> Iterator[tuple[str, Side]]:
+    """Sides of elements that are not protected end to end, each with the key of its element."""
     for service in services:
         for element in service.elements:
-            for side in element.sides if element.name not in service.protections else ():
-                _report_never_set(side, f"{service.name}.{element.name}", context)
+            yield from (
+                (_key(service, element), each) for each in element.sides if element.name not in service.protections
+            )
 
 
 def report_open_lengths(model: IntegrationModel, context: Context) -> None:
@@ -86,14 +95,6 @@ def _is_open(word: str, types: Mapping[str, TypeEntry]) -> bool:
         waiting += [each for each in inner if each and each not in seen]
         seen.update(waiting)
     return False
-
-
-def _report_never_set(side: Side, key: str, context: Context) -> None:
-    if rejection := side.rejection_error:
-        message = f"{key} must be protected end to end to set {rejection.error} of {side.function}."
-        fix = f"State a profile for it under `e2e` in the deployment file: events: {{{key}: {{profile: 4}}}}."
-        subject = Subject(side.identity, side.interface)
-        context.findings.report(codes.E2E_ERROR_NEVER_SET, message, subject, fix, key=rejection.key)
 
 
 def _profiles(services: Sequence[Service], context: Context) -> Iterator[tuple[str, Profile]]:

@@ -1,15 +1,13 @@
-"""Common input of every step of `derive`: the functions with their components, the settings, the findings."""
+"""Common input of every step of `derive`, and the calls of components under the names of their runnables."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import NamedTuple
 
-from sigcat.function.exchange import Exchange, Part
+from sigcat.function.exchange import Part
 from sigcat.function.function_json.runnable import Runnable as Call
-from sigcat.integration.application import Application
 from sigcat.integration.autosar_classic.deployment.settings import AutosarClassicSettings
+from sigcat.integration.autosar_context import AutosarContext
 from sigcat.integration.autosar_names import distinct, short_name
-from sigcat.integration.finding_collector import FindingCollector
 
 OF_ADAPTER = ("Init", "Receive", "Supervise", "JudgeWindows", "Terminate", "Core", "Calls", "Stored")
 """Runnables, areas and memory of a component, whatever the names of its steps: all of them have one namespace."""
@@ -31,15 +29,8 @@ class NamedCall(NamedTuple):
     call: Call
 
 
-@dataclass(frozen=True)
-class Context:
-    """Input of one derivation, and the findings on its way."""
-
-    application: Application
-    settings: AutosarClassicSettings
-    parts: tuple[Part, ...]
-    exchange: Exchange
-    findings: FindingCollector
+Context = AutosarContext[AutosarClassicSettings]
+"""Input of one derivation, and the findings on its way."""
 
 
 def role_of(call: Call) -> str:

@@ -7,9 +7,8 @@ from sigcat import codes
 from sigcat.findings import Finding, has_errors
 from sigcat.function.document.document import pointer_text
 from sigcat.function.document.text import Text
-from sigcat.function.exchange import Part, exchange_of
+from sigcat.function.exchange import Part
 from sigcat.function.function_json.resolved_function import ResolvedFunction
-from sigcat.integration.application import DEFAULT_VERSION, NO_DATE, application
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.base_software import (
     CLOCK,
@@ -57,33 +56,22 @@ from sigcat.integration.autosar_classic.service_needs import (
 )
 from sigcat.integration.autosar_classic.signals import report_narrow_signals, system_signals
 from sigcat.integration.autosar_classic.tasks import behaviours_by_name, init_batches_of, tasks_of
+from sigcat.integration.autosar_context import autosar_context, meta_information
 from sigcat.integration.autosar_names import short_name
-from sigcat.integration.autosar_parts import named_parts
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
-from sigcat.integration.finding_collector import FindingCollector
+from sigcat.integration.derived import Derived
 from sigcat.integration.not_carried import report_not_carried
-from sigcat.integration.report import Entry
 from sigcat.integration.unknown_paths import report_unknown_paths
-
-
-class Derived(NamedTuple):
-    """The document, the findings about it, and where each field of each interface went."""
-
-    model: model.ClassicIntegration
-    findings: tuple[Finding, ...]
-    report: tuple[Entry, ...]
 
 
 def derive(
     functions: Sequence[ResolvedFunction],
     deployment: Deployment = NO_DEPLOYMENT,
     settings: AutosarClassicSettings = NO_SETTINGS,
-) -> Derived:
+) -> Derived[model.ClassicIntegration]:
     """The integration of a function or a set of functions. The order in which they are given does not matter."""
-    app = application(functions, deployment)
-    parts = named_parts([f.function for f in app.functions])
-    exchange = exchange_of(parts, app.paths)
-    context = Context(app, settings, parts, exchange, FindingCollector(app.functions, deployment))
+    context = autosar_context(functions, deployment, settings)
+    app = context.application
     elements = elements_of(context)
     types = _types(context)
     interfaces = _interfaces(elements, types)
@@ -143,9 +131,8 @@ def _document(made: _Made, context: Context) -> model.ClassicIntegration:
     calibrations = _calibrations(context, types)
     parameters = tuple(parameter_interface(part, types) for part in context.parts if _over_ports(part, context))
     composition = composition_of(made.components, calibrations, made.elements, context)
-    provenance = (f.function.provenance for f in app.functions)
     return model.ClassicIntegration(
-        meta=_meta(context),
+        meta=model.MetaInformation(**meta_information(codes.DATE_MISSING_CLASSIC, context)),
         info=_info(context),
         deployment=model.ClassicDeployment(
             package=settings.package or short_name(app.name), release=settings.release, tick=settings.tick
@@ -164,8 +151,8 @@ def _document(made: _Made, context: Context) -> model.ClassicIntegration:
         parameter_components=calibrations,
         composition=composition,
         ecu=_ecu(made, composition, context),
-        provenance=tuple(each.model_dump(mode="json") for each in provenance if each) or None,
-        functions=tuple(each.function for each in app.functions),
+        provenance=app.provenance,
+        functions=app.wholes,
     )
 
 
@@ -288,21 +275,6 @@ def _calibrations(context: Context, types: TypeTable) -> tuple[model.ParameterCo
             name=short_name(f"{context.application.name}Calibration"),
             ports=tuple(parameter_port(part, "Provided", types) for part in parts),
         ),
-    )
-
-
-def _meta(context: Context) -> model.MetaInformation:
-    app = context.application
-    if app.date is None:
-        message = f"No function has a date: the document has {NO_DATE}."
-        context.findings.report(
-            codes.DATE_MISSING_CLASSIC, message, fix="Set `date` in the deployment file or in a function."
-        )
-    return model.MetaInformation(
-        authority=app.authority,
-        author=app.author,
-        date=app.date.isoformat() if app.date else NO_DATE,
-        version=app.version or DEFAULT_VERSION,
     )
 
 
