@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from sigcat.errors import UsageError
 from sigcat.function.document.text import Text, optional
-from sigcat.function.function_json.model import FunctionJson, MetaInfo
+from sigcat.function.function_json.model import FunctionInfo, FunctionJson, MetaInfo
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 
@@ -79,6 +79,16 @@ def meta_of(app: Application, about: str) -> MetaInfo:
         date=app.date.strftime("%d.%m.%Y") if app.date else None,
         schema_version=DEFAULT_VERSION,
         schema_description=Text(about),
+    )
+
+
+def info_of(app: Application, version: str | None) -> FunctionInfo:
+    """The application as Function JSON describes a function."""
+    return FunctionInfo(
+        function_name=app.name,
+        function_responsible=app.responsible,
+        description=app.description,
+        version=version,
     )
 
 

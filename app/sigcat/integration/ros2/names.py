@@ -88,11 +88,17 @@ def _permitted_name(
     keyword_of = _reserved(text) if reserved else ""
     if keyword_of:
         text, reason = f"{text}{joint}{word}", f"{text!r} is a reserved word of {keyword_of}"
+    free = numbered(text, taken, joint, lower=lower)
+    return Name(free, f"{text!r} is taken" if free != text else reason)
+
+
+def numbered(text: str, taken: Container[str], joint: str = "_", *, lower: bool = False) -> str:
+    """The text, with the first number behind it that is free if it is taken. With `lower`, taken names are in lower case."""
     free, number = text, 1
     while (free.lower() if lower else free) in taken:
         number += 1
         free = f"{text}{joint}{number}"
-    return Name(free, f"{text!r} is taken" if free != text else reason)
+    return free
 
 
 def _like(digest: str, text: str) -> str:

@@ -1,19 +1,19 @@
 """Parameters of nodes, in the unit of the catalogue, so that one file of parameters serves every function."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from math import isfinite
 from typing import Any, NamedTuple
 
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
 from sigcat.function.document.text import Text, json_of, optional
-from sigcat.function.exchange import Part
+from sigcat.function.exchange import Part, contracts_of
 from sigcat.function.function_json.conversion import Linear
 from sigcat.function.function_json.datatypes.datatype import Datatype
 from sigcat.function.function_json.datatypes.primitive_types import value_range
 from sigcat.function.function_json.interfaces.data_interfaces import ParameterInterface
-from sigcat.function.function_json.runnable import Contract
 from sigcat.integration.finding_collector import FindingCollector, Subject
+from sigcat.integration.ros2.context import Context
 from sigcat.integration.ros2.conversions import conversion, converted, physical, to_catalogue
 from sigcat.integration.ros2.messages.field_types import FieldType, c_definition, field_type, sent, symbols_of
 from sigcat.integration.ros2.messages.made_messages import unresolved
@@ -28,23 +28,19 @@ _LONGEST = 10_000
 """Most elements of a default that is written."""
 
 
-def parameters_of(
-    contracts: Iterable[Contract], part: Part, table: Mapping[str, Datatype], findings: FindingCollector
-) -> tuple[RosParameter, ...]:
+def parameters_of(part: Part, context: Context) -> tuple[RosParameter, ...]:
     """The parameters of a component's calls, each once."""
     made: dict[str, RosParameter] = {}
-    for contract in contracts:
-        for parameter in contract.parameters or ():
-            if parameter.name not in {known.parameter for known in made.values()}:
-                resolved = _parameter(parameter, part, set(made), table, findings)
-                if resolved is not None:
-                    made[resolved.name] = resolved
+    for parameter in (each for contract in contracts_of(part) for each in contract.parameters or ()):
+        if parameter.name not in {known.parameter for known in made.values()}:
+            resolved = _parameter(parameter, part, set(made), context)
+            if resolved is not None:
+                made[resolved.name] = resolved
     return tuple(made.values())
 
 
-def _parameter(
-    item: ParameterInterface, part: Part, taken: set[str], table: Mapping[str, Datatype], findings: FindingCollector
-) -> RosParameter | None:
+def _parameter(item: ParameterInterface, part: Part, taken: set[str], context: Context) -> RosParameter | None:
+    table, findings = context.book.table, context.findings
     interface = Subject(item.vss_path or f"{part.function_name}.{item.name}", item)
     kind = field_type(item.datatype, item.vss_datatype, table)
     if kind is None:

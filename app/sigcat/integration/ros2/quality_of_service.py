@@ -33,19 +33,13 @@ _QUEUES = 10
 STATUS = MODE.model_copy(update={"reasons": (Text("A status is sent on change and holds until the next one."),)})
 
 
-def quality(
-    mine: Sequence[Side], everyone: Sequence[Side], topic: str, settings: Ros2Settings, *,
-    is_existing: bool = False,
-) -> QualityOfService:  # fmt: skip
-    """Quality of one end of a topic. `mine` are the signals of this end; `everyone` those of every end in the set.
-
-    `is_existing`: the message exists, and nodes that are not of the set know it.
-    """
+def quality(mine: Sequence[Side], everyone: Sequence[Side], topic: str, settings: Ros2Settings) -> QualityOfService:
+    """Quality of one end of a topic. `mine` are the signals of this end; `everyone` those of every end in the set."""
     reasons: list[str] = []
     asil = max((asil_of_side(use) for use in everyone), key=rank)
     is_heard = any(use.provides for use in everyone)
     is_strict = asil in ("C", "D") and is_heard
-    if is_heard and is_existing:
+    if is_heard and topic in settings.messages:  # the message exists: nodes that are not of the set know it
         reliability: Reliability = "reliable"
         reasons.append("reliable: nodes outside of the set subscribe as ROS does by default")
     else:
