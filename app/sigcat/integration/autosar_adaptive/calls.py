@@ -1,7 +1,6 @@
 """Calls, modes and parameters of a component."""
 
 from collections.abc import Mapping, Sequence
-from functools import partial
 from typing import TypeVar
 
 from sigcat import codes
@@ -16,7 +15,8 @@ from sigcat.integration.autosar_adaptive.code import CallCode, ParameterCode, co
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.deployment.settings import RunModes
 from sigcat.integration.autosar_adaptive.types import TypeTable
-from sigcat.integration.autosar_names import distinct, short_name
+from sigcat.integration.autosar_names import distinct_names, short_name
+from sigcat.integration.autosar_parts import parameter_uses
 
 T = TypeVar("T", str, None)
 _RUN_TYPES = {
@@ -96,39 +96,32 @@ def _mode(run_type: str, modes: RunModes) -> str:
 def function_modes(part: Part) -> tuple[model.FunctionMode, ...] | None:
     """Modes of the function, with those of the calls that are this component's."""
     mine = {call.name for call in part.component.runnables}
-    return (
-        tuple(
-            model.FunctionMode(
-                function=part.function_name,
-                name=mode.name,
-                description=mode.description,
-                calls=tuple(name for name in mode.runnables if name in mine),
-            )
-            for mode in part.function.modes or ()
+    made = (
+        model.FunctionMode(
+            function=part.function_name,
+            name=mode.name,
+            description=mode.description,
+            calls=tuple(name for name in mode.runnables if name in mine),
         )
-        or None
+        for mode in part.function.modes or ()
     )
+    return tuple(made) or None
 
 
 def parameters(part: Part, types: TypeTable, context: Context) -> tuple[model.ParameterEntry, ...] | None:
     """Parameters of a component; one that several calls use stands once, unless they describe it differently."""
     users: dict[tuple[str, bytes], list[str]] = {}
     found: dict[tuple[str, bytes], ParameterInterface] = {}
-    for call in part.component.runnables:
-        for contract in call.contracts or ():
-            for parameter in contract.parameters or ():
-                key = (parameter.name, parameter.model_dump_json().encode())
-                found[key] = parameter
-                users.setdefault(key, []).append(call.name)
-    keys = list(found)
-    names = distinct({f"{index:06d}": short_name(name) for index, (name, _) in enumerate(keys)})
-    return (
-        tuple(
-            _parameter(names[f"{index:06d}"], found[key], tuple(dict.fromkeys(users[key])), part, types, context)
-            for index, key in enumerate(keys)
-        )
-        or None
+    for call, parameter in parameter_uses(part):
+        key = (parameter.name, parameter.model_dump_json().encode())
+        found[key] = parameter
+        users.setdefault(key, []).append(call.name)
+    names = distinct_names([short_name(name) for name, _ in found])
+    made = (
+        _parameter(name, found[key], tuple(dict.fromkeys(users[key])), part, types, context)
+        for name, key in zip(names, found, strict=True)
     )
+    return tuple(made) or None
 
 
 _STORAGES = ("Calibration", "Measurement", "PersistanceMemory")
@@ -139,7 +132,17 @@ def _parameter(
     name: str, parameter: ParameterInterface, users: Sequence[str], part: Part, types: TypeTable, context: Context
 ) -> model.ParameterEntry:
     stored = {"PersistenceMemory": "PersistanceMemory"}.get(parameter.interface_type, parameter.interface_type)
-    known = partial(_known, parameter=parameter, part=part, context=context)
+
+    def known(word: str | None, words: Sequence[str], otherwise: T, key: str) -> str | T:
+        """The word, if the published schema has it; a word of another spelling is reported, not written."""
+        if word is None or word in words:
+            return word or otherwise
+        near = {known.lower(): known for known in words}.get(word.lower())
+        message = f"{parameter.name} of {part.function_name} must be one of {', '.join(words)}, not {word!r}: {near or otherwise or 'nothing'} is written."
+        context.findings.report(codes.WORD_NOT_IN_SCHEMA, message, parameter, key=key)
+        return near or otherwise
+
+    symbols = (model.Symbol(symbol=each.symbol, value=each.value) for each in parameter.vss_symbols or ())
     return model.ParameterEntry(
         name=name,
         description=parameter.description,
@@ -155,30 +158,11 @@ def _parameter(
         vss_path=parameter.vss_path,
         vss_datatype=parameter.vss_datatype,
         vss_unit=parameter.vss_unit,
-        vss_symbols=tuple(model.Symbol(symbol=each.symbol, value=each.value) for each in parameter.vss_symbols or ())
-        or None,
+        vss_symbols=tuple(symbols) or None,
         conversion_factor=parameter.conversion_factor,
         conversion_offset=parameter.conversion_offset,
         code=code_of(parameter, ParameterCode),
     )
-
-
-def _known(
-    word: str | None,
-    words: Sequence[str],
-    otherwise: T,
-    key: str,
-    parameter: ParameterInterface,
-    part: Part,
-    context: Context,
-) -> str | T:
-    """The word, if the published schema has it; a word of another spelling is reported, not written."""
-    if word is None or word in words:
-        return word or otherwise
-    near = {known.lower(): known for known in words}.get(word.lower())
-    message = f"{parameter.name} of {part.function_name} must be one of {', '.join(words)}, not {word!r}: {near or otherwise or 'nothing'} is written."
-    context.findings.report(codes.WORD_NOT_IN_SCHEMA, message, parameter, key=key)
-    return near or otherwise
 
 
 def _parameter_type(parameter: ParameterInterface, part: Part, types: TypeTable) -> model.ParameterType:

@@ -7,7 +7,7 @@ from sigcat.function.document.text import Text
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import Context
 from sigcat.integration.autosar_classic.elements import Element
-from sigcat.integration.autosar_names import distinct, short_name
+from sigcat.integration.autosar_names import distinct, distinct_names, short_name
 
 
 def composition_of(
@@ -107,6 +107,6 @@ def _outer(name: str, port: model.Port, provider: Text | None) -> model.OuterPor
 
 def _with_names(connectors: Sequence[Any], taken: list[str]) -> tuple[Any, ...]:
     """Connectors under names that no other element of the composition has."""
-    names = distinct({f"{index:06d}": each.name for index, each in enumerate(connectors)}, taken)
-    taken.extend(names.values())
-    return tuple(each.model_copy(update={"name": names[f"{index:06d}"]}) for index, each in enumerate(connectors))
+    names = distinct_names([each.name for each in connectors], taken)
+    taken.extend(names)
+    return tuple(each.model_copy(update={"name": name}) for each, name in zip(connectors, names, strict=True))

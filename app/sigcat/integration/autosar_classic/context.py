@@ -1,6 +1,5 @@
 """Common input of every step of `derive`, and the calls of components under the names of their runnables."""
 
-from collections.abc import Mapping
 from typing import NamedTuple
 
 from sigcat.function.exchange import Part
@@ -43,10 +42,10 @@ def role_of(call: Call) -> str:
 
 def named_calls(part: Part) -> tuple[NamedCall, ...]:
     """The calls of a component under names that no runnable of the adapter has."""
-    calls = part.component.runnables
-    wanted = {
-        f"{index:06d}": short_name(call.name.removeprefix(f"{part.function_name}_")) for index, call in enumerate(calls)
+    prefix = f"{part.function_name}_"
+    calls = {
+        f"{index:06d}": NamedCall(short_name(call.name.removeprefix(prefix)), role_of(call), call)
+        for index, call in enumerate(part.component.runnables)
     }
-    steps = {key: name for (key, name), call in zip(wanted.items(), calls, strict=True) if role_of(call) == STEP}
-    given: Mapping[str, str] = {**wanted, **distinct(steps, OF_ADAPTER)}
-    return tuple(NamedCall(given[f"{index:06d}"], role_of(call), call) for index, call in enumerate(calls))
+    steps = distinct({key: each.name for key, each in calls.items() if each.role == STEP}, OF_ADAPTER)
+    return tuple(each._replace(name=steps.get(key, each.name)) for key, each in calls.items())

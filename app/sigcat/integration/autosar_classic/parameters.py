@@ -9,7 +9,8 @@ from sigcat.function.function_json.interfaces.data_interfaces import ParameterIn
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import OF_ADAPTER, named_calls
 from sigcat.integration.autosar_classic.datatypes.types import Meaning, TypeTable
-from sigcat.integration.autosar_names import distinct, short_name
+from sigcat.integration.autosar_names import distinct_names, short_name
+from sigcat.integration.autosar_parts import parameter_uses
 from sigcat.integration.sent_values import initial, sent
 
 PORT = "Parameters"
@@ -35,17 +36,14 @@ def parameters_of(part: Part) -> tuple[Parameter, ...]:
     """The parameters of a component; one that several calls use stands once."""
     users: dict[str, list[str]] = {}
     found: dict[str, ParameterInterface] = {}
-    for call in part.component.runnables:
-        for contract in call.contracts or ():
-            for parameter in contract.parameters or ():
-                key = parameter.variable or parameter.name
-                found.setdefault(key, parameter)
-                users.setdefault(key, []).append(call.name)
+    for call, parameter in parameter_uses(part):
+        key = parameter.variable or parameter.name
+        found.setdefault(key, parameter)
+        users.setdefault(key, []).append(call.name)
     taken = (*OF_ADAPTER, *(each.name for each in named_calls(part)))
-    names = distinct({f"{index:06d}": short_name(each.name) for index, each in enumerate(found.values())}, taken)
+    names = distinct_names([short_name(each.name) for each in found.values()], taken)
     return tuple(
-        Parameter(names[f"{index:06d}"], found[key], tuple(dict.fromkeys(users[key])))
-        for index, key in enumerate(found)
+        Parameter(name, found[key], tuple(dict.fromkeys(users[key]))) for name, key in zip(names, found, strict=True)
     )
 
 

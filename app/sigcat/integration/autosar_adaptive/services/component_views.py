@@ -12,17 +12,14 @@ from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.deployment.transport import DEFAULT_TRANSPORT
 from sigcat.integration.autosar_adaptive.services.elements import Element, Service, cycle_of, event_group_of
 from sigcat.integration.autosar_adaptive.types import TypeTable
-from sigcat.integration.autosar_names import distinct, short_name
+from sigcat.integration.autosar_names import distinct_names, short_name
 from sigcat.integration.sent_values import sent
 
 
 def view(service: Service, part: str, types: TypeTable, context: Context) -> tuple[model.Services, bool] | None:
     """Return a component's part of a service, and whether it provides it; None if it does not take part in it."""
-    mine = [
-        (element, [side for side in element.sides if side.part.name == part])
-        for element in service.elements
-        if any(side.part.name == part for side in element.sides)
-    ]
+    own = ((element, [side for side in element.sides if side.part.name == part]) for element in service.elements)
+    mine = [(element, sides) for element, sides in own if sides]
     if not mine:
         return None
     return model.Services(
@@ -35,8 +32,8 @@ def view(service: Service, part: str, types: TypeTable, context: Context) -> tup
 def _event(service: Service, element: Element, sides: list[Side], types: TypeTable, context: Context) -> model.Event:
     leading = element.leading
     interface = leading.data
-    variables = tuple(dict.fromkeys(filter(None, map(_variable, sides))))
-    is_catalogue = _in_catalogue_datatype(interface)
+    variables = tuple(dict.fromkeys(filter(None, (side.data.variable for side in sides))))
+    is_catalogue = interface.vss_datatype is not None
     datatype = types.on_the_wire(leading.part.function, interface.datatype, interface.vss_datatype)
     symbols = types.symbols_sent(datatype)
     low, high = _limits(interface, symbols, provides=leading.provides)
@@ -70,14 +67,6 @@ def _limits(interface: Signal | DataQueue, symbols: Sequence[model.Symbol], *, p
     if interface.vss_min is not None or interface.vss_max is not None:
         return interface.vss_min, interface.vss_max
     return (sent(interface.min, interface), sent(interface.max, interface)) if provides else (None, None)
-
-
-def _variable(side: Side) -> str | None:
-    return side.data.variable
-
-
-def _in_catalogue_datatype(interface: Signal | DataQueue) -> bool:
-    return interface.vss_datatype is not None
 
 
 def _text(number: str | float | None) -> str | None:
@@ -122,17 +111,17 @@ def _method_use(side: Side) -> MethodUse:
 
 
 def _arguments(side: Side, listed: tuple[Argument, ...], types: TypeTable) -> tuple[model.MethodArgument, ...]:
-    names = distinct({f"{index:06d}": short_name(argument.name) for index, argument in enumerate(listed)})
+    names = distinct_names([short_name(argument.name) for argument in listed])
     function = side.part.function
     return tuple(
         model.MethodArgument(
-            name=names[f"{index:06d}"],
+            name=name,
             datatype=types.word(function, argument.datatype),
             unit=argument.units or None,
             code_datatype=types.c_definition(function, argument.datatype),
             argument=argument,
         )
-        for index, argument in enumerate(listed)
+        for name, argument in zip(names, listed, strict=True)
     )
 
 
