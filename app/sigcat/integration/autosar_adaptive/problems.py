@@ -15,12 +15,11 @@ from sigcat.integration.autosar_adaptive.deployment.identifiers import (
     data_ids,
 )
 from sigcat.integration.autosar_adaptive.deployment.someip_settings import TransformationSettings
+from sigcat.integration.autosar_adaptive.e2e import E2eProtection
 from sigcat.integration.autosar_adaptive.model import (
     ArxmlDeployment,
     Component,
-    Event,
     IntegrationModel,
-    ServiceField,
     ServiceInterface,
     Services,
     TypeEntry,
@@ -101,9 +100,8 @@ def _in_component(component: Component, at: Pointer, types: set[str]) -> Iterato
         here = (*at, "ServiceInterfaceList", index)
         yield from _name(here, interface.name, "service")
         if roles.index((interface.name, interface.role)) != index:
-            yield Problem(
-                here, f"Service {interface.name!r} must be listed once in each role, not twice.", "Merge the two."
-            )
+            message = f"Service {interface.name!r} must be listed once in each role, not twice."
+            yield Problem(here, message, "Merge the two.")
         lists = [((*here, "ServiceList", position), services) for position, services in enumerate(interface.services)]
         yield from _names((place for below, services in lists for place in _elements(services, below)), "element")
         for below, services in lists:
@@ -189,12 +187,9 @@ def _name(pointer: Pointer, name: str, what: str) -> Iterator[Problem]:
 def _type_references(model: IntegrationModel, types: set[str]) -> Iterator[Problem]:
     for index, entry in enumerate(model.datatypes or ()):
         yield from _members(entry, ("DataTypes", index))
-        words = [field.type for field in entry.fields or ()]
-        words += [word for word in (entry.type, entry.storage, entry.c_definition) if word]
-        for word in words:
-            if word not in types and word not in BY_ADAPTIVE:
-                message = f"Datatype {word!r} of {entry.name} is not defined."
-                yield Problem(("DataTypes", index), message, "Define it under `DataTypes`.")
+        stated = filter(None, (entry.type, entry.storage, entry.c_definition))
+        for word in (*(field.type for field in entry.fields or ()), *stated):
+            yield from _word(("DataTypes", index), word, entry.name, types)
 
 
 def _members(entry: TypeEntry, at: Pointer) -> Iterator[Problem]:
@@ -231,12 +226,6 @@ def _identifiers(model: IntegrationModel) -> Iterator[Problem]:
                 yield Problem(at, message, "Change one of them.")
 
 
-def _data_id(service: str, item: Event | ServiceField) -> Iterator[tuple[tuple[str, str], str, int, Span]]:
-    found = item.protection
-    if found is not None:
-        yield ("", "data id"), f"{service}.{item.name}", found.data_id, data_ids(found.profile)
-
-
 def numbers_of(interface: ServiceInterface) -> Iterator[tuple[tuple[str, str], str, int, Span]]:
     """Scope and kind, owner, id and its range, of every id of a service."""
     name = interface.name
@@ -249,11 +238,17 @@ def numbers_of(interface: ServiceInterface) -> Iterator[tuple[tuple[str, str], s
     for services in interface.services:
         for event in services.events:
             yield (name, "event"), f"{name}.{event.name}", event.event_id or 0, EVENTS
-            yield from _data_id(name, event)
+            if event.protection:
+                yield ("", "data id"), f"{name}.{event.name}", *_data_id(event.protection)
         for field in services.fields:
             yield (name, "event"), f"{name}.{field.name}", field.notifier_id or 0, EVENTS
-            yield from _data_id(name, field)
-            if field.protection is None:
+            if field.protection:
+                yield ("", "data id"), f"{name}.{field.name}", *_data_id(field.protection)
+            else:
                 yield (name, "method"), f"{name}.Get{field.name}", field.getter_id or 0, METHODS
         for method in services.methods:
             yield (name, "method"), f"{name}.{method.name}", method.method_id or 0, METHODS
+
+
+def _data_id(protection: E2eProtection) -> tuple[int, Span]:
+    return protection.data_id, data_ids(protection.profile)

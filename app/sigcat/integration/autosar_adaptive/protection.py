@@ -71,13 +71,7 @@ def unprotected_sides(services: Sequence[Service]) -> Iterator[tuple[str, Side]]
 def report_open_lengths(model: IntegrationModel, context: Context) -> None:
     """Report events of open length whose profile sends no length."""
     types = {entry.name: entry for entry in model.datatypes or ()}
-    found = {
-        f"{interface.name}.{event.name}": event
-        for component in model.components
-        for interface in component.services
-        for part in interface.services
-        for event in part.events
-    }
+    found = {f"{each.name}.{event.name}": event for each in model.interfaces for event in each.events}
     for key, event in found.items():
         if event.protection and event.protection.profile == WITHOUT_LENGTH and _is_open(event.datatype, types):
             message = f"{key} must have a fixed length to be protected by profile {WITHOUT_LENGTH}, which sends none."
