@@ -7,15 +7,8 @@ from pydantic import BaseModel
 
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.unfit_texts import StringField, string_fields, titled
+from sigcat.function.function_json import walk
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.walk import (
-    data,
-    errors,
-    methods,
-    parameters,
-    runnables,
-    safety_reactions,
-)
 from sigcat.integration.problem import Problem
 from sigcat.names import did_you_mean
 
@@ -35,15 +28,15 @@ def missing_names(model: BaseModel, functions: Sequence[FunctionJson]) -> Iterat
 def _names(function: FunctionJson) -> Names:
     named = {
         "component": {each.name for each in function.components},
-        "call": {each.runnable.name for each in runnables(function)},
-        "method": {each.name for _, _, each in methods(function)},
-        "parameter": {each.name for _, _, each in parameters(function)},
-        "error": {name for _, _, each in errors(function) for name in (each.name, *each.dependencies)},
+        "call": {each.runnable.name for each in walk.runnables(function)},
+        "method": {each.name for _, _, each in walk.methods(function)},
+        "parameter": {each.name for _, _, each in walk.parameters(function)},
+        "error": {name for _, _, each in walk.errors(function) for name in (each.name, *each.dependencies)},
     }
-    statuses = {name for _, _, each in safety_reactions(function) for name in (each.name, *each.errors)}
+    statuses = {name for _, _, each in walk.safety_reactions(function) for name in (each.name, *each.errors)}
     statuses |= {each.name for each in function.mode_interfaces or ()}
     named["error"] |= {name for name in statuses if name.endswith("_ErrorSts")}
-    signals = {each.name for _, _, each in data(function)}
+    signals = {each.name for _, _, each in walk.data(function)}
     named["interface"] = signals | statuses | named["method"] | named["parameter"] | named["error"]
     return {kind: frozenset(names) for kind, names in named.items()}
 
@@ -83,7 +76,7 @@ def argument_counts(functions: Sequence[FunctionJson]) -> Mapping[str, frozenset
     """Numbers of arguments and results of methods, by name."""
     found: dict[str, frozenset[tuple[int, int]]] = {}
     for function in functions:
-        for _, _, method in methods(function):
+        for _, _, method in walk.methods(function):
             counts = (len(method.inputs), len(method.outputs))
             found[method.name] = found.get(method.name, frozenset()) | {counts}
     return found

@@ -3,16 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from sigcat.integration.autosar_adaptive.deployment.identifiers import (
-    EVENT_GROUPS,
-    EVENTS,
-    INSTANCE,
-    METHODS,
-    RULED_INSTANCES,
-    SERVICES,
-    Span,
-    assign,
-)
+from sigcat.integration.autosar_adaptive.deployment import identifiers
 from sigcat.integration.autosar_adaptive.deployment.namespaces import namespace_of
 from sigcat.integration.autosar_adaptive.model import (
     ArxmlDeployment,
@@ -41,7 +32,7 @@ def completed(model: IntegrationModel) -> IntegrationModel:
     for interface in model.interfaces:
         listed.setdefault(interface.name, []).append(interface)
     numbers = _Numbers(
-        _ids({name: each[-1].service_id for name, each in listed.items()}, SERVICES, ""),
+        _ids({name: each[-1].service_id for name, each in listed.items()}, identifiers.SERVICES, ""),
         _instances({name: each[-1].instance_id for name, each in listed.items()}),
         {name: _events(name, each) for name, each in listed.items()},
         {name: _methods(name, each) for name, each in listed.items()},
@@ -60,15 +51,17 @@ def completed(model: IntegrationModel) -> IntegrationModel:
     return model.model_copy(update={"components": components, "deployment": named})
 
 
-def _ids(given: Mapping[str, int | None], span: Span, scope: str) -> dict[str, int]:
+def _ids(given: Mapping[str, int | None], span: identifiers.Span, scope: str) -> dict[str, int]:
     fixed = {name: number for name, number in given.items() if number is not None}
-    return assign(given, span, fixed, scope).ids
+    return identifiers.assign(given, span, fixed, scope).ids
 
 
 def _instances(given: Mapping[str, int | None]) -> dict[str, int]:
     """Instances by the rule, each for its service alone: two services may have instances with one id."""
     return {
-        name: assign((name,), RULED_INSTANCES, scope=INSTANCE).ids[name] if number is None else number
+        name: identifiers.assign((name,), identifiers.RULED_INSTANCES, scope=identifiers.INSTANCE).ids[name]
+        if number is None
+        else number
         for name, number in given.items()
     }
 
@@ -78,7 +71,7 @@ def _events(name: str, listed: Iterable[ServiceInterface]) -> dict[str, int]:
     for services in (each for interface in listed for each in interface.services):
         given |= {event.name: event.event_id for event in services.events}
         given |= {field.name: field.notifier_id for field in services.fields}
-    return _ids(given, EVENTS, f"{name}.")
+    return _ids(given, identifiers.EVENTS, f"{name}.")
 
 
 def _methods(name: str, listed: Iterable[ServiceInterface]) -> dict[str, int]:
@@ -86,7 +79,7 @@ def _methods(name: str, listed: Iterable[ServiceInterface]) -> dict[str, int]:
     for services in (each for interface in listed for each in interface.services):
         given |= {method.name: method.method_id for method in services.methods}
         given |= {f"Get{field.name}": field.getter_id for field in services.fields if not field.protection}
-    return _ids(given, METHODS, f"{name}.")
+    return _ids(given, identifiers.METHODS, f"{name}.")
 
 
 def _groups(name: str, listed: Sequence[ServiceInterface]) -> dict[str, int]:
@@ -95,7 +88,7 @@ def _groups(name: str, listed: Sequence[ServiceInterface]) -> dict[str, int]:
         given |= dict.fromkeys(_event_groups(interface))
     for interface in listed:
         given |= {group.name: group.id for group in interface.event_groups or ()}
-    return _ids(given, EVENT_GROUPS, f"{name}.")
+    return _ids(given, identifiers.EVENT_GROUPS, f"{name}.")
 
 
 def _event_groups(interface: ServiceInterface) -> Iterator[str]:

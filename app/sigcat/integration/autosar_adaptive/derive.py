@@ -9,7 +9,7 @@ from sigcat.function.exchange import Part, contracts_of
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.walk import data_of
 from sigcat.integration.application import Application
-from sigcat.integration.autosar_adaptive import model
+from sigcat.integration.autosar_adaptive import model, protection
 from sigcat.integration.autosar_adaptive.calls import calls, function_modes, parameters
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.deployment.namespaces import namespace_of
@@ -21,14 +21,6 @@ from sigcat.integration.autosar_adaptive.deployment.settings import (
 )
 from sigcat.integration.autosar_adaptive.field_targets import field_targets
 from sigcat.integration.autosar_adaptive.processes import further_processes, process_problems
-from sigcat.integration.autosar_adaptive.protection import (
-    METHODS_ARE_NOT_PROTECTED,
-    protected,
-    report_open_lengths,
-    report_unset_errors,
-    states_asil,
-    unprotected_sides,
-)
 from sigcat.integration.autosar_adaptive.services.component_views import view
 from sigcat.integration.autosar_adaptive.services.disagreements import report_disagreements
 from sigcat.integration.autosar_adaptive.services.elements import Service, element_paths, services
@@ -54,7 +46,7 @@ UNKNOWN_PROVIDER = "SOME/IP"
 """Provider of a service that comes from somewhere in the network, as the authors write it."""
 _PROTECT = "State a `profile` under `e2e` in the deployment file, or protect it in the code."
 _PROTECT_METHOD = (
-    f"{METHODS_ARE_NOT_PROTECTED} Send its arguments and results as signals, with their ASIL and a profile."
+    f"{protection.METHODS_ARE_NOT_PROTECTED} Send its arguments and results as signals, with their ASIL and a profile."
 )
 
 
@@ -67,10 +59,10 @@ def derive(
     context = autosar_context(functions, deployment, settings)
     app = context.application
     types = TypeTable(context)
-    all_services = protected(services(context), context)
+    all_services = protection.protected(services(context), context)
     report_disagreements(all_services, types, context)
     _report_asil(all_services, context)
-    report_unset_errors(all_services, context)
+    protection.report_unset_errors(all_services, context)
     components = tuple(_component(part, all_services, types, context) for part in context.parts)
     _report_open_arrays(types.entries, context)
     integration = model.IntegrationModel(
@@ -83,7 +75,7 @@ def derive(
         functions=app.wholes,
     )
     integration = segmented(integration, context)
-    report_open_lengths(integration, context)
+    protection.report_open_lengths(integration, context)
     _report_processes(components, context)
     report_unused(all_services, context)
     report_units(units_of(integration), context)
@@ -112,8 +104,8 @@ def _report_processes(components: Sequence[model.Component], context: Context) -
 
 def _report_asil(all_services: Sequence[Service], context: Context) -> None:
     """One finding for each interface above QM that nothing protects end to end."""
-    for _, side in unprotected_sides(all_services):
-        if is_above(side.asil, "QM") and states_asil(side):
+    for _, side in protection.unprotected_sides(all_services):
+        if is_above(side.asil, "QM") and protection.states_asil(side):
             message = f"{side.identity} has ASIL {side.asil}, and its service has no end-to-end protection."
             fix = _PROTECT_METHOD if side.kind == "method" else _PROTECT
             context.findings.report(codes.ASIL_NOT_PROTECTED, message, side, fix, key="AsilLevel")

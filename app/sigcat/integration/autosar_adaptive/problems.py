@@ -5,15 +5,7 @@ from collections.abc import Iterable, Iterator
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.walk import parts
 from sigcat.integration.agreement import argument_counts
-from sigcat.integration.autosar_adaptive.deployment.identifiers import (
-    EVENT_GROUPS,
-    EVENTS,
-    INSTANCES,
-    METHODS,
-    SERVICES,
-    Span,
-    data_ids,
-)
+from sigcat.integration.autosar_adaptive.deployment import identifiers
 from sigcat.integration.autosar_adaptive.deployment.someip_settings import TransformationSettings
 from sigcat.integration.autosar_adaptive.e2e import E2eProtection
 from sigcat.integration.autosar_adaptive.model import (
@@ -226,29 +218,29 @@ def _identifiers(model: IntegrationModel) -> Iterator[Problem]:
                 yield Problem(at, message, "Change one of them.")
 
 
-def numbers_of(interface: ServiceInterface) -> Iterator[tuple[tuple[str, str], str, int, Span]]:
+def numbers_of(interface: ServiceInterface) -> Iterator[tuple[tuple[str, str], str, int, identifiers.Span]]:
     """Scope and kind, owner, id and its range, of every id of a service."""
     name = interface.name
     assert interface.service_id is not None
     assert interface.instance_id is not None
-    yield ("", "service"), name, interface.service_id, SERVICES
-    yield (name, "instance"), name, interface.instance_id, INSTANCES
+    yield ("", "service"), name, interface.service_id, identifiers.SERVICES
+    yield (name, "instance"), name, interface.instance_id, identifiers.INSTANCES
     for group in interface.event_groups or ():
-        yield (name, "group"), f"{name}.{group.name}", group.id, EVENT_GROUPS
+        yield (name, "group"), f"{name}.{group.name}", group.id, identifiers.EVENT_GROUPS
     for services in interface.services:
         for event in services.events:
-            yield (name, "event"), f"{name}.{event.name}", event.event_id or 0, EVENTS
+            yield (name, "event"), f"{name}.{event.name}", event.event_id or 0, identifiers.EVENTS
             if event.protection:
                 yield ("", "data id"), f"{name}.{event.name}", *_data_id(event.protection)
         for field in services.fields:
-            yield (name, "event"), f"{name}.{field.name}", field.notifier_id or 0, EVENTS
+            yield (name, "event"), f"{name}.{field.name}", field.notifier_id or 0, identifiers.EVENTS
             if field.protection:
                 yield ("", "data id"), f"{name}.{field.name}", *_data_id(field.protection)
             else:
-                yield (name, "method"), f"{name}.Get{field.name}", field.getter_id or 0, METHODS
+                yield (name, "method"), f"{name}.Get{field.name}", field.getter_id or 0, identifiers.METHODS
         for method in services.methods:
-            yield (name, "method"), f"{name}.{method.name}", method.method_id or 0, METHODS
+            yield (name, "method"), f"{name}.{method.name}", method.method_id or 0, identifiers.METHODS
 
 
-def _data_id(protection: E2eProtection) -> tuple[int, Span]:
-    return protection.data_id, data_ids(protection.profile)
+def _data_id(protection: E2eProtection) -> tuple[int, identifiers.Span]:
+    return protection.data_id, identifiers.data_ids(protection.profile)

@@ -6,12 +6,7 @@ from sigcat import codes
 from sigcat.asil import is_above
 from sigcat.function.exchange import Side
 from sigcat.integration.autosar_adaptive.context import Context
-from sigcat.integration.autosar_adaptive.deployment.identifiers import (
-    DATA_ID,
-    RULED_DATA_IDS,
-    RULED_INSTANCES,
-    data_ids,
-)
+from sigcat.integration.autosar_adaptive.deployment import identifiers
 from sigcat.integration.autosar_adaptive.e2e import E2eProtection, EventE2eSettings, Profile
 from sigcat.integration.autosar_adaptive.model import IntegrationModel, TypeEntry
 from sigcat.integration.autosar_adaptive.services.elements import Element, Service
@@ -28,8 +23,8 @@ WITHOUT_LENGTH = 5
 def protected(services: Sequence[Service], context: Context) -> tuple[Service, ...]:
     """The services, with how each of their events and fields is protected."""
     profiles = dict(_profiles(services, context))
-    spans = {key: data_ids(profile) for key, profile in profiles.items()}
-    names = Names(sorted(profiles), RULED_DATA_IDS, suffix=DATA_ID, has_dots=True, given=spans)
+    spans = {key: identifiers.data_ids(profile) for key, profile in profiles.items()}
+    names = Names(sorted(profiles), identifiers.RULED_DATA_IDS, suffix=identifiers.DATA_ID, has_dots=True, given=spans)
     instances = {_key(service, element): service.instance for service in services for element in service.elements}
     ids = {
         key: number if is_given(names, key, context) else _with_instance(number, profiles[key], instances[key])
@@ -47,7 +42,9 @@ def protected(services: Sequence[Service], context: Context) -> tuple[Service, .
 
 def _with_instance(number: int, profile: Profile, instance: int) -> int:
     """A data id by rule. With profile 4, its highest byte is the instance, as vsomeip has it."""
-    return instance << 24 | number if profile == WITH_INSTANCE and instance <= RULED_INSTANCES.last else number
+    return (
+        instance << 24 | number if profile == WITH_INSTANCE and instance <= identifiers.RULED_INSTANCES.last else number
+    )
 
 
 def report_unset_errors(services: Sequence[Service], context: Context) -> None:

@@ -11,18 +11,11 @@ from sigcat.function.function_json.interfaces.status_interfaces import ModeInter
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.triggers import absent_in, triggers
 from sigcat.integration.finding_collector import FindingCollector, subject_of
+from sigcat.integration.ros2 import model
 from sigcat.integration.ros2.context import Context
 from sigcat.integration.ros2.messages.common_types import STAMP
 from sigcat.integration.ros2.messages.field_types import FieldType, field_type
 from sigcat.integration.ros2.messages.made_messages import constants, unresolved
-from sigcat.integration.ros2.model import (
-    Communication,
-    MessageField,
-    RosNode,
-    Schedule,
-    StatusTopic,
-    Transition,
-)
 from sigcat.integration.ros2.names import shortened, topic_name
 from sigcat.integration.ros2.parameters import parameters_of
 from sigcat.integration.ros2.quality_of_service import MODE
@@ -43,11 +36,13 @@ _PRIORITIES = range(1, 100)
 """Priorities of threads under SCHED_FIFO."""
 
 
-def node_of(part: Part, exchanged: Sequence[Communication], statuses: Statuses, context: Context) -> RosNode:
+def node_of(
+    part: Part, exchanged: Sequence[model.Communication], statuses: Statuses, context: Context
+) -> model.RosNode:
     """The node of a component."""
     running = [call for call in part.component.runnables if run_kind(call) in (CYCLIC, EVENT)]
     schedules = tuple(_schedule(call, part, exchanged, context.findings) for call in running)
-    return RosNode(
+    return model.RosNode(
         name=part.name,
         namespace=context.settings.namespace or "/",
         function=part.function_name,
@@ -70,7 +65,7 @@ def node_of(part: Part, exchanged: Sequence[Communication], statuses: Statuses, 
 # -- life cycle and schedules -------------------------------------------------------------------------------------
 
 
-def _transitions(part: Part) -> tuple[Transition, ...]:
+def _transitions(part: Part) -> tuple[model.Transition, ...]:
     """Init when the node is configured; step while it is active; terminate when it is cleaned up, shut down or fails."""
     calls = part.component.runnables
     init = tuple(call.name for call in calls if run_kind(call) == INIT)
@@ -85,12 +80,14 @@ def _transitions(part: Part) -> tuple[Transition, ...]:
         ("error", "on_error", "errorprocessing", "unconfigured", end, (), steps),
     )
     return tuple(
-        Transition(name=name, callback=callback, start=start, end=to, runnables=made, starts=starts, stops=stops)
+        model.Transition(name=name, callback=callback, start=start, end=to, runnables=made, starts=starts, stops=stops)
         for name, callback, start, to, made, starts, stops in rows
     )
 
 
-def _schedule(call: Runnable, part: Part, exchanged: Sequence[Communication], findings: FindingCollector) -> Schedule:
+def _schedule(
+    call: Runnable, part: Part, exchanged: Sequence[model.Communication], findings: FindingCollector
+) -> model.Schedule:
     is_timed = run_kind(call) == CYCLIC
     topics = () if is_timed else _triggers(call, part, exchanged)
     if (is_timed and not call.cycle_time) or not (is_timed or topics or absent_in(call)):
@@ -102,7 +99,7 @@ def _schedule(call: Runnable, part: Part, exchanged: Sequence[Communication], fi
             "Add it, or correct the run type.",
             key="Runtype",
         )
-    return Schedule(
+    return model.Schedule(
         runnable=call.name,
         trigger="Timer" if is_timed else "Topics",
         period=call.cycle_time if is_timed else None,
@@ -116,7 +113,7 @@ def _schedule(call: Runnable, part: Part, exchanged: Sequence[Communication], fi
     )
 
 
-def _triggers(call: Runnable, part: Part, exchanged: Sequence[Communication]) -> tuple[str, ...]:
+def _triggers(call: Runnable, part: Part, exchanged: Sequence[model.Communication]) -> tuple[str, ...]:
     """Topics that bring a signal on which the call runs."""
     names = {item.name for item in triggers(call)}
     return tuple(
@@ -154,7 +151,7 @@ def _priority(call: Runnable, findings: FindingCollector) -> int | None:
 
 
 def _policy(
-    node: str, running: Sequence[Runnable], schedules: Sequence[Schedule], context: Context
+    node: str, running: Sequence[Runnable], schedules: Sequence[model.Schedule], context: Context
 ) -> SchedulingPolicy | None:
     """Return the policy of the deployment, if a call has a priority."""
     policy = context.settings.scheduling_policy
@@ -209,7 +206,7 @@ def mode_topic(function: str, interface: ModeInterface) -> str:
     return topic_name(function, f"mode_{interface.direction}")
 
 
-def _modes(part: Part, context: Context) -> Iterable[StatusTopic]:
+def _modes(part: Part, context: Context) -> Iterable[model.StatusTopic]:
     """A topic for each mode interface of the function. Every node receives the mode; the first one sends it."""
     for interface in part.function.mode_interfaces or ():
         is_received = interface.direction.lower() == "in"
@@ -219,7 +216,7 @@ def _modes(part: Part, context: Context) -> Iterable[StatusTopic]:
         if kind is None or kind.element is None:
             unresolved(context.findings, subject_of(interface), interface.datatype)
             continue
-        yield StatusTopic(
+        yield model.StatusTopic(
             interface=interface.name,
             topic=mode_topic(part.function_name, interface),
             role=SUBSCRIPTION if is_received else PUBLISHER,
@@ -235,7 +232,7 @@ def _mode_message(interface: ModeInterface, kind: FieldType, part: Part, context
     book, subject, meaning = context.book, subject_of(interface), interface.description
     if interface.name not in book.modes:
         written = book.written(kind, subject) or "uint8"
-        field = MessageField(name="mode", datatype=written, description=meaning, vss_path=interface.vss_path)
+        field = model.MessageField(name="mode", datatype=written, description=meaning, vss_path=interface.vss_path)
         values = constants(kind, "", subject, context.findings)
         name = book.reserved(f"{part.function_name}_Mode_{interface.direction}", subject)
         book.modes[interface.name] = book.add(name, meaning, (STAMP, field), values)

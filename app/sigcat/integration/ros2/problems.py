@@ -10,21 +10,9 @@ from sigcat.function.document.text import Text
 from sigcat.integration.agreement import argument_counts
 from sigcat.integration.datatypes import BY_VSS
 from sigcat.integration.problem import Problem
+from sigcat.integration.ros2 import model
 from sigcat.integration.ros2.messages.common_types import ERROR_STATUS, SAFETY_REACTION, STEP
 from sigcat.integration.ros2.messages.message_definitions import PRIMITIVES, holds
-from sigcat.integration.ros2.model import (
-    InterfacePackage,
-    Message,
-    MessageConstant,
-    MessageField,
-    NodePackage,
-    Package,
-    Ros2Integration,
-    RosNode,
-    RosParameter,
-    RosTopic,
-    Service,
-)
 from sigcat.integration.ros2.names import CONSTANT, FIELD, LONGEST, MESSAGE
 from sigcat.integration.ros2.settings import EMAIL, NAMESPACE
 
@@ -40,19 +28,22 @@ _AGAIN = "Integrate the functions again."
 _INTEGER = re.compile(r"-?[0-9]{1,20}")
 
 
-def problems_of(model: Ros2Integration) -> Iterator[Problem]:
-    """Everything in a model that packages cannot have."""
-    for key, packages in (("InterfacePackageList", model.interface_packages), ("NodePackageList", model.node_packages)):
+def problems_of(document: model.Ros2Integration) -> Iterator[Problem]:
+    """Everything in a document that packages cannot have."""
+    for key, packages in (
+        ("InterfacePackageList", document.interface_packages),
+        ("NodePackageList", document.node_packages),
+    ):
         if packages is not None and len(packages) != 1:
             yield Problem((key,), f"`{key}` must have one package, not {len(packages)}.")
-    for index, interfaces in enumerate(model.interface_packages or ()):
+    for index, interfaces in enumerate(document.interface_packages or ()):
         yield from _package(interfaces, ("InterfacePackageList", index))
         yield from _interfaces(interfaces, ("InterfacePackageList", index))
-    for index, nodes in enumerate(model.node_packages or ()):
+    for index, nodes in enumerate(document.node_packages or ()):
         yield from _package(nodes, ("NodePackageList", index))
         yield from _nodes(nodes, ("NodePackageList", index))
-    counts = argument_counts(model.functions or ())
-    for index, communication in enumerate(model.communications):
+    counts = argument_counts(document.functions or ())
+    for index, communication in enumerate(document.communications):
         at: Pointer = ("CommunicationList", index)
         for number, topic in enumerate(communication.topics):
             below: Pointer = (*at, "ROSTopicList", number)
@@ -71,7 +62,7 @@ def problems_of(model: Ros2Integration) -> Iterator[Problem]:
                 yield Problem(below, message, _AGAIN)
 
 
-def _fixed_fields(topic: RosTopic, at: Pointer) -> Iterator[Problem]:
+def _fixed_fields(topic: model.RosTopic, at: Pointer) -> Iterator[Problem]:
     for index, fixed in enumerate(topic.values or ()):
         element = PRIMITIVES.get(fixed.field_type)
         value = fixed.value.raw if isinstance(fixed.value, Text) else fixed.value
@@ -95,7 +86,7 @@ def _names(places: Iterable[tuple[Pointer, str]], form: re.Pattern[str], what: s
         seen.add(name.lower())
 
 
-def _package(package: Package, at: Pointer) -> Iterator[Problem]:
+def _package(package: model.Package, at: Pointer) -> Iterator[Problem]:
     yield from _is(package.name, FIELD, (*at, "Name"), "name of a package")
     yield from _is(package.version, _VERSION, (*at, "Version"), "version of a package")
     yield from _is(package.email, EMAIL, (*at, "MaintainerEmail"), "mail address of a maintainer")
@@ -109,7 +100,7 @@ def _package(package: Package, at: Pointer) -> Iterator[Problem]:
 # -- messages and services ----------------------------------------------------------------------------------------
 
 
-def _interfaces(package: InterfacePackage, at: Pointer) -> Iterator[Problem]:
+def _interfaces(package: model.InterfacePackage, at: Pointer) -> Iterator[Problem]:
     messages: Pointer = (*at, "Messages")
     services: Pointer = (*at, "Services")
     places = [((*messages, i, "Name"), each.name) for i, each in enumerate(package.messages)]
@@ -124,7 +115,7 @@ def _interfaces(package: InterfacePackage, at: Pointer) -> Iterator[Problem]:
     yield from _common(package, at)
 
 
-def _common(package: InterfacePackage, at: Pointer) -> Iterator[Problem]:
+def _common(package: model.InterfacePackage, at: Pointer) -> Iterator[Problem]:
     """Interfaces that the nodes use by the names of their fields."""
     if STEP.name not in {each.name for each in package.services}:
         yield Problem((*at, "Services"), f"{package.name} must have the service {STEP.name}.", _AGAIN)
@@ -138,16 +129,16 @@ def _common(package: InterfacePackage, at: Pointer) -> Iterator[Problem]:
             yield Problem((*at, key, index), message, _AGAIN)
 
 
-def _signature(interface: Message | Service) -> tuple[tuple[str, str], ...]:
+def _signature(interface: model.Message | model.Service) -> tuple[tuple[str, str], ...]:
     """Types and names of all fields and constants."""
-    if isinstance(interface, Service):
-        parts: Iterable[MessageField | MessageConstant] = (*interface.request, *interface.response)
+    if isinstance(interface, model.Service):
+        parts: Iterable[model.MessageField | model.MessageConstant] = (*interface.request, *interface.response)
     else:
         parts = (*interface.constants, *interface.fields)
     return tuple((each.datatype, each.name) for each in parts)
 
 
-def _message(message: Message, at: Pointer, known: set[str]) -> Iterator[Problem]:
+def _message(message: model.Message, at: Pointer, known: set[str]) -> Iterator[Problem]:
     yield from _fields(message.fields, (*at, "Fields"), known)
     constants = [((*at, "Constants", i, "Name"), each.name) for i, each in enumerate(message.constants)]
     yield from _names(constants, CONSTANT, "constant")
@@ -163,7 +154,7 @@ def _has_value(datatype: str, value: str) -> bool:
     return datatype in _PRIMITIVES and bool(_INTEGER.fullmatch(value))
 
 
-def _fields(fields: tuple[MessageField, ...], at: Pointer, known: set[str]) -> Iterator[Problem]:
+def _fields(fields: tuple[model.MessageField, ...], at: Pointer, known: set[str]) -> Iterator[Problem]:
     yield from _names((((*at, i, "Name"), field.name) for i, field in enumerate(fields)), FIELD, "field")
     for index, field in enumerate(fields):
         match = _TYPE.fullmatch(field.datatype)
@@ -175,7 +166,7 @@ def _fields(fields: tuple[MessageField, ...], at: Pointer, known: set[str]) -> I
 # -- nodes --------------------------------------------------------------------------------------------------------
 
 
-def _nodes(package: NodePackage, at: Pointer) -> Iterator[Problem]:
+def _nodes(package: model.NodePackage, at: Pointer) -> Iterator[Problem]:
     places: Pointer = (*at, "Nodes")
     for key, form, names in (
         ("NodeName", FIELD, [node.name for node in package.nodes]),
@@ -189,7 +180,7 @@ def _nodes(package: NodePackage, at: Pointer) -> Iterator[Problem]:
         yield from _node(node, (*places, index))
 
 
-def _node(node: RosNode, at: Pointer) -> Iterator[Problem]:
+def _node(node: model.RosNode, at: Pointer) -> Iterator[Problem]:
     if node.namespace != "/":
         yield from _is(node.namespace, NAMESPACE, (*at, "Namespace"), "namespace of a node")
     for key, ends in (("ModeTopics", node.modes), ("ErrorTopics", node.error_topics),
@@ -216,7 +207,7 @@ def _node(node: RosNode, at: Pointer) -> Iterator[Problem]:
             yield Problem((*parameters, index, "Default"), message)
 
 
-def _is_default(parameter: RosParameter) -> bool:
+def _is_default(parameter: model.RosParameter) -> bool:
     element = parameter.type.removesuffix("_array")
     if element == parameter.type:
         return _is_value(parameter.default, element)

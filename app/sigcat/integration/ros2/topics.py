@@ -9,22 +9,13 @@ from sigcat.function.exchange import Element, Side
 from sigcat.function.function_json.conversion import IDENTITY, Linear, as_text
 from sigcat.function.function_json.duration import time_in_a_name
 from sigcat.integration.finding_collector import FindingCollector, subject_of
+from sigcat.integration.ros2 import model
 from sigcat.integration.ros2.context import Context
 from sigcat.integration.ros2.conversions import conversion, to_catalogue
 from sigcat.integration.ros2.messages.common_types import STAMP
 from sigcat.integration.ros2.messages.existing_messages import SECTION, MappedField
 from sigcat.integration.ros2.messages.field_types import FieldType, c_definition, field_type, number_of, sent
 from sigcat.integration.ros2.messages.made_messages import constants, unresolved
-from sigcat.integration.ros2.model import (
-    Communication,
-    Conversion,
-    DataMap,
-    FieldMapping,
-    FixedField,
-    MessageConstant,
-    MessageField,
-    RosTopic,
-)
 from sigcat.integration.ros2.names import Name, field_name, numbered, package_name, report_renamed, topic_name
 from sigcat.integration.ros2.quality_of_service import quality
 from sigcat.integration.ros2.settings import Ros2Settings
@@ -59,7 +50,7 @@ class Topic(NamedTuple):
     uses: tuple[Side, ...]
     stamp: str | None = STAMP.name
     """Field of the time; None if the message has none."""
-    values: tuple[FixedField, ...] = ()
+    values: tuple[model.FixedField, ...] = ()
     """Constant values of further fields."""
 
 
@@ -108,7 +99,9 @@ def _existing_topics(context: Context) -> Iterable[Topic]:
             context.findings.report_deployment(rule, message, (*SECTION, name), "Map signals of one node.", "")
         ways = existing.ways
         members = {key: _existing_member(use, fields[key], ways.get(key)) for use in own if (key := use.identity)}
-        values = tuple(FixedField(field=each.path, field_type=each.datatype, value=each.value) for each in topic.values)
+        values = tuple(
+            model.FixedField(field=each.path, field_type=each.datatype, value=each.value) for each in topic.values
+        )
         yield Topic(name, topic.message, members, own, topic.stamp, values)
 
 
@@ -120,14 +113,14 @@ def _existing_member(use: Side, mapped: MappedField, way: Linear | None) -> Memb
     return Member(mapped.path, f"{field.element.ros2}{field.array}", kind, way=way or IDENTITY)
 
 
-def communications(topics: Sequence[Topic], context: Context) -> tuple[Communication, ...]:
+def communications(topics: Sequence[Topic], context: Context) -> tuple[model.Communication, ...]:
     """Return the topics of each call, in the order of the document."""
     by_key = {key: topic for topic in topics for key in topic.members}
     calls: dict[tuple[str, str], list[Side]] = {}
     for use in context.exchange.data:
         calls.setdefault((use.part.name, use.runnable.name), []).append(use)
     return tuple(
-        Communication(runnable=runnable, topics=tuple(_ends(own, by_key, context)))
+        model.Communication(runnable=runnable, topics=tuple(_ends(own, by_key, context)))
         for (_, runnable), own in calls.items()
     )
 
@@ -207,8 +200,8 @@ def _free(name: str, taken: dict[str, str], use: Side, findings: FindingCollecto
 
 def _topic(name: str, message: str, group: _Group, uses: list[Side], context: Context) -> Topic:
     members: dict[str, Member] = {}
-    fields: list[MessageField] = [STAMP]
-    values: list[MessageConstant] = []
+    fields: list[model.MessageField] = [STAMP]
+    values: list[model.MessageConstant] = []
     of_key: dict[str, list[Side]] = {}
     for use in uses:
         of_key.setdefault(use.identity, []).append(use)
@@ -229,8 +222,8 @@ def _topic(name: str, message: str, group: _Group, uses: list[Side], context: Co
     return Topic(name, f"{context.book.package}/msg/{message}", members, tuple(uses))
 
 
-def _fields(member: Member, first: Side) -> Iterable[MessageField]:
-    yield MessageField(
+def _fields(member: Member, first: Side) -> Iterable[model.MessageField]:
+    yield model.MessageField(
         name=member.field,
         datatype=member.written,
         description=first.data.description,
@@ -241,7 +234,7 @@ def _fields(member: Member, first: Side) -> Iterable[MessageField]:
         kind = number_of(member.kind)
         assert kind.element is not None
         description = Text(f"The same as {member.field}, as one of the constants. Nodes read the number.")
-        yield MessageField(name=member.number, datatype=kind.element.ros2 + kind.suffix, description=description)
+        yield model.MessageField(name=member.number, datatype=kind.element.ros2 + kind.suffix, description=description)
 
 
 def _member(own: list[Side], taken: set[str], context: Context) -> Member | None:
@@ -279,7 +272,7 @@ def _disagree(one: FieldType, other: FieldType | None) -> bool:
 # -- ends ---------------------------------------------------------------------------------------------------------
 
 
-def _ends(own: Sequence[Side], by_key: dict[str, Topic], context: Context) -> Iterable[RosTopic]:
+def _ends(own: Sequence[Side], by_key: dict[str, Topic], context: Context) -> Iterable[model.RosTopic]:
     """The publishers and subscriptions of one call."""
     ends: dict[tuple[str, bool], list[Side]] = {}
     for use in own:
@@ -290,7 +283,7 @@ def _ends(own: Sequence[Side], by_key: dict[str, Topic], context: Context) -> It
     for (_, is_provider), mine in ends.items():
         topic = by_key[mine[0].identity]
         _check_timeouts(mine, topic, context.findings)
-        yield RosTopic(
+        yield model.RosTopic(
             name=topic.name,
             interface=_interface(mine),
             data_maps=(_data_map(mine, topic, taken, context),),
@@ -330,11 +323,11 @@ def _check_timeouts(mine: Sequence[Side], topic: Topic, findings: FindingCollect
             findings.report(codes.TIMEOUT_BELOW_TWO_CYCLES, message, use, fix, key="Timeout")
 
 
-def _data_map(mine: Sequence[Side], topic: Topic, taken: set[str], context: Context) -> DataMap:
+def _data_map(mine: Sequence[Side], topic: Topic, taken: set[str], context: Context) -> model.DataMap:
     rows = [_row(use, topic.members[use.identity], taken, context) for use in mine]
     mappings = [mapping for mapping, _ in rows]
     conversions = tuple(made for _, made in rows if made is not None)
-    return DataMap(
+    return model.DataMap(
         variables=tuple(mapping.variable for mapping in mappings),
         variable_types=tuple(mapping.variable_type for mapping in mappings),
         fields=tuple(mapping.field for mapping in mappings),
@@ -344,7 +337,9 @@ def _data_map(mine: Sequence[Side], topic: Topic, taken: set[str], context: Cont
     )
 
 
-def _row(use: Side, member: Member, taken: set[str], context: Context) -> tuple[FieldMapping, Conversion | None]:
+def _row(
+    use: Side, member: Member, taken: set[str], context: Context
+) -> tuple[model.FieldMapping, model.Conversion | None]:
     data, table, findings = use.data, context.book.table, context.findings
     if not data.variable:
         message = f"{use.identity} must name the variable of the code; its own name, {data.name!r}, is used."
@@ -360,9 +355,9 @@ def _row(use: Side, member: Member, taken: set[str], context: Context) -> tuple[
     return _mapping(use, member, c_definition(data.datatype, table), made), made
 
 
-def _mapping(use: Side, member: Member, variable_type: str, made: Conversion | None) -> FieldMapping:
+def _mapping(use: Side, member: Member, variable_type: str, made: model.Conversion | None) -> model.FieldMapping:
     data, way = use.data, member.way or IDENTITY
-    return FieldMapping(
+    return model.FieldMapping(
         signal=data.name,
         field=member.field,
         number_field=member.number or None,

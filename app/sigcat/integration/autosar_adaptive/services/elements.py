@@ -11,15 +11,7 @@ from sigcat.function.exchange import Element as Exchanged
 from sigcat.function.exchange import Kind, Side
 from sigcat.function.function_json.duration import time_in_a_name
 from sigcat.integration.autosar_adaptive.context import Context
-from sigcat.integration.autosar_adaptive.deployment.identifiers import (
-    EVENT_GROUPS,
-    EVENTS,
-    INSTANCE,
-    INSTANCES,
-    METHODS,
-    RULED_INSTANCES,
-    SERVICES,
-)
+from sigcat.integration.autosar_adaptive.deployment import identifiers
 from sigcat.integration.autosar_adaptive.deployment.transport import DEFAULT_TRANSPORT, TransportSettings
 from sigcat.integration.autosar_adaptive.e2e import E2eProtection
 from sigcat.integration.autosar_adaptive.services.grouping import Group, group_of, report_rivals
@@ -83,9 +75,11 @@ def services(context: Context) -> tuple[Service, ...]:
     names = distinct({key: group.name for key, group in groups.items()})
     for key, sides in by_key.items():
         _report_renamed(names[key], Subject(groups[key].name, sides[0].interface), context)
-    service_ids = numbers(Names(sorted(names.values()), SERVICES), context)
-    given = dict.fromkeys(names.values(), INSTANCES)
-    instances = numbers(Names(sorted(names.values()), RULED_INSTANCES, suffix=INSTANCE, given=given), context)
+    service_ids = numbers(Names(sorted(names.values()), identifiers.SERVICES), context)
+    given = dict.fromkeys(names.values(), identifiers.INSTANCES)
+    instances = numbers(
+        Names(sorted(names.values()), identifiers.RULED_INSTANCES, suffix=identifiers.INSTANCE, given=given), context
+    )
     return tuple(
         _service(groups[key], by_key[key], name, service_ids[name], instances[name], context)
         for key, name in sorted(names.items(), key=lambda pair: pair[1])
@@ -108,12 +102,14 @@ def _service(group: Group, sides: Sequence[Side], name: str, number: int, instan
     fields = {element.name for element in elements if element.is_field}
     methods = {element.name for element in elements if element.is_method}
     ids = {
-        **numbers(Names(sorted(events | fields), EVENTS, f"{name}."), context),
-        **numbers(Names(sorted(methods | {f"Get{field}" for field in fields}), METHODS, f"{name}."), context),
+        **numbers(Names(sorted(events | fields), identifiers.EVENTS, f"{name}."), context),
+        **numbers(
+            Names(sorted(methods | {f"Get{field}" for field in fields}), identifiers.METHODS, f"{name}."), context
+        ),
     }
     chosen = context.settings.transport.get(name, DEFAULT_TRANSPORT)
     groups = {event_group_of(element, chosen) for element in elements} - {""}
-    event_groups = numbers(Names(sorted(groups), EVENT_GROUPS, f"{name}."), context)
+    event_groups = numbers(Names(sorted(groups), identifiers.EVENT_GROUPS, f"{name}."), context)
     return Service(group, name, number, instance, elements, ids, event_groups)
 
 
