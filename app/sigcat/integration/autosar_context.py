@@ -36,6 +36,16 @@ def autosar_context(functions: Sequence[ResolvedFunction], deployment: Deploymen
     return AutosarContext(app, settings, parts, exchange_of(parts, app.paths), findings)
 
 
+def application_information(app: Application) -> dict[str, Any]:
+    """Fields of a document about the identity of the application."""
+    return {
+        "name": app.name,
+        "responsible": app.responsible,
+        "description": app.description,
+        "functions": tuple(function.name for function in app.functions),
+    }
+
+
 def meta_information(date_missing: RuleCode, context: AutosarContext[Any]) -> dict[str, Any]:
     """Fields of a document about who is responsible for it; a missing date is reported."""
     app = context.application

@@ -8,7 +8,6 @@ from sigcat.function.document.text import Text
 from sigcat.function.exchange import Part, contracts_of
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.walk import data_of
-from sigcat.integration.application import Application
 from sigcat.integration.autosar_adaptive import model, protection
 from sigcat.integration.autosar_adaptive.calls import calls, function_modes, parameters
 from sigcat.integration.autosar_adaptive.context import Context
@@ -36,7 +35,7 @@ from sigcat.integration.autosar_adaptive.startup import (
 from sigcat.integration.autosar_adaptive.types import TypeTable
 from sigcat.integration.autosar_adaptive.units import units_of
 from sigcat.integration.autosar_adaptive.unused import report_units, report_unused
-from sigcat.integration.autosar_context import autosar_context, meta_information
+from sigcat.integration.autosar_context import application_information, autosar_context, meta_information
 from sigcat.integration.autosar_names import short_name
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 from sigcat.integration.derived import Derived
@@ -67,7 +66,7 @@ def derive(
     _report_open_arrays(types.entries, context)
     integration = model.IntegrationModel(
         meta=model.MetaInformation(**meta_information(codes.DATE_MISSING, context)),
-        info=_info(app),
+        info=model.FunctionInformation(**application_information(app)),
         components=components,
         datatypes=types.entries or None,
         deployment=_arxml_deployment(context),
@@ -210,15 +209,6 @@ def _provider_names(service: Service, content: model.Services, context: Context)
         return [manager]
     uses = [use.interface.external_provider for event in content.events for use in event.uses or ()]
     return sorted({name for name in uses if name}) or [Text(UNKNOWN_PROVIDER)]
-
-
-def _info(app: Application) -> model.FunctionInformation:
-    return model.FunctionInformation(
-        name=app.name,
-        responsible=app.responsible,
-        description=app.description,
-        functions=tuple(function.name for function in app.functions),
-    )
 
 
 def _arxml_deployment(context: Context) -> model.ArxmlDeployment:

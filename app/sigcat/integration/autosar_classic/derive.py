@@ -32,7 +32,7 @@ from sigcat.integration.autosar_classic.problems.document import problems_of
 from sigcat.integration.autosar_classic.runnables import AREA, CALLS, Behaviour, runnables_of
 from sigcat.integration.autosar_classic.signals import report_narrow_signals, system_signals
 from sigcat.integration.autosar_classic.tasks import init_batches_of, tasks_of
-from sigcat.integration.autosar_context import autosar_context, meta_information
+from sigcat.integration.autosar_context import application_information, autosar_context, meta_information
 from sigcat.integration.autosar_names import short_name
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 from sigcat.integration.derived import Derived
@@ -94,7 +94,7 @@ def _document(
     composition = composition_of(components, calibrations, elements, context)
     return model.ClassicIntegration(
         meta=model.MetaInformation(**meta_information(codes.DATE_MISSING_CLASSIC, context)),
-        info=_info(context),
+        info=model.ApplicationInformation(**application_information(app)),
         deployment=model.ClassicDeployment(
             package=settings.package or short_name(app.name), release=settings.release, tick=settings.tick
         ),
@@ -219,14 +219,4 @@ def _calibrations(context: Context, types: TypeTable) -> tuple[model.ParameterCo
             name=short_name(f"{context.application.name}Calibration"),
             ports=tuple(parameter_port(part, "Provided", types) for part in parts),
         ),
-    )
-
-
-def _info(context: Context) -> model.ApplicationInformation:
-    app = context.application
-    return model.ApplicationInformation(
-        name=app.name,
-        responsible=app.responsible,
-        description=app.description,
-        functions=tuple(function.name for function in app.functions),
     )

@@ -99,10 +99,7 @@ def _existing_topics(context: Context) -> Iterable[Topic]:
             context.findings.report_deployment(rule, message, (*SECTION, name), "Map signals of one node.", "")
         ways = existing.ways
         members = {key: _existing_member(use, fields[key], ways.get(key)) for use in own if (key := use.identity)}
-        values = tuple(
-            model.FixedField(field=each.path, field_type=each.datatype, value=each.value) for each in topic.values
-        )
-        yield Topic(name, topic.message, members, own, topic.stamp, values)
+        yield Topic(name, topic.message, members, own, topic.stamp, topic.values)
 
 
 def _existing_member(use: Side, mapped: MappedField, way: Linear | None) -> Member:

@@ -19,18 +19,11 @@ from sigcat.integration.datatypes import Spelling
 from sigcat.integration.problem import Problem
 from sigcat.integration.ros2.messages.field_types import FieldType, field_type, sent
 from sigcat.integration.ros2.messages.message_definitions import Definitions, Field, MessageError, holds, short_name
+from sigcat.integration.ros2.model import FixedField
 from sigcat.integration.ros2.settings import FieldSettings, MessageSettings, Ros2Settings
 from sigcat.names import either
 
 SECTION = ("ros2", "messages")
-
-
-class FixedValue(NamedTuple):
-    """The value that a field always has."""
-
-    path: str
-    datatype: str
-    value: Any
 
 
 class ExistingTopic(NamedTuple):
@@ -40,7 +33,8 @@ class ExistingTopic(NamedTuple):
     """`geometry_msgs/msg/Twist`."""
     stamp: str | None
     """Path of its time."""
-    values: tuple[FixedValue, ...]
+    values: tuple[FixedField, ...]
+    """Fields that always have one value."""
 
 
 class MappedField(NamedTuple):
@@ -112,7 +106,7 @@ _NOT_FOUND = (
 
 def _values(
     message: MessageSettings, name: str, definitions: Definitions, at: Pointer, problems: list[Problem]
-) -> Iterator[FixedValue]:
+) -> Iterator[FixedField]:
     for path, value in message.values.items():
         own = (*at, "values", path)
         try:
@@ -126,7 +120,7 @@ def _values(
             kind = f"{field.type}{field.array}"
             problems.append(Problem(own, f"{path} must have a value of {kind}, not {str(value)[:60]!r}."))
         else:
-            yield FixedValue(path, field.element.ros2, value)
+            yield FixedField(field=path, field_type=field.element.ros2, value=value)
 
 
 # -- functions ----------------------------------------------------------------------------------------------------
