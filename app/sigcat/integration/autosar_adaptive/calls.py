@@ -13,7 +13,6 @@ from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.code import CallCode, ParameterCode, code_of
 from sigcat.integration.autosar_adaptive.context import Context
-from sigcat.integration.autosar_adaptive.deployment.settings import RunModes
 from sigcat.integration.autosar_adaptive.types import TypeTable
 from sigcat.integration.autosar_names import distinct_names, short_name
 from sigcat.integration.autosar_parts import parameter_uses
@@ -35,12 +34,12 @@ def calls(part: Part, events: Mapping[int, str], context: Context) -> tuple[mode
 
 
 def _call(call: Runnable, part: Part, events: Mapping[int, str], context: Context) -> model.Call:
-    run_type = _run_type(call, part, context)
+    run_type, group_modes = _run_type(call, part, context), context.settings.modes
     is_triggered = call.run_type == EVENT_TRIGGERED
     modes = tuple(mode.name for mode in part.function.modes or () if call.name in mode.runnables)
     return model.Call(
         name=call.name,
-        modes=(_mode(run_type, context.settings.modes),),
+        modes=({"Init": group_modes.init, "Terminate": group_modes.terminate}.get(run_type, group_modes.step),),
         run_type=run_type,
         cycle_time=call.cycle_time,
         scheduling=_scheduling(call, part, context),
@@ -87,10 +86,6 @@ def _scheduling(call: Runnable, part: Part, context: Context) -> str | None:
             codes.SCHEDULING_UNKNOWN, message, call, "Correct it in the function.", key="Scheduling"
         )
     return _SCHEDULING.get(plain)
-
-
-def _mode(run_type: str, modes: RunModes) -> str:
-    return {"Init": modes.init, "Terminate": modes.terminate}.get(run_type, modes.step)
 
 
 def function_modes(part: Part) -> tuple[model.FunctionMode, ...] | None:

@@ -17,10 +17,10 @@ def composition_of(
     context: Context,
 ) -> model.Composition:
     """The composition of all components. Service ports are connected by the ECU configuration, and not here."""
-    ports = _by_interface(components, parameter_components)
+    types: tuple[_Type, ...] = (*components, *parameter_components)
+    ports = _by_interface(types)
     assemblies, delegations, outer = [], [], []
     outside = _providers_outside(elements, context)
-    types: tuple[model.Component | model.ParameterComponent, ...] = (*components, *parameter_components)
     borders = distinct({interface: interface for interface in ports}, (each.name for each in types))
     for interface, sides in ports.items():
         provided = [side for side in sides if side[1].direction == "Provided"]
@@ -44,6 +44,7 @@ def composition_of(
     )
 
 
+_Type = model.Component | model.ParameterComponent
 _Side = tuple[str, model.Port]
 
 
@@ -52,11 +53,8 @@ def _is_reaction(port: model.Port) -> bool:
     return any(use.kind == "safety reaction" for element in port.elements for use in element.uses or ())
 
 
-def _by_interface(
-    components: Sequence[model.Component], parameter_components: Sequence[model.ParameterComponent]
-) -> Mapping[str, list[_Side]]:
+def _by_interface(types: Sequence[_Type]) -> Mapping[str, list[_Side]]:
     found: dict[str, list[_Side]] = {}
-    types: tuple[model.Component | model.ParameterComponent, ...] = (*components, *parameter_components)
     for component in types:
         for port in component.ports:
             if not port.service:

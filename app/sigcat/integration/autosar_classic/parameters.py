@@ -85,8 +85,7 @@ def type_of_parameter(part: Part, parameter: Parameter, types: TypeTable) -> str
 
 def value_of_parameter(part: Part, parameter: Parameter, types: TypeTable) -> Any:
     """Its value, as the catalogue has it."""
-    known = types.numbers(part.function, parameter.interface)
-    return initial(parameter.interface, names=known[0], numbers=known[1]) if known else initial(parameter.interface)
+    return initial(parameter.interface, types.numbers(part.function, parameter.interface))
 
 
 def parameter_port(part: Part, direction: Any, types: TypeTable) -> model.Port:

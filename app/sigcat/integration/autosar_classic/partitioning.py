@@ -10,6 +10,7 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.asil import Level, is_above, level_of, rank
 from sigcat.function.exchange import Part
+from sigcat.function.function_json.walk import interface_lists
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import Context
 from sigcat.integration.report import Entry
@@ -35,16 +36,10 @@ def _levels(part: Part) -> Iterator[_Cause]:
         if level := level_of(call.asil_level):
             yield _Cause(level, call.name)
         for contract in call.contracts or ():
-            listed = (
-                contract.signals,
-                contract.queues,
-                contract.parameters,
-                contract.errors,
-                contract.safety_reactions,
-            )
-            for interface in (each for items in listed for each in items or ()):
-                if level := level_of(interface.asil_level):
-                    yield _Cause(level, interface.name)
+            for key, items in interface_lists(contract):
+                for interface in items or () if key != "MethodList" else ():
+                    if level := level_of(interface.asil_level):
+                        yield _Cause(level, interface.name)
 
 
 def report_lower_calls(part: Part, context: Context) -> None:

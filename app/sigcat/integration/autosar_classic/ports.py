@@ -106,7 +106,7 @@ def initial_of(sides: Iterable[Side], types: TypeTable) -> Any:
         interface = side.interface
         if isinstance(interface, Signal | DataQueue):
             known = types.numbers(side.part.function, interface)
-            value = initial(interface, names=known[0], numbers=known[1]) if known else initial(interface)
+            value = initial(interface, known)
             if value is None and known:
                 return min(known[1].values(), default=0)
             if value is not None:

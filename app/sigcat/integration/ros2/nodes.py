@@ -92,13 +92,8 @@ def _schedule(
     topics = () if is_timed else _triggers(call, part, exchanged)
     if (is_timed and not call.cycle_time) or not (is_timed or topics or absent_in(call)):
         lacking = "a cycle time" if is_timed else "a signal that it consumes"
-        findings.report(
-            codes.CALL_WITHOUT_TRIGGER,
-            f"{call.name} must have {lacking} to run on.",
-            call,
-            "Add it, or correct the run type.",
-            key="Runtype",
-        )
+        message, fix = f"{call.name} must have {lacking} to run on.", "Add it, or correct the run type."
+        findings.report(codes.CALL_WITHOUT_TRIGGER, message, call, fix, key="Runtype")
     return model.Schedule(
         runnable=call.name,
         trigger="Timer" if is_timed else "Topics",
@@ -118,11 +113,8 @@ def _triggers(call: Runnable, part: Part, exchanged: Sequence[model.Communicatio
     names = {item.name for item in triggers(call)}
     return tuple(
         topic.name
-        for communication in exchanged
-        if communication.runnable == call.name
-        for topic in communication.topics
-        if topic.role == SUBSCRIPTION
-        and topic.node == part.name
+        for topic in (topic for each in exchanged if each.runnable == call.name for topic in each.topics)
+        if (topic.role, topic.node) == (SUBSCRIPTION, part.name)
         and names.intersection(mapping.signal for mapping in topic.mappings)
     )
 

@@ -9,15 +9,14 @@ from sigcat.catalogue.model.datatypes import INTEGER_RANGES, element_of
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.datatypes.datatype import Datatype, EnumerationValue, innermost
 from sigcat.function.function_json.datatypes.type_list import smallest_integer
-from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import Context
 from sigcat.integration.autosar_names import distinct, distinct_names, short_name
 from sigcat.integration.datatypes import BY_VSS, of_reference, with_catalogue_elements
 from sigcat.integration.finding_collector import Subject
+from sigcat.integration.sent_values import Enumeration, Scaled
 
-Scaled = Signal | DataQueue | ParameterInterface
 _FALLBACK = "uint8"
 
 
@@ -80,7 +79,7 @@ class TypeTable:
             return self.of_reference(function, interface.datatype, Sent(interface.vss_symbols, interface.vss_datatype))
         return self._add(self._array(function, sent, _AS_IN_CODE), function)
 
-    def numbers(self, function: FunctionJson, interface: Scaled) -> tuple[Mapping[int, str], Mapping[str, int]] | None:
+    def numbers(self, function: FunctionJson, interface: Scaled) -> Enumeration | None:
         """Return the names of an enumeration's numbers in the code, and the numbers that are sent for these names."""
         datatype = innermost(interface.datatype, self.datatypes(function))
         if datatype is None or datatype.kind != "enumeration":

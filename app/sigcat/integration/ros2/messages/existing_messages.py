@@ -194,7 +194,9 @@ def _mapped(item: Signal | DataQueue, mapped: MappedField, table: Mapping[str, D
     element = mapped.field.element
     if element is None or own.element is None or own.suffix != mapped.field.array:
         kind = f"{mapped.field.type}{mapped.field.array}"
-        raise _DoesNotFit(f"{mapped.settings.signal} is {_kind(own)}, which {mapped.path}, {kind}, cannot have.")
+        name = f"the struct {own.struct}" if own.element is None else own.element.vss
+        signal = f"{mapped.settings.signal} is {name}{own.suffix}"
+        raise _DoesNotFit(f"{signal}, which {mapped.path}, {kind}, cannot have.")
     symbols, way = _symbols(own, element, mapped), _unit(item, mapped)
     factor, offset = (of_text(text or "") for text in (item.conversion_factor, item.conversion_offset))
     whole = Linear(factor or IDENTITY.factor, offset or IDENTITY.offset).then(way)
@@ -212,11 +214,6 @@ def _mapped(item: Signal | DataQueue, mapped: MappedField, table: Mapping[str, D
 def _limit(value: float | None, way: Linear) -> float | None:
     number = None if value is None else of_text(repr(value))
     return None if number is None else as_number(way(number))
-
-
-def _kind(own: FieldType) -> str:
-    name = f"the struct {own.struct}" if own.element is None else own.element.vss
-    return f"{name}{own.suffix}"
 
 
 def _symbols(own: FieldType, element: Spelling, mapped: MappedField) -> tuple[EnumerationValue, ...]:
