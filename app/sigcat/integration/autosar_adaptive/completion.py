@@ -28,9 +28,7 @@ class _Numbers(NamedTuple):
 
 def completed(model: IntegrationModel) -> IntegrationModel:
     """The model with ids by the rule of `derive` wherever it has none, and with names for the deployment."""
-    listed: dict[str, list[ServiceInterface]] = {}
-    for interface in model.interfaces:
-        listed.setdefault(interface.name, []).append(interface)
+    listed = model.interfaces_by_name()
     numbers = _Numbers(
         _ids({name: each[-1].service_id for name, each in listed.items()}, identifiers.SERVICES, ""),
         _instances({name: each[-1].instance_id for name, each in listed.items()}),

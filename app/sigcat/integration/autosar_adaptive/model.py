@@ -51,6 +51,7 @@ from sigcat.integration.autosar_adaptive.deployment.transport import TransportSe
 from sigcat.integration.autosar_adaptive.e2e import E2eProtection
 from sigcat.integration.autosar_adaptive.startup import StartupSettings, Wish
 from sigcat.integration.autosar_si_units import UnitSettings
+from sigcat.integration.grouping import grouped
 from sigcat.integration.source_functions import source_functions
 
 ADAPTIVE = "published integration schema for AUTOSAR adaptive"
@@ -458,6 +459,10 @@ class IntegrationModel(WireModel):
     def interfaces(self) -> Iterator[ServiceInterface]:
         """Services of all components, each as the component has it."""
         return (interface for component in self.components for interface in component.services)
+
+    def interfaces_by_name(self) -> dict[str, list[ServiceInterface]]:
+        """Each service as its components have it."""
+        return grouped(self.interfaces, lambda each: each.name)
 
     def with_interfaces(self, changed: Callable[[ServiceInterface], ServiceInterface]) -> Self:
         """The document with changed services."""

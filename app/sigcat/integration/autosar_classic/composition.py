@@ -8,6 +8,7 @@ from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import Context
 from sigcat.integration.autosar_classic.elements import Element
 from sigcat.integration.autosar_names import distinct, distinct_names, short_name
+from sigcat.integration.grouping import grouped
 
 
 def composition_of(
@@ -54,12 +55,8 @@ def _is_reaction(port: model.Port) -> bool:
 
 
 def _by_interface(types: Sequence[_Type]) -> Mapping[str, list[_Side]]:
-    found: dict[str, list[_Side]] = {}
-    for component in types:
-        for port in component.ports:
-            if not port.service:
-                found.setdefault(port.interface, []).append((component.name, port))
-    return dict(sorted(found.items()))
+    sides = ((component.name, port) for component in types for port in component.ports if not port.service)
+    return dict(sorted(grouped(sides, lambda side: side[1].interface).items()))
 
 
 def _providers_outside(elements: Sequence[Element], context: Context) -> Mapping[str, Text]:

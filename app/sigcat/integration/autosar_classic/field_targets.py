@@ -3,7 +3,6 @@
 The document carries each function whole: what the core decides is taken from there, and stands nowhere else.
 """
 
-from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 
 from pydantic import BaseModel
@@ -18,6 +17,7 @@ from sigcat.integration.autosar_classic.context import Context, named_calls
 from sigcat.integration.autosar_classic.elements import Element
 from sigcat.integration.autosar_classic.parameters import parameters_of
 from sigcat.integration.autosar_part_entries import PartTables, part_entries
+from sigcat.integration.grouping import grouped
 from sigcat.integration.report import OF_ABSENT, Entry, FieldTarget, Targets, entries
 
 _CORE = FieldTarget("SourceFunctionList", "the core decides it, from the function that the document carries")
@@ -135,14 +135,12 @@ CALL_TARGETS, PARAMETER_TARGETS = _CALL, _PARAMETER
 def field_targets(context: Context, elements: Sequence[Element]) -> tuple[Entry, ...]:
     """An entry for each field that has a value, in the order of the documents."""
     named = {(each.kind, each.identity): each for each in elements}
-    sides: defaultdict[str, list[Side]] = defaultdict(list)
-    for side in context.exchange.sides:
-        if side.provides or side.kind != "error":  # the entries of an error are those of who reports it
-            sides[side.part.name].append(side)
+    told = (side for side in context.exchange.sides if side.provides or side.kind != "error")
+    sides = grouped(told, lambda side: side.part.name)  # the entries of an error are those of who reports it
     made: list[Entry] = []
     for part in context.parts:
         made += _of_part(part)
-        for side in sides[part.name]:
+        for side in sides.get(part.name, ()):
             made += _of_interface(side, named[side.kind, side.identity])
     return tuple(made)
 

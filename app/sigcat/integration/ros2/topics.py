@@ -9,11 +9,12 @@ from sigcat.function.exchange import Element, Side
 from sigcat.function.function_json.conversion import IDENTITY, Linear, as_text
 from sigcat.function.function_json.duration import time_in_a_name
 from sigcat.integration.finding_collector import FindingCollector, subject_of
+from sigcat.integration.grouping import grouped
 from sigcat.integration.ros2 import model
 from sigcat.integration.ros2.context import Context
 from sigcat.integration.ros2.conversions import conversion, to_catalogue
 from sigcat.integration.ros2.messages.common_types import STAMP
-from sigcat.integration.ros2.messages.existing_messages import SECTION, MappedField
+from sigcat.integration.ros2.messages.existing_messages import SECTION, ExistingMessages
 from sigcat.integration.ros2.messages.field_types import FieldType, c_definition, field_type, number_of, sent
 from sigcat.integration.ros2.messages.made_messages import constants, unresolved
 from sigcat.integration.ros2.names import Name, field_name, numbered, package_name, report_renamed, topic_name
@@ -68,9 +69,7 @@ def topics_of(context: Context) -> tuple[Topic, ...]:
     mapped = tuple(_existing_topics(context))
     own = [use for use in exchange.data if use.identity not in context.existing.fields]
     together = _Together.of(exchange.element(use) for use in own)
-    groups: dict[_Group, list[Side]] = {}
-    for use in own:
-        groups.setdefault(_group(use, exchange.element(use).provider, together, context.settings), []).append(use)
+    groups = grouped(own, lambda use: _group(use, exchange.element(use).provider, together, context.settings))
     taken = {topic.name.removeprefix("/"): topic.message for topic in mapped}
     messages = {group: context.book.reserved(group.message, subject_of(groups[group][0])) for group in sorted(groups)}
     made = []
@@ -97,25 +96,23 @@ def _existing_topics(context: Context) -> Iterable[Topic]:
             others = [*sorted(senders), *(f"the sender of {key}" for key in sorted(foreign))]
             message = f"{name} must have one sender, not {' and '.join(others)}: each would send the fields of the others empty."
             context.findings.report_deployment(rule, message, (*SECTION, name), "Map signals of one node.", "")
-        ways = existing.ways
-        members = {key: _existing_member(use, fields[key], ways.get(key)) for use in own if (key := use.identity)}
+        members = {use.identity: _existing_member(use, existing) for use in own}
         yield Topic(name, topic.message, members, own, topic.stamp, topic.values)
 
 
-def _existing_member(use: Side, mapped: MappedField, way: Linear | None) -> Member:
+def _existing_member(use: Side, existing: ExistingMessages) -> Member:
     """The field with its datatype, which has the names of an enumeration."""
+    mapped, way = existing.fields[use.identity], existing.ways.get(use.identity, IDENTITY)
     field = mapped.field
     assert field.element is not None
     kind = FieldType(field.element, "", field.array, use.data.vss_symbols or ())
-    return Member(mapped.path, f"{field.element.ros2}{field.array}", kind, way=way or IDENTITY)
+    return Member(mapped.path, f"{field.element.ros2}{field.array}", kind, way=way)
 
 
 def communications(topics: Sequence[Topic], context: Context) -> tuple[model.Communication, ...]:
     """Return the topics of each call, in the order of the document."""
     by_key = {key: topic for topic in topics for key in topic.members}
-    calls: dict[tuple[str, str], list[Side]] = {}
-    for use in context.exchange.data:
-        calls.setdefault((use.part.name, use.runnable.name), []).append(use)
+    calls = grouped(context.exchange.data, lambda use: (use.part.name, use.runnable.name))
     return tuple(
         model.Communication(runnable=runnable, topics=tuple(_ends(own, by_key, context)))
         for (_, runnable), own in calls.items()
@@ -199,9 +196,7 @@ def _topic(name: str, message: str, group: _Group, uses: list[Side], context: Co
     members: dict[str, Member] = {}
     fields: list[model.MessageField] = [STAMP]
     values: list[model.MessageConstant] = []
-    of_key: dict[str, list[Side]] = {}
-    for use in uses:
-        of_key.setdefault(use.identity, []).append(use)
+    of_key = grouped(uses, lambda use: use.identity)
     for key, own in of_key.items():
         own.sort(key=lambda use: not use.provides)
         member = _member(own, {field.name for field in fields}, context)
@@ -271,11 +266,8 @@ def _disagree(one: FieldType, other: FieldType | None) -> bool:
 
 def _ends(own: Sequence[Side], by_key: dict[str, Topic], context: Context) -> Iterable[model.RosTopic]:
     """The publishers and subscriptions of one call."""
-    ends: dict[tuple[str, bool], list[Side]] = {}
-    for use in own:
-        topic = by_key.get(use.identity)
-        if topic is not None:
-            ends.setdefault((topic.name, use.provides), []).append(use)
+    mapped = (use for use in own if use.identity in by_key)
+    ends = grouped(mapped, lambda use: (by_key[use.identity].name, use.provides))
     taken: set[str] = set()
     for (_, is_provider), mine in ends.items():
         topic = by_key[mine[0].identity]

@@ -68,7 +68,7 @@ class Raised(NamedTuple):
 
 def raised(model: IntegrationModel, previous: IntegrationModel, stated: Mapping[str, str]) -> Raised:
     """Raise the version of each service that changed since a previous document, unless the deployment states it."""
-    before, now = _services(previous), _services(model)
+    before, now = previous.interfaces_by_name(), model.interfaces_by_name()
     versions: dict[str, Version] = {}
     findings = []
     for name in sorted(before.keys() & now.keys() - stated.keys()):
@@ -89,14 +89,6 @@ def with_versions(model: IntegrationModel, versions: Mapping[str, Version]) -> I
         return interface.model_copy(update={"major_version": version.major, "minor_version": version.minor})
 
     return model.with_interfaces(changed)
-
-
-def _services(model: IntegrationModel) -> dict[str, list[ServiceInterface]]:
-    """Each service as its components have it."""
-    found: dict[str, list[ServiceInterface]] = {}
-    for interface in model.interfaces:
-        found.setdefault(interface.name, []).append(interface)
-    return found
 
 
 def _next(old: Version, changes: Iterable[Change]) -> Version:
