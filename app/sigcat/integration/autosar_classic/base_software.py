@@ -23,8 +23,10 @@ def _operation(name: str, description: str, *arguments: model.OperationArgument)
     return model.Operation(name=name, arguments=arguments, description=Text(description))
 
 
-def _service(name: str, module: str, *operations: model.Operation) -> model.ClientServerInterface:
-    """An interface of a module of the base software, whose operations may fail."""
+def failing_interface(
+    name: str, *operations: model.Operation, module: str | None = None
+) -> model.ClientServerInterface:
+    """An interface of a component, or of a module of the base software, whose operations may fail."""
     failing = tuple(each.model_copy(update={"errors": (E_NOT_OK.name,)}) for each in operations)
     return model.ClientServerInterface(name=name, operations=failing, errors=(E_NOT_OK,), service=module)
 
@@ -38,23 +40,23 @@ _GET_TIME = "Time of the counter that starts timing events: it never goes back, 
 _GET_CYCLE = "Number of the ignition cycle: another one after each start of the vehicle."
 CLOCK = model.ClientServerInterface(name="AdapterClock", operations=(_operation("GetTime", _GET_TIME, _TIME),))
 IGNITION = model.ClientServerInterface(name="AdapterIgnition", operations=(_operation("GetCycle", _GET_CYCLE, _CYCLE),))
-DIAGNOSTIC_MONITOR = _service(
+DIAGNOSTIC_MONITOR = failing_interface(
     "DiagnosticMonitor",
-    "DiagnosticEventManager",
     _operation("SetEventStatus", "What a test has come to: 0 passed, 1 failed.", _EVENT_STATUS),
+    module="DiagnosticEventManager",
 )
-SUPERVISION = _service(
+SUPERVISION = failing_interface(
     "WdgM_LocalSupervision",
-    "WatchdogManager",
     _operation("CheckpointReached", "A checkpoint was reached: which one, the port says."),
+    module="WatchdogManager",
 )
-NV_MEMORY = _service(
+NV_MEMORY = failing_interface(
     "NvMService",
-    "NvRamManager",
     _operation(
         "GetErrorStatus", "How the last request went: 0, and what is in the block is what was stored.", _ERROR_STATUS
     ),
     _operation("SetRamBlockStatus", "The block has changed, and must be stored at shutdown.", _CHANGED),
+    module="NvRamManager",
 )
 SERVICES = (CLOCK, DIAGNOSTIC_MONITOR, IGNITION, NV_MEMORY, SUPERVISION)
 SERVICE_TYPES = {"Dem_EventStatusType": "uint8", "NvM_RequestResultType": "uint8"}

@@ -10,7 +10,7 @@ from sigcat.function.function_json.interfaces.methods import MethodInterface
 from sigcat.function.function_json.interfaces.role import PROVIDER
 from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.autosar_classic import model
-from sigcat.integration.autosar_classic.base_software import E_NOT_OK
+from sigcat.integration.autosar_classic.base_software import failing_interface
 from sigcat.integration.autosar_classic.datatypes.types import Meaning, TypeTable
 from sigcat.integration.autosar_classic.elements import Element
 from sigcat.integration.autosar_names import distinct, short_name
@@ -38,20 +38,15 @@ def data_interface(element: Element, types: TypeTable) -> model.SenderReceiverIn
     """The interface of a signal or a status."""
     side = element.leading
     meaning = _meaning(side, types)
-    return model.SenderReceiverInterface(
-        name=element.name,
-        elements=(
-            model.DataElement(
-                name=element.leaf,
-                type=types.application(element.name, type_of(side, types), meaning),
-                description=meaning.description,
-                queued=True if element.is_queued else None,
-                vss_path=side.path or None,
-                unit=meaning.unit or None,
-            ),
-        ),
+    data = model.DataElement(
+        name=element.leaf,
+        type=types.application(element.name, type_of(side, types), meaning),
         description=meaning.description,
+        queued=True if element.is_queued else None,
+        vss_path=side.path or None,
+        unit=meaning.unit or None,
     )
+    return model.SenderReceiverInterface(name=element.name, elements=(data,), description=meaning.description)
 
 
 def type_of(side: Side, types: TypeTable) -> str:
@@ -113,26 +108,18 @@ def method_interface(element: Element, types: TypeTable) -> model.ClientServerIn
     method = side.interface
     assert isinstance(method, MethodInterface)
     function = side.part.function
-    return model.ClientServerInterface(
-        name=element.name,
-        operations=(
-            model.Operation(
-                name=element.leaf,
-                arguments=tuple(
-                    model.OperationArgument(
-                        name=short_name(each.name),
-                        type=types.of_reference(function, each.datatype),
-                        direction="IN" if each in method.inputs else "OUT",
-                        unit=each.units or None,
-                    )
-                    for each in (*method.inputs, *method.outputs)
-                ),
-                errors=(E_NOT_OK.name,),
-                description=method.description or None,
-            ),
-        ),
-        errors=(E_NOT_OK,),
+    arguments = (
+        model.OperationArgument(
+            name=short_name(each.name),
+            type=types.of_reference(function, each.datatype),
+            direction="IN" if each in method.inputs else "OUT",
+            unit=each.units or None,
+        )
+        for each in (*method.inputs, *method.outputs)
     )
+    description = method.description or None
+    operation = model.Operation(name=element.leaf, arguments=tuple(arguments), description=description)
+    return failing_interface(element.name, operation)
 
 
 def in_seconds(milliseconds: float | None) -> float:

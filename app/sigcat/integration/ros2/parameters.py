@@ -121,16 +121,10 @@ def _default(item: ParameterInterface, kind: FieldType, linear: Linear, names: M
     if not kind.suffix:
         given = item.default_text if kind.is_text and not kind.symbols else item.init_value
         return _one_default(given, kind, linear, names)
-    elements = _elements(item.init_elements or item.default_elements)
-    if elements is None:
+    elements = json_of(item.init_elements or item.default_elements)
+    if not isinstance(elements, list):
         elements = [item.init_value] * min(int(kind.suffix[1:-1] or 0), _LONGEST)
     return [_one_default(each, kind, linear, names) for each in elements[:_LONGEST]]
-
-
-def _elements(text: Text | None) -> list[Any] | None:
-    """Elements of an array, which Function JSON has as JSON in a text."""
-    value = json_of(text)
-    return value if isinstance(value, list) else None
 
 
 def _one_default(given: Any, kind: FieldType, linear: Linear, names: Mapping[float, str]) -> Any:
