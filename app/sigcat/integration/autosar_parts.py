@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from sigcat.function.exchange import Part, parts_of
+from sigcat.function.exchange import Part, Side, parts_of
 from sigcat.function.function_json.interfaces.data_interfaces import ParameterInterface
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.runnable import Runnable
@@ -25,3 +25,9 @@ def named_parts(functions: Sequence[FunctionJson]) -> tuple[Part, ...]:
         for part, name in zip(parts, names, strict=True)
     ]
     return tuple(part._replace(name=name) for part, name in zip(parts, distinct_names(wanted), strict=True))
+
+
+def several_providers(identity: str, providers: Sequence[Side]) -> str:
+    """Message about an element that several components provide."""
+    names = [each.part.name for each in providers]
+    return f"{identity} must have one provider, not {', '.join(names)}. Consumers are connected to {names[0]}."

@@ -13,7 +13,6 @@ from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.code import CallCode, ParameterCode, code_of
 from sigcat.integration.autosar_adaptive.context import Context
-from sigcat.integration.autosar_adaptive.types import TypeTable
 from sigcat.integration.autosar_names import distinct_names, short_name
 from sigcat.integration.autosar_parts import parameter_uses
 
@@ -103,7 +102,7 @@ def function_modes(part: Part) -> tuple[model.FunctionMode, ...] | None:
     return tuple(made) or None
 
 
-def parameters(part: Part, types: TypeTable, context: Context) -> tuple[model.ParameterEntry, ...] | None:
+def parameters(part: Part, context: Context) -> tuple[model.ParameterEntry, ...] | None:
     """Parameters of a component; one that several calls use stands once, unless they describe it differently."""
     users: dict[tuple[str, bytes], list[str]] = {}
     found: dict[tuple[str, bytes], ParameterInterface] = {}
@@ -113,7 +112,7 @@ def parameters(part: Part, types: TypeTable, context: Context) -> tuple[model.Pa
         users.setdefault(key, []).append(call.name)
     names = distinct_names([short_name(name) for name, _ in found])
     made = (
-        _parameter(name, found[key], tuple(dict.fromkeys(users[key])), part, types, context)
+        _parameter(name, found[key], tuple(dict.fromkeys(users[key])), part, context)
         for name, key in zip(names, found, strict=True)
     )
     return tuple(made) or None
@@ -124,7 +123,7 @@ _ATTRIBUTES = ("NA", "Normal", "LearningParameter")
 
 
 def _parameter(
-    name: str, parameter: ParameterInterface, users: Sequence[str], part: Part, types: TypeTable, context: Context
+    name: str, parameter: ParameterInterface, users: Sequence[str], part: Part, context: Context
 ) -> model.ParameterEntry:
     stored = {"PersistenceMemory": "PersistanceMemory"}.get(parameter.interface_type, parameter.interface_type)
 
@@ -141,14 +140,14 @@ def _parameter(
     return model.ParameterEntry(
         name=name,
         description=parameter.description,
-        datatype=_parameter_type(parameter, part, types),
+        datatype=_parameter_type(parameter, part, context),
         range_error_action=known(parameter.range_error_action or None, ("Default", "Init"), None, "RangeErrorAction"),
         interface_type=known(stored, _STORAGES, _STORAGES[0], "Interfacetype"),
         attribute=known(parameter.attribute, _ATTRIBUTES, _ATTRIBUTES[0], "Attribute"),
         function=part.function_name,
         calls=tuple(users),
         asil_level=parameter.asil_level,
-        code_datatype=types.c_definition(part.function, parameter.datatype),
+        code_datatype=context.types.c_definition(part.function, parameter.datatype),
         variable=parameter.variable,
         vss_path=parameter.vss_path,
         vss_datatype=parameter.vss_datatype,
@@ -160,10 +159,10 @@ def _parameter(
     )
 
 
-def _parameter_type(parameter: ParameterInterface, part: Part, types: TypeTable) -> model.ParameterType:
+def _parameter_type(parameter: ParameterInterface, part: Part, context: Context) -> model.ParameterType:
     """A parameter stays inside its component and so keeps the datatype and unit of the code."""
-    word = types.word(part.function, parameter.datatype)
-    entry = types.entry(word)
+    word = context.types.word(part.function, parameter.datatype)
+    entry = context.types.entry(word)
     if entry is not None and entry.kind != "enumeration":
         fields = entry.fields or (model.StructField(name="Element", type=entry.element),)
         return model.ParameterType(

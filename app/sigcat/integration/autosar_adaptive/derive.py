@@ -55,20 +55,19 @@ def derive(
     settings: AutosarAdaptiveSettings = NO_SETTINGS,
 ) -> Derived[model.IntegrationModel]:
     """The integration of a function or a set of functions. The order in which they are given does not matter."""
-    context = autosar_context(functions, deployment, settings)
+    context = autosar_context(functions, deployment, settings, TypeTable)
     app = context.application
-    types = TypeTable(context)
     all_services = protection.protected(services(context), context)
-    report_disagreements(all_services, types, context)
+    report_disagreements(all_services, context)
     _report_asil(all_services, context)
     protection.report_unset_errors(all_services, context)
-    components = tuple(_component(part, all_services, types, context) for part in context.parts)
-    _report_open_arrays(types.entries, context)
+    components = tuple(_component(part, all_services, context) for part in context.parts)
+    _report_open_arrays(context)
     integration = model.IntegrationModel(
         meta=model.MetaInformation(**meta_information(codes.DATE_MISSING, context)),
         info=model.FunctionInformation(**application_information(app)),
         components=components,
-        datatypes=types.entries or None,
+        datatypes=context.types.entries or None,
         deployment=_arxml_deployment(context),
         provenance=app.provenance,
         functions=app.wholes,
@@ -83,13 +82,13 @@ def derive(
     return Derived(integration, context.findings.findings, targets)
 
 
-def _report_open_arrays(datatypes: Sequence[model.TypeEntry], context: Context) -> None:
+def _report_open_arrays(context: Context) -> None:
     """Report arrays of open length where the deployment has no length sent before arrays."""
     settings = context.settings
     chosen = (settings.transformation, *(service.transformation for service in settings.services))
     if all(each is None or each.array_length for each in chosen):
         return
-    for entry in datatypes:
+    for entry in context.types.entries:
         if entry.is_open:
             message = f"`arrayLength` must not be 0 in the deployment file: {entry.name} is an array of open length."
             context.findings.report(codes.ARRAY_WITHOUT_LENGTH, message, entry.name, "Use 1, 2 or 4.")
@@ -110,7 +109,7 @@ def _report_asil(all_services: Sequence[Service], context: Context) -> None:
             context.findings.report(codes.ASIL_NOT_PROTECTED, message, side, fix, key="AsilLevel")
 
 
-def _component(part: Part, all_services: Sequence[Service], types: TypeTable, context: Context) -> model.Component:
+def _component(part: Part, all_services: Sequence[Service], context: Context) -> model.Component:
     settings = context.settings.components.get(part.name) or ComponentSettings.model_validate({})
     made = calls(part, element_paths(all_services), context)
     modes = tuple(dict.fromkeys(mode for call in made for mode in call.modes))
@@ -120,8 +119,8 @@ def _component(part: Part, all_services: Sequence[Service], types: TypeTable, co
         header_files=_header_files(part, settings),
         modes=modes,
         calls=made,
-        parameters=parameters(part, types, context),
-        services=tuple(_interfaces(part, all_services, types, context)),
+        parameters=parameters(part, context),
+        services=tuple(_interfaces(part, all_services, context)),
         function=part.function_name,
         version=part.function.info.version,
         description=part.function.info.description,
@@ -156,11 +155,9 @@ def _header_files(part: Part, settings: ComponentSettings) -> tuple[str, ...] | 
     return (f"{part.name}.h",) if has_variables else None
 
 
-def _interfaces(
-    part: Part, all_services: Sequence[Service], types: TypeTable, context: Context
-) -> list[model.ServiceInterface]:
+def _interfaces(part: Part, all_services: Sequence[Service], context: Context) -> list[model.ServiceInterface]:
     """Services of a component, what it consumes first, as in the published example."""
-    seen = ((service, view(service, part.name, types, context)) for service in all_services)
+    seen = ((service, view(service, part.name, context)) for service in all_services)
     made = (_interface(service, *content, context) for service, content in seen if content is not None)
     return sorted(made, key=lambda interface: (interface.role, interface.name))
 

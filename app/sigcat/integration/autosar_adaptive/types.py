@@ -9,11 +9,10 @@ from sigcat.function.function_json.datatypes.type_list import smallest_integer
 from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.walk import data
-from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.model import StructField, Symbol, TypeEntry
 from sigcat.integration.autosar_names import distinct_names, short_name
 from sigcat.integration.datatypes import BY_VSS, of_reference, with_catalogue_elements
-from sigcat.integration.finding_collector import Subject
+from sigcat.integration.finding_collector import FindingCollector, Subject
 
 _STORAGE = "uint8"
 
@@ -21,8 +20,8 @@ _STORAGE = "uint8"
 class TypeTable:
     """Datatypes that were referred to, in the order in which they first were."""
 
-    def __init__(self, context: Context) -> None:
-        self._context = context
+    def __init__(self, findings: FindingCollector) -> None:
+        self._findings = findings
         self._documents: dict[int, dict[str, Datatype]] = {}
         self._sent: dict[int, dict[str, Datatype]] = {}
         self._entries: dict[str, TypeEntry] = {}
@@ -131,7 +130,7 @@ class TypeTable:
         what = f"C definition {datatype.c_definition!r}" if datatype else "no definition"
         message = f"Datatype {reference} of {function.info.function_name} must have content: it has {what}, and is written as an empty structure."
         fix = "Give it a `Kind` with members, symbols or elements."
-        self._context.findings.report(codes.DATATYPE_WITHOUT_CONTENT, message, Subject("", datatype or function), fix)
+        self._findings.report(codes.DATATYPE_WITHOUT_CONTENT, message, Subject("", datatype or function), fix)
         name = short_name(reference or "Unnamed")
         return self._add(TypeEntry(name=name, kind="structure", fields=(), reference=reference), function)
 
@@ -146,7 +145,7 @@ class TypeTable:
     def _recursive(self, function: FunctionJson, datatype: Datatype) -> None:
         message = f"Datatype {datatype.reference} of {function.info.function_name} must not contain itself: SOME/IP cannot send it."
         fix = "Break the cycle, for instance with an index."
-        self._context.findings.report(codes.DATATYPE_CONTAINS_ITSELF, message, Subject("", datatype), fix)
+        self._findings.report(codes.DATATYPE_CONTAINS_ITSELF, message, Subject("", datatype), fix)
 
 
 def _as_sent(datatype: Datatype, item: Signal | DataQueue) -> Datatype:

@@ -36,6 +36,7 @@ from sigcat.integration.autosar_context import application_information, autosar_
 from sigcat.integration.autosar_names import short_name
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 from sigcat.integration.derived import Derived
+from sigcat.integration.finding_collector import FindingCollector
 from sigcat.integration.not_carried import report_not_carried
 from sigcat.integration.unknown_paths import report_unknown_paths
 
@@ -46,16 +47,15 @@ def derive(
     settings: AutosarClassicSettings = NO_SETTINGS,
 ) -> Derived[model.ClassicIntegration]:
     """The integration of a function or a set of functions. The order in which they are given does not matter."""
-    context = autosar_context(functions, deployment, settings)
+    context = autosar_context(functions, deployment, settings, _types)
     app = context.application
     elements = elements_of(context)
-    types = _types(context)
-    interfaces = _interfaces(elements, types)
-    findings.report_meanings(elements, types, context)
+    interfaces = _interfaces(elements, context)
+    findings.report_meanings(elements, context)
     own = by_part(elements)
-    behaviours = {part.name: _behaviour(part, own[part.name], types, context) for part in context.parts}
-    components = tuple(_component(each, interfaces, types, context) for each in behaviours.values())
-    integration = _document(elements, types, interfaces, behaviours, components, context)
+    behaviours = {part.name: _behaviour(part, own[part.name], context) for part in context.parts}
+    components = tuple(_component(each, interfaces, context) for each in behaviours.values())
+    integration = _document(elements, interfaces, behaviours, components, context)
     targets = field_targets(context, elements)
     findings.report_asil(elements, integration.composition, context)
     report_unknown_paths(codes.DEPLOYMENT_NAMES_NOTHING_CLASSIC, app, context.findings)
@@ -82,15 +82,14 @@ class _Interfaces(NamedTuple):
 
 def _document(
     elements: Sequence[Element],
-    types: TypeTable,
     interfaces: _Interfaces,
     behaviours: Mapping[str, Behaviour],
     components: tuple[model.Component, ...],
     context: Context,
 ) -> model.ClassicIntegration:
     app, settings = context.application, context.settings
-    calibrations = _calibrations(context, types)
-    calibrated = tuple(parameter_interface(part, types) for part in context.parts if _over_ports(part, context))
+    calibrations = _calibrations(context)
+    calibrated = tuple(parameter_interface(part, context) for part in context.parts if _over_ports(part, context))
     composition = composition_of(components, calibrations, elements, context)
     return model.ClassicIntegration(
         meta=model.MetaInformation(**meta_information(codes.DATE_MISSING_CLASSIC, context)),
@@ -98,7 +97,7 @@ def _document(
         deployment=model.ClassicDeployment(
             package=settings.package or short_name(app.name), release=settings.release, tick=settings.tick
         ),
-        **types.lists(),
+        **context.types.lists(),
         mode_groups=tuple(sorted(interfaces.groups, key=lambda each: each.name)),
         sender_receiver_interfaces=interfaces.data,
         client_server_interfaces=interfaces.operations,
@@ -126,8 +125,9 @@ def _refused(integration: model.ClassicIntegration, context: Context) -> Iterato
             yield codes.NOT_WRITABLE_AS_CLASSIC.finding(problem.message, pointer=at, fix=problem.fix)
 
 
-def _types(context: Context) -> TypeTable:
-    types = TypeTable(context)
+def _types(found: FindingCollector) -> TypeTable:
+    """Datatypes that every set has."""
+    types = TypeTable(found)
     for vss in ("boolean", "uint8", "uint16", "uint32", "uint64"):
         types.primitive(vss)
     for name, base in SERVICE_TYPES.items():
@@ -135,12 +135,12 @@ def _types(context: Context) -> TypeTable:
     return types
 
 
-def _interfaces(elements: Sequence[Element], types: TypeTable) -> _Interfaces:
+def _interfaces(elements: Sequence[Element], context: Context) -> _Interfaces:
     """One for each element, and those of the base software."""
-    modes = [mode_interface(each, types) for each in elements if kind_of_port(each) == "ModeSwitch"]
-    methods = [method_interface(each, types) for each in elements if kind_of_port(each) == "ClientServer"]
+    modes = [mode_interface(each, context) for each in elements if kind_of_port(each) == "ModeSwitch"]
+    methods = [method_interface(each, context) for each in elements if kind_of_port(each) == "ClientServer"]
     return _Interfaces(
-        tuple(data_interface(each, types) for each in elements if kind_of_port(each) == "SenderReceiver"),
+        tuple(data_interface(each, context) for each in elements if kind_of_port(each) == "SenderReceiver"),
         tuple(sorted((*methods, *SERVICES), key=lambda each: each.name)),
         tuple(sorted((*(each for each, _ in modes), ECU_MODE), key=lambda each: each.name)),
         (*(group for _, group in modes), ECU_MODES),
@@ -166,17 +166,17 @@ def _over_ports(part: Part, context: Context) -> bool:
     return context.settings.parameters == "ports" and bool(calibration(part))
 
 
-def _behaviour(part: Part, elements: Sequence[Element], types: TypeTable, context: Context) -> Behaviour:
+def _behaviour(part: Part, elements: Sequence[Element], context: Context) -> Behaviour:
     calls = named_calls(part)
-    ports = [*data_ports(part, elements, types, context.settings.e2e), *service_needs.service_ports(part, calls)]
+    ports = [*data_ports(part, elements, context), *service_needs.service_ports(part, calls)]
     if _over_ports(part, context):
-        ports.append(parameter_port(part, "Required", types))
+        ports.append(parameter_port(part, "Required", context))
     internal = () if context.settings.parameters == "ports" else tuple(each.name for each in calibration(part))
     ports.sort(key=lambda port: port.name)
     return Behaviour(part, calls, tuple(ports), service_needs.nv_blocks(part), context.settings.tick, internal)
 
 
-def _component(behaviour: Behaviour, interfaces: _Interfaces, types: TypeTable, context: Context) -> model.Component:
+def _component(behaviour: Behaviour, interfaces: _Interfaces, context: Context) -> model.Component:
     part, runnables = behaviour.part, runnables_of(behaviour)
     received = behaviour.mode_port.interface if behaviour.mode_port else ""
     groups = {group.name: group for group in interfaces.groups}
@@ -193,7 +193,7 @@ def _component(behaviour: Behaviour, interfaces: _Interfaces, types: TypeTable, 
         events=events_of(behaviour, runnables, tuple(mode.name for mode in modes)),
         exclusive_areas=_areas(behaviour),
         memories=service_needs.memories(part),
-        parameters=tuple(internal_parameters(part, types)) if is_internal else (),
+        parameters=tuple(internal_parameters(part, context)) if is_internal else (),
         nv_blocks=behaviour.nv_blocks,
         diagnostic_events=service_needs.monitors(part),
         supervised_entities=service_needs.supervised_entities(part, behaviour.calls),
@@ -210,13 +210,13 @@ def _areas(behaviour: Behaviour) -> tuple[model.ExclusiveArea, ...]:
     return (core, code) if behaviour.offers else (core,)
 
 
-def _calibrations(context: Context, types: TypeTable) -> tuple[model.ParameterComponent, ...]:
+def _calibrations(context: Context) -> tuple[model.ParameterComponent, ...]:
     parts = [part for part in context.parts if _over_ports(part, context)]
     if not parts:
         return ()
     return (
         model.ParameterComponent(
             name=short_name(f"{context.application.name}Calibration"),
-            ports=tuple(parameter_port(part, "Provided", types) for part in parts),
+            ports=tuple(parameter_port(part, "Provided", context) for part in parts),
         ),
     )

@@ -11,10 +11,9 @@ from sigcat.function.function_json.datatypes.datatype import Datatype, Enumerati
 from sigcat.function.function_json.datatypes.type_list import smallest_integer
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.autosar_classic import model
-from sigcat.integration.autosar_classic.context import Context
 from sigcat.integration.autosar_names import distinct, distinct_names, short_name
 from sigcat.integration.datatypes import BY_VSS, of_reference, with_catalogue_elements
-from sigcat.integration.finding_collector import Subject
+from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.sent_values import Enumeration, Scaled
 
 _FALLBACK = "uint8"
@@ -43,8 +42,8 @@ _AS_IN_CODE = Sent()
 class TypeTable:
     """Datatypes that were referred to. Names are unique over the set; equal ones are one."""
 
-    def __init__(self, context: Context) -> None:
-        self._context = context
+    def __init__(self, findings: FindingCollector) -> None:
+        self._findings = findings
         self._implementation: dict[str, model.ImplementationType] = {}
         self._application: dict[str, model.ApplicationType] = {}
         self._methods: dict[str, model.CompuMethod] = {}
@@ -113,7 +112,7 @@ class TypeTable:
         key = (id(function), datatype.reference)
         if key in self._open:
             message = f"Datatype {datatype.reference} of {function.info.function_name} must not contain itself: nothing in C does."
-            self._context.findings.report(codes.DATATYPE_UNFIT_CLASSIC, message, Subject("", datatype))
+            self._findings.report(codes.DATATYPE_UNFIT_CLASSIC, message, Subject("", datatype))
             return self.primitive(_FALLBACK)
         self._open.append(key)
         try:
@@ -157,7 +156,7 @@ class TypeTable:
         element = self.of_reference(function, datatype.element or "", sent)
         if datatype.length is None:
             message = f"Datatype {datatype.reference} of {function.info.function_name} must have a length: nothing in an RTE grows."
-            self._context.findings.report(codes.DATATYPE_UNFIT_CLASSIC, message, Subject("", datatype))
+            self._findings.report(codes.DATATYPE_UNFIT_CLASSIC, message, Subject("", datatype))
         return model.ImplementationType(
             name=short_name(datatype.reference),
             category="ARRAY",
@@ -193,7 +192,7 @@ class TypeTable:
     def _report_without_content(self, function: FunctionJson, reference: str, datatype: Datatype | None) -> None:
         what = f"C definition {datatype.c_definition!r}" if datatype else "no definition"
         message = f"Datatype {reference} of {function.info.function_name} must be a number, an array or a struct: it has {what}."
-        self._context.findings.report(
+        self._findings.report(
             codes.DATATYPE_UNFIT_CLASSIC, message, Subject("", datatype or function), "Give it a `Kind` with content."
         )
 
