@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Collection, Iterator, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from sigcat import codes
 from sigcat.function.document.text import Text
@@ -52,11 +52,11 @@ def derive(
     findings = FindingCollector(merged.functions, deployment)
     for problem in existing.problems:
         findings.report_deployment(codes.FIELD_DOES_NOT_FIT, problem.message, problem.pointer, problem.fix, "")
-    packages = _packages(app, settings)
-    book = MessageBook(packages.interfaces, {each.reference: each for each in merged.datatypes}, findings)
+    package, interfaces = _packages(app, settings)
+    book = MessageBook(interfaces, {each.reference: each for each in merged.datatypes}, findings)
     parts = node_parts(wholes, findings)
     exchange = exchange_of(parts, app.paths, joins_names=False)
-    context = Context(app, settings, existing, packages.nodes, parts, exchange, book, findings)
+    context = Context(app, settings, existing, package, parts, exchange, book, findings)
     exchanged = _exchanged(context)
     statuses = statuses_of(_topic_names(exchanged, parts), context)
     nodes = {part.name: node_of(part, exchanged, statuses, context) for part in parts}
@@ -108,18 +108,11 @@ def _report_fields_of_nothing(context: Context) -> None:
             context.findings.report_deployment(rule, message, field.at, did_you_mean(key, known), key)
 
 
-class _Packages(NamedTuple):
-    """Names of the packages."""
-
-    nodes: str
-    interfaces: str
-
-
-def _packages(app: Application, settings: Ros2Settings) -> _Packages:
-    """`EcoControl` → `eco_control` and `eco_control_interfaces`."""
+def _packages(app: Application, settings: Ros2Settings) -> tuple[str, str]:
+    """Names of the packages of nodes and of interfaces: `EcoControl` → `eco_control` and `eco_control_interfaces`."""
     taken = {*PACKAGES_OF_ROS, *(name.removesuffix("_interfaces") for name in PACKAGES_OF_ROS)}
     interfaces = settings.message_package or f"{package_name(app.name, taken).text}_interfaces"
-    return _Packages(package_name(app.name, {interfaces, *taken, *_c_names(app)}).text, interfaces)
+    return package_name(app.name, {interfaces, *taken, *_c_names(app)}).text, interfaces
 
 
 def _c_names(app: Application) -> Iterator[str]:

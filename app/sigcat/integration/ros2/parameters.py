@@ -2,14 +2,13 @@
 
 from collections.abc import Mapping
 from math import isfinite
-from typing import Any, NamedTuple
+from typing import Any
 
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
 from sigcat.function.document.text import Text, json_of, optional
 from sigcat.function.exchange import Part, contracts_of
 from sigcat.function.function_json.conversion import Linear
-from sigcat.function.function_json.datatypes.datatype import Datatype
 from sigcat.function.function_json.datatypes.primitive_types import value_range
 from sigcat.function.function_json.interfaces.data_interfaces import ParameterInterface
 from sigcat.integration.finding_collector import FindingCollector, Subject
@@ -54,23 +53,16 @@ def _parameter(item: ParameterInterface, part: Part, taken: set[str], context: C
     _unexpressed(item, kind, interface, findings)
     name = field_name(item.name, taken | OWN)
     report_renamed(name, item.name, interface, findings)
-    ways = _Ways(physical(item, interface, findings), to_catalogue(item, interface, findings))
-    return _resolved(item, kind, name.text, part, table, ways)
-
-
-class _Ways(NamedTuple):
-    """Conversions to the catalogue's unit."""
-
-    physical: Linear
-    """Conversion of the document's values, which are in the code's unit."""
-    stored: Linear
-    """Conversion of the number in the code."""
+    return _resolved(item, kind, name.text, interface, part, context)
 
 
 def _resolved(
-    item: ParameterInterface, kind: FieldType, name: str, part: Part, table: Mapping[str, Datatype], ways: _Ways
+    item: ParameterInterface, kind: FieldType, name: str, interface: Subject, part: Part, context: Context
 ) -> RosParameter:
-    limits = _limits(item, kind, ways.physical)
+    table, findings = context.book.table, context.findings
+    way = physical(item, interface, findings)  # from the unit of the code, which the document's values have
+    stored = to_catalogue(item, interface, findings)  # from the number in the code
+    limits = _limits(item, kind, way)
     low, high = (None, None) if kind.suffix else limits
     names: dict[float, str] = {each.value: each.symbol for each in symbols_of(item.datatype, table)}
     api = package_name(f"{part.function_name}_{item.name}_from_parameter").text
@@ -79,7 +71,7 @@ def _resolved(
         parameter=item.name,
         type=_type(kind),
         description=item.description,
-        default=_default(item, kind, ways.physical, names),
+        default=_default(item, kind, way, names),
         low=low,
         high=high,
         constraints=optional(_constraints(kind, limits)),
@@ -88,7 +80,7 @@ def _resolved(
         variable=item.variable or item.name,
         variable_type=c_definition(item.datatype, table),
         variable_units=item.units or None,
-        conversion=conversion(api, name, item.datatype, kind, ways.stored, table, _type(kind), is_outgoing=False),
+        conversion=conversion(api, name, item.datatype, kind, stored, table, _type(kind), is_outgoing=False),
         storage=item.interface_type,
         attribute=item.attribute,
         range_error_action=item.range_error_action,
