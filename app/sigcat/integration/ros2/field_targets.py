@@ -1,7 +1,6 @@
 """For every field of every interface of a function: its place in the Integration JSON."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple
 
 from pydantic import BaseModel
 
@@ -208,31 +207,22 @@ def field_targets(
     return tuple(made)
 
 
-_Key = tuple[str, str, str, str]
-"""Node, call, name of the interface, and its role in Function JSON."""
-
-
-class _Exchanged(NamedTuple):
-    """Names of the topic and the field of a signal, or of the service of a method."""
-
-    fields: Mapping[_Key, Mapping[str, str]]
-    services: Mapping[_Key, Mapping[str, str]]
+_Exchanged = Mapping[tuple[str, str, str, str, str], Mapping[str, str]]
+"""Names of the topic and the field of a signal, and of the service of a method: by kind, node, call, name and role."""
 
 
 def _exchanged(communications: Iterable[Communication]) -> _Exchanged:
-    fields: dict[_Key, Mapping[str, str]] = {}
-    services: dict[_Key, Mapping[str, str]] = {}
+    found: dict[tuple[str, str, str, str, str], Mapping[str, str]] = {}
     for communication in communications:
         for topic in communication.topics:
             role = PROVIDER if topic.role == PUBLISHER else CONSUMER
             for mapping in topic.mappings:
-                key = (topic.node or "", communication.runnable, mapping.signal, role)
-                fields[key] = _places(topic, mapping)
+                found["data", topic.node or "", communication.runnable, mapping.signal, role] = _places(topic, mapping)
         for service in communication.services or ():
             role = PROVIDER if service.role == SERVER else CONSUMER
             names = {"service": f"service {service.name}", "type": service.service}
-            services[(service.node, communication.runnable, service.method, role)] = names
-    return _Exchanged(fields, services)
+            found["method", service.node, communication.runnable, service.method, role] = names
+    return found
 
 
 def _entries(part: Part, interface: str, kind: str, model: BaseModel, **names: str) -> list[Entry]:
@@ -276,11 +266,11 @@ def _of_contracts(call: Runnable, part: Part, node: RosNode, exchanged: _Exchang
         yield from _entries(part, call.name, "contract", contract, node=part.name)
         for kind, items in (("signal", contract.signals), ("queue", contract.queues)):
             for item in items or ():
-                places = exchanged.fields.get((part.name, call.name, item.name, item.role))
+                places = exchanged.get(("data", part.name, call.name, item.name, item.role))
                 name = item.vss_path or item.name
                 yield from _found(part, name, kind, item, places)
         for method in contract.methods or ():
-            places = exchanged.services.get((part.name, call.name, method.name, method.role))
+            places = exchanged.get(("method", part.name, call.name, method.name, method.role))
             yield from _found(part, method.name, "method", method, places)
         for parameter in contract.parameters or ():
             yield from _found(part, parameter.name, "parameter", parameter, parameters.get(parameter.name))

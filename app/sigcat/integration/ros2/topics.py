@@ -1,6 +1,6 @@
 """Topics: which signals travel together, in which message, and how their fields meet the variables of the code."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Sequence
 from typing import NamedTuple
 
 from sigcat import codes
@@ -68,8 +68,8 @@ def topics_of(context: Context) -> tuple[Topic, ...]:
     _report_uses(context)
     mapped = tuple(_existing_topics(context))
     own = [use for use in exchange.data if use.identity not in context.existing.fields]
-    together = _Together.of(exchange.element(use) for use in own)
-    groups = grouped(own, lambda use: _group(use, exchange.element(use).provider, together, context.settings))
+    shared = _shared_cycles(map(exchange.element, own))
+    groups = grouped(own, lambda use: _group(use, exchange.element(use), shared, context.settings))
     taken = {topic.name.removeprefix("/"): topic.message for topic in mapped}
     messages = {group: context.book.reserved(group.message, subject_of(groups[group][0])) for group in sorted(groups)}
     made = []
@@ -122,25 +122,13 @@ def communications(topics: Sequence[Topic], context: Context) -> tuple[model.Com
 # -- which signals travel together --------------------------------------------------------------------------------
 
 
-class _Together(NamedTuple):
-    """Facts that decide whether a signal is sent together with the others of its cycle."""
-
-    queued: frozenset[str]
-    """Keys of signals that a side queues: a separate topic has the depth of the queue."""
-    shared: frozenset[tuple[str, float | None]]
+def _shared_cycles(elements: Iterable[Element]) -> frozenset[tuple[str, float | None]]:
     """Functions and cycles in which several calls provide signals: one message has what one call writes."""
-
-    @classmethod
-    def of(cls, elements: Iterable[Element]) -> "_Together":
-        """Collect them from the signals of the set."""
-        calls: dict[tuple[str, float | None], set[str]] = {}
-        queued = set()
-        for element in elements:
-            if element.is_queued:
-                queued.add(element.identity)
-            if (use := element.provider) is not None:
-                calls.setdefault((use.function, cycle_of(use)), set()).add(f"{use.part.name}.{use.runnable.name}")
-        return cls(frozenset(queued), frozenset(key for key, names in calls.items() if len(names) > 1))
+    providers = (use for each in elements if (use := each.provider) is not None)
+    calls = grouped(providers, lambda use: (use.function, cycle_of(use)))
+    return frozenset(
+        key for key, uses in calls.items() if len({(use.part.name, use.runnable.name) for use in uses}) > 1
+    )
 
 
 def _report_uses(context: Context) -> None:
@@ -160,11 +148,13 @@ def _report_uses(context: Context) -> None:
             findings.report(codes.SEVERAL_PUBLISHERS, message, use, "Let only one of them provide it.", key="Role")
 
 
-def _group(use: Side, providing: Side | None, together: _Together, settings: Ros2Settings) -> _Group:
+def _group(use: Side, element: Element, shared: Container[tuple[str, float | None]], settings: Ros2Settings) -> _Group:
+    """The topic of a signal. Queued ones have a separate topic, which has the depth of the queue."""
+    providing = element.provider
     provider = providing.function if providing else ""
     cycle = cycle_of(providing) if providing else None
-    if settings.topics == "cycle" and providing and cycle and use.identity not in together.queued:
-        is_shared = (provider, cycle) in together.shared
+    if settings.topics == "cycle" and providing and cycle and not element.is_queued:
+        is_shared = (provider, cycle) in shared
         call = (f"{providing.part.name}_{providing.runnable.name}",) if is_shared else ()
         names = (provider, *call, f"Cycle{time_in_a_name(cycle)}")
         title = f"What {' '.join((provider, *call))} provides every {cycle} ms."
