@@ -81,9 +81,8 @@ def _scheduling(call: Runnable, part: Part, context: Context) -> str | None:
     plain = "".join(character for character in call.scheduling.lower() if character.isalpha())
     if call.scheduling and plain not in _SCHEDULING:
         message = f"The scheduling of {call.name} of {part.function_name} must be Preemptive or Non-Preemptive, not {call.scheduling!r}: none is written."
-        context.findings.report(
-            codes.SCHEDULING_UNKNOWN, message, call, "Correct it in the function.", key="Scheduling"
-        )
+        fix = "Correct it in the function."
+        context.findings.report(codes.SCHEDULING_UNKNOWN, message, call, fix, key="Scheduling")
     return _SCHEDULING.get(plain)
 
 
