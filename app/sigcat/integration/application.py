@@ -43,7 +43,7 @@ class Application(NamedTuple):
 
     @property
     def provenance(self) -> tuple[dict[str, Any], ...] | None:
-        """What each function was made from; None if none says it."""
+        """Origins of the functions, as each states it; None if none does."""
         stated = (each.provenance for each in self.wholes)
         return tuple(each.model_dump(mode="json") for each in stated if each) or None
 

@@ -33,12 +33,13 @@ def calls(part: Part, events: Mapping[int, str], context: Context) -> tuple[mode
 
 
 def _call(call: Runnable, part: Part, events: Mapping[int, str], context: Context) -> model.Call:
-    run_type, group_modes = _run_type(call, part, context), context.settings.modes
+    run_type, of_group = _run_type(call, part, context), context.settings.modes
+    group_mode = {"Init": of_group.init, "Terminate": of_group.terminate}.get(run_type, of_group.step)
     is_triggered = call.run_type == EVENT_TRIGGERED
     modes = tuple(mode.name for mode in part.function.modes or () if call.name in mode.runnables)
     return model.Call(
         name=call.name,
-        modes=({"Init": group_modes.init, "Terminate": group_modes.terminate}.get(run_type, group_modes.step),),
+        modes=(group_mode,),
         run_type=run_type,
         cycle_time=call.cycle_time,
         scheduling=_scheduling(call, part, context),
