@@ -3,18 +3,16 @@
 import datetime as dt
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from sigcat.errors import UsageError
 from sigcat.function.document.text import Text, optional
-from sigcat.function.function_json.model import FunctionJson, MetaInfo
+from sigcat.function.function_json.model import FunctionInfo, FunctionJson, MetaInfo
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
 
 DEFAULT_VERSION = "1.0.0"
 """Version of a document whose deployment states none."""
-NO_DATE = "1970-01-01"
-"""Date of a document of AUTOSAR whose functions have none: it has to have one, and today's would change the bytes."""
 
 
 class Application(NamedTuple):
@@ -37,6 +35,17 @@ class Application(NamedTuple):
     """Sender of modes."""
     paths: Mapping[str, str]
     """VSS paths of signals that name none, by `Function.Signal`."""
+
+    @property
+    def wholes(self) -> tuple[FunctionJson, ...]:
+        """The functions without the files that they are read from."""
+        return tuple(each.function for each in self.functions)
+
+    @property
+    def provenance(self) -> tuple[dict[str, Any], ...] | None:
+        """Origins of the functions, as each states it; None if none does."""
+        stated = (each.provenance for each in self.wholes)
+        return tuple(each.model_dump(mode="json") for each in stated if each) or None
 
 
 def application(functions: Sequence[ResolvedFunction], deployment: Deployment = NO_DEPLOYMENT) -> Application:
@@ -70,6 +79,16 @@ def meta_of(app: Application, about: str) -> MetaInfo:
         date=app.date.strftime("%d.%m.%Y") if app.date else None,
         schema_version=DEFAULT_VERSION,
         schema_description=Text(about),
+    )
+
+
+def info_of(app: Application, version: str | None) -> FunctionInfo:
+    """The application as Function JSON describes a function."""
+    return FunctionInfo(
+        function_name=app.name,
+        function_responsible=app.responsible,
+        description=app.description,
+        version=version,
     )
 
 

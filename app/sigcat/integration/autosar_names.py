@@ -1,7 +1,7 @@
 """Names for AUTOSAR, each derived from a VSS path or an interface name in one place."""
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from hashlib import sha256
 
 from sigcat.names import camel_case
@@ -60,6 +60,11 @@ def distinct(wanted: Mapping[str, str], taken: Iterable[str] = ()) -> dict[str, 
         given[key] = name
         used.add(name.lower())
     return given
+
+
+def distinct_names(wanted: Sequence[str], taken: Iterable[str] = ()) -> tuple[str, ...]:
+    """The names of a list, made distinct: of two equal ones, the first keeps its name."""
+    return tuple(distinct({f"{index:06d}": name for index, name in enumerate(wanted)}, taken).values())
 
 
 def _digest(text: str) -> str:

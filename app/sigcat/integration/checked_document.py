@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Generic, NamedTuple, TypeVar
+from typing import Generic, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
@@ -11,25 +11,18 @@ from sigcat.errors import InputRefused
 from sigcat.file_kind import holds_function
 from sigcat.findings import Finding, RuleCode, has_errors
 from sigcat.function.checks.unfit import accessors_of
-from sigcat.function.document.document import Document, Pointer
+from sigcat.function.document.document import Document
 from sigcat.function.document.read_json import read_json
 from sigcat.function.document.structure import structural_findings
 from sigcat.function.document.unfit_texts import unfit_texts
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.integration.agreement import missing_names
 from sigcat.integration.misspelled import misspelled_keys
+from sigcat.integration.problem import Problem
 from sigcat.integration.source_functions import errors_of_function
-from sigcat.limits import Limits
+from sigcat.limits import DEFAULT_LIMITS, Limits
 
 M = TypeVar("M", bound=BaseModel)
-
-
-class Problem(NamedTuple):
-    """A reason why a platform cannot be generated, and its place."""
-
-    pointer: Pointer
-    message: str
-    fix: str = ""
 
 
 def _as_it_is(model: M) -> M:
@@ -48,7 +41,7 @@ class DocumentKind(Generic[M]):
     completed: Callable[[M], M] = _as_it_is
     """Adds what follows by rule, before problems are looked for."""
 
-    def read(self, data: bytes, name: str, limits: Limits) -> M:
+    def read(self, data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> M:
         """The model of a document. Raises InputRefused with everything that is wrong."""
         if not data.lstrip().startswith(b"{") and holds_function(data):
             raise self._refused(name, (self._before_integration(name),))

@@ -57,11 +57,7 @@ BY_VSS = {row.vss: row for row in SPELLINGS}
 BY_ADAPTIVE = {row.adaptive: row for row in SPELLINGS} | {"float32": next(r for r in SPELLINGS if r.vss == "float")}
 """The published schema has two words for one datatype: `float` and `float32`."""
 
-_BY_KIND = {
-    ("boolean", 8): "boolean", ("text", 0): "string", ("floating", 32): "float", ("floating", 64): "double",
-    ("unsigned", 8): "uint8", ("unsigned", 16): "uint16", ("unsigned", 32): "uint32", ("unsigned", 64): "uint64",
-    ("signed", 8): "int8", ("signed", 16): "int16", ("signed", 32): "int32", ("signed", 64): "int64",
-}  # fmt: skip
+_BY_KIND = {(meant.kind, meant.bits): row for row in SPELLINGS if (meant := c_type(row.c))}
 
 
 def of_reference(reference: str, c_definition: str = "") -> Spelling | None:
@@ -74,8 +70,7 @@ def of_reference(reference: str, c_definition: str = "") -> Spelling | None:
     promised = reference_type(reference)
     if reference in BY_REFERENCE and (meant is None or (promised is not None and agree(promised, meant))):
         return BY_VSS[BY_REFERENCE[reference].vss]
-    vss = _BY_KIND.get((meant.kind, meant.bits)) if meant else None
-    return BY_VSS[vss] if vss else None
+    return _BY_KIND.get((meant.kind, meant.bits)) if meant else None
 
 
 def with_catalogue_elements(datatype: Datatype, vss_datatype: str | None, known: Mapping[str, Datatype]) -> Datatype:

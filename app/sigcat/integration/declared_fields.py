@@ -55,12 +55,12 @@ def target(part: type[DeclarationModel], key: str) -> str:
 
 def declared_fields(functions: Sequence[ResolvedFunction]) -> tuple[Entry, ...]:
     """An entry for each field that an author wrote; none of Function JSON, with whose fields the report begins then."""
-    declared = [function for function in functions if function.origin is not None]
-    return tuple(entry for each in declared for entry in _of_part(_declaration(each), (), each))
-
-
-def _declaration(function: ResolvedFunction) -> yaml.Declaration:
-    return yaml.Declaration.model_validate(function.document.value)
+    return tuple(
+        entry
+        for each in functions
+        if each.origin is not None
+        for entry in _of_part(yaml.Declaration.model_validate(each.document.value), (), each)
+    )
 
 
 def _of_part(part: DeclarationModel, at: Pointer, function: ResolvedFunction) -> Iterator[Entry]:
@@ -78,9 +78,8 @@ def _of_part(part: DeclarationModel, at: Pointer, function: ResolvedFunction) ->
 
 def _parts(value: Any, at: Pointer) -> Iterator[tuple[Pointer, DeclarationModel]]:
     """The parts of a declaration that a field holds."""
-    for pointer, each in ([((*at, i), item) for i, item in enumerate(value)] if isinstance(value, list) else [(at, value)]):  # fmt: skip
-        if isinstance(each, DeclarationModel):
-            yield pointer, each
+    listed = (((*at, i), item) for i, item in enumerate(value)) if isinstance(value, list) else ((at, value),)
+    yield from ((pointer, each) for pointer, each in listed if isinstance(each, DeclarationModel))
 
 
 def _entry(at: Pointer, goes_to: str, function: ResolvedFunction) -> Entry:

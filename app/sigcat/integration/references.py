@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 from pydantic import BaseModel
 
 from sigcat.function.document.document import Pointer
-from sigcat.integration.checked_document import Problem
+from sigcat.integration.problem import Problem
 from sigcat.names import did_you_mean
 
 
@@ -39,9 +39,9 @@ def unknown_names(model: BaseModel, references: Iterable[Reference]) -> Iterator
                 yield unknown(at, each.what, name, known.get(at[:shared], ()))
 
 
-def places(model: BaseModel, path: str) -> Iterator[tuple[Pointer, Any]]:
-    """Every value at a path, where `*` is any index, with its pointer; none that is absent."""
-    return _below(model, tuple(path.split("/")), ())
+def places(model: BaseModel, path: str, at: Pointer = ()) -> Iterator[tuple[Pointer, Any]]:
+    """Every value at a path below a part of a document, where `*` is any index, with its pointer; none that is absent."""
+    return _below(model, tuple(path.split("/")), at)
 
 
 def _below(part: Any, path: tuple[str, ...], at: Pointer) -> Iterator[tuple[Pointer, Any]]:

@@ -45,6 +45,16 @@ OF_ABSENT: Targets = dict.fromkeys(
 """Targets of optional signals that are absent, on every platform."""
 
 
+def same_names(place: str, fields: Iterable[str]) -> dict[str, FieldTarget | str]:
+    """Targets of fields that have the same names at a place, which the names follow at once."""
+    return {field: f"{place}{field}" for field in fields}
+
+
+def fields_of(*models: type[BaseModel]) -> tuple[str, ...]:
+    """Names of all fields on the wire."""
+    return tuple(str(field.alias) for model in models for field in model.model_fields.values())
+
+
 def entries(
     function: str,
     interface: str,

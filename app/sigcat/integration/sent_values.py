@@ -25,17 +25,17 @@ def sent(value: float | None, interface: Scaled) -> int | float | None:
         return None
 
 
-def initial(
-    interface: Scaled, *, names: Mapping[int, str] | None = None, numbers: Mapping[str, int] | None = None
-) -> Any:
-    """Start value of an interface, as it is sent; None if the declaration has none.
+Enumeration = tuple[Mapping[int, str], Mapping[str, int]]
+"""Names of the numbers of an enumeration in the code, and the numbers that are sent for these names."""
 
-    Of an enumeration, `names` has what the numbers of the code are called, `numbers` what is sent for these names.
-    """
+
+def initial(interface: Scaled, enumeration: Enumeration | None = None) -> Any:
+    """Start value of an interface, as it is sent; None if the declaration has none."""
     if interface.init_elements is not None:
         return _each(json_of(interface.init_elements), interface)
     value = interface.init_value if interface.init_value is not None else interface.default
-    if value is not None and names is not None and numbers is not None:
+    if value is not None and enumeration is not None:
+        names, numbers = enumeration
         return numbers.get(names.get(int(value), ""), value)
     return sent(value, interface)
 

@@ -15,14 +15,13 @@ from sigcat.adapter.fmi.bus.derive import bus_of
 from sigcat.adapter.fmi.clocks import clocks_of
 from sigcat.adapter.fmi.variables import Layout, Variable, layout_of
 from sigcat.adapter.host.connections import Connections, Member, connect
-from sigcat.findings import Finding
 from sigcat.function.document.text import Text
-from sigcat.function.function_json.model import FunctionInfo
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.walk import methods, parts
-from sigcat.integration.application import Application, application, joined, meta_of
+from sigcat.integration.application import Application, application, info_of, joined, meta_of
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
-from sigcat.integration.finding_collector import FindingCollector, Subject
+from sigcat.integration.derived import Derived
+from sigcat.integration.finding_collector import FindingCollector
 from sigcat.integration.fmi.bus import FmuBus
 from sigcat.integration.fmi.model import (
     Causality,
@@ -40,14 +39,6 @@ _DEFAULT_STEP_MS = 10
 LONGEST_NAME = 100
 
 
-class Derived(NamedTuple):
-    """The document, the findings about it, and where each field of each interface went."""
-
-    model: FmiIntegration
-    findings: tuple[Finding, ...]
-    report: tuple[Entry, ...]
-
-
 class Unit(NamedTuple):
     """An FMU: its name, its functions, connected, and the layout of its values."""
 
@@ -58,7 +49,7 @@ class Unit(NamedTuple):
 
 def derive(
     functions: Sequence[ResolvedFunction], deployment: Deployment = NO_DEPLOYMENT, settings: FmiSettings = NO_SETTINGS
-) -> Derived:
+) -> Derived[FmiIntegration]:
     """The integration of a function or a set. Raises InputRefused if a function has no core, or the set does not fit."""
     app = application(functions, deployment)
     findings = FindingCollector(app.functions, deployment)
@@ -67,19 +58,14 @@ def derive(
     buses = _buses(units, settings, findings)
     model = FmiIntegration(
         meta=meta_of(app, "Integration JSON for FMI"),
-        info=FunctionInfo(
-            function_name=app.name,
-            function_responsible=app.responsible,
-            description=app.description,
-            version=app.version,
-        ),
+        info=info_of(app, app.version),
         version="2.0" if settings.version == "2.0" else None,
         interface="scheduledExecution" if settings.interface == "scheduledExecution" else None,
         license=Text(settings.license),
         copyright=Text(settings.copyright) if settings.copyright else None,
         fmus=tuple(_fmu(unit, settings, buses[unit.name]) for unit in units),
         connections=tuple(_connections(units, buses)),
-        functions=tuple(each.function for each in app.functions),
+        functions=app.wholes,
     )
     return Derived(model, findings.findings, tuple(_targets(app, units)))
 
@@ -206,7 +192,7 @@ def _report_methods(app: Application, settings: FmiSettings, findings: FindingCo
             if not is_inside:
                 message = f"{method.name} cannot be called through FMI: an FMU exchanges values alone."
                 fix = "Use `fmi: {fmus: set}` in the deployment file if both functions are in the set."
-                findings.report(codes.METHOD_WITHOUT_FMI, message, Subject(method.name, method), fix)
+                findings.report(codes.METHOD_WITHOUT_FMI, message, method, fix)
 
 
 def _targets(app: Application, units: Sequence[Unit]) -> Iterator[Entry]:

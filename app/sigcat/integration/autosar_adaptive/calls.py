@@ -1,7 +1,6 @@
 """Calls, modes and parameters of a component."""
 
 from collections.abc import Mapping, Sequence
-from functools import partial
 from typing import TypeVar
 
 from sigcat import codes
@@ -14,10 +13,8 @@ from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.code import CallCode, ParameterCode, code_of
 from sigcat.integration.autosar_adaptive.context import Context
-from sigcat.integration.autosar_adaptive.deployment.settings import RunModes
-from sigcat.integration.autosar_adaptive.types import TypeTable
-from sigcat.integration.autosar_names import distinct, short_name
-from sigcat.integration.finding_collector import Subject
+from sigcat.integration.autosar_names import distinct_names, short_name
+from sigcat.integration.autosar_parts import parameter_uses
 
 T = TypeVar("T", str, None)
 _RUN_TYPES = {
@@ -36,12 +33,13 @@ def calls(part: Part, events: Mapping[int, str], context: Context) -> tuple[mode
 
 
 def _call(call: Runnable, part: Part, events: Mapping[int, str], context: Context) -> model.Call:
-    run_type = _run_type(call, part, context)
+    run_type, of_group = _run_type(call, part, context), context.settings.modes
+    group_mode = {"Init": of_group.init, "Terminate": of_group.terminate}.get(run_type, of_group.step)
     is_triggered = call.run_type == EVENT_TRIGGERED
     modes = tuple(mode.name for mode in part.function.modes or () if call.name in mode.runnables)
     return model.Call(
         name=call.name,
-        modes=(_mode(run_type, context.settings.modes),),
+        modes=(group_mode,),
         run_type=run_type,
         cycle_time=call.cycle_time,
         scheduling=_scheduling(call, part, context),
@@ -72,14 +70,10 @@ def _run_type(call: Runnable, part: Part, context: Context) -> str:
         message = (
             f"{call.name} runs on events, which the published schema has no run type for: it is written as Cyclic."
         )
-        context.findings.report(
-            codes.CALL_ON_EVENTS, message, Subject(call.name, call), "Read `Trigger`, which says Event.", key="Runtype"
-        )
+        context.findings.report(codes.CALL_ON_EVENTS, message, call, "Read `Trigger`, which says Event.", key="Runtype")
     if run_type is None:
         message = f"The run type of {call.name} of {part.function_name} must be Init, Cyclic, EventTriggered or Shutdown, not {call.run_type!r}: it is written as Cyclic."
-        context.findings.report(
-            codes.RUN_TYPE_UNKNOWN, message, Subject(call.name, call), "Correct it in the function.", key="Runtype"
-        )
+        context.findings.report(codes.RUN_TYPE_UNKNOWN, message, call, "Correct it in the function.", key="Runtype")
     return run_type or "Cyclic"
 
 
@@ -88,52 +82,40 @@ def _scheduling(call: Runnable, part: Part, context: Context) -> str | None:
     plain = "".join(character for character in call.scheduling.lower() if character.isalpha())
     if call.scheduling and plain not in _SCHEDULING:
         message = f"The scheduling of {call.name} of {part.function_name} must be Preemptive or Non-Preemptive, not {call.scheduling!r}: none is written."
-        context.findings.report(
-            codes.SCHEDULING_UNKNOWN, message, Subject(call.name, call), "Correct it in the function.", key="Scheduling"
-        )
+        fix = "Correct it in the function."
+        context.findings.report(codes.SCHEDULING_UNKNOWN, message, call, fix, key="Scheduling")
     return _SCHEDULING.get(plain)
-
-
-def _mode(run_type: str, modes: RunModes) -> str:
-    return {"Init": modes.init, "Terminate": modes.terminate}.get(run_type, modes.step)
 
 
 def function_modes(part: Part) -> tuple[model.FunctionMode, ...] | None:
     """Modes of the function, with those of the calls that are this component's."""
     mine = {call.name for call in part.component.runnables}
-    return (
-        tuple(
-            model.FunctionMode(
-                function=part.function_name,
-                name=mode.name,
-                description=mode.description,
-                calls=tuple(name for name in mode.runnables if name in mine),
-            )
-            for mode in part.function.modes or ()
+    made = (
+        model.FunctionMode(
+            function=part.function_name,
+            name=mode.name,
+            description=mode.description,
+            calls=tuple(name for name in mode.runnables if name in mine),
         )
-        or None
+        for mode in part.function.modes or ()
     )
+    return tuple(made) or None
 
 
-def parameters(part: Part, types: TypeTable, context: Context) -> tuple[model.ParameterEntry, ...] | None:
+def parameters(part: Part, context: Context) -> tuple[model.ParameterEntry, ...] | None:
     """Parameters of a component; one that several calls use stands once, unless they describe it differently."""
     users: dict[tuple[str, bytes], list[str]] = {}
     found: dict[tuple[str, bytes], ParameterInterface] = {}
-    for call in part.component.runnables:
-        for contract in call.contracts or ():
-            for parameter in contract.parameters or ():
-                key = (parameter.name, parameter.model_dump_json().encode())
-                found[key] = parameter
-                users.setdefault(key, []).append(call.name)
-    keys = list(found)
-    names = distinct({f"{index:06d}": short_name(name) for index, (name, _) in enumerate(keys)})
-    return (
-        tuple(
-            _parameter(names[f"{index:06d}"], found[key], tuple(dict.fromkeys(users[key])), part, types, context)
-            for index, key in enumerate(keys)
-        )
-        or None
+    for call, parameter in parameter_uses(part):
+        key = (parameter.name, parameter.model_dump_json().encode())
+        found[key] = parameter
+        users.setdefault(key, []).append(call.name)
+    names = distinct_names([short_name(name) for name, _ in found])
+    made = (
+        _parameter(name, found[key], tuple(dict.fromkeys(users[key])), part, context)
+        for name, key in zip(names, found, strict=True)
     )
+    return tuple(made) or None
 
 
 _STORAGES = ("Calibration", "Measurement", "PersistanceMemory")
@@ -141,55 +123,46 @@ _ATTRIBUTES = ("NA", "Normal", "LearningParameter")
 
 
 def _parameter(
-    name: str, parameter: ParameterInterface, users: Sequence[str], part: Part, types: TypeTable, context: Context
+    name: str, parameter: ParameterInterface, users: Sequence[str], part: Part, context: Context
 ) -> model.ParameterEntry:
     stored = {"PersistenceMemory": "PersistanceMemory"}.get(parameter.interface_type, parameter.interface_type)
-    known = partial(_known, parameter=parameter, part=part, context=context)
+
+    def known(word: str | None, words: Sequence[str], otherwise: T, key: str) -> str | T:
+        """The word, if the published schema has it; a word of another spelling is reported, not written."""
+        if word is None or word in words:
+            return word or otherwise
+        near = {known.lower(): known for known in words}.get(word.lower())
+        message = f"{parameter.name} of {part.function_name} must be one of {', '.join(words)}, not {word!r}: {near or otherwise or 'nothing'} is written."
+        context.findings.report(codes.WORD_NOT_IN_SCHEMA, message, parameter, key=key)
+        return near or otherwise
+
+    symbols = (model.Symbol(symbol=each.symbol, value=each.value) for each in parameter.vss_symbols or ())
     return model.ParameterEntry(
         name=name,
         description=parameter.description,
-        datatype=_parameter_type(parameter, part, types),
+        datatype=_parameter_type(parameter, part, context),
         range_error_action=known(parameter.range_error_action or None, ("Default", "Init"), None, "RangeErrorAction"),
         interface_type=known(stored, _STORAGES, _STORAGES[0], "Interfacetype"),
         attribute=known(parameter.attribute, _ATTRIBUTES, _ATTRIBUTES[0], "Attribute"),
         function=part.function_name,
         calls=tuple(users),
         asil_level=parameter.asil_level,
-        code_datatype=types.c_definition(part.function, parameter.datatype),
+        code_datatype=context.types.c_definition(part.function, parameter.datatype),
         variable=parameter.variable,
         vss_path=parameter.vss_path,
         vss_datatype=parameter.vss_datatype,
         vss_unit=parameter.vss_unit,
-        vss_symbols=tuple(model.Symbol(symbol=each.symbol, value=each.value) for each in parameter.vss_symbols or ())
-        or None,
+        vss_symbols=tuple(symbols) or None,
         conversion_factor=parameter.conversion_factor,
         conversion_offset=parameter.conversion_offset,
         code=code_of(parameter, ParameterCode),
     )
 
 
-def _known(
-    word: str | None,
-    words: Sequence[str],
-    otherwise: T,
-    key: str,
-    parameter: ParameterInterface,
-    part: Part,
-    context: Context,
-) -> str | T:
-    """The word, if the published schema has it; a word of another spelling is reported, not written."""
-    if word is None or word in words:
-        return word or otherwise
-    near = {known.lower(): known for known in words}.get(word.lower())
-    message = f"{parameter.name} of {part.function_name} must be one of {', '.join(words)}, not {word!r}: {near or otherwise or 'nothing'} is written."
-    context.findings.report(codes.WORD_NOT_IN_SCHEMA, message, Subject(parameter.name, parameter), key=key)
-    return near or otherwise
-
-
-def _parameter_type(parameter: ParameterInterface, part: Part, types: TypeTable) -> model.ParameterType:
+def _parameter_type(parameter: ParameterInterface, part: Part, context: Context) -> model.ParameterType:
     """A parameter stays inside its component and so keeps the datatype and unit of the code."""
-    word = types.word(part.function, parameter.datatype)
-    entry = types.entry(word)
+    word = context.types.word(part.function, parameter.datatype)
+    entry = context.types.entry(word)
     if entry is not None and entry.kind != "enumeration":
         fields = entry.fields or (model.StructField(name="Element", type=entry.element),)
         return model.ParameterType(

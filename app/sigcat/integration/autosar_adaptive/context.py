@@ -1,19 +1,8 @@
-"""Common input of every step of `derive`: the functions with their components, the settings, the findings."""
+"""Common input of every step of `derive`."""
 
-from dataclasses import dataclass
-
-from sigcat.function.exchange import Exchange, Part
-from sigcat.integration.application import Application
 from sigcat.integration.autosar_adaptive.deployment.settings import AutosarAdaptiveSettings
-from sigcat.integration.finding_collector import FindingCollector
+from sigcat.integration.autosar_adaptive.types import TypeTable
+from sigcat.integration.autosar_context import AutosarContext
 
-
-@dataclass(frozen=True)
-class Context:
-    """Input of one derivation, and the findings on its way."""
-
-    application: Application
-    settings: AutosarAdaptiveSettings
-    parts: tuple[Part, ...]
-    exchange: Exchange
-    findings: FindingCollector
+Context = AutosarContext[AutosarAdaptiveSettings, TypeTable]
+"""Input of one derivation, and the findings on its way."""

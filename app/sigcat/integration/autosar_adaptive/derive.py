@@ -1,17 +1,14 @@
 """From functions to the Integration JSON of AUTOSAR adaptive, without any further input."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.asil import is_above
-from sigcat.findings import Finding
 from sigcat.function.document.text import Text
-from sigcat.function.exchange import Part, Side, exchange_of
+from sigcat.function.exchange import Part, contracts_of
 from sigcat.function.function_json.resolved_function import ResolvedFunction
-from sigcat.function.function_json.runnable import Contract
-from sigcat.integration.application import DEFAULT_VERSION, NO_DATE, Application, application
-from sigcat.integration.autosar_adaptive import model
+from sigcat.function.function_json.walk import data_of
+from sigcat.integration.autosar_adaptive import model, protection
 from sigcat.integration.autosar_adaptive.calls import calls, function_modes, parameters
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.deployment.namespaces import namespace_of
@@ -23,13 +20,6 @@ from sigcat.integration.autosar_adaptive.deployment.settings import (
 )
 from sigcat.integration.autosar_adaptive.field_targets import field_targets
 from sigcat.integration.autosar_adaptive.processes import further_processes, process_problems
-from sigcat.integration.autosar_adaptive.protection import (
-    METHODS_ARE_NOT_PROTECTED,
-    protected,
-    report_open_lengths,
-    report_unset_errors,
-    states_asil,
-)
 from sigcat.integration.autosar_adaptive.services.component_views import view
 from sigcat.integration.autosar_adaptive.services.disagreements import report_disagreements
 from sigcat.integration.autosar_adaptive.services.elements import Service, element_paths, services
@@ -45,60 +35,45 @@ from sigcat.integration.autosar_adaptive.startup import (
 from sigcat.integration.autosar_adaptive.types import TypeTable
 from sigcat.integration.autosar_adaptive.units import units_of
 from sigcat.integration.autosar_adaptive.unused import report_units, report_unused
+from sigcat.integration.autosar_context import application_information, autosar_context, meta_information
 from sigcat.integration.autosar_names import short_name
-from sigcat.integration.autosar_parts import named_parts
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
-from sigcat.integration.finding_collector import FindingCollector, Subject
+from sigcat.integration.derived import Derived
 from sigcat.integration.not_carried import report_not_carried
-from sigcat.integration.report import Entry
 
 UNKNOWN_PROVIDER = "SOME/IP"
 """Provider of a service that comes from somewhere in the network, as the authors write it."""
-
-
 _PROTECT = "State a `profile` under `e2e` in the deployment file, or protect it in the code."
 _PROTECT_METHOD = (
-    f"{METHODS_ARE_NOT_PROTECTED} Send its arguments and results as signals, with their ASIL and a profile."
+    f"{protection.METHODS_ARE_NOT_PROTECTED} Send its arguments and results as signals, with their ASIL and a profile."
 )
-
-
-class Derived(NamedTuple):
-    """The document, the findings about it, and where each field of each interface went."""
-
-    model: model.IntegrationModel
-    findings: tuple[Finding, ...]
-    report: tuple[Entry, ...]
 
 
 def derive(
     functions: Sequence[ResolvedFunction],
     deployment: Deployment = NO_DEPLOYMENT,
     settings: AutosarAdaptiveSettings = NO_SETTINGS,
-) -> Derived:
+) -> Derived[model.IntegrationModel]:
     """The integration of a function or a set of functions. The order in which they are given does not matter."""
-    app = application(functions, deployment)
-    parts = named_parts([each.function for each in app.functions])
-    exchange = exchange_of(parts, app.paths)
-    context = Context(app, settings, parts, exchange, FindingCollector(app.functions, deployment))
-    types = TypeTable(context)
-    all_services = protected(services(context), context)
-    report_disagreements(all_services, types, context)
+    context = autosar_context(functions, deployment, settings, TypeTable)
+    app = context.application
+    all_services = protection.protected(services(context), context)
+    report_disagreements(all_services, context)
     _report_asil(all_services, context)
-    report_unset_errors(all_services, context)
-    components = tuple(_component(part, all_services, types, context) for part in context.parts)
-    _report_open_arrays(types.entries, context)
+    protection.report_unset_errors(all_services, context)
+    components = tuple(_component(part, all_services, context) for part in context.parts)
+    _report_open_arrays(context)
     integration = model.IntegrationModel(
-        meta=_meta(context),
-        info=_info(app),
+        meta=model.MetaInformation(**meta_information(codes.DATE_MISSING, context)),
+        info=model.FunctionInformation(**application_information(app)),
         components=components,
-        datatypes=types.entries or None,
+        datatypes=context.types.entries or None,
         deployment=_arxml_deployment(context),
-        provenance=tuple(made.model_dump(mode="json") for f in app.functions if (made := f.function.provenance))
-        or None,
-        functions=tuple(each.function for each in app.functions),
+        provenance=app.provenance,
+        functions=app.wholes,
     )
     integration = segmented(integration, context)
-    report_open_lengths(integration, context)
+    protection.report_open_lengths(integration, context)
     _report_processes(components, context)
     report_unused(all_services, context)
     report_units(units_of(integration), context)
@@ -107,13 +82,13 @@ def derive(
     return Derived(integration, context.findings.findings, targets)
 
 
-def _report_open_arrays(datatypes: Sequence[model.TypeEntry], context: Context) -> None:
+def _report_open_arrays(context: Context) -> None:
     """Report arrays of open length where the deployment has no length sent before arrays."""
     settings = context.settings
     chosen = (settings.transformation, *(service.transformation for service in settings.services))
     if all(each is None or each.array_length for each in chosen):
         return
-    for entry in datatypes:
+    for entry in context.types.entries:
         if entry.is_open:
             message = f"`arrayLength` must not be 0 in the deployment file: {entry.name} is an array of open length."
             context.findings.report(codes.ARRAY_WITHOUT_LENGTH, message, entry.name, "Use 1, 2 or 4.")
@@ -127,21 +102,14 @@ def _report_processes(components: Sequence[model.Component], context: Context) -
 
 def _report_asil(all_services: Sequence[Service], context: Context) -> None:
     """One finding for each interface above QM that nothing protects end to end."""
-    for service in all_services:
-        for element in service.elements:
-            for side in element.sides if element.name not in service.protections else ():
-                _report_unprotected(side, context)
+    for _, side in protection.unprotected_sides(all_services):
+        if is_above(side.asil, "QM") and protection.states_asil(side):
+            message = f"{side.identity} has ASIL {side.asil}, and its service has no end-to-end protection."
+            fix = _PROTECT_METHOD if side.kind == "method" else _PROTECT
+            context.findings.report(codes.ASIL_NOT_PROTECTED, message, side, fix, key="AsilLevel")
 
 
-def _report_unprotected(side: Side, context: Context) -> None:
-    if is_above(side.asil, "QM") and states_asil(side):
-        message = f"{side.identity} has ASIL {side.asil}, and its service has no end-to-end protection."
-        fix = _PROTECT_METHOD if side.kind == "method" else _PROTECT
-        subject = Subject(side.identity, side.interface)
-        context.findings.report(codes.ASIL_NOT_PROTECTED, message, subject, fix, key="AsilLevel")
-
-
-def _component(part: Part, all_services: Sequence[Service], types: TypeTable, context: Context) -> model.Component:
+def _component(part: Part, all_services: Sequence[Service], context: Context) -> model.Component:
     settings = context.settings.components.get(part.name) or ComponentSettings.model_validate({})
     made = calls(part, element_paths(all_services), context)
     modes = tuple(dict.fromkeys(mode for call in made for mode in call.modes))
@@ -151,8 +119,8 @@ def _component(part: Part, all_services: Sequence[Service], types: TypeTable, co
         header_files=_header_files(part, settings),
         modes=modes,
         calls=made,
-        parameters=parameters(part, types, context),
-        services=tuple(_interfaces(part, all_services, types, context)),
+        parameters=parameters(part, context),
+        services=tuple(_interfaces(part, all_services, context)),
         function=part.function_name,
         version=part.function.info.version,
         description=part.function.info.description,
@@ -171,7 +139,7 @@ def _startup(component: model.Component, settings: ComponentSettings, part: Part
         if call.name in refused:
             message = f"Priority of {call.name} of {part.function_name} must be from 1 to {HIGHEST_PRIORITY}, as that of a process is, not {call.priority!r}."
             fix = f"Correct it in the function, or set `priority` under `startup` of component {part.name} in the deployment file."
-            context.findings.report(codes.PRIORITY_OUT_OF_RANGE, message, Subject(call.name, call), fix, key="Priority")
+            context.findings.report(codes.PRIORITY_OUT_OF_RANGE, message, call, fix, key="Priority")
     return startup(settings.startup, component.wishes)
 
 
@@ -181,39 +149,26 @@ def _header_files(part: Part, settings: ComponentSettings) -> tuple[str, ...] | 
         return tuple(settings.header_files) or None
     if part.function.code is not None and part.function.code.headers:
         return part.function.code.headers
-    contracts = [contract for call in part.component.runnables for contract in call.contracts or ()]
-    return (f"{part.name}.h",) if any(map(_has_variables, contracts)) else None
-
-
-def _has_variables(contract: Contract) -> bool:
-    return (
-        any(item.variable for item in contract.signals or ())
-        or any(item.variable for item in contract.queues or ())
-        or any(item.variable for item in contract.parameters or ())
+    has_variables = any(
+        item.variable for each in contracts_of(part) for item in (*data_of(each), *(each.parameters or ()))
     )
+    return (f"{part.name}.h",) if has_variables else None
 
 
-def _interfaces(
-    part: Part, all_services: Sequence[Service], types: TypeTable, context: Context
-) -> list[model.ServiceInterface]:
+def _interfaces(part: Part, all_services: Sequence[Service], context: Context) -> list[model.ServiceInterface]:
     """Services of a component, what it consumes first, as in the published example."""
-    made = []
-    for service in all_services:
-        seen = view(service, part.name, types, context)
-        if seen is not None:
-            made.append(_interface(service, *seen, context))
+    seen = ((service, view(service, part.name, context)) for service in all_services)
+    made = (_interface(service, *content, context) for service, content in seen if content is not None)
     return sorted(made, key=lambda interface: (interface.role, interface.name))
 
 
 def _interface(service: Service, content: model.Services, provides: bool, context: Context) -> model.ServiceInterface:
     used = {event.event_group for event in content.events} | {field.event_group for field in content.fields}
+    contract = Text(context.settings.contract)
     providers = tuple(
-        model.Provider(
-            name=name, deployment="SOME/IP", instance_id=service.instance,
-            contract=Text(context.settings.contract),
-        )
+        model.Provider(name=name, deployment="SOME/IP", instance_id=service.instance, contract=contract)
         for name in _provider_names(service, content, context)
-    )  # fmt: skip
+    )
     groups = sorted((name, number) for name, number in service.event_groups.items() if name in used)
     stated = _of_outside(service, context)
     version = parsed(context.settings.versions.get(service.name, str(FIRST)))
@@ -251,28 +206,6 @@ def _provider_names(service: Service, content: model.Services, context: Context)
         return [manager]
     uses = [use.interface.external_provider for event in content.events for use in event.uses or ()]
     return sorted({name for name in uses if name}) or [Text(UNKNOWN_PROVIDER)]
-
-
-def _meta(context: Context) -> model.MetaInformation:
-    app = context.application
-    if app.date is None:
-        message = f"No function has a date: the document has {NO_DATE}."
-        context.findings.report(codes.DATE_MISSING, message, fix="Set `date` in the deployment file or in a function.")
-    return model.MetaInformation(
-        authority=app.authority,
-        author=app.author,
-        date=app.date.isoformat() if app.date else NO_DATE,
-        version=app.version or DEFAULT_VERSION,
-    )
-
-
-def _info(app: Application) -> model.FunctionInformation:
-    return model.FunctionInformation(
-        name=app.name,
-        responsible=app.responsible,
-        description=app.description,
-        functions=tuple(function.name for function in app.functions),
-    )
 
 
 def _arxml_deployment(context: Context) -> model.ArxmlDeployment:

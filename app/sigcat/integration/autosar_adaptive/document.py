@@ -7,14 +7,10 @@ from sigcat.integration.autosar_adaptive.completion import completed
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
 from sigcat.integration.autosar_adaptive.problems import numbers_of, problems_of
 from sigcat.integration.checked_document import DocumentKind
-from sigcat.limits import DEFAULT_LIMITS, Limits
 
 _KIND = DocumentKind("autosar-adaptive", IntegrationModel, codes.NOT_WRITABLE_AS_ARXML, problems_of, completed)
-
-
-def read_integration(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> IntegrationModel:
-    """The model of an Integration JSON, completed. Raises InputRefused with everything that is wrong."""
-    return _KIND.read(data, name, limits)
+read_integration = _KIND.read
+"""The model of an Integration JSON, completed. Raises InputRefused with everything that is wrong."""
 
 
 def writable(model: IntegrationModel) -> IntegrationModel:

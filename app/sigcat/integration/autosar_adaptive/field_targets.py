@@ -2,27 +2,20 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from pydantic import BaseModel
-
 from sigcat.function.exchange import Part, Side
-from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.interfaces.methods import MethodInterface
 from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.integration.autosar_adaptive.code import CallCode, ParameterCode
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.services.elements import Service, element_paths
-from sigcat.integration.report import OF_ABSENT, Entry, FieldTarget, Targets, entries
+from sigcat.integration.autosar_part_entries import PartTables, part_entries
+from sigcat.integration.report import OF_ABSENT, Entry, FieldTarget, Targets, entries, fields_of, same_names
 
 _CATALOGUE = "sent in the catalogue's datatype and unit; its use has those of the code"
 _RANGE = "the event has the catalogue's range, or else the provider's"
 _PLACE = "says which service and which side"
 _PROCESS = "the process has that of its most urgent cyclic call, in Startup"
-
-
-def _kept(place: str, *models: type[BaseModel]) -> dict[str, FieldTarget | str]:
-    """Targets of fields that are kept at a place, unless a table has another one."""
-    return {str(field.alias): f"{place}/{field.alias}" for model in models for field in model.model_fields.values()}
 
 
 _DATA: Targets = {
@@ -38,45 +31,39 @@ _DATA: Targets = {
     "Factor": FieldTarget("Uses/{of}/Factor", "scaling inside the code; also Scaling where no catalogue is known"),
     "Offset": FieldTarget("Uses/{of}/Offset", "scaling inside the code; also Offset where no catalogue is known"),
 }  # fmt: skip
-_SIGNAL = {**_kept("Uses/{of}", Signal, DataQueue), **_DATA}
+_SIGNAL = {**same_names("Uses/{of}/", fields_of(Signal, DataQueue)), **_DATA}
 _METHOD: Targets = {
-    **_kept("Uses/Method", MethodInterface),
+    **same_names("Uses/Method/", fields_of(MethodInterface)),
     "Name": "Name", "Description": "Description", "Role": FieldTarget("Role", _PLACE),
     "InDataTypeList": "InArguments", "OutDataTypeList": "OutArguments",
 }  # fmt: skip
 _STATUS_HEAD: Targets = {
     "Name": "Name", "Description": "Description", "Datatype": "DataType", "VssPath": "VssPath",
 }  # fmt: skip
-_ERROR = {**_kept("Error", ErrorInterface), **_STATUS_HEAD}
-_REACTION = {**_kept("SafetyReaction", SafetyReaction), **_STATUS_HEAD}
-_MODE = {**_kept("Mode", ModeInterface), **_STATUS_HEAD, "Direction": FieldTarget("Role", _PLACE)}
+_ERROR = {**same_names("Error/", fields_of(ErrorInterface)), **_STATUS_HEAD}
+_REACTION = {**same_names("SafetyReaction/", fields_of(SafetyReaction)), **_STATUS_HEAD}
+_MODE = {**same_names("Mode/", fields_of(ModeInterface)), **_STATUS_HEAD, "Direction": FieldTarget("Role", _PLACE)}
 _CALL: Targets = {
     "Runtype": "RunType", "Cycletime": "CycleTime", "CycletimeNanoseconds": "CycleTime", "Scheduling": FieldTarget("Scheduling", _PROCESS),
     "Priority": FieldTarget("Priority", _PROCESS), "SupervisionType": "SupervisionType",
     "funcContractList": FieldTarget("ServiceInterfaceList and ParameterList", "each interface has its own entries"),
-    **{
-        field: field
-        for field in (
-            "Name", "Description", "StackSize", "PrevRunnable", "ExecOffset", "ParallelProcessing", "AsilLevel",
-            "Watchdog", "DebounceDelay", "VssPath",
-        )
-    },
+    **same_names("", (
+        "Name", "Description", "StackSize", "PrevRunnable", "ExecOffset", "ParallelProcessing", "AsilLevel", "Watchdog",
+        "DebounceDelay", "VssPath",
+    )),
     "EventList": FieldTarget("EventList and Triggers", "each event as the event of a service"),
-    **{str(field.alias): f"Code/{field.alias}" for field in CallCode.model_fields.values()},
+    **same_names("Code/", fields_of(CallCode)),
 }  # fmt: skip
 _PARAMETER: Targets = {
     "Datatype": "Datatype and CodeDatatype", "Asillevel": "AsilLevel", "Min": "Datatype/MinValue",
     "Max": "Datatype/MaxValue", "Default": "Datatype/Default", "InitValue": "Datatype/InitValue",
     "Units": "Datatype/Unit", "DefaultText": "Datatype/Default",
     "Interfacetype": FieldTarget("InterfaceType", "PersistenceMemory is spelled as the published schema has it"),
-    **{
-        field: field
-        for field in (
-            "Name", "Description", "RangeErrorAction", "Attribute", "VssPath", "VssDatatype", "VssUnit", "VssSymbols",
-            "ConversionFactor", "ConversionOffset", "Variable",
-        )
-    },
-    **{str(field.alias): f"Code/{field.alias}" for field in ParameterCode.model_fields.values()},
+    **same_names("", (
+        "Name", "Description", "RangeErrorAction", "Attribute", "VssPath", "VssDatatype", "VssUnit", "VssSymbols",
+        "ConversionFactor", "ConversionOffset", "Variable",
+    )),
+    **same_names("Code/", fields_of(ParameterCode)),
     "Factor": "Code/Factor and Datatype/Scaling", "Offset": "Code/Offset and Datatype/Offset",
     "InitElements": "Code/InitElements and Datatype/InitValue",
 }  # fmt: skip
@@ -89,13 +76,6 @@ _FUNCTION: Targets = {
     "FunctionResponsible": "FunctionInformation/Responsible", "Description": "Component/Description",
     "Version": FieldTarget("Component/Version", "the version of the document is that of the deployment"),
 }  # fmt: skip
-_META: Targets = {
-    "Authority": "MetaInformation/Authority", "SchemaAuthor": "MetaInformation/Author", "Date": "MetaInformation/Date",
-    **dict.fromkeys(
-        ("SchemaVersion", "SchemaDescription"), FieldTarget("none", "each format has its own version and description"),
-    ),
-}  # fmt: skip
-_CODE: Targets = {str(field.alias): f"Code/{field.alias}" for field in CodeInterface.model_fields.values()}
 _COMPONENT: Targets = {"Name": "Name", "functionList": "FunctionList"}
 _CONTRACT: Targets = {
     **OF_ABSENT,
@@ -107,6 +87,7 @@ _CONTRACT: Targets = {
     "ParameterList": FieldTarget("ParameterList", "each interface has its own entries"),
 }
 _MODES: Targets = {"Name": "Name", "Description": "Description", "RunnablesList": "Calls"}
+_TABLES = PartTables(_FUNCTION, _MODES, _COMPONENT)
 
 TABLES: Mapping[type, tuple[str, Targets]] = {
     Signal: ("signal", _SIGNAL),
@@ -151,17 +132,8 @@ def _of_interface(side: Side, element: str) -> list[Entry]:
 
 
 def _of_part(part: Part) -> Iterator[Entry]:
-    function, name = part.function, part.function_name
-    if part.is_first:
-        yield from entries(name, name, "document", function.meta, _META)
-        yield from entries(name, name, "function", function.info, _FUNCTION)
-        if function.code is not None:
-            yield from entries(name, name, "code", function.code, _CODE, below=part.name)
-        for mode in function.modes or ():
-            yield from entries(
-                name, mode.name, "active mode", mode, _MODES, below=f"{part.name}/FunctionModes/{mode.name}"
-            )
-    yield from entries(name, part.name, "component", part.component, _COMPONENT, below=part.name)
+    name = part.function_name
+    yield from part_entries(part, _TABLES, f"{part.name}/FunctionModes")
     for call in part.component.runnables:
         place = f"{part.name}/FunctionList/{call.name}"
         yield from entries(name, call.name, "call", call, _CALL, below=place)

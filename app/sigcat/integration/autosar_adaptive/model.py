@@ -4,7 +4,8 @@ What the published schema lacks is added as optional fields; source says which i
 interface is carried on, it stands inside as it is in Function JSON, so that no field of it can be lost.
 """
 
-from typing import Annotated, Any
+from collections.abc import Callable, Iterator
+from typing import Annotated, Any, Self
 
 from pydantic import Field
 
@@ -50,6 +51,7 @@ from sigcat.integration.autosar_adaptive.deployment.transport import TransportSe
 from sigcat.integration.autosar_adaptive.e2e import E2eProtection
 from sigcat.integration.autosar_adaptive.startup import StartupSettings, Wish
 from sigcat.integration.autosar_si_units import UnitSettings
+from sigcat.integration.grouping import grouped
 from sigcat.integration.source_functions import source_functions
 
 ADAPTIVE = "published integration schema for AUTOSAR adaptive"
@@ -353,6 +355,21 @@ class ServiceInterface(WireModel):
     )
     origin: Name | None = own("Origin", "Branch of the tree, or component, that provides what is gathered here.")
 
+    @property
+    def events(self) -> Iterator[Event]:
+        """Events of all of its lists."""
+        return (event for services in self.services for event in services.events)
+
+    @property
+    def methods(self) -> Iterator[Method]:
+        """Methods of all of its lists."""
+        return (method for services in self.services for method in services.methods)
+
+    @property
+    def fields(self) -> Iterator[ServiceField]:
+        """Fields of all of its lists."""
+        return (field for services in self.services for field in services.fields)
+
 
 class FunctionMode(WireModel):
     """A mode of a function and what runs in it."""
@@ -437,3 +454,19 @@ class IntegrationModel(WireModel):
     deployment: ArxmlDeployment | None = own("Deployment", "What the ARXML takes beside the elements.")
     provenance: Listed[dict[Name, Carried]] | None = own("Provenance", "What each function was made from.")
     functions: tuple[FunctionJson, ...] | None = source_functions()
+
+    @property
+    def interfaces(self) -> Iterator[ServiceInterface]:
+        """Services of all components, each as the component has it."""
+        return (interface for component in self.components for interface in component.services)
+
+    def interfaces_by_name(self) -> dict[str, list[ServiceInterface]]:
+        """Each service as its components have it."""
+        return grouped(self.interfaces, lambda each: each.name)
+
+    def with_interfaces(self, changed: Callable[[ServiceInterface], ServiceInterface]) -> Self:
+        """The document with changed services."""
+        components = tuple(
+            each.model_copy(update={"services": tuple(map(changed, each.services))}) for each in self.components
+        )
+        return self.model_copy(update={"components": components})

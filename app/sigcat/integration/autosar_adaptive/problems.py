@@ -5,22 +5,13 @@ from collections.abc import Iterable, Iterator
 from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.walk import parts
 from sigcat.integration.agreement import argument_counts
-from sigcat.integration.autosar_adaptive.deployment.identifiers import (
-    EVENT_GROUPS,
-    EVENTS,
-    INSTANCES,
-    METHODS,
-    SERVICES,
-    Span,
-    data_ids,
-)
+from sigcat.integration.autosar_adaptive.deployment import identifiers
 from sigcat.integration.autosar_adaptive.deployment.someip_settings import TransformationSettings
+from sigcat.integration.autosar_adaptive.e2e import E2eProtection
 from sigcat.integration.autosar_adaptive.model import (
     ArxmlDeployment,
     Component,
-    Event,
     IntegrationModel,
-    ServiceField,
     ServiceInterface,
     Services,
     TypeEntry,
@@ -30,8 +21,8 @@ from sigcat.integration.autosar_adaptive.processes import process_problems
 from sigcat.integration.autosar_adaptive.someip.versions import Version, version_of
 from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE, storage_name, storages
 from sigcat.integration.autosar_names import short_name
-from sigcat.integration.checked_document import Problem
 from sigcat.integration.datatypes import BY_ADAPTIVE
+from sigcat.integration.problem import Problem
 from sigcat.integration.references import places
 from sigcat.names import IDENTIFIER
 
@@ -101,9 +92,8 @@ def _in_component(component: Component, at: Pointer, types: set[str]) -> Iterato
         here = (*at, "ServiceInterfaceList", index)
         yield from _name(here, interface.name, "service")
         if roles.index((interface.name, interface.role)) != index:
-            yield Problem(
-                here, f"Service {interface.name!r} must be listed once in each role, not twice.", "Merge the two."
-            )
+            message = f"Service {interface.name!r} must be listed once in each role, not twice."
+            yield Problem(here, message, "Merge the two.")
         lists = [((*here, "ServiceList", position), services) for position, services in enumerate(interface.services)]
         yield from _names((place for below, services in lists for place in _elements(services, below)), "element")
         for below, services in lists:
@@ -189,12 +179,9 @@ def _name(pointer: Pointer, name: str, what: str) -> Iterator[Problem]:
 def _type_references(model: IntegrationModel, types: set[str]) -> Iterator[Problem]:
     for index, entry in enumerate(model.datatypes or ()):
         yield from _members(entry, ("DataTypes", index))
-        words = [field.type for field in entry.fields or ()]
-        words += [word for word in (entry.type, entry.storage, entry.c_definition) if word]
-        for word in words:
-            if word not in types and word not in BY_ADAPTIVE:
-                message = f"Datatype {word!r} of {entry.name} is not defined."
-                yield Problem(("DataTypes", index), message, "Define it under `DataTypes`.")
+        stated = filter(None, (entry.type, entry.storage, entry.c_definition))
+        for word in (*(field.type for field in entry.fields or ()), *stated):
+            yield from _word(("DataTypes", index), word, entry.name, types)
 
 
 def _members(entry: TypeEntry, at: Pointer) -> Iterator[Problem]:
@@ -231,29 +218,29 @@ def _identifiers(model: IntegrationModel) -> Iterator[Problem]:
                 yield Problem(at, message, "Change one of them.")
 
 
-def _data_id(service: str, item: Event | ServiceField) -> Iterator[tuple[tuple[str, str], str, int, Span]]:
-    found = item.protection
-    if found is not None:
-        yield ("", "data id"), f"{service}.{item.name}", found.data_id, data_ids(found.profile)
-
-
-def numbers_of(interface: ServiceInterface) -> Iterator[tuple[tuple[str, str], str, int, Span]]:
+def numbers_of(interface: ServiceInterface) -> Iterator[tuple[tuple[str, str], str, int, identifiers.Span]]:
     """Scope and kind, owner, id and its range, of every id of a service."""
     name = interface.name
     assert interface.service_id is not None
     assert interface.instance_id is not None
-    yield ("", "service"), name, interface.service_id, SERVICES
-    yield (name, "instance"), name, interface.instance_id, INSTANCES
+    yield ("", "service"), name, interface.service_id, identifiers.SERVICES
+    yield (name, "instance"), name, interface.instance_id, identifiers.INSTANCES
     for group in interface.event_groups or ():
-        yield (name, "group"), f"{name}.{group.name}", group.id, EVENT_GROUPS
+        yield (name, "group"), f"{name}.{group.name}", group.id, identifiers.EVENT_GROUPS
     for services in interface.services:
         for event in services.events:
-            yield (name, "event"), f"{name}.{event.name}", event.event_id or 0, EVENTS
-            yield from _data_id(name, event)
+            yield (name, "event"), f"{name}.{event.name}", event.event_id or 0, identifiers.EVENTS
+            if event.protection:
+                yield ("", "data id"), f"{name}.{event.name}", *_data_id(event.protection)
         for field in services.fields:
-            yield (name, "event"), f"{name}.{field.name}", field.notifier_id or 0, EVENTS
-            yield from _data_id(name, field)
-            if field.protection is None:
-                yield (name, "method"), f"{name}.Get{field.name}", field.getter_id or 0, METHODS
+            yield (name, "event"), f"{name}.{field.name}", field.notifier_id or 0, identifiers.EVENTS
+            if field.protection:
+                yield ("", "data id"), f"{name}.{field.name}", *_data_id(field.protection)
+            else:
+                yield (name, "method"), f"{name}.Get{field.name}", field.getter_id or 0, identifiers.METHODS
         for method in services.methods:
-            yield (name, "method"), f"{name}.{method.name}", method.method_id or 0, METHODS
+            yield (name, "method"), f"{name}.{method.name}", method.method_id or 0, identifiers.METHODS
+
+
+def _data_id(protection: E2eProtection) -> tuple[int, identifiers.Span]:
+    return protection.data_id, identifiers.data_ids(protection.profile)

@@ -6,17 +6,11 @@ from sigcat import codes
 from sigcat.asil import is_above
 from sigcat.function.exchange import Side
 from sigcat.integration.autosar_adaptive.context import Context
-from sigcat.integration.autosar_adaptive.deployment.identifiers import (
-    DATA_ID,
-    RULED_DATA_IDS,
-    RULED_INSTANCES,
-    data_ids,
-)
+from sigcat.integration.autosar_adaptive.deployment import identifiers
 from sigcat.integration.autosar_adaptive.e2e import E2eProtection, EventE2eSettings, Profile
 from sigcat.integration.autosar_adaptive.model import IntegrationModel, TypeEntry
 from sigcat.integration.autosar_adaptive.services.elements import Element, Service
 from sigcat.integration.autosar_adaptive.someip.numbering import Names, is_given, numbers
-from sigcat.integration.finding_collector import Subject
 
 METHODS_ARE_NOT_PROTECTED = "sigcat protects events and fields end to end, and this is a method."
 TEXT = "string"
@@ -29,8 +23,8 @@ WITHOUT_LENGTH = 5
 def protected(services: Sequence[Service], context: Context) -> tuple[Service, ...]:
     """The services, with how each of their events and fields is protected."""
     profiles = dict(_profiles(services, context))
-    spans = {key: data_ids(profile) for key, profile in profiles.items()}
-    names = Names(sorted(profiles), RULED_DATA_IDS, suffix=DATA_ID, has_dots=True, given=spans)
+    spans = {key: identifiers.data_ids(profile) for key, profile in profiles.items()}
+    names = Names(sorted(profiles), identifiers.RULED_DATA_IDS, suffix=identifiers.DATA_ID, has_dots=True, given=spans)
     instances = {_key(service, element): service.instance for service in services for element in service.elements}
     ids = {
         key: number if is_given(names, key, context) else _with_instance(number, profiles[key], instances[key])
@@ -48,27 +42,33 @@ def protected(services: Sequence[Service], context: Context) -> tuple[Service, .
 
 def _with_instance(number: int, profile: Profile, instance: int) -> int:
     """A data id by rule. With profile 4, its highest byte is the instance, as vsomeip has it."""
-    return instance << 24 | number if profile == WITH_INSTANCE and instance <= RULED_INSTANCES.last else number
+    return (
+        instance << 24 | number if profile == WITH_INSTANCE and instance <= identifiers.RULED_INSTANCES.last else number
+    )
 
 
 def report_unset_errors(services: Sequence[Service], context: Context) -> None:
     """Report errors of end-to-end protection that nothing sets."""
+    for key, side in unprotected_sides(services):
+        if rejection := side.rejection_error:
+            message = f"{key} must be protected end to end to set {rejection.error} of {side.function}."
+            fix = f"State a profile for it under `e2e` in the deployment file: events: {{{key}: {{profile: 4}}}}."
+            context.findings.report(codes.E2E_ERROR_NEVER_SET, message, side, fix, key=rejection.key)
+
+
+def unprotected_sides(services: Sequence[Service]) -> Iterator[tuple[str, Side]]:
+    """Sides of elements that are not protected end to end, each with the key of its element."""
     for service in services:
         for element in service.elements:
-            for side in element.sides if element.name not in service.protections else ():
-                _report_never_set(side, f"{service.name}.{element.name}", context)
+            yield from (
+                (_key(service, element), each) for each in element.sides if element.name not in service.protections
+            )
 
 
 def report_open_lengths(model: IntegrationModel, context: Context) -> None:
     """Report events of open length whose profile sends no length."""
     types = {entry.name: entry for entry in model.datatypes or ()}
-    found = {
-        f"{interface.name}.{event.name}": event
-        for component in model.components
-        for interface in component.services
-        for part in interface.services
-        for event in part.events
-    }
+    found = {f"{each.name}.{event.name}": event for each in model.interfaces for event in each.events}
     for key, event in found.items():
         if event.protection and event.protection.profile == WITHOUT_LENGTH and _is_open(event.datatype, types):
             message = f"{key} must have a fixed length to be protected by profile {WITHOUT_LENGTH}, which sends none."
@@ -86,14 +86,6 @@ def _is_open(word: str, types: Mapping[str, TypeEntry]) -> bool:
         waiting += [each for each in inner if each and each not in seen]
         seen.update(waiting)
     return False
-
-
-def _report_never_set(side: Side, key: str, context: Context) -> None:
-    if rejection := side.rejection_error:
-        message = f"{key} must be protected end to end to set {rejection.error} of {side.function}."
-        fix = f"State a profile for it under `e2e` in the deployment file: events: {{{key}: {{profile: 4}}}}."
-        subject = Subject(side.identity, side.interface)
-        context.findings.report(codes.E2E_ERROR_NEVER_SET, message, subject, fix, key=rejection.key)
 
 
 def _profiles(services: Sequence[Service], context: Context) -> Iterator[tuple[str, Profile]]:

@@ -1,6 +1,6 @@
 """The datatypes of the set: those of every function, each once, in the words of the integration schema."""
 
-from collections.abc import Sequence
+from functools import partial
 
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES, element_of
@@ -9,11 +9,10 @@ from sigcat.function.function_json.datatypes.type_list import smallest_integer
 from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.walk import data
-from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.model import StructField, Symbol, TypeEntry
-from sigcat.integration.autosar_names import distinct, short_name
+from sigcat.integration.autosar_names import distinct_names, short_name
 from sigcat.integration.datatypes import BY_VSS, of_reference, with_catalogue_elements
-from sigcat.integration.finding_collector import Subject
+from sigcat.integration.finding_collector import FindingCollector, Subject
 
 _STORAGE = "uint8"
 
@@ -21,8 +20,8 @@ _STORAGE = "uint8"
 class TypeTable:
     """Datatypes that were referred to, in the order in which they first were."""
 
-    def __init__(self, context: Context) -> None:
-        self._context = context
+    def __init__(self, findings: FindingCollector) -> None:
+        self._findings = findings
         self._documents: dict[int, dict[str, Datatype]] = {}
         self._sent: dict[int, dict[str, Datatype]] = {}
         self._entries: dict[str, TypeEntry] = {}
@@ -103,12 +102,16 @@ class TypeTable:
 
     def _entry(self, function: FunctionJson, datatype: Datatype) -> TypeEntry:
         name = short_name(datatype.reference)
-        common = {"name": name, "kind": datatype.kind, "vss_datatype": datatype.vss_datatype}
+        common = partial(TypeEntry, name=name, vss_datatype=datatype.vss_datatype)
         if datatype.kind == "enumeration":
             sent = self._enumerations_sent(function).get(datatype.reference, datatype)
-            return TypeEntry(**common, symbols=_symbols(sent), storage=_storage(sent))  # type: ignore[arg-type]
+            return common(kind="enumeration", symbols=_symbols(sent), storage=_storage(sent))
         if datatype.kind == "array":
-            return self._array(function, datatype, common)
+            element = self.word(function, datatype.element or "")
+            dimension: int | str = datatype.length if datatype.length is not None else "dynamic"
+            is_number = element not in self._entries and element != "string" and not element.startswith("DT_")
+            shape = {"type": element} if is_number else {"fields": (StructField(name="Element", type=element),)}
+            return common(kind="array", dimension=dimension, reference=datatype.reference, **shape)
         fields = tuple(
             StructField(
                 name=short_name(field.name),
@@ -120,27 +123,14 @@ class TypeTable:
             )
             for field in datatype.fields or ()
         )
-        fields_of_entry = {
-            **common,
-            "kind": "structure",
-            "reference": datatype.reference,
-            "description": datatype.description,
-        }
-        return TypeEntry(**fields_of_entry, fields=fields)  # type: ignore[arg-type]
-
-    def _array(self, function: FunctionJson, datatype: Datatype, common: dict[str, str | None]) -> TypeEntry:
-        element = self.word(function, datatype.element or "")
-        dimension: int | str = datatype.length if datatype.length is not None else "dynamic"
-        is_number = element not in self._entries and element != "string" and not element.startswith("DT_")
-        shape = {"type": element} if is_number else {"fields": (StructField(name="Element", type=element),)}
-        return TypeEntry(**common, dimension=dimension, reference=datatype.reference, **shape)  # type: ignore[arg-type]
+        return common(kind="structure", reference=datatype.reference, description=datatype.description, fields=fields)
 
     def _opaque(self, function: FunctionJson, reference: str, datatype: Datatype | None) -> str:
         """A datatype whose content the function does not define: an empty structure, so that it has a place."""
         what = f"C definition {datatype.c_definition!r}" if datatype else "no definition"
         message = f"Datatype {reference} of {function.info.function_name} must have content: it has {what}, and is written as an empty structure."
         fix = "Give it a `Kind` with members, symbols or elements."
-        self._context.findings.report(codes.DATATYPE_WITHOUT_CONTENT, message, Subject("", datatype or function), fix)
+        self._findings.report(codes.DATATYPE_WITHOUT_CONTENT, message, Subject("", datatype or function), fix)
         name = short_name(reference or "Unnamed")
         return self._add(TypeEntry(name=name, kind="structure", fields=(), reference=reference), function)
 
@@ -154,12 +144,8 @@ class TypeTable:
 
     def _recursive(self, function: FunctionJson, datatype: Datatype) -> None:
         message = f"Datatype {datatype.reference} of {function.info.function_name} must not contain itself: SOME/IP cannot send it."
-        self._context.findings.report(
-            codes.DATATYPE_CONTAINS_ITSELF,
-            message,
-            Subject("", datatype),
-            "Break the cycle, for instance with an index.",
-        )
+        fix = "Break the cycle, for instance with an index."
+        self._findings.report(codes.DATATYPE_CONTAINS_ITSELF, message, Subject("", datatype), fix)
 
 
 def _as_sent(datatype: Datatype, item: Signal | DataQueue) -> Datatype:
@@ -171,9 +157,9 @@ def _as_sent(datatype: Datatype, item: Signal | DataQueue) -> Datatype:
 
 
 def _symbols(datatype: Datatype) -> tuple[Symbol, ...]:
-    listed: Sequence[tuple[str, int]] = [(item.symbol, item.value) for item in datatype.symbols or ()]
-    names = distinct({f"{index:06d}": short_name(symbol) for index, (symbol, _) in enumerate(listed)})
-    return tuple(Symbol(symbol=names[f"{index:06d}"], value=value) for index, (_, value) in enumerate(listed))
+    listed = datatype.symbols or ()
+    names = distinct_names([short_name(each.symbol) for each in listed])
+    return tuple(Symbol(symbol=name, value=each.value) for name, each in zip(names, listed, strict=True))
 
 
 def _storage(datatype: Datatype) -> str:

@@ -15,8 +15,7 @@ def _units(model: IntegrationModel) -> Iterator[str | None]:
         yield from (field.unit for field in entry.fields or ())
     for component in model.components:
         yield from (parameter.datatype.unit for parameter in component.parameters or ())
-        for interface in component.services:
-            for services in interface.services:
-                yield from (event.unit for event in services.events)
-                for method in services.methods:
-                    yield from (argument.unit for argument in (*(method.inputs or ()), *(method.outputs or ())))
+    for interface in model.interfaces:
+        yield from (event.unit for event in interface.events)
+        for method in interface.methods:
+            yield from (argument.unit for argument in (*(method.inputs or ()), *(method.outputs or ())))

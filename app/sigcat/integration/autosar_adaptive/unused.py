@@ -18,12 +18,11 @@ def report_unused(services: Sequence[Service], context: Context) -> None:
     """A finding for each key of the deployment that names nothing of the set."""
     settings = context.settings
     report_unknown_paths(codes.DEPLOYMENT_NAMES_NOTHING, context.application, context.findings)
-    _report_unknown(
-        ("autosarAdaptive", "components"), settings.components, {part.name for part in context.parts}, context
-    )
-    _report_unknown(("autosarAdaptive", "identifiers"), settings.identifiers, set(_identified(services)), context)
-    _report_unknown(("autosarAdaptive", "versions"), settings.versions, {each.name for each in services}, context)
-    _report_unknown(("autosarAdaptive", "transport"), settings.transport, {each.name for each in services}, context)
+    names = {each.name for each in services}
+    _report_unknown(("components",), settings.components, {part.name for part in context.parts}, context)
+    _report_unknown(("identifiers",), settings.identifiers, set(_identified(services)), context)
+    _report_unknown(("versions",), settings.versions, names, context)
+    _report_unknown(("transport",), settings.transport, names, context)
     _report_unknown_members(services, context)
     _report_unprotectable(services, context)
     paths = {side.path for side in context.exchange.sides if side.kind == "data"}
@@ -39,7 +38,7 @@ def report_unused(services: Sequence[Service], context: Context) -> None:
 def report_units(units: Collection[str], context: Context) -> None:
     """A finding for each unit that nothing is known of, and for each that the deployment describes in vain."""
     described = context.settings.units
-    _report_unknown(("autosarAdaptive", "units"), described, units, context)
+    _report_unknown(("units",), described, units, context)
     for unit in sorted(units):
         if unit not in described and unit not in WITHOUT_SI and si_unit(unit) is None:
             message = f"Unit {unit!r} is not one of VSS: in ARXML it has no dimension and no factor to SI units."
@@ -48,12 +47,7 @@ def report_units(units: Collection[str], context: Context) -> None:
 
 
 def _report_unknown(section: Pointer, keys: Collection[str], known: Collection[str], context: Context) -> None:
-    for key in keys:
-        if key not in known:
-            message = f"Nothing in the set is called {key!r}, which the deployment file names under `{': '.join(map(str, section))}`."
-            context.findings.report_deployment(
-                codes.DEPLOYMENT_NAMES_NOTHING, message, (*section, key), did_you_mean(key, known), key
-            )
+    context.findings.report_unknown(codes.DEPLOYMENT_NAMES_NOTHING, ("autosarAdaptive", *section), keys, known)
 
 
 def _identified(services: Sequence[Service]) -> Iterator[str]:
@@ -71,21 +65,21 @@ def _report_unknown_members(services: Sequence[Service], context: Context) -> No
         sent = {element.name for element in service.elements if not element.is_method}
         groups = chosen.event_groups if isinstance(chosen.event_groups, dict) else {}
         for group, names in groups.items():
-            _report_unknown(("autosarAdaptive", "transport", service.name, "eventGroups", group), names, sent, context)
+            _report_unknown(("transport", service.name, "eventGroups", group), names, sent, context)
 
 
 def _report_unprotectable(services: Sequence[Service], context: Context) -> None:
     """A finding for each key of `e2e` that names neither an event nor a field."""
-    section: Pointer = ("autosarAdaptive", "e2e", "events")
-    stated = context.settings.e2e.events
-    others = {f"{each.name}.{element.name}" for each in services for element in each.elements} - set(
-        _protectable(services)
-    )
+    section: Pointer = ("e2e", "events")
+    stated, protectable = context.settings.e2e.events, set(_protectable(services))
+    others = {f"{each.name}.{element.name}" for each in services for element in each.elements} - protectable
     for key in sorted(stated.keys() & others):
         message = f"{key} cannot be protected end to end. {METHODS_ARE_NOT_PROTECTED}"
         fix = "Remove it. Send the arguments and results as signals, with their ASIL and a profile."
-        context.findings.report_deployment(codes.DEPLOYMENT_NAMES_NOTHING, message, (*section, key), fix, key)
-    _report_unknown(section, stated.keys() - others, set(_protectable(services)), context)
+        context.findings.report_deployment(
+            codes.DEPLOYMENT_NAMES_NOTHING, message, ("autosarAdaptive", *section, key), fix, key
+        )
+    _report_unknown(section, stated.keys() - others, protectable, context)
 
 
 def _protectable(services: Sequence[Service]) -> Iterator[str]:

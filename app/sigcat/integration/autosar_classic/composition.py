@@ -7,7 +7,8 @@ from sigcat.function.document.text import Text
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import Context
 from sigcat.integration.autosar_classic.elements import Element
-from sigcat.integration.autosar_names import distinct, short_name
+from sigcat.integration.autosar_names import distinct, distinct_names, short_name
+from sigcat.integration.grouping import grouped
 
 
 def composition_of(
@@ -17,10 +18,10 @@ def composition_of(
     context: Context,
 ) -> model.Composition:
     """The composition of all components. Service ports are connected by the ECU configuration, and not here."""
-    ports = _by_interface(components, parameter_components)
+    types: tuple[_Type, ...] = (*components, *parameter_components)
+    ports = _by_interface(types)
     assemblies, delegations, outer = [], [], []
     outside = _providers_outside(elements, context)
-    types: tuple[model.Component | model.ParameterComponent, ...] = (*components, *parameter_components)
     borders = distinct({interface: interface for interface in ports}, (each.name for each in types))
     for interface, sides in ports.items():
         provided = [side for side in sides if side[1].direction == "Provided"]
@@ -44,6 +45,7 @@ def composition_of(
     )
 
 
+_Type = model.Component | model.ParameterComponent
 _Side = tuple[str, model.Port]
 
 
@@ -52,16 +54,9 @@ def _is_reaction(port: model.Port) -> bool:
     return any(use.kind == "safety reaction" for element in port.elements for use in element.uses or ())
 
 
-def _by_interface(
-    components: Sequence[model.Component], parameter_components: Sequence[model.ParameterComponent]
-) -> Mapping[str, list[_Side]]:
-    found: dict[str, list[_Side]] = {}
-    types: tuple[model.Component | model.ParameterComponent, ...] = (*components, *parameter_components)
-    for component in types:
-        for port in component.ports:
-            if not port.service:
-                found.setdefault(port.interface, []).append((component.name, port))
-    return dict(sorted(found.items()))
+def _by_interface(types: Sequence[_Type]) -> Mapping[str, list[_Side]]:
+    sides = ((component.name, port) for component in types for port in component.ports if not port.service)
+    return dict(sorted(grouped(sides, lambda side: side[1].interface).items()))
 
 
 def _providers_outside(elements: Sequence[Element], context: Context) -> Mapping[str, Text]:
@@ -107,6 +102,6 @@ def _outer(name: str, port: model.Port, provider: Text | None) -> model.OuterPor
 
 def _with_names(connectors: Sequence[Any], taken: list[str]) -> tuple[Any, ...]:
     """Connectors under names that no other element of the composition has."""
-    names = distinct({f"{index:06d}": each.name for index, each in enumerate(connectors)}, taken)
-    taken.extend(names.values())
-    return tuple(each.model_copy(update={"name": names[f"{index:06d}"]}) for index, each in enumerate(connectors))
+    names = distinct_names([each.name for each in connectors], taken)
+    taken.extend(names)
+    return tuple(each.model_copy(update={"name": name}) for each, name in zip(connectors, names, strict=True))

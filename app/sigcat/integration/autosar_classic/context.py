@@ -1,15 +1,13 @@
-"""Common input of every step of `derive`: the functions with their components, the settings, the findings."""
+"""Common input of every step of `derive`, and the calls of components under the names of their runnables."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import NamedTuple
 
-from sigcat.function.exchange import Exchange, Part
+from sigcat.function.exchange import Part
 from sigcat.function.function_json.runnable import Runnable as Call
-from sigcat.integration.application import Application
+from sigcat.integration.autosar_classic.datatypes.types import TypeTable
 from sigcat.integration.autosar_classic.deployment.settings import AutosarClassicSettings
+from sigcat.integration.autosar_context import AutosarContext
 from sigcat.integration.autosar_names import distinct, short_name
-from sigcat.integration.finding_collector import FindingCollector
 
 OF_ADAPTER = ("Init", "Receive", "Supervise", "JudgeWindows", "Terminate", "Core", "Calls", "Stored")
 """Runnables, areas and memory of a component, whatever the names of its steps: all of them have one namespace."""
@@ -31,15 +29,8 @@ class NamedCall(NamedTuple):
     call: Call
 
 
-@dataclass(frozen=True)
-class Context:
-    """Input of one derivation, and the findings on its way."""
-
-    application: Application
-    settings: AutosarClassicSettings
-    parts: tuple[Part, ...]
-    exchange: Exchange
-    findings: FindingCollector
+Context = AutosarContext[AutosarClassicSettings, TypeTable]
+"""Input of one derivation, and the findings on its way."""
 
 
 def role_of(call: Call) -> str:
@@ -52,10 +43,10 @@ def role_of(call: Call) -> str:
 
 def named_calls(part: Part) -> tuple[NamedCall, ...]:
     """The calls of a component under names that no runnable of the adapter has."""
-    calls = part.component.runnables
-    wanted = {
-        f"{index:06d}": short_name(call.name.removeprefix(f"{part.function_name}_")) for index, call in enumerate(calls)
+    prefix = f"{part.function_name}_"
+    calls = {
+        f"{index:06d}": NamedCall(short_name(call.name.removeprefix(prefix)), role_of(call), call)
+        for index, call in enumerate(part.component.runnables)
     }
-    steps = {key: name for (key, name), call in zip(wanted.items(), calls, strict=True) if role_of(call) == STEP}
-    given: Mapping[str, str] = {**wanted, **distinct(steps, OF_ADAPTER)}
-    return tuple(NamedCall(given[f"{index:06d}"], role_of(call), call) for index, call in enumerate(calls))
+    steps = distinct({key: each.name for key, each in calls.items() if each.role == STEP}, OF_ADAPTER)
+    return tuple(each._replace(name=steps.get(key, each.name)) for key, each in calls.items())

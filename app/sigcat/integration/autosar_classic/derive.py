@@ -7,20 +7,10 @@ from sigcat import codes
 from sigcat.findings import Finding, has_errors
 from sigcat.function.document.document import pointer_text
 from sigcat.function.document.text import Text
-from sigcat.function.exchange import Part, exchange_of
+from sigcat.function.exchange import Part
 from sigcat.function.function_json.resolved_function import ResolvedFunction
-from sigcat.integration.application import DEFAULT_VERSION, NO_DATE, application
-from sigcat.integration.autosar_classic import model
-from sigcat.integration.autosar_classic.base_software import (
-    CLOCK,
-    DIAGNOSTIC_MONITOR,
-    ECU_MODE,
-    ECU_MODES,
-    IGNITION,
-    NV_MEMORY,
-    SERVICE_TYPES,
-    SUPERVISION,
-)
+from sigcat.integration.autosar_classic import findings, model, service_needs
+from sigcat.integration.autosar_classic.base_software import ECU_MODE, ECU_MODES, SERVICE_TYPES, SERVICES
 from sigcat.integration.autosar_classic.composition import composition_of
 from sigcat.integration.autosar_classic.context import Context, named_calls
 from sigcat.integration.autosar_classic.datatypes.types import TypeTable
@@ -29,13 +19,6 @@ from sigcat.integration.autosar_classic.e2e import report_unknown_elements
 from sigcat.integration.autosar_classic.elements import Element, by_part, elements_of
 from sigcat.integration.autosar_classic.events import events_of
 from sigcat.integration.autosar_classic.field_targets import field_targets
-from sigcat.integration.autosar_classic.findings import (
-    report_asil,
-    report_calls,
-    report_long_names,
-    report_meanings,
-    report_order,
-)
 from sigcat.integration.autosar_classic.interfaces import data_interface, method_interface, mode_interface
 from sigcat.integration.autosar_classic.parameters import (
     calibration,
@@ -47,58 +30,40 @@ from sigcat.integration.autosar_classic.partitioning import asil_of, partition_e
 from sigcat.integration.autosar_classic.ports import data_ports, kind_of_port
 from sigcat.integration.autosar_classic.problems.document import problems_of
 from sigcat.integration.autosar_classic.runnables import AREA, CALLS, Behaviour, runnables_of
-from sigcat.integration.autosar_classic.service_needs import (
-    inhibitions,
-    memories,
-    monitors,
-    nv_blocks,
-    service_ports,
-    supervised_entities,
-)
 from sigcat.integration.autosar_classic.signals import report_narrow_signals, system_signals
-from sigcat.integration.autosar_classic.tasks import behaviours_by_name, init_batches_of, tasks_of
+from sigcat.integration.autosar_classic.tasks import init_batches_of, tasks_of
+from sigcat.integration.autosar_context import application_information, autosar_context, meta_information
 from sigcat.integration.autosar_names import short_name
-from sigcat.integration.autosar_parts import named_parts
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
+from sigcat.integration.derived import Derived
 from sigcat.integration.finding_collector import FindingCollector
 from sigcat.integration.not_carried import report_not_carried
-from sigcat.integration.report import Entry
 from sigcat.integration.unknown_paths import report_unknown_paths
-
-
-class Derived(NamedTuple):
-    """The document, the findings about it, and where each field of each interface went."""
-
-    model: model.ClassicIntegration
-    findings: tuple[Finding, ...]
-    report: tuple[Entry, ...]
 
 
 def derive(
     functions: Sequence[ResolvedFunction],
     deployment: Deployment = NO_DEPLOYMENT,
     settings: AutosarClassicSettings = NO_SETTINGS,
-) -> Derived:
+) -> Derived[model.ClassicIntegration]:
     """The integration of a function or a set of functions. The order in which they are given does not matter."""
-    app = application(functions, deployment)
-    parts = named_parts([f.function for f in app.functions])
-    exchange = exchange_of(parts, app.paths)
-    context = Context(app, settings, parts, exchange, FindingCollector(app.functions, deployment))
+    context = autosar_context(functions, deployment, settings, _types)
+    app = context.application
     elements = elements_of(context)
-    types = _types(context)
-    interfaces = _interfaces(elements, types)
-    report_meanings(elements, types, context)
-    behaviours = _behaviours(elements, types, context)
-    components = _components(behaviours, interfaces, types, context)
-    integration = _document(_Made(elements, types, interfaces, behaviours, components), context)
+    interfaces = _interfaces(elements, context)
+    findings.report_meanings(elements, context)
+    own = by_part(elements)
+    behaviours = {part.name: _behaviour(part, own[part.name], context) for part in context.parts}
+    components = tuple(_component(each, interfaces, context) for each in behaviours.values())
+    integration = _document(elements, interfaces, behaviours, components, context)
     targets = field_targets(context, elements)
-    report_asil(elements, integration.composition, context)
+    findings.report_asil(elements, integration.composition, context)
     report_unknown_paths(codes.DEPLOYMENT_NAMES_NOTHING_CLASSIC, app, context.findings)
     report_unknown_elements(elements, context)
     report_narrow_signals(elements, integration, context)
-    report_calls(context)
-    report_long_names(context)
-    report_order(integration.ecu.tasks, _priorities(components, behaviours), context)
+    findings.report_calls(context)
+    findings.report_long_names(context)
+    findings.report_order(integration.ecu.tasks, _priorities(components, behaviours), context)
     report_not_carried(codes.FIELD_NOT_CARRIED_CLASSIC, targets, app.functions, context.findings)
     for part in context.parts:
         report_lower_calls(part, context)
@@ -115,66 +80,40 @@ class _Interfaces(NamedTuple):
     groups: tuple[model.ModeGroup, ...]
 
 
-class _Made(NamedTuple):
-    """Parts of a document."""
-
-    elements: tuple[Element, ...]
-    types: TypeTable
-    interfaces: _Interfaces
-    behaviours: Mapping[str, Behaviour]
-    components: tuple[model.Component, ...]
-
-
-def _behaviours(elements: Sequence[Element], types: TypeTable, context: Context) -> Mapping[str, Behaviour]:
-    own = by_part(elements)
-    made = [_behaviour(part, own[part.name], types, context) for part in context.parts]
-    return behaviours_by_name(context.parts, made)
-
-
-def _components(
-    behaviours: Mapping[str, Behaviour], interfaces: _Interfaces, types: TypeTable, context: Context
-) -> tuple[model.Component, ...]:
-    groups = {group.name: group for group in interfaces.groups}
-    return tuple(_component(part, behaviours[part.name], interfaces, groups, types, context) for part in context.parts)
-
-
-def _document(made: _Made, context: Context) -> model.ClassicIntegration:
-    app, settings, types, interfaces = context.application, context.settings, made.types, made.interfaces
-    calibrations = _calibrations(context, types)
-    parameters = tuple(parameter_interface(part, types) for part in context.parts if _over_ports(part, context))
-    composition = composition_of(made.components, calibrations, made.elements, context)
-    provenance = (f.function.provenance for f in app.functions)
+def _document(
+    elements: Sequence[Element],
+    interfaces: _Interfaces,
+    behaviours: Mapping[str, Behaviour],
+    components: tuple[model.Component, ...],
+    context: Context,
+) -> model.ClassicIntegration:
+    app, settings = context.application, context.settings
+    calibrations = _calibrations(context)
+    calibrated = tuple(parameter_interface(part, context) for part in context.parts if _over_ports(part, context))
+    composition = composition_of(components, calibrations, elements, context)
     return model.ClassicIntegration(
-        meta=_meta(context),
-        info=_info(context),
+        meta=model.MetaInformation(**meta_information(codes.DATE_MISSING_CLASSIC, context)),
+        info=model.ApplicationInformation(**application_information(app)),
         deployment=model.ClassicDeployment(
             package=settings.package or short_name(app.name), release=settings.release, tick=settings.tick
         ),
-        units=types.units,
-        compu_methods=types.compu_methods,
-        constraints=types.constraints,
-        implementation_types=types.implementation_types,
-        application_types=types.application_types,
+        **context.types.lists(),
         mode_groups=tuple(sorted(interfaces.groups, key=lambda each: each.name)),
         sender_receiver_interfaces=interfaces.data,
         client_server_interfaces=interfaces.operations,
         mode_switch_interfaces=interfaces.modes,
-        parameter_interfaces=parameters,
-        components=made.components,
+        parameter_interfaces=calibrated,
+        components=components,
         parameter_components=calibrations,
         composition=composition,
-        ecu=_ecu(made, composition, context),
-        provenance=tuple(each.model_dump(mode="json") for each in provenance if each) or None,
-        functions=tuple(each.function for each in app.functions),
-    )
-
-
-def _ecu(made: _Made, composition: model.Composition, context: Context) -> model.Ecu:
-    return model.Ecu(
-        name=context.settings.ecu or short_name(f"{context.application.name}Ecu"),
-        signals=system_signals(made.elements, composition, context),
-        init_batches=init_batches_of(made.components, made.behaviours),
-        tasks=tasks_of(made.components, made.behaviours),
+        ecu=model.Ecu(
+            name=settings.ecu or short_name(f"{app.name}Ecu"),
+            signals=system_signals(elements, composition, context),
+            init_batches=init_batches_of(components, behaviours),
+            tasks=tasks_of(components, behaviours),
+        ),
+        provenance=app.provenance,
+        functions=app.wholes,
     )
 
 
@@ -186,8 +125,9 @@ def _refused(integration: model.ClassicIntegration, context: Context) -> Iterato
             yield codes.NOT_WRITABLE_AS_CLASSIC.finding(problem.message, pointer=at, fix=problem.fix)
 
 
-def _types(context: Context) -> TypeTable:
-    types = TypeTable(context)
+def _types(found: FindingCollector) -> TypeTable:
+    """Datatypes that every set has."""
+    types = TypeTable(found)
     for vss in ("boolean", "uint8", "uint16", "uint32", "uint64"):
         types.primitive(vss)
     for name, base in SERVICE_TYPES.items():
@@ -195,14 +135,13 @@ def _types(context: Context) -> TypeTable:
     return types
 
 
-def _interfaces(elements: Sequence[Element], types: TypeTable) -> _Interfaces:
+def _interfaces(elements: Sequence[Element], context: Context) -> _Interfaces:
     """One for each element, and those of the base software."""
-    modes = [mode_interface(each, types) for each in elements if kind_of_port(each) == "ModeSwitch"]
-    services = (CLOCK, DIAGNOSTIC_MONITOR, IGNITION, NV_MEMORY, SUPERVISION)
-    methods = [method_interface(each, types) for each in elements if kind_of_port(each) == "ClientServer"]
+    modes = [mode_interface(each, context) for each in elements if kind_of_port(each) == "ModeSwitch"]
+    methods = [method_interface(each, context) for each in elements if kind_of_port(each) == "ClientServer"]
     return _Interfaces(
-        tuple(data_interface(each, types) for each in elements if kind_of_port(each) == "SenderReceiver"),
-        tuple(sorted((*methods, *services), key=lambda each: each.name)),
+        tuple(data_interface(each, context) for each in elements if kind_of_port(each) == "SenderReceiver"),
+        tuple(sorted((*methods, *SERVICES), key=lambda each: each.name)),
         tuple(sorted((*(each for each, _ in modes), ECU_MODE), key=lambda each: each.name)),
         (*(group for _, group in modes), ECU_MODES),
     )
@@ -227,46 +166,38 @@ def _over_ports(part: Part, context: Context) -> bool:
     return context.settings.parameters == "ports" and bool(calibration(part))
 
 
-def _behaviour(part: Part, elements: Sequence[Element], types: TypeTable, context: Context) -> Behaviour:
+def _behaviour(part: Part, elements: Sequence[Element], context: Context) -> Behaviour:
     calls = named_calls(part)
-    ports = [*data_ports(part, elements, types, context.settings.e2e), *service_ports(part, calls)]
+    ports = [*data_ports(part, elements, context), *service_needs.service_ports(part, calls)]
     if _over_ports(part, context):
-        ports.append(parameter_port(part, "Required", types))
+        ports.append(parameter_port(part, "Required", context))
     internal = () if context.settings.parameters == "ports" else tuple(each.name for each in calibration(part))
-    return Behaviour(
-        part, calls, tuple(sorted(ports, key=lambda port: port.name)), nv_blocks(part), context.settings.tick, internal
-    )
+    ports.sort(key=lambda port: port.name)
+    return Behaviour(part, calls, tuple(ports), service_needs.nv_blocks(part), context.settings.tick, internal)
 
 
-def _component(
-    part: Part,
-    behaviour: Behaviour,
-    interfaces: _Interfaces,
-    groups: dict[str, model.ModeGroup],
-    types: TypeTable,
-    context: Context,
-) -> model.Component:
-    runnables = runnables_of(behaviour)
-    info = part.function.info
+def _component(behaviour: Behaviour, interfaces: _Interfaces, context: Context) -> model.Component:
+    part, runnables = behaviour.part, runnables_of(behaviour)
     received = behaviour.mode_port.interface if behaviour.mode_port else ""
+    groups = {group.name: group for group in interfaces.groups}
     modes = next((groups[each.group].modes for each in interfaces.modes if each.name == received), ())
     is_internal = context.settings.parameters == "internal"
     return model.Component(
         name=part.name,
         kind="Application",
         function=part.function_name,
-        version=info.version,
-        description=info.description,
+        version=part.function.info.version,
+        description=part.function.info.description,
         ports=behaviour.ports,
         runnables=runnables,
         events=events_of(behaviour, runnables, tuple(mode.name for mode in modes)),
         exclusive_areas=_areas(behaviour),
-        memories=memories(part),
-        parameters=tuple(internal_parameters(part, types)) if is_internal else (),
+        memories=service_needs.memories(part),
+        parameters=tuple(internal_parameters(part, context)) if is_internal else (),
         nv_blocks=behaviour.nv_blocks,
-        diagnostic_events=monitors(part),
-        supervised_entities=supervised_entities(part, behaviour.calls),
-        inhibitions=inhibitions(part),
+        diagnostic_events=service_needs.monitors(part),
+        supervised_entities=service_needs.supervised_entities(part, behaviour.calls),
+        inhibitions=service_needs.inhibitions(part),
         sections=sections(part, runnables),
         asil_level=asil_of(part),
         code=part.function.code,
@@ -279,38 +210,13 @@ def _areas(behaviour: Behaviour) -> tuple[model.ExclusiveArea, ...]:
     return (core, code) if behaviour.offers else (core,)
 
 
-def _calibrations(context: Context, types: TypeTable) -> tuple[model.ParameterComponent, ...]:
+def _calibrations(context: Context) -> tuple[model.ParameterComponent, ...]:
     parts = [part for part in context.parts if _over_ports(part, context)]
     if not parts:
         return ()
     return (
         model.ParameterComponent(
             name=short_name(f"{context.application.name}Calibration"),
-            ports=tuple(parameter_port(part, "Provided", types) for part in parts),
+            ports=tuple(parameter_port(part, "Provided", context) for part in parts),
         ),
-    )
-
-
-def _meta(context: Context) -> model.MetaInformation:
-    app = context.application
-    if app.date is None:
-        message = f"No function has a date: the document has {NO_DATE}."
-        context.findings.report(
-            codes.DATE_MISSING_CLASSIC, message, fix="Set `date` in the deployment file or in a function."
-        )
-    return model.MetaInformation(
-        authority=app.authority,
-        author=app.author,
-        date=app.date.isoformat() if app.date else NO_DATE,
-        version=app.version or DEFAULT_VERSION,
-    )
-
-
-def _info(context: Context) -> model.ApplicationInformation:
-    app = context.application
-    return model.ApplicationInformation(
-        name=app.name,
-        responsible=app.responsible,
-        description=app.description,
-        functions=tuple(function.name for function in app.functions),
     )

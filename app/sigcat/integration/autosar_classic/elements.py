@@ -9,6 +9,7 @@ from sigcat.function.exchange import Element as Exchanged
 from sigcat.function.exchange import Part, Side
 from sigcat.integration.autosar_classic.context import OF_BASE_SOFTWARE, Context
 from sigcat.integration.autosar_names import distinct, event_name, short_name
+from sigcat.integration.autosar_parts import several_providers
 from sigcat.integration.finding_collector import Subject
 
 
@@ -67,7 +68,5 @@ def _report_renamed(name: str, wanted: str, side: Side, context: Context) -> Non
 
 def _report_providers(element: Exchanged, context: Context) -> None:
     if len(element.providers) > 1:
-        identity, names = element.identity, [side.part.name for side in element.providers]
-        subject = Subject(identity, element.providers[1].interface)
-        message = f"{identity} must have one provider, not {', '.join(names)}. Consumers are connected to {names[0]}."
-        context.findings.report(codes.SEVERAL_WRITERS, message, subject, "Let only one of them provide it.", key="Role")
+        message, fix = several_providers(element.identity, element.providers), "Let only one of them provide it."
+        context.findings.report(codes.SEVERAL_WRITERS, message, element.providers[1], fix, key="Role")

@@ -1,6 +1,7 @@
 """Events that start the runnables of a component."""
 
 from collections.abc import Iterator
+from typing import Any
 
 from sigcat.function.function_json.duration import milliseconds, time_in_a_name
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED
@@ -9,7 +10,7 @@ from sigcat.integration.autosar_classic.context import INIT, STEP, TERMINATE
 from sigcat.integration.autosar_classic.interfaces import in_seconds
 from sigcat.integration.autosar_classic.runnables import AREA, CALLS, JUDGE_WINDOWS, Behaviour
 from sigcat.integration.autosar_classic.service_needs import ECU_PORT, STORED
-from sigcat.integration.autosar_names import distinct, short_name
+from sigcat.integration.autosar_names import distinct_names, short_name
 
 SHUTDOWN = "SHUTDOWN"
 
@@ -18,8 +19,8 @@ def events_of(behaviour: Behaviour, runnables: tuple[model.Runnable, ...], modes
     """All of them. `modes` are those that the function receives."""
     made = [event for runnable in runnables for event in _events(runnable, behaviour, runnables, modes)]
     taken = {AREA, CALLS, STORED, *(runnable.name for runnable in runnables), *behaviour.parameters}
-    names = distinct({f"{index:06d}": event.name for index, event in enumerate(made)}, taken)
-    return tuple(event.model_copy(update={"name": names[f"{index:06d}"]}) for index, event in enumerate(made))
+    names = distinct_names([event.name for event in made], taken)
+    return tuple(event.model_copy(update={"name": name}) for event, name in zip(made, names, strict=True))
 
 
 def _events(
@@ -28,7 +29,7 @@ def _events(
     if runnable.role == INIT:
         yield model.Event(name="OnInit", kind="Init", runnable=runnable.name)
     if runnable.role == TERMINATE:
-        yield _on_entry(f"{runnable.name}_{SHUTDOWN}", runnable, ECU_PORT, "currentMode", SHUTDOWN)
+        yield _on_entry(runnable, ECU_PORT, "currentMode", SHUTDOWN)
     if runnable.role == "Receive":
         yield from _received(runnable, behaviour, modes)
     if runnable.role == "Answer":
@@ -39,10 +40,8 @@ def _events(
         yield _timing(runnable, behaviour.tick / 1000, 0)
     if runnable.role == "Method":
         port = next(p for p in behaviour.ports if p.direction == "Provided" and p.kind == "ClientServer" and p.elements[0].uses and p.elements[0].uses[0].interface == runnable.method)  # fmt: skip
-        yield model.Event(
-            name=short_name(f"Invoked_{runnable.name}"), kind="OperationInvoked", runnable=runnable.name,
-            port=port.name, element=port.elements[0].name,
-        )  # fmt: skip
+        element = port.elements[0].name
+        yield _event(f"Invoked_{runnable.name}", "OperationInvoked", runnable, port=port.name, element=element)
     if runnable.role == STEP:
         yield from _starts(runnable, behaviour, runnables)
 
@@ -66,20 +65,19 @@ def _starts(runnable: model.Runnable, behaviour: Behaviour, runnables: tuple[mod
     for other in runnables:
         for access in other.accesses:
             if access.kind == "InternalTrigger" and access.element == runnable.name:
-                yield model.Event(
-                    name=short_name(f"{other.name}_{access.name}"), kind="InternalTrigger", runnable=runnable.name,
-                    source=other.name, element=access.name,
-                )  # fmt: skip
+                name = f"{other.name}_{access.name}"
+                yield _event(name, "InternalTrigger", runnable, source=other.name, element=access.name)
 
 
 def _received(runnable: model.Runnable, behaviour: Behaviour, modes: tuple[str, ...]) -> Iterator[model.Event]:
     for access in runnable.accesses:
         if access.kind in ("ExplicitRead", "QueuedReceive") and access.port:
-            yield _data_received(runnable, access.port, access.element)
+            name = f"{runnable.name}_{access.port}"
+            yield _event(name, "DataReceived", runnable, port=access.port, element=access.element)
     port = behaviour.mode_port
     for mode in modes if port is not None else ():
         assert port is not None
-        yield _on_entry(f"{runnable.name}_{mode}", runnable, port.name, port.elements[0].name, mode)
+        yield _on_entry(runnable, port.name, port.elements[0].name, mode)
 
 
 def _answered(runnable: model.Runnable, runnables: tuple[model.Runnable, ...]) -> Iterator[model.Event]:
@@ -87,28 +85,20 @@ def _answered(runnable: model.Runnable, runnables: tuple[model.Runnable, ...]) -
     for other in runnables:
         for access in other.accesses:
             if access.kind == "AsynchronousCall" and access.port == result.port:
-                yield model.Event(
-                    name=short_name(f"Returns_{access.element}"), kind="CallReturns", runnable=runnable.name,
-                    source=other.name, port=access.port, element=access.element,
-                )  # fmt: skip
-
-
-def _data_received(runnable: model.Runnable, port: str, element: str) -> model.Event:
-    return model.Event(
-        name=short_name(f"{runnable.name}_{port}"), kind="DataReceived", runnable=runnable.name, port=port,
-        element=element,
-    )  # fmt: skip
+                at = {"source": other.name, "port": access.port, "element": access.element}
+                yield _event(f"Returns_{access.element}", "CallReturns", runnable, **at)
 
 
 def _timing(runnable: model.Runnable, cycle: float, offset: float) -> model.Event:
-    return model.Event(
-        name=short_name(f"{runnable.name}_{time_in_a_name(cycle)}"), kind="Timing", runnable=runnable.name, period=in_seconds(cycle),
-        offset=in_seconds(offset),
-    )  # fmt: skip
+    name = f"{runnable.name}_{time_in_a_name(cycle)}"
+    return _event(name, "Timing", runnable, period=in_seconds(cycle), offset=in_seconds(offset))
 
 
-def _on_entry(name: str, runnable: model.Runnable, port: str, element: str, mode: str) -> model.Event:
-    return model.Event(
-        name=short_name(name), kind="ModeSwitch", runnable=runnable.name, port=port, element=element, mode=mode,
-        activation="OnEntry",
-    )  # fmt: skip
+def _on_entry(runnable: model.Runnable, port: str, element: str, mode: str) -> model.Event:
+    name = f"{runnable.name}_{mode}"
+    return _event(name, "ModeSwitch", runnable, port=port, element=element, mode=mode, activation="OnEntry")
+
+
+def _event(name: str, kind: Any, runnable: model.Runnable, **more: Any) -> model.Event:
+    """An event that starts a runnable."""
+    return model.Event(name=short_name(name), kind=kind, runnable=runnable.name, **more)

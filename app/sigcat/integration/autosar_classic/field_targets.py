@@ -3,13 +3,11 @@
 The document carries each function whole: what the core decides is taken from there, and stands nowhere else.
 """
 
-from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 
 from pydantic import BaseModel
 
 from sigcat.function.exchange import Part, Side
-from sigcat.function.function_json.code import CodeInterface
 from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.interfaces.methods import MethodInterface
 from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
@@ -17,7 +15,9 @@ from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.wire import own_fields
 from sigcat.integration.autosar_classic.context import Context, named_calls
 from sigcat.integration.autosar_classic.elements import Element
-from sigcat.integration.autosar_classic.parameters import Parameter, parameters_of
+from sigcat.integration.autosar_classic.parameters import parameters_of
+from sigcat.integration.autosar_part_entries import PartTables, part_entries
+from sigcat.integration.grouping import grouped
 from sigcat.integration.report import OF_ABSENT, Entry, FieldTarget, Targets, entries
 
 _CORE = FieldTarget("SourceFunctionList", "the core decides it, from the function that the document carries")
@@ -107,13 +107,6 @@ _FUNCTION: Targets = {
     "FunctionResponsible": "ApplicationInformation/Responsible", "Description": "Components/Description",
     "Version": FieldTarget("Components/Version", "the version of the document is that of the deployment"),
 }  # fmt: skip
-_META: Targets = {
-    "Authority": "MetaInformation/Authority", "SchemaAuthor": "MetaInformation/Author", "Date": "MetaInformation/Date",
-    **dict.fromkeys(
-        ("SchemaVersion", "SchemaDescription"), FieldTarget("none", "each format has its own version and description"),
-    ),
-}  # fmt: skip
-_CODE: Targets = {str(field.alias): f"Code/{field.alias}" for field in CodeInterface.model_fields.values()}
 _COMPONENT: Targets = {"Name": "Name", "functionList": "Runnables"}
 _CONTRACT: Targets = {
     **OF_ABSENT,
@@ -125,6 +118,7 @@ _CONTRACT: Targets = {
     "ParameterList": FieldTarget("Ports or InternalParameters", "each interface has its own entries"),
 }
 _MODES: Targets = {"Name": "ModeGroups/Modes", "Description": _CORE, "RunnablesList": _CORE}
+_TABLES = PartTables(_FUNCTION, _MODES, _COMPONENT)
 
 TABLES: Mapping[type, tuple[str, Targets]] = {
     Signal: ("signal", _DATA),
@@ -141,14 +135,12 @@ CALL_TARGETS, PARAMETER_TARGETS = _CALL, _PARAMETER
 def field_targets(context: Context, elements: Sequence[Element]) -> tuple[Entry, ...]:
     """An entry for each field that has a value, in the order of the documents."""
     named = {(each.kind, each.identity): each for each in elements}
-    sides: defaultdict[str, list[Side]] = defaultdict(list)
-    for side in context.exchange.sides:
-        if side.provides or side.kind != "error":  # the entries of an error are those of who reports it
-            sides[side.part.name].append(side)
+    told = (side for side in context.exchange.sides if side.provides or side.kind != "error")
+    sides = grouped(told, lambda side: side.part.name)  # the entries of an error are those of who reports it
     made: list[Entry] = []
     for part in context.parts:
         made += _of_part(part)
-        for side in sides[part.name]:
+        for side in sides.get(part.name, ()):
             made += _of_interface(side, named[side.kind, side.identity])
     return tuple(made)
 
@@ -165,15 +157,8 @@ def _of_interface(side: Side, element: Element) -> list[Entry]:
 
 
 def _of_part(part: Part) -> Iterator[Entry]:
-    function, name = part.function, part.function_name
-    if part.is_first:
-        yield from entries(name, name, "document", function.meta, _META)
-        yield from entries(name, name, "function", function.info, _FUNCTION)
-        if function.code is not None:
-            yield from entries(name, name, "code", function.code, _CODE, below=part.name)
-        for mode in function.modes or ():
-            yield from entries(name, mode.name, "active mode", mode, _MODES)
-    yield from entries(name, part.name, "component", part.component, _COMPONENT, below=part.name)
+    name = part.function_name
+    yield from part_entries(part, _TABLES)
     parameters = {each.interface.name: each for each in reversed(parameters_of(part))}
     for each in named_calls(part):
         runnable = {"runnable": f"Runnables/{each.name if each.role == 'Step' else each.role}"}
@@ -181,9 +166,6 @@ def _of_part(part: Part) -> Iterator[Entry]:
         for contract in each.call.contracts or ():
             yield from entries(name, each.call.name, "contract", contract, _CONTRACT, runnable, part.name)
             for parameter in contract.parameters or ():
-                place = {"parameter": _place(parameters[parameter.name])}
+                found = parameters[parameter.name]
+                place = {"parameter": f"{'NvBlocks' if found.is_stored else 'Parameters'}/{found.name}"}
                 yield from entries(name, parameter.name, "parameter", parameter, _PARAMETER, place, part.name)
-
-
-def _place(parameter: Parameter) -> str:
-    return f"{'NvBlocks' if parameter.is_stored else 'Parameters'}/{parameter.name}"

@@ -11,7 +11,6 @@ from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.triggers import absent_in
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import STEP, Context, named_calls
-from sigcat.integration.autosar_classic.datatypes.types import TypeTable
 from sigcat.integration.autosar_classic.elements import Element
 from sigcat.integration.autosar_classic.interfaces import type_of
 from sigcat.integration.autosar_classic.service_needs import STORED
@@ -19,22 +18,22 @@ from sigcat.integration.autosar_names import LONGEST_SHORT_NAME
 from sigcat.integration.finding_collector import Subject
 
 
-def report_meanings(elements: Iterable[Element], types: TypeTable, context: Context) -> None:
+def report_meanings(elements: Iterable[Element], context: Context) -> None:
     """Sides of an element that take it as another datatype, or in another unit."""
     for element in elements:
         for side in element.sides if element.kind == "data" else ():
-            found, wanted = _meaning(side, types), _meaning(element.leading, types)
+            found, wanted = _meaning(side, context), _meaning(element.leading, context)
             if found != wanted:
                 message = (
                     f"{element.identity}: {side.where} takes it as {found[0]} in {found[1] or 'no unit'}, "
                     f"{element.leading.where} as {wanted[0]} in {wanted[1] or 'no unit'}."
                 )
-                subject = Subject(element.identity, side.interface)
-                context.findings.report(codes.MEANINGS_DIFFER_CLASSIC, message, subject, "Build both from the same catalogue.")  # fmt: skip
+                fix = "Build both from the same catalogue."
+                context.findings.report(codes.MEANINGS_DIFFER_CLASSIC, message, side, fix)
 
 
-def _meaning(side: Side, types: TypeTable) -> tuple[str, str]:
-    return type_of(side, types), side.data.vss_unit or side.data.units or ""
+def _meaning(side: Side, context: Context) -> tuple[str, str]:
+    return type_of(side, context), side.data.vss_unit or side.data.units or ""
 
 
 def report_asil(elements: Iterable[Element], composition: model.Composition, context: Context) -> None:
@@ -45,8 +44,7 @@ def report_asil(elements: Iterable[Element], composition: model.Composition, con
             if is_above(side.asil, "QM"):
                 message = f"{element.identity} ({side.where}) is of ASIL {side.asil}, and its way over a bus has to be protected end to end."
                 fix = "Configure an end-to-end transformer for its system signal."
-                subject = Subject(element.identity, side.data)
-                context.findings.report(codes.ASIL_OVER_A_BUS, message, subject, fix, key="AsilLevel")
+                context.findings.report(codes.ASIL_OVER_A_BUS, message, side, fix, key="AsilLevel")
 
 
 def report_long_names(context: Context) -> None:
@@ -69,12 +67,10 @@ def report_calls(context: Context) -> None:
 
 
 def _report_call(call: Runnable, context: Context) -> None:
-    subject = Subject(call.name, call)
-    contracts = call.contracts or ()
-    consumed = absent_in(call) or any(contract.signals or contract.queues for contract in contracts)
+    consumed = absent_in(call) or any(contract.signals or contract.queues for contract in call.contracts or ())
     if not call.cycle_time and not (call.run_type == "EventTriggered" and consumed):
         message = f"{call.name} must have a cycle time, or events that start it: no event starts its runnable."
-        context.findings.report(codes.RUNNABLE_WITHOUT_EVENT, message, subject, "Give `cycleTime` in its scheduling.")
+        context.findings.report(codes.RUNNABLE_WITHOUT_EVENT, message, call, "Give `cycleTime` in its scheduling.")
     for key, time in (("Cycletime", call.cycle_time), ("ExecOffset", milliseconds(call.execution_offset))):
         microseconds = Fraction(str(time or 0)) * 1000
         if microseconds % context.settings.tick:
@@ -84,7 +80,7 @@ def _report_call(call: Runnable, context: Context) -> None:
                 if microseconds.denominator == 1
                 else "AUTOSAR Classic counts whole microseconds: correct it in the function."
             )
-            context.findings.report(codes.TIME_NOT_IN_TICKS, message, subject, fix, key=key)
+            context.findings.report(codes.TIME_NOT_IN_TICKS, message, call, fix, key=key)
 
 
 def report_order(tasks: Sequence[model.Task], priorities: Mapping[tuple[str, str], int], context: Context) -> None:

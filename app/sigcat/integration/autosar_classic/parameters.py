@@ -7,9 +7,10 @@ from sigcat.function.document.text import Text
 from sigcat.function.exchange import Part
 from sigcat.function.function_json.interfaces.data_interfaces import ParameterInterface
 from sigcat.integration.autosar_classic import model
-from sigcat.integration.autosar_classic.context import OF_ADAPTER, named_calls
-from sigcat.integration.autosar_classic.datatypes.types import Meaning, TypeTable
-from sigcat.integration.autosar_names import distinct, short_name
+from sigcat.integration.autosar_classic.context import OF_ADAPTER, Context, named_calls
+from sigcat.integration.autosar_classic.datatypes.types import Meaning
+from sigcat.integration.autosar_names import distinct_names, short_name
+from sigcat.integration.autosar_parts import parameter_uses
 from sigcat.integration.sent_values import initial, sent
 
 PORT = "Parameters"
@@ -35,17 +36,14 @@ def parameters_of(part: Part) -> tuple[Parameter, ...]:
     """The parameters of a component; one that several calls use stands once."""
     users: dict[str, list[str]] = {}
     found: dict[str, ParameterInterface] = {}
-    for call in part.component.runnables:
-        for contract in call.contracts or ():
-            for parameter in contract.parameters or ():
-                key = parameter.variable or parameter.name
-                found.setdefault(key, parameter)
-                users.setdefault(key, []).append(call.name)
+    for call, parameter in parameter_uses(part):
+        key = parameter.variable or parameter.name
+        found.setdefault(key, parameter)
+        users.setdefault(key, []).append(call.name)
     taken = (*OF_ADAPTER, *(each.name for each in named_calls(part)))
-    names = distinct({f"{index:06d}": short_name(each.name) for index, each in enumerate(found.values())}, taken)
+    names = distinct_names([short_name(each.name) for each in found.values()], taken)
     return tuple(
-        Parameter(names[f"{index:06d}"], found[key], tuple(dict.fromkeys(users[key])))
-        for index, key in enumerate(found)
+        Parameter(name, found[key], tuple(dict.fromkeys(users[key]))) for name, key in zip(names, found, strict=True)
     )
 
 
@@ -54,14 +52,14 @@ def calibration(part: Part) -> tuple[Parameter, ...]:
     return tuple(each for each in parameters_of(part) if not each.is_stored)
 
 
-def parameter_interface(part: Part, types: TypeTable) -> model.ParameterInterface:
+def parameter_interface(part: Part, context: Context) -> model.ParameterInterface:
     """The interface of the calibration parameters of a component."""
     return model.ParameterInterface(
         name=f"{part.name}_{PORT}",
         elements=tuple(
             model.DataElement(
                 name=each.name,
-                type=type_of_parameter(part, each, types),
+                type=type_of_parameter(part, each, context),
                 description=each.interface.description or None,
                 vss_path=each.interface.vss_path,
                 unit=(each.interface.vss_unit or each.interface.units) or None,
@@ -71,10 +69,10 @@ def parameter_interface(part: Part, types: TypeTable) -> model.ParameterInterfac
     )
 
 
-def type_of_parameter(part: Part, parameter: Parameter, types: TypeTable) -> str:
+def type_of_parameter(part: Part, parameter: Parameter, context: Context) -> str:
     """Application type of a parameter: in the unit and datatype of the catalogue, which the core takes."""
     interface = parameter.interface
-    is_enumeration = types.numbers(part.function, interface) is not None
+    is_enumeration = context.types.numbers(part.function, interface) is not None
     has_limits = not is_enumeration and not (interface.min == 0 and interface.max == 0)
     meaning = Meaning(
         (interface.vss_unit or interface.units) or None,
@@ -82,16 +80,17 @@ def type_of_parameter(part: Part, parameter: Parameter, types: TypeTable) -> str
         sent(interface.max, interface) if has_limits else None,
         interface.description or None,
     )
-    return types.application(short_name(f"{part.name}_{parameter.name}"), types.sent(part.function, interface), meaning)
+    return context.types.application(
+        short_name(f"{part.name}_{parameter.name}"), context.types.sent(part.function, interface), meaning
+    )
 
 
-def value_of_parameter(part: Part, parameter: Parameter, types: TypeTable) -> Any:
+def value_of_parameter(part: Part, parameter: Parameter, context: Context) -> Any:
     """Its value, as the catalogue has it."""
-    known = types.numbers(part.function, parameter.interface)
-    return initial(parameter.interface, names=known[0], numbers=known[1]) if known else initial(parameter.interface)
+    return initial(parameter.interface, context.types.numbers(part.function, parameter.interface))
 
 
-def parameter_port(part: Part, direction: Any, types: TypeTable) -> model.Port:
+def parameter_port(part: Part, direction: Any, context: Context) -> model.Port:
     """The port of a component that requires its calibration parameters, or of the one that provides them."""
     return model.Port(
         name=PORT if direction == "Required" else f"{part.name}_{PORT}",
@@ -101,7 +100,7 @@ def parameter_port(part: Part, direction: Any, types: TypeTable) -> model.Port:
         elements=tuple(
             model.Element(
                 name=each.name,
-                init=value_of_parameter(part, each, types),
+                init=value_of_parameter(part, each, context),
                 uses=tuple(
                     model.Use(interface=each.interface.name, kind="parameter", function=part.function_name, call=call)
                     for call in each.calls
@@ -113,12 +112,12 @@ def parameter_port(part: Part, direction: Any, types: TypeTable) -> model.Port:
     )
 
 
-def internal_parameters(part: Part, types: TypeTable) -> Iterable[model.InternalParameter]:
+def internal_parameters(part: Part, context: Context) -> Iterable[model.InternalParameter]:
     """Calibration parameters that stay within the component."""
     for each in calibration(part):
         yield model.InternalParameter(
             name=each.name,
-            type=type_of_parameter(part, each, types),
-            init=value_of_parameter(part, each, types),
+            type=type_of_parameter(part, each, context),
+            init=value_of_parameter(part, each, context),
             uses=(each.interface.name,),
         )

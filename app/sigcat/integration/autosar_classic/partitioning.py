@@ -10,9 +10,9 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.asil import Level, is_above, level_of, rank
 from sigcat.function.exchange import Part
+from sigcat.function.function_json.walk import interface_lists
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import Context
-from sigcat.integration.finding_collector import Subject
 from sigcat.integration.report import Entry
 
 
@@ -36,16 +36,10 @@ def _levels(part: Part) -> Iterator[_Cause]:
         if level := level_of(call.asil_level):
             yield _Cause(level, call.name)
         for contract in call.contracts or ():
-            listed = (
-                contract.signals,
-                contract.queues,
-                contract.parameters,
-                contract.errors,
-                contract.safety_reactions,
-            )
-            for interface in (each for items in listed for each in items or ()):
-                if level := level_of(interface.asil_level):
-                    yield _Cause(level, interface.name)
+            for key, items in interface_lists(contract):
+                for interface in items or () if key != "MethodList" else ():
+                    if level := level_of(interface.asil_level):
+                        yield _Cause(level, interface.name)
 
 
 def report_lower_calls(part: Part, context: Context) -> None:
@@ -56,9 +50,7 @@ def report_lower_calls(part: Part, context: Context) -> None:
         if is_above(cause.level, declared):
             message = f"{call.name} must have ASIL {cause.level}, not {declared}: its runnable writes the core, which holds {cause.name}."
             fix = f"Develop its code to ASIL {cause.level}, or move the call to a separate component."
-            context.findings.report(
-                codes.CALL_BELOW_ITS_MEMORY, message, Subject(call.name, call), fix, key="AsilLevel"
-            )
+            context.findings.report(codes.CALL_BELOW_ITS_MEMORY, message, call, fix, key="AsilLevel")
 
 
 def partition_entries(part: Part, component: model.Component) -> tuple[Entry, ...]:

@@ -8,7 +8,6 @@ from sigcat.function.document.text import Text
 from sigcat.function.exchange import Part
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal, rejection_error
-from sigcat.function.function_json.interfaces.methods import MethodInterface
 from sigcat.function.function_json.interfaces.role import CONSUMER
 from sigcat.function.function_json.runnable import Runnable as Call
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
@@ -77,6 +76,10 @@ class Behaviour:
         """Whether others may call its methods."""
         return any(_offers(port) for port in self.ports)
 
+    def call(self, role: str) -> Call | None:
+        """The first call of a role."""
+        return next((each.call for each in self.calls if each.role == role), None)
+
     def port(self, name: str) -> model.Port | None:
         """A port by its name."""
         return next((port for port in self.ports if port.name == name), None)
@@ -90,17 +93,28 @@ class Behaviour:
 
 
 def runnables_of(behaviour: Behaviour) -> tuple[model.Runnable, ...]:
-    """All of them: init, steps, methods, what follows a mode, supervision, terminate."""
-    made = [_init(behaviour), *(_step(each, behaviour) for each in behaviour.steps)]
-    made += [_method(port, behaviour) for port in behaviour.ports if _offers(port)]
-    made += [_answer(port, behaviour) for port in behaviour.ports if uses_method(port)]
-    if behaviour.mode_port is not None or _arriving(behaviour):
-        made.insert(1, _own("Receive", "Receive", "Receives values when they arrive, and starts due calls.", behaviour))
+    """All of them: init, what receives values, steps, methods, answers, supervision, terminate."""
+    clock, mode, statuses = _calls_to(behaviour, CLOCK_PORT), _mode(behaviour), _statuses(behaviour)
+    stored = _calls_to(behaviour, NV_PORT, "GetErrorStatus"), _calls_to(behaviour, NV_PORT, "SetRamBlockStatus")
+    arriving = _arriving(behaviour)
+    init = [*clock, *_calls_to(behaviour, IGNITION_PORT), *stored[0], *_parameters(behaviour), *mode, *statuses]
+    made = [_runnable(INIT, INIT, init, behaviour, "Starts the core, and its clocks.", behaviour.call(INIT))]
+    if behaviour.mode_port is not None or arriving:
+        accesses = [*arriving, *clock, *mode, *statuses, *_triggers(behaviour, None)]
+        description = "Receives values when they arrive, and starts due calls."
+        made.append(_runnable("Receive", "Receive", accesses, behaviour, description))
+    made += [_step(each, behaviour) for each in behaviour.steps]
+    made += [_method(port, [*clock, *statuses], behaviour) for port in behaviour.ports if _offers(port)]
+    made += [_answer(port, clock, behaviour) for port in behaviour.ports if uses_method(port)]
     if any(port.service == "WatchdogManager" for port in behaviour.ports):
-        made.append(_own("Supervise", "Supervise", "Looks for calls that hang or do not come.", behaviour))
+        description = "Looks for calls that hang or do not come."
+        made.append(_runnable("Supervise", "Supervise", [*clock, *mode, *statuses], behaviour, description))
     if behaviour.has_floating_windows:
-        made.append(_judge_windows(behaviour))
-    made.append(_terminate(behaviour))
+        description = "Judges windows of alive supervision that end between releases: they began with a mode."
+        made.append(_runnable(JUDGE_WINDOWS, JUDGE_WINDOWS, [*clock, *statuses], behaviour, description))
+    description = "Ends the core, and hands over what is stored."
+    end = [*clock, *stored[1], *statuses]
+    made.append(_runnable(TERMINATE, TERMINATE, end, behaviour, description, behaviour.call(TERMINATE)))
     return tuple(made)
 
 
@@ -113,7 +127,14 @@ def uses_method(port: model.Port) -> bool:
     return port.kind == "ClientServer" and port.direction == "Required" and bool(port.elements[0].uses)
 
 
-def _runnable(name: str, role: str, accesses: Iterable[model.Access], behaviour: Behaviour, call: Call | None, description: Text | str | None) -> model.Runnable:  # fmt: skip
+def _runnable(
+    name: str,
+    role: str,
+    accesses: Iterable[model.Access],
+    behaviour: Behaviour,
+    description: Text | str | None,
+    call: Call | None = None,
+) -> model.Runnable:
     level = asil_of(behaviour.part)  # each of them reads and writes the core, which is in memory of this level
     stack = milliseconds(call.stack_size) if call else None
     return model.Runnable(
@@ -148,65 +169,30 @@ def _access(kind: model.AccessKind, port: model.Port, element: model.Element, re
     )
 
 
-def _init(behaviour: Behaviour) -> model.Runnable:
-    first = next((each for each in behaviour.calls if each.role == INIT), None)
-    accesses = [
-        *_calls_to(behaviour, CLOCK_PORT),
-        *_calls_to(behaviour, IGNITION_PORT),
-        *_calls_to(behaviour, NV_PORT, "GetErrorStatus"),
-        *_parameters(behaviour),
-        *_mode(behaviour),
-        *_statuses(behaviour),
-    ]
-    return _runnable("Init", INIT, accesses, behaviour, first.call if first else None, "Starts the core, and its clocks.")  # fmt: skip
-
-
-def _terminate(behaviour: Behaviour) -> model.Runnable:
-    last = next((each for each in behaviour.calls if each.role == TERMINATE), None)
-    accesses = [
-        *_calls_to(behaviour, CLOCK_PORT),
-        *_calls_to(behaviour, NV_PORT, "SetRamBlockStatus"),
-        *_statuses(behaviour),
-    ]
-    return _runnable("Terminate", TERMINATE, accesses, behaviour, last.call if last else None, "Ends the core, and hands over what is stored.")  # fmt: skip
-
-
-def _own(name: str, role: str, description: str, behaviour: Behaviour) -> model.Runnable:
-    accesses = [*_calls_to(behaviour, CLOCK_PORT), *_mode(behaviour), *_statuses(behaviour)]
-    if role == "Receive":
-        accesses = [*_arriving(behaviour), *accesses, *_triggers(behaviour, None)]
-    return _runnable(name, role, accesses, behaviour, None, description)
-
-
-def _judge_windows(behaviour: Behaviour) -> model.Runnable:
-    accesses = [*_calls_to(behaviour, CLOCK_PORT), *_statuses(behaviour)]
-    description = "Judges windows of alive supervision that end between releases: they began with a mode."
-    return _runnable(JUDGE_WINDOWS, JUDGE_WINDOWS, accesses, behaviour, None, description)
-
-
-def _method(port: model.Port, behaviour: Behaviour) -> model.Runnable:
+def _method(port: model.Port, accesses: Iterable[model.Access], behaviour: Behaviour) -> model.Runnable:
     (element,) = port.elements
-    method = element.uses[0].interface if element.uses else element.name
-    made = _runnable(short_name(f"Serve_{element.name}"), "Method", [*_calls_to(behaviour, CLOCK_PORT), *_statuses(behaviour)], behaviour, None, port.description)  # fmt: skip
-    return made.model_copy(update={"method": method})
+    made = _runnable(short_name(f"Serve_{element.name}"), "Method", accesses, behaviour, port.description)
+    return made.model_copy(update={"method": _method_of(element)})
 
 
-def _answer(port: model.Port, behaviour: Behaviour) -> model.Runnable:
+def _answer(port: model.Port, clock: Iterable[model.Access], behaviour: Behaviour) -> model.Runnable:
     (element,) = port.elements
-    accesses = [_access("Result", port, element), *_calls_to(behaviour, CLOCK_PORT)]
-    made = _runnable(short_name(f"Answer_{element.name}"), "Answer", accesses, behaviour, None, f"Takes the answer of {element.name}.")  # fmt: skip
-    return made.model_copy(update={"method": element.uses[0].interface if element.uses else element.name})
+    accesses = [_access("Result", port, element), *clock]
+    description = f"Takes the answer of {element.name}."
+    made = _runnable(short_name(f"Answer_{element.name}"), "Answer", accesses, behaviour, description)
+    return made.model_copy(update={"method": _method_of(element)})
+
+
+def _method_of(element: model.Element) -> str:
+    return element.uses[0].interface if element.uses else element.name
 
 
 def _arriving(behaviour: Behaviour) -> list[model.Access]:
     """Return accesses to data that must be taken when it arrives: the core derives times and due calls from it."""
     found = [
-        access
-        for each in behaviour.steps
-        for access in (*_data(each.call, behaviour), *_received_statuses(behaviour))
-        if access.kind in ("ExplicitRead", "QueuedReceive")
+        access for each in behaviour.steps for access in (*_data(each.call, behaviour), *_received_statuses(behaviour))
     ]
-    return list({access.name: access for access in found}.values())
+    return list({each.name: each for each in found if each.kind in ("ExplicitRead", "QueuedReceive")}.values())
 
 
 def _step(each: NamedCall, behaviour: Behaviour) -> model.Runnable:
@@ -221,18 +207,15 @@ def _step(each: NamedCall, behaviour: Behaviour) -> model.Runnable:
         *_parameters(behaviour),
         *_triggers(behaviour, each),
     ]
-    return _runnable(each.name, STEP, accesses, behaviour, each.call, each.call.description)
+    return _runnable(each.name, STEP, accesses, behaviour, each.call.description, each.call)
 
 
 def _calls_to(behaviour: Behaviour, name: str, operation: str = "") -> list[model.Access]:
     port = behaviour.port(name)
     if port is None:
         return []
-    return [
-        _access("SynchronousCall", port, element)
-        for element in port.elements
-        if not operation or element.name == operation
-    ]
+    called = (element for element in port.elements if operation in ("", element.name))
+    return [_access("SynchronousCall", port, element) for element in called]
 
 
 def _mode(behaviour: Behaviour) -> list[model.Access]:
@@ -241,12 +224,8 @@ def _mode(behaviour: Behaviour) -> list[model.Access]:
 
 
 def _parameters(behaviour: Behaviour) -> list[model.Access]:
-    return [
-        _access("Parameter", port, element)
-        for port in behaviour.ports
-        if port.kind == "Parameter"
-        for element in port.elements
-    ]
+    ports = (port for port in behaviour.ports if port.kind == "Parameter")
+    return [_access("Parameter", port, element) for port in ports for element in port.elements]
 
 
 def _statuses(behaviour: Behaviour) -> list[model.Access]:
@@ -331,29 +310,16 @@ def _port_of(data: Signal | DataQueue, call: Call, behaviour: Behaviour) -> mode
 
 def _requests(call: Call, behaviour: Behaviour) -> Iterator[model.Access]:
     """Methods that a call uses: the answer comes later."""
-    used = {
-        method.name
-        for contract in call.contracts or ()
-        for method in contract.methods or ()
-        if isinstance(method, MethodInterface) and method.role == CONSUMER
-    }
+    first: dict[str, str] = {}  # the first call that uses a method asks for all
+    for each in behaviour.steps:
+        for method in (method for contract in each.call.contracts or () for method in contract.methods or ()):
+            if method.role == CONSUMER:
+                first.setdefault(method.name, each.call.name)
     for port in behaviour.ports:
         if port.kind == "ClientServer" and port.direction == "Required" and not port.service:
             for element in port.elements:
-                if any(use.interface in used and _asks(call, use.interface, behaviour) for use in element.uses or ()):
+                if any(first.get(use.interface) == call.name for use in element.uses or ()):
                     yield _access("AsynchronousCall", port, element)
-
-
-def _asks(call: Call, method: str, behaviour: Behaviour) -> bool:
-    """Whether it is the first call that uses a method: this one asks for all."""
-    users = [
-        each.call.name
-        for each in behaviour.steps
-        for contract in each.call.contracts or ()
-        for used in contract.methods or ()
-        if used.name == method and used.role == CONSUMER
-    ]
-    return users[:1] == [call.name]
 
 
 def _checkpoint_ports(behaviour: Behaviour, each: NamedCall) -> list[str]:
@@ -368,12 +334,8 @@ def _triggers(behaviour: Behaviour, own: NamedCall | None) -> list[model.Access]
     An event-triggered call starts itself again: more values may wait than it takes at once, or were received meanwhile.
     """
     started = [each for each in behaviour.steps if each is not own or each.call.run_type == EVENT_TRIGGERED]
+    due = Text("The core may find it due.")
     return [
-        model.Access(
-            name=f"Start_{each.name}",
-            kind="InternalTrigger",
-            element=each.name,
-            reason=Text("The core may find it due."),
-        )
+        model.Access(name=f"Start_{each.name}", kind="InternalTrigger", element=each.name, reason=due)
         for each in started
     ]

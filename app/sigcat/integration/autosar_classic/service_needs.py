@@ -4,15 +4,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from sigcat.function.document.text import Text
 from sigcat.function.exchange import Part, errors_of, reactions_of
-from sigcat.integration.autosar_classic import model
-from sigcat.integration.autosar_classic.base_software import (
-    CLOCK,
-    DIAGNOSTIC_MONITOR,
-    ECU_MODE,
-    IGNITION,
-    NV_MEMORY,
-    SUPERVISION,
-)
+from sigcat.integration.autosar_classic import base_software, model
 from sigcat.integration.autosar_classic.context import NamedCall
 from sigcat.integration.autosar_classic.interfaces import in_seconds
 from sigcat.integration.autosar_classic.parameters import parameters_of
@@ -163,22 +155,22 @@ def _transitions(calls: Sequence[NamedCall]) -> Iterator[model.LogicalTransition
 
 def service_ports(part: Part, calls: Sequence[NamedCall]) -> Iterator[model.Port]:
     """Ports to the base software, and to the sources of the time and the ignition cycle."""
-    yield _call_port(CLOCK_PORT, CLOCK, "Time of the counter that starts timing events.")
-    yield _call_port(IGNITION_PORT, IGNITION, "Number of the ignition cycle.")
+    yield _call_port(CLOCK_PORT, base_software.CLOCK, "Time of the counter that starts timing events.")
+    yield _call_port(IGNITION_PORT, base_software.IGNITION, "Number of the ignition cycle.")
     for event in monitors(part):
-        yield _call_port(event.port, DIAGNOSTIC_MONITOR, f"Status of {event.error}.")
+        yield _call_port(event.port, base_software.DIAGNOSTIC_MONITOR, f"Status of {event.error}.")
     if nv_blocks(part):
-        yield _call_port(NV_PORT, NV_MEMORY, "State of the stored data.")
+        yield _call_port(NV_PORT, base_software.NV_MEMORY, "State of the stored data.")
     for entity in supervised_entities(part, calls):
         for point in entity.checkpoints:
-            yield _call_port(point.port, SUPERVISION, f"Checkpoint {point.name} of {entity.name}.")
+            yield _call_port(point.port, base_software.SUPERVISION, f"Checkpoint {point.name} of {entity.name}.")
     yield model.Port(
         name=ECU_PORT,
         direction="Required",
         kind="ModeSwitch",
-        interface=ECU_MODE.name,
-        elements=(model.Element(name=ECU_MODE.prototype),),
-        service=ECU_MODE.service,
+        interface=base_software.ECU_MODE.name,
+        elements=(model.Element(name=base_software.ECU_MODE.prototype),),
+        service=base_software.ECU_MODE.service,
         description=Text("Mode of the ECU: it is shut down after Terminate."),
     )
 

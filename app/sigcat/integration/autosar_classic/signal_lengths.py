@@ -21,9 +21,9 @@ class Need(NamedTuple):
     has_floats: bool
     """Floats may travel as scaled numbers, which are shorter; the scale is that of the CAN database."""
 
-    def fits(self, length: int, *, has_database: bool) -> bool:
-        """Whether a signal of this length carries all of them."""
-        return length >= self.bits or (self.has_floats and has_database)
+    def fits(self, length: int | None, *, has_database: bool) -> bool:
+        """Whether a signal of this length carries all of them; of one without, a database has the length."""
+        return length is None or length >= self.bits or (self.has_floats and has_database)
 
     @property
     def advice(self) -> str:

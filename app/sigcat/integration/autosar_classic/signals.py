@@ -62,11 +62,7 @@ def report_narrow_signals(elements: Sequence[Element], integration: model.Classi
     for key, settings in context.settings.signals.items():
         element = known.get(key)
         need = needs.get((element.name, element.leaf)) if element else None
-        if (
-            settings.length is not None
-            and need is not None
-            and not need.fits(settings.length, has_database=settings.database is not None)
-        ):
+        if need is not None and not need.fits(settings.length, has_database=settings.database is not None):
             message = f"{settings.signal} must have at least {need.bits} bits for every value of {key}, not {settings.length}."
             pointer = (*SECTION, key, "length")
             context.findings.report_deployment(codes.SIGNAL_TOO_SHORT, message, pointer, need.advice, key)

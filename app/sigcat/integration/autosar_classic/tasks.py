@@ -4,7 +4,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.function.document.text import Text
-from sigcat.function.exchange import Part
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.runnables import JUDGE_WINDOWS, Behaviour
 from sigcat.integration.autosar_names import distinct, short_name
@@ -37,17 +36,13 @@ def tasks_of(components: Sequence[model.Component], behaviours: Mapping[str, Beh
     """One task for each period, one for what other events start, one for windows, one for terminate; the shorter the period,
     the higher the priority."""
     mapped = _all_mapped(components, behaviours)
-    cyclic = [each for each in mapped if not _judges_windows(each)]
-    windows = [each for each in mapped if _judges_windows(each)]
+    windows = [each for each in mapped if each.runnable.role == JUDGE_WINDOWS]
+    cyclic = [each for each in mapped if each.runnable.role != JUDGE_WINDOWS]
+    ends = [each for each in mapped if each.runnable.role == "Terminate"]
+    events = [each for each in mapped if each.period is None and each.runnable.role not in ("Init", "Terminate")]
     periods = sorted({each.period for each in cyclic if each.period is not None})
-    groups: list[tuple[str, list[_Mapped], float | None, str]] = [
-        (
-            "Events",
-            [each for each in mapped if _is_event(each)],
-            None,
-            "What is received, called or switched is served before what is cyclic.",
-        ),
-    ]
+    served = "What is received, called or switched is served before what is cyclic."
+    groups: list[tuple[str, list[_Mapped], float | None, str]] = [("Events", events, None, served)]
     groups += [
         (f"Cycle_{_text(period)}ms", [each for each in cyclic if each.period == period], period,
          f"Everything with a period of {_text(period)} ms: the shorter, the higher the priority.")
@@ -55,21 +50,9 @@ def tasks_of(components: Sequence[model.Component], behaviours: Mapping[str, Beh
     ]  # fmt: skip
     ticks = next((each.period for each in windows), None)
     groups += [("Windows", windows, ticks, "Steps come before: what is released with the end of a window closes it.")]
-    groups += [("Life", [each for each in mapped if _is_end(each)], None, "Terminate after everything else.")]
+    groups += [("Life", ends, None, "Terminate after everything else.")]
     filled = [group for group in groups if group[1]]
     return tuple(_task(*group, priority=len(filled) - index) for index, group in enumerate(filled))
-
-
-def _is_end(each: _Mapped) -> bool:
-    return each.runnable.role == "Terminate"
-
-
-def _judges_windows(each: _Mapped) -> bool:
-    return each.runnable.role == JUDGE_WINDOWS
-
-
-def _is_event(each: _Mapped) -> bool:
-    return each.period is None and each.runnable.role not in ("Init", "Terminate")
 
 
 def _text(period: float) -> str:
@@ -119,8 +102,3 @@ def _mapped(component: model.Component, behaviour: Behaviour) -> Iterable[_Mappe
         plain = "".join(letter for letter in (call.scheduling if call else "").lower() if letter.isalpha())
         rank = (_ROLES.index(runnable.role), -(priority or 0), order.index(runnable.name))
         yield _Mapped(component, event, runnable, rank, plain != "nonpreemptive", periods.get(runnable.name))
-
-
-def behaviours_by_name(parts: Iterable[Part], behaviours: Iterable[Behaviour]) -> Mapping[str, Behaviour]:
-    """The behaviours of components by their names."""
-    return {part.name: behaviour for part, behaviour in zip(parts, behaviours, strict=True)}

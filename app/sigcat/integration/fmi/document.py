@@ -4,15 +4,11 @@ from collections.abc import Iterator
 
 from sigcat import codes
 from sigcat.function.document.document import Pointer
-from sigcat.integration.checked_document import DocumentKind, Problem
+from sigcat.integration.checked_document import DocumentKind
 from sigcat.integration.fmi.bus import MOST_BITS, REAL_BITS, BusMapping, BusMessage, BusSignal
 from sigcat.integration.fmi.model import FmiIntegration, Fmu
-from sigcat.limits import DEFAULT_LIMITS, Limits
-
-
-def read_integration(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> FmiIntegration:
-    """The model of a document. Raises InputRefused with every finding."""
-    return _KIND.read(data, name, limits)
+from sigcat.integration.problem import Problem
+from sigcat.integration.references import places
 
 
 def _problems(model: FmiIntegration) -> Iterator[Problem]:
@@ -43,17 +39,15 @@ def _bus(model: FmiIntegration, fmu: Fmu, index: int) -> Iterator[Problem]:
     assert fmu.bus is not None
     at = ("FmuList", index, "CanBus")
     if model.version is not None or model.interface is not None:
-        yield Problem(
-            at, f"{fmu.name} must be an FMU of FMI 3.0 for co-simulation, as it has a bus.", "Remove the bus."
-        )
+        refusal = f"{fmu.name} must be an FMU of FMI 3.0 for co-simulation, as it has a bus."
+        yield Problem(at, refusal, "Remove the bus.")
     if next(fmu.bus.mappings, None) is None:
         yield Problem(at, "The bus must have a signal with a variable.", "Remove the bus.")
-    for number, message in enumerate(fmu.bus.messages):
-        for count, signal in enumerate(message.signals):
-            place = (*at, "BusMessages", number, "MessageSignals", count)
+    for below, message in places(fmu.bus, "BusMessages/*", at):
+        for place, signal in places(message, "MessageSignals/*", below):
             yield from _signal(message, signal, place)
-            for one, mapping in enumerate(signal.mappings):
-                yield from _mapping(fmu, signal, mapping, (*place, "VariableMappings", one))
+            for here, mapping in places(signal, "VariableMappings/*", place):
+                yield from _mapping(fmu, signal, mapping, here)
 
 
 def _signal(message: BusMessage, signal: BusSignal, at: Pointer) -> Iterator[Problem]:
@@ -69,9 +63,8 @@ def _signal(message: BusMessage, signal: BusSignal, at: Pointer) -> Iterator[Pro
         yield Problem((*at, "BitLength"), f"A whole number with a variable must have at most {MOST_BITS} bits.", fix)
     for index, selector in enumerate(signal.selectors):
         if selector.signal >= len(message.signals):
-            yield Problem(
-                (*at, "Multiplexers", index), "A multiplexer must be a signal of the message, by its index.", fix
-            )
+            text = "A multiplexer must be a signal of the message, by its index."
+            yield Problem((*at, "Multiplexers", index), text, fix)
 
 
 def _mapping(fmu: Fmu, signal: BusSignal, mapping: BusMapping, at: Pointer) -> Iterator[Problem]:
@@ -87,4 +80,5 @@ def _mapping(fmu: Fmu, signal: BusSignal, mapping: BusMapping, at: Pointer) -> I
                 yield Problem((*at, "ConvertedValues", index), "The number must fit the bits of the signal.", fix)
 
 
-_KIND = DocumentKind("fmi", FmiIntegration, codes.NOT_WRITABLE_AS_FMU, _problems)
+read_integration = DocumentKind("fmi", FmiIntegration, codes.NOT_WRITABLE_AS_FMU, _problems).read
+"""The model of a document. Raises InputRefused with every finding."""

@@ -10,6 +10,7 @@ from sigcat.catalogue.network.mapped_signals import Mapped, mapped_signals
 from sigcat.catalogue.network.sent_numbers import Outgoing, outgoing_signals
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding, has_errors, in_order
+from sigcat.function.document.document import Pointer
 from sigcat.integration.deployment import Deployment
 from sigcat.rules.mapping_findings import mapping_findings
 
@@ -26,18 +27,15 @@ class Network(NamedTuple):
 
 def read_network(paths: tuple[str, ...], catalogue: Catalogue, deployment: Deployment) -> Network:
     """The network of a bus. Raises InputRefused if a database or a mapping cannot be used."""
+
+    def unfit(at: Pointer, message: str, fix: str) -> Finding:
+        return deployment.finding(codes.BUS_UNFIT, ("fmi", "bus", *at), message, fix, "")
+
     if not paths:
-        fix = "Give `dbc` here, or in the project file."
-        finding = deployment.finding(codes.BUS_UNFIT, ("fmi", "bus"), "The bus must have a CAN database.", fix, "")
+        finding = unfit((), "The bus must have a CAN database.", "Give `dbc` here, or in the project file.")
         raise InputRefused("The bus has no CAN database.", (finding,))
     missing = tuple(
-        deployment.finding(
-            codes.BUS_UNFIT,
-            ("fmi", "bus", "dbc", index),
-            f"The CAN database {path} must be a file.",
-            "Correct the path.",
-            "",
-        )
+        unfit(("dbc", index), f"The CAN database {path} must be a file.", "Correct the path.")
         for index, path in enumerate(paths)
         if not Path(path).is_file()
     )

@@ -2,32 +2,28 @@
 
 import re
 from collections.abc import Collection, Iterator, Sequence
-from typing import NamedTuple
+from typing import Any
 
 from sigcat import codes
-from sigcat.findings import Finding
 from sigcat.function.document.text import Text
 from sigcat.function.exchange import Part, exchange_of
 from sigcat.function.function_json.interfaces.data_interfaces import ParameterInterface
-from sigcat.function.function_json.model import FunctionInfo, FunctionJson, Mode
+from sigcat.function.function_json.model import FunctionJson, Mode
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.walk import interface_lists
 from sigcat.function.function_json.walk import parts as walked
-from sigcat.integration.application import DEFAULT_VERSION, Application, application, joined, meta_of
+from sigcat.integration.application import DEFAULT_VERSION, Application, application, info_of, joined, meta_of
 from sigcat.integration.deployment import NO_DEPLOYMENT, Deployment
-from sigcat.integration.finding_collector import FindingCollector, Subject
-from sigcat.integration.report import Entry
+from sigcat.integration.derived import Derived
+from sigcat.integration.finding_collector import FindingCollector, Subject, subject_of
+from sigcat.integration.ros2.context import Context
 from sigcat.integration.ros2.field_targets import field_targets
 from sigcat.integration.ros2.function_set import function_set
-from sigcat.integration.ros2.messages.existing_messages import (
-    ExistingMessages,
-    existing_messages,
-    with_existing_messages,
-)
+from sigcat.integration.ros2.messages.existing_messages import existing_messages, with_existing_messages
 from sigcat.integration.ros2.messages.made_messages import MessageBook
 from sigcat.integration.ros2.model import Communication, InterfacePackage, NodePackage, Ros2Integration, RosNode
 from sigcat.integration.ros2.names import PACKAGES_OF_ROS, package_name, topic_name
-from sigcat.integration.ros2.nodes import NodeContext, mode_topic, node_of, report_calls
+from sigcat.integration.ros2.nodes import mode_topic, node_of, report_calls
 from sigcat.integration.ros2.services import with_services
 from sigcat.integration.ros2.settings import NO_SETTINGS, Ros2Settings
 from sigcat.integration.ros2.signal_uses import asil_of, node_parts
@@ -44,17 +40,9 @@ _NODE_DEPENDENCIES = (
 _UNPROTECTED = "messages have no end-to-end protection"
 
 
-class Derived(NamedTuple):
-    """The document, the findings about it, and where each field of each interface went."""
-
-    model: Ros2Integration
-    findings: tuple[Finding, ...]
-    report: tuple[Entry, ...]
-
-
 def derive(
     functions: Sequence[ResolvedFunction], deployment: Deployment = NO_DEPLOYMENT, settings: Ros2Settings = NO_SETTINGS
-) -> Derived:
+) -> Derived[Ros2Integration]:
     """The integration of a function or a set of functions. The order in which they are given does not matter."""
     app = application(functions, deployment)
     mapped, existing = with_existing_messages(app.functions, existing_messages(settings), app.paths)
@@ -63,96 +51,74 @@ def derive(
     wholes = tuple(each.function for each in merged.functions)
     findings = FindingCollector(merged.functions, deployment)
     for problem in existing.problems:
-        findings.report_deployment(codes.FIELD_DOES_NOT_FIT, problem.message, problem.at, problem.fix, "")
-    packages = _packages(app, settings)
-    book = MessageBook(packages.interfaces, {each.reference: each for each in merged.datatypes}, findings)
+        findings.report_deployment(codes.FIELD_DOES_NOT_FIT, problem.message, problem.pointer, problem.fix, "")
+    package, interfaces = _packages(app, settings)
+    book = MessageBook(interfaces, {each.reference: each for each in merged.datatypes}, findings)
     parts = node_parts(wholes, findings)
-    exchanged = _exchanged(parts, app, existing, settings, book, findings)
-    context = NodeContext(
-        package=packages.nodes,
-        namespace=settings.namespace or "/",
-        safety_manager=app.safety_manager,
-        mode_manager=app.mode_manager,
-        policy=settings.scheduling_policy,
-        exchanged=exchanged,
-        statuses=statuses_of(parts, _topic_names(exchanged, parts), findings),
-        book=book,
-        findings=findings,
-    )
-    nodes = {part.name: node_of(part, context) for part in parts}
-    _report(parts, findings)
+    exchange = exchange_of(parts, app.paths, joins_names=False)
+    context = Context(app, settings, existing, package, parts, exchange, book, findings)
+    exchanged = _exchanged(context)
+    statuses = statuses_of(_topic_names(exchanged, parts), context)
+    nodes = {part.name: node_of(part, exchanged, statuses, context) for part in parts}
+    _report_asil(context)
+    for part in parts:
+        report_calls(part, findings)
     report_unknown_paths(codes.QUALITY_OF_NOTHING, app, findings)
     model = Ros2Integration(
         meta=meta_of(app, f"Integration of {app.name} with ROS 2"),
-        info=_info(app),
+        info=info_of(app, _version(app)),
         components=tuple(part.component for part in parts),
         modes=_modes(wholes),
         datatypes=merged.datatypes,
         mode_interfaces=tuple(each for f in wholes for each in f.mode_interfaces or ()) or None,
         communications=exchanged,
-        interface_packages=(_interface_package(book, app, settings),),
-        node_packages=(_node_package(packages, tuple(nodes.values()), _message_packages(exchanged), app, settings),),
-        functions=tuple(each.function for each in app.functions),
+        interface_packages=(_interface_package(context),),
+        node_packages=(_node_package(tuple(nodes.values()), _message_packages(exchanged), context),),
+        functions=app.wholes,
     )
     return Derived(model, findings.findings, field_targets(parts, nodes, exchanged))
 
 
-def _exchanged(
-    parts: Sequence[Part], app: Application, existing: ExistingMessages, settings: Ros2Settings, book: MessageBook,
-    findings: FindingCollector,
-) -> tuple[Communication, ...]:  # fmt: skip
+def _exchanged(context: Context) -> tuple[Communication, ...]:
     """Communications of each call with others."""
-    exchange = exchange_of(parts, app.paths, joins_names=False)
-    topics = topics_of(exchange, existing, settings, book, findings)
-    made = communications(topics, exchange.data, settings, book, findings)
-    _report_quality_of_nothing(made, {use.path for use in exchange.data if use.path}, settings, findings)
-    _report_fields_of_nothing(existing, {use.identity for use in exchange.data}, findings)
-    return with_services(made, exchange, book, findings)
+    made = communications(topics_of(context), context)
+    _report_quality_of_nothing(made, context)
+    _report_fields_of_nothing(context)
+    return with_services(made, context)
 
 
-def _report_quality_of_nothing(
-    exchanged: Sequence[Communication], paths: Collection[str], settings: Ros2Settings, findings: FindingCollector
-) -> None:
+def _report_quality_of_nothing(exchanged: Sequence[Communication], context: Context) -> None:
     """A finding for each quality of service that the deployment states for no signal and no topic."""
     topics = {topic.name for communication in exchanged for topic in communication.topics}
-    known = {
-        *paths,
-        *topics,
-        *(f"/{topic}" for topic in topics),
-        *(f"{settings.namespace}/{topic}" for topic in topics),
-    }
-    for key in settings.quality:
+    beginnings = ("", "/", f"{context.settings.namespace}/")
+    known = {use.path for use in context.exchange.data if use.path}
+    known |= {f"{beginning}{topic}" for beginning in beginnings for topic in topics}
+    for key in context.settings.quality:
         if key not in known:
             message = f"Nothing in the set is called {key!r}, which the deployment file names under `ros2: quality`."
-            findings.report(codes.QUALITY_OF_NOTHING, message, key, did_you_mean(key, known))
+            context.findings.report(codes.QUALITY_OF_NOTHING, message, key, did_you_mean(key, known))
 
 
-def _report_fields_of_nothing(existing: ExistingMessages, known: Collection[str], findings: FindingCollector) -> None:
+def _report_fields_of_nothing(context: Context) -> None:
     """A finding for each signal that the deployment maps to a field, and that is none of the set."""
-    for key, field in existing.fields.items():
+    known, rule = {use.identity for use in context.exchange.data}, codes.QUALITY_OF_NOTHING
+    for key, field in context.existing.fields.items():
         if key not in known:
             message = f"Nothing in the set is called {key!r}, which the deployment file names under `ros2: messages`."
-            findings.report_deployment(codes.QUALITY_OF_NOTHING, message, field.at, did_you_mean(key, known), key)
+            context.findings.report_deployment(rule, message, field.at, did_you_mean(key, known), key)
 
 
-class _Packages(NamedTuple):
-    """Names of the packages."""
-
-    nodes: str
-    interfaces: str
-
-
-def _packages(app: Application, settings: Ros2Settings) -> _Packages:
-    """`EcoControl` → `eco_control` and `eco_control_interfaces`."""
+def _packages(app: Application, settings: Ros2Settings) -> tuple[str, str]:
+    """Names of the packages of nodes and of interfaces: `EcoControl` → `eco_control` and `eco_control_interfaces`."""
     taken = {*PACKAGES_OF_ROS, *(name.removesuffix("_interfaces") for name in PACKAGES_OF_ROS)}
     interfaces = settings.message_package or f"{package_name(app.name, taken).text}_interfaces"
-    return _Packages(package_name(app.name, {interfaces, *taken, *_c_names(app)}).text, interfaces)
+    return package_name(app.name, {interfaces, *taken, *_c_names(app)}).text, interfaces
 
 
 def _c_names(app: Application) -> Iterator[str]:
     """Names of the C code: the package is a namespace of C++ beside them."""
-    for resolved in app.functions:
-        for _, part in walked(resolved.function):
+    for function in app.wholes:
+        for _, part in walked(function):
             for text in (getattr(part, "variable", None), getattr(part, "symbol", None)):
                 if isinstance(text, str) and (name := re.match(r"\w+", text)):
                     yield name[0]
@@ -166,18 +132,12 @@ def _topic_names(exchanged: Sequence[Communication], parts: Sequence[Part]) -> I
         yield from (mode_topic(part.function_name, mode) for mode in part.function.mode_interfaces or ())
 
 
-def _report(parts: Sequence[Part], findings: FindingCollector) -> None:
-    """Note what ROS 2 cannot express."""
-    _report_asil(parts, findings)
-    for part in parts:
-        report_calls(part, findings)
-
-
-def _report_asil(parts: Sequence[Part], findings: FindingCollector) -> None:
+def _report_asil(context: Context) -> None:
     """ROS 2 protects no message end to end and isolates no call: one finding for each call and interface above QM."""
-    for part in parts:
+    findings = context.findings
+    for part in context.parts:
         for call in part.component.runnables:
-            _above_qm(Subject(call.name, call), call.asil_level, "the call shares its process with others", findings)
+            _above_qm(subject_of(call), call.asil_level, "the call shares its process with others", findings)
             for key, items in (each for contract in call.contracts or () for each in interface_lists(contract)):
                 why = "parameters are not protected" if key == "ParameterList" else _UNPROTECTED
                 for item in items or () if key != "MethodList" else ():
@@ -198,60 +158,49 @@ def _above_qm(subject: Subject, asil: str | None, why: str, findings: FindingCol
 # -- the parts of the document ------------------------------------------------------------------------------------
 
 
-def _info(app: Application) -> FunctionInfo:
-    versions = {function.function.info.version for function in app.functions}
-    return FunctionInfo(
-        function_name=app.name,
-        function_responsible=app.responsible,
-        description=app.description,
-        version=app.version or (versions.pop() if len(versions) == 1 else None),
-    )
+def _version(app: Application) -> str | None:
+    """The version that the deployment states, or that all functions have."""
+    versions = {function.info.version for function in app.wholes}
+    return app.version or (versions.pop() if len(versions) == 1 else None)
 
 
 def _modes(functions: Sequence[FunctionJson]) -> tuple[Mode, ...] | None:
     """The modes of one function; in a set, each bears the name of its function, for many have a mode OFF."""
     if len(functions) == 1:
         return functions[0].modes
-    return (
-        tuple(
-            mode.model_copy(update={"name": f"{function.info.function_name}.{mode.name}"})
-            for function in functions
-            for mode in function.modes or ()
-        )
-        or None
+    renamed = (
+        mode.model_copy(update={"name": f"{function.info.function_name}.{mode.name}"})
+        for function in functions
+        for mode in function.modes or ()
     )
+    return tuple(renamed) or None
 
 
-def _interface_package(book: MessageBook, app: Application, settings: Ros2Settings) -> InterfacePackage:
+def _interface_package(context: Context) -> InterfacePackage:
     return InterfacePackage(
-        name=book.package,
-        version=app.version or DEFAULT_VERSION,
-        description=Text(f"Messages and services of {app.name}."),
-        maintainer=_maintainer(app, settings),
-        email=settings.email,
-        license=Text(settings.license),
+        name=context.book.package,
+        version=context.application.version or DEFAULT_VERSION,
+        description=Text(f"Messages and services of {context.application.name}."),
+        **_responsible(context),
         dependencies=("builtin_interfaces",),
-        messages=book.messages,
-        services=book.services,
+        messages=context.book.messages,
+        services=context.book.services,
     )
 
 
-def _node_package(
-    packages: _Packages, nodes: tuple[RosNode, ...], existing: Collection[str], app: Application, settings: Ros2Settings
-) -> NodePackage:
-    (first, *others) = app.functions
-    version = app.version or ("" if others else first.function.info.version) or ""
-    bond = ("bondcpp",) if settings.bond else ()
+def _node_package(nodes: tuple[RosNode, ...], existing: Collection[str], context: Context) -> NodePackage:
+    app, bond = context.application, context.settings.bond
+    (first, *others) = app.wholes
+    version = app.version or ("" if others else first.info.version) or ""
+    used = {*_NODE_DEPENDENCIES, *existing, *(("bondcpp",) if bond else ()), context.book.package}
     return NodePackage(
-        name=packages.nodes,
+        name=context.package,
         version=version if _VERSION.fullmatch(version) else DEFAULT_VERSION,
         description=app.description,
-        maintainer=_maintainer(app, settings),
-        email=settings.email,
-        license=Text(settings.license),
-        dependencies=tuple(sorted({*_NODE_DEPENDENCIES, *existing, *bond, packages.interfaces})),
+        **_responsible(context),
+        dependencies=tuple(sorted(used)),
         nodes=nodes,
-        bond=settings.bond or None,
+        bond=bond or None,
     )
 
 
@@ -260,7 +209,10 @@ def _message_packages(exchanged: Sequence[Communication]) -> set[str]:
     return {topic.message.partition("/")[0] for each in exchanged for topic in each.topics if topic.message}
 
 
-def _maintainer(app: Application, settings: Ros2Settings) -> Text:
-    responsible = joined(each.function.info.function_responsible for each in app.functions)
+def _responsible(context: Context) -> dict[str, Any]:
+    """Maintainer and license, which every package has."""
+    settings = context.settings
+    responsible = joined(each.info.function_responsible for each in context.application.wholes)
     given = settings.maintainer or responsible.raw or "unknown"
-    return Text(" ".join("".join(each if each.isprintable() else " " for each in given).split()) or "unknown")
+    maintainer = " ".join("".join(each if each.isprintable() else " " for each in given).split())
+    return {"maintainer": Text(maintainer or "unknown"), "email": settings.email, "license": Text(settings.license)}

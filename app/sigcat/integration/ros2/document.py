@@ -4,11 +4,6 @@ from sigcat import codes
 from sigcat.integration.checked_document import DocumentKind
 from sigcat.integration.ros2.model import Ros2Integration
 from sigcat.integration.ros2.problems import problems_of
-from sigcat.limits import DEFAULT_LIMITS, Limits
 
-_KIND = DocumentKind("ros2", Ros2Integration, codes.NOT_WRITABLE_AS_ROS2, problems_of)
-
-
-def read_integration(data: bytes, name: str, limits: Limits = DEFAULT_LIMITS) -> Ros2Integration:
-    """The model of a document. Raises InputRefused with every finding."""
-    return _KIND.read(data, name, limits)
+read_integration = DocumentKind("ros2", Ros2Integration, codes.NOT_WRITABLE_AS_ROS2, problems_of).read
+"""The model of a document. Raises InputRefused with every finding."""

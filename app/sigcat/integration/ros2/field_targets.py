@@ -1,7 +1,6 @@
 """For every field of every interface of a function: its place in the Integration JSON."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple
 
 from pydantic import BaseModel
 
@@ -13,15 +12,26 @@ from sigcat.function.function_json.interfaces.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.wire import own_fields
-from sigcat.integration.report import NOT_CARRIED, OF_ABSENT, Entry, FieldTarget, Targets, entries
-from sigcat.integration.ros2.model import Communication, FieldMapping, RosNode, RosService, RosTopic
+from sigcat.integration.report import (
+    NOT_CARRIED,
+    OF_ABSENT,
+    Entry,
+    FieldTarget,
+    Targets,
+    entries,
+    fields_of,
+    same_names,
+)
+from sigcat.integration.ros2.model import Communication, FieldMapping, RosNode, RosTopic
 from sigcat.integration.ros2.services import SERVER
 from sigcat.integration.ros2.signal_uses import INIT, SHUTDOWN, run_kind
 from sigcat.integration.ros2.topics import PUBLISHER
 
 _VERBATIM = FieldTarget("ComponentList", "kept as it was declared; nothing of ROS 2 depends on it")
 _CORE = FieldTarget("SourceFunctionList", "the core of the adapter has it from there, on every platform")
+_NO_ASIL = FieldTarget("ComponentList", "ROS 2 itself has no ASIL")
 _FIELD = "{topic}, field {field}"
+_FACTORS = ("Factor", "Offset", "ConversionFactor", "ConversionOffset")
 
 
 def _of_core(*models: type[BaseModel]) -> dict[str, FieldTarget | str]:
@@ -34,59 +44,40 @@ _DATA: Targets = {
     "Name": _FIELD + ": Signal",
     "Description": "message {message}: description of {field}",
     "Role": "{topic}: Role",
-    "AsilLevel": FieldTarget("{topic}: QualityOfService", "ROS 2 itself has no ASIL"),
-    "AsilInfo": FieldTarget("{topic}: QualityOfService", "ROS 2 itself has no ASIL"),
+    **dict.fromkeys(("AsilLevel", "AsilInfo"), FieldTarget("{topic}: QualityOfService", "ROS 2 itself has no ASIL")),
+    **same_names(_FIELD + ": ", ("TimeoutError", "Access", "Min", "Max", "Default", "InitValue", "RangeErrorAction")),
+    **same_names(_FIELD + ": ", ("ExternalProvider", "Variable")),
     "Timeout": "{topic}: Deadline; " + _FIELD + ": Timeout",
-    "TimeoutError": _FIELD + ": TimeoutError",
-    "Access": _FIELD + ": Access",
     "QueueLength": "{topic}: Depth",
     "Datatype": _FIELD + ": VariableDataType",
-    "Factor": "{conversion}",
-    "Offset": "{conversion}",
-    "ConversionFactor": "{conversion}",
-    "ConversionOffset": "{conversion}",
-    "Min": _FIELD + ": Min",
-    "Max": _FIELD + ": Max",
-    "Default": _FIELD + ": Default",
-    "InitValue": _FIELD + ": InitValue",
+    **dict.fromkeys(_FACTORS, "{conversion}"),
     "Units": _FIELD + ": VariableUnits",
-    "RangeErrorAction": _FIELD + ": RangeErrorAction",
     "Type": FieldTarget("{topic}: QualityOfService", "attributes are kept for late subscribers"),
     "Resolution": FieldTarget("ComponentList", "no field of a message has a resolution"),
     "VssPath": "{topic}: TopicName",
     "VssDatatype": _FIELD + ": FieldDataType",
-    "VssMin": FieldTarget("ComponentList", "no field of a message has a range"),
-    "VssMax": FieldTarget("ComponentList", "no field of a message has a range"),
+    **dict.fromkeys(("VssMin", "VssMax"), FieldTarget("ComponentList", "no field of a message has a range")),
     "VssSymbols": "message {message}: Constants; {conversion}",
     "VssUnit": _FIELD + ": FieldUnits",
-    "ExternalProvider": _FIELD + ": ExternalProvider",
-    "Variable": _FIELD + ": Variable",
     "E2eError": FieldTarget("ComponentList", "ROS 2 checks no messages end to end; it is never set"),
 }
 _PARAMETER: Targets = {
     **_of_core(ParameterInterface),
+    **same_names(
+        "{parameter}: ", ("Description", "RangeErrorAction", "Interfacetype", "Attribute", "VssPath", "Variable")
+    ),
+    **dict.fromkeys(("InitValue", "DefaultText", "InitElements"), "{parameter}: Default"),
+    **dict.fromkeys(_FACTORS, "{parameter}: Conversion"),
     "Name": "{parameter}: Parameter",
-    "Description": "{parameter}: Description",
     "Datatype": "{parameter}: VariableDataType",
-    "Asillevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
+    "Asillevel": _NO_ASIL,
     "Min": FieldTarget("{parameter}: From", "in the catalogue's unit; absent if it is the datatype's own limit"),
     "Max": FieldTarget("{parameter}: To", "in the catalogue's unit; absent if it is the datatype's own limit"),
     "Default": FieldTarget("ComponentList", "a node has one default: the value at start-up"),
-    "InitValue": "{parameter}: Default",
-    "DefaultText": "{parameter}: Default",
-    "RangeErrorAction": "{parameter}: RangeErrorAction",
-    "Interfacetype": "{parameter}: Interfacetype",
-    "Attribute": "{parameter}: Attribute",
     "Units": "{parameter}: VariableUnits",
-    "VssPath": "{parameter}: VssPath",
     "VssDatatype": "{parameter}: Type",
     "VssUnit": "{parameter}: Units",
     "VssSymbols": "{parameter}: AdditionalConstraints and Conversion",
-    "ConversionFactor": "{parameter}: Conversion",
-    "ConversionOffset": "{parameter}: Conversion",
-    "Variable": "{parameter}: Variable",
-    "InitElements": "{parameter}: Default",
-    **dict.fromkeys(("Factor", "Offset"), "{parameter}: Conversion"),
 }
 _METHOD: Targets = {
     **_of_core(MethodInterface),
@@ -102,14 +93,12 @@ _ERROR: Targets = {
     "Description": "{status}: Message",
     "Datatype": FieldTarget("{topic}: MessageType", "sent as PASSED or FAILED"),
     "Dependancy": "{status}: Dependencies",
-    "OccurenceCountLimit": "{status}: OccurenceCountLimit",
+    **same_names("{status}: ", ("OccurenceCountLimit", "ResetTime")),
     "IgnitionCountLimit": FieldTarget("{status}: IgnitionCountLimit", "each configuring begins a cycle"),
-    "MaturationTime": "{status}: MaturationTime",
-    "MaturationTimeNanoseconds": "{status}: MaturationTime",
+    **dict.fromkeys(("MaturationTime", "MaturationTimeNanoseconds"), "{status}: MaturationTime"),
     "Severity": "{status}: Severity and Level",
-    "ResetTime": "{status}: ResetTime",
     "ResetCondition": FieldTarget("{status}: ResetCondition", "as text, for people"),
-    "AsilLevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
+    "AsilLevel": _NO_ASIL,
     "VssPath": "{topic}: VssPath; {status}: VssPath",
 }
 _REACTION: Targets = {
@@ -118,7 +107,7 @@ _REACTION: Targets = {
     "Description": "{condition}: Description",
     "Datatype": FieldTarget("{topic}: MessageType; {condition}: VariableDataType", "sent as INACTIVE or ACTIVE"),
     "ErrorList": "{condition}: Statuses",
-    "AsilLevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
+    "AsilLevel": _NO_ASIL,
     "VssPath": "{topic}: VssPath; {condition}: VssPath",
 }
 _CALL: Targets = {
@@ -126,13 +115,12 @@ _CALL: Targets = {
     "Name": "{schedule}: RunnableName",
     "Description": _VERBATIM,
     "Runtype": "{schedule}: Trigger",
-    "Cycletime": "{schedule}: Period",
-    "CycletimeNanoseconds": "{schedule}: Period",
+    **dict.fromkeys(("Cycletime", "CycletimeNanoseconds"), "{schedule}: Period"),
     "StackSize": FieldTarget(NOT_CARRIED, "a thread has the stack size of the process"),
     "PrevRunnable": FieldTarget("{schedule}: After", "a call of the same node; the life cycle runs init first"),
     "ExecOffset": "{schedule}: Offset",
     "ParallelProcessing": _CORE,
-    "AsilLevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
+    "AsilLevel": _NO_ASIL,
     "Watchdog": FieldTarget(
         "{schedule}: Alive…, Deadline…, Logical…", "of a logical supervision the words; its graph is in ComponentList"
     ),
@@ -151,10 +139,9 @@ _TRANSITIONS: Targets = {
         for field in ("Cycletime", "CycletimeNanoseconds", "ExecOffset", "ParallelProcessing", "Scheduling", "DebounceDelay", "Priority",
                       "Watchdog", "SupervisionType", "PrevRunnable", "EventList", "Description", "VssPath")
     },
-    "Name": "{schedule}: Runnables",
-    "Runtype": "{schedule}: Runnables",
+    **dict.fromkeys(("Name", "Runtype"), "{schedule}: Runnables"),
     "StackSize": FieldTarget(NOT_CARRIED, "a thread has the stack size of the process"),
-    "AsilLevel": FieldTarget("ComponentList", "ROS 2 itself has no ASIL"),
+    "AsilLevel": _NO_ASIL,
     "funcContractList": "CommunicationList, and the node's Parameters, ErrorTopics and SafetyReactionTopics",
 }  # fmt: skip
 _MODE_INTERFACE: Targets = {
@@ -179,9 +166,7 @@ _INFO: Targets = dict.fromkeys(
     ("FunctionName", "FunctionResponsible", "Description", "Version"), "FunctionInfo, packages"
 )
 
-_CODE: Targets = dict.fromkeys(
-    (str(field.alias) for field in CodeInterface.model_fields.values()), FieldTarget("SourceFunctionList: Code")
-)
+_CODE: Targets = dict.fromkeys(fields_of(CodeInterface), "SourceFunctionList: Code")
 _META: Targets = {
     "Authority": "MetaInfo: Authority", "SchemaAuthor": "MetaInfo: SchemaAuthor", "Date": "MetaInfo: Date",
     **dict.fromkeys(
@@ -222,36 +207,32 @@ def field_targets(
     return tuple(made)
 
 
-_Key = tuple[str, str, str, str]
-"""Node, call, name of the interface, and its role in Function JSON."""
-
-
-class _Exchanged(NamedTuple):
-    """Topics, fields and services of each interface."""
-
-    fields: Mapping[_Key, tuple[RosTopic, FieldMapping]]
-    services: Mapping[_Key, RosService]
+_Exchanged = Mapping[tuple[str, str, str, str, str], Mapping[str, str]]
+"""Names of the topic and the field of a signal, and of the service of a method: by kind, node, call, name and role."""
 
 
 def _exchanged(communications: Iterable[Communication]) -> _Exchanged:
-    fields: dict[_Key, tuple[RosTopic, FieldMapping]] = {}
-    services: dict[_Key, RosService] = {}
+    found: dict[tuple[str, str, str, str, str], Mapping[str, str]] = {}
     for communication in communications:
         for topic in communication.topics:
             role = PROVIDER if topic.role == PUBLISHER else CONSUMER
             for mapping in topic.mappings:
-                fields[(topic.node or "", communication.runnable, mapping.signal, role)] = topic, mapping
+                found["data", topic.node or "", communication.runnable, mapping.signal, role] = _places(topic, mapping)
         for service in communication.services or ():
             role = PROVIDER if service.role == SERVER else CONSUMER
-            services[(service.node, communication.runnable, service.method, role)] = service
-    return _Exchanged(fields, services)
+            names = {"service": f"service {service.name}", "type": service.service}
+            found["method", service.node, communication.runnable, service.method, role] = names
+    return found
 
 
 def _entries(part: Part, interface: str, kind: str, model: BaseModel, **names: str) -> list[Entry]:
     return entries(part.function_name, interface, "call" if kind == "transition" else kind, model, TABLES[kind], names)
 
 
-def _left_out(part: Part, interface: str, kind: str, model: BaseModel) -> list[Entry]:
+def _found(part: Part, interface: str, kind: str, model: BaseModel, names: Mapping[str, str] | None) -> list[Entry]:
+    """Entries of an interface with the names of its place; without these it was left out."""
+    if names is not None:
+        return _entries(part, interface, kind, model, **names)
     gone = FieldTarget(NOT_CARRIED, "left out: see the findings")
     return entries(part.function_name, interface, kind, model, dict.fromkeys(TABLES[kind], gone))
 
@@ -266,14 +247,9 @@ def _of_function(part: Part, node: RosNode) -> Iterator[Entry]:
         yield from _entries(part, datatype.reference, "datatype", datatype)
     for mode in function.modes or ():
         yield from _entries(part, mode.name, "mode", mode)
-    topics = {topic.interface: topic for topic in node.modes}
+    modes = {each.interface: {"topic": f"topic {each.topic}", "message": each.message} for each in node.modes}
     for interface in function.mode_interfaces or ():
-        topic = topics.get(interface.name)
-        if topic is None:
-            yield from _left_out(part, interface.name, "mode interface", interface)
-        else:
-            names = {"topic": f"topic {topic.topic}", "message": topic.message}
-            yield from _entries(part, interface.name, "mode interface", interface, **names)
+        yield from _found(part, interface.name, "mode interface", interface, modes.get(interface.name))
 
 
 def _of_call(call: Runnable, part: Part) -> list[Entry]:
@@ -285,27 +261,19 @@ def _of_call(call: Runnable, part: Part) -> list[Entry]:
 
 
 def _of_contracts(call: Runnable, part: Part, node: RosNode, exchanged: _Exchanged) -> Iterator[Entry]:
-    parameters = {parameter.parameter: parameter.name for parameter in node.parameters}
+    parameters = {each.parameter: {"parameter": f"node {node.name}, parameter {each.name}"} for each in node.parameters}
     for contract in call.contracts or ():
         yield from _entries(part, call.name, "contract", contract, node=part.name)
         for kind, items in (("signal", contract.signals), ("queue", contract.queues)):
             for item in items or ():
-                found = exchanged.fields.get((part.name, call.name, item.name, item.role))
-                yield from _of_data(item, kind, part, found)
+                places = exchanged.get(("data", part.name, call.name, item.name, item.role))
+                name = item.vss_path or item.name
+                yield from _found(part, name, kind, item, places)
         for method in contract.methods or ():
-            service = exchanged.services.get((part.name, call.name, method.name, method.role))
-            if service is None:
-                yield from _left_out(part, method.name, "method", method)
-            else:
-                names = {"service": f"service {service.name}", "type": service.service}
-                yield from _entries(part, method.name, "method", method, **names)
+            places = exchanged.get(("method", part.name, call.name, method.name, method.role))
+            yield from _found(part, method.name, "method", method, places)
         for parameter in contract.parameters or ():
-            name = parameters.get(parameter.name)
-            if name is None:
-                yield from _left_out(part, parameter.name, "parameter", parameter)
-            else:
-                names = {"parameter": f"node {node.name}, parameter {name}"}
-                yield from _entries(part, parameter.name, "parameter", parameter, **names)
+            yield from _found(part, parameter.name, "parameter", parameter, parameters.get(parameter.name))
         topics = {
             end.interface: end.topic for end in (*node.error_topics, *node.reaction_topics) if end.role == PUBLISHER
         }
@@ -317,15 +285,10 @@ def _of_contracts(call: Runnable, part: Part, node: RosNode, exchanged: _Exchang
             yield from _entries(part, reaction.name, "safety reaction", reaction, **names)
 
 
-def _of_data(item: BaseModel, kind: str, part: Part, found: tuple[RosTopic, FieldMapping] | None) -> list[Entry]:
-    name = str(getattr(item, "vss_path", None) or getattr(item, "name", ""))
-    if found is None:
-        return _left_out(part, name, kind, item)
-    topic, mapping = found
-    names = {
+def _places(topic: RosTopic, mapping: FieldMapping) -> Mapping[str, str]:
+    return {
         "topic": f"topic {topic.name}",
         "field": mapping.field,
         "message": topic.message or "",
         "conversion": f"conversion {mapping.conversion}" if mapping.conversion else "no conversion: nothing changes",
     }
-    return _entries(part, name, kind, item, **names)

@@ -84,19 +84,24 @@ def _permitted_name(
         text, reason = f"{word}{joint if text else ''}{text}", "a name begins with a letter"
     if len(text) > LONGEST:
         digest = sha256(text.encode()).hexdigest()[:8]
-        text, reason = f"{text[: LONGEST - 9].rstrip('_')}{joint}{_like(digest, text)}", f"cut to {LONGEST} characters"
+        text, reason = (
+            f"{text[: LONGEST - 9].rstrip('_')}{joint}{digest.upper() if text.isupper() else digest}",
+            f"cut to {LONGEST} characters",
+        )
     keyword_of = _reserved(text) if reserved else ""
     if keyword_of:
         text, reason = f"{text}{joint}{word}", f"{text!r} is a reserved word of {keyword_of}"
+    free = numbered(text, taken, joint, lower=lower)
+    return Name(free, f"{text!r} is taken" if free != text else reason)
+
+
+def numbered(text: str, taken: Container[str], joint: str = "_", *, lower: bool = False) -> str:
+    """The text, with the first number behind it that is free if it is taken. With `lower`, taken names are in lower case."""
     free, number = text, 1
     while (free.lower() if lower else free) in taken:
         number += 1
         free = f"{text}{joint}{number}"
-    return Name(free, f"{text!r} is taken" if free != text else reason)
-
-
-def _like(digest: str, text: str) -> str:
-    return digest.upper() if text.isupper() else digest
+    return free
 
 
 def _reserved(text: str) -> str:

@@ -1,28 +1,21 @@
 """Nodes: a lifecycle node for each component, with its calls, modes, diagnostics and safety conditions."""
 
 from collections.abc import Iterable, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from sigcat import codes
 from sigcat.function.checks.schedule.order import previous_calls
-from sigcat.function.document.text import Text
-from sigcat.function.exchange import Part, contracts_of
+from sigcat.function.exchange import Part
 from sigcat.function.function_json.duration import milliseconds, whole
 from sigcat.function.function_json.interfaces.status_interfaces import ModeInterface
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.triggers import absent_in, triggers
-from sigcat.integration.finding_collector import FindingCollector, Subject
+from sigcat.integration.finding_collector import FindingCollector, subject_of
+from sigcat.integration.ros2 import model
+from sigcat.integration.ros2.context import Context
 from sigcat.integration.ros2.messages.common_types import STAMP
-from sigcat.integration.ros2.messages.field_types import field_type
-from sigcat.integration.ros2.messages.made_messages import MessageBook, constants, unresolved
-from sigcat.integration.ros2.model import (
-    Communication,
-    MessageField,
-    RosNode,
-    Schedule,
-    StatusTopic,
-    Transition,
-)
+from sigcat.integration.ros2.messages.field_types import FieldType, field_type
+from sigcat.integration.ros2.messages.made_messages import constants, unresolved
 from sigcat.integration.ros2.names import shortened, topic_name
 from sigcat.integration.ros2.parameters import parameters_of
 from sigcat.integration.ros2.quality_of_service import MODE
@@ -43,44 +36,28 @@ _PRIORITIES = range(1, 100)
 """Priorities of threads under SCHED_FIFO."""
 
 
-class NodeContext(NamedTuple):
-    """Settings of all nodes of a set."""
-
-    package: str
-    namespace: str
-    safety_manager: Text | None
-    """Sender of safety conditions."""
-    mode_manager: Text | None
-    """Sender of modes."""
-    policy: SchedulingPolicy
-    """Policy of the threads that run calls."""
-    exchanged: Sequence[Communication]
-    statuses: Statuses
-    book: MessageBook
-    findings: FindingCollector
-
-
-def node_of(part: Part, context: NodeContext) -> RosNode:
+def node_of(
+    part: Part, exchanged: Sequence[model.Communication], statuses: Statuses, context: Context
+) -> model.RosNode:
     """The node of a component."""
     running = [call for call in part.component.runnables if run_kind(call) in (CYCLIC, EVENT)]
-    schedules = tuple(_schedule(call, part, context) for call in running)
-    book, findings, statuses, manager = context.book, context.findings, context.statuses, context.safety_manager
-    return RosNode(
+    schedules = tuple(_schedule(call, part, exchanged, context.findings) for call in running)
+    return model.RosNode(
         name=part.name,
-        namespace=context.namespace,
+        namespace=context.settings.namespace or "/",
         function=part.function_name,
         component=part.component.name,
         executable=f"{part.name}_node",
         plugin=f"{context.package}::{camel_case(part.name)}Node",
         transitions=_transitions(part),
         schedules=schedules,
-        parameters=parameters_of(contracts_of(part), part, book.table, findings),
+        parameters=parameters_of(part, context),
         modes=tuple(_modes(part, context)),
-        error_topics=tuple(error_topics(part, book.package, statuses)),
-        reaction_topics=tuple(reaction_topics(part, book.package, statuses, manager)),
-        diagnostics=tuple(diagnostics(part, statuses, findings)),
+        error_topics=tuple(error_topics(part, statuses, context)),
+        reaction_topics=tuple(reaction_topics(part, statuses, context)),
+        diagnostics=tuple(diagnostics(part, statuses, context.findings)),
         diagnostics_topic=DIAGNOSTICS,
-        conditions=tuple(conditions(part, statuses, manager, book.table, findings)),
+        conditions=tuple(conditions(part, statuses, context)),
         scheduling_policy=_policy(part.name, running, schedules, context),
     )
 
@@ -88,7 +65,7 @@ def node_of(part: Part, context: NodeContext) -> RosNode:
 # -- life cycle and schedules -------------------------------------------------------------------------------------
 
 
-def _transitions(part: Part) -> tuple[Transition, ...]:
+def _transitions(part: Part) -> tuple[model.Transition, ...]:
     """Init when the node is configured; step while it is active; terminate when it is cleaned up, shut down or fails."""
     calls = part.component.runnables
     init = tuple(call.name for call in calls if run_kind(call) == INIT)
@@ -103,24 +80,21 @@ def _transitions(part: Part) -> tuple[Transition, ...]:
         ("error", "on_error", "errorprocessing", "unconfigured", end, (), steps),
     )
     return tuple(
-        Transition(name=name, callback=callback, start=start, end=to, runnables=made, starts=starts, stops=stops)
+        model.Transition(name=name, callback=callback, start=start, end=to, runnables=made, starts=starts, stops=stops)
         for name, callback, start, to, made, starts, stops in rows
     )
 
 
-def _schedule(call: Runnable, part: Part, context: NodeContext) -> Schedule:
-    is_timed, findings = run_kind(call) == CYCLIC, context.findings
-    topics = () if is_timed else _triggers(call, part, context.exchanged)
+def _schedule(
+    call: Runnable, part: Part, exchanged: Sequence[model.Communication], findings: FindingCollector
+) -> model.Schedule:
+    is_timed = run_kind(call) == CYCLIC
+    topics = () if is_timed else _triggers(call, part, exchanged)
     if (is_timed and not call.cycle_time) or not (is_timed or topics or absent_in(call)):
         lacking = "a cycle time" if is_timed else "a signal that it consumes"
-        findings.report(
-            codes.CALL_WITHOUT_TRIGGER,
-            f"{call.name} must have {lacking} to run on.",
-            Subject(call.name, call),
-            "Add it, or correct the run type.",
-            key="Runtype",
-        )
-    return Schedule(
+        message, fix = f"{call.name} must have {lacking} to run on.", "Add it, or correct the run type."
+        findings.report(codes.CALL_WITHOUT_TRIGGER, message, call, fix, key="Runtype")
+    return model.Schedule(
         runnable=call.name,
         trigger="Timer" if is_timed else "Topics",
         period=call.cycle_time if is_timed else None,
@@ -134,16 +108,13 @@ def _schedule(call: Runnable, part: Part, context: NodeContext) -> Schedule:
     )
 
 
-def _triggers(call: Runnable, part: Part, exchanged: Sequence[Communication]) -> tuple[str, ...]:
+def _triggers(call: Runnable, part: Part, exchanged: Sequence[model.Communication]) -> tuple[str, ...]:
     """Topics that bring a signal on which the call runs."""
     names = {item.name for item in triggers(call)}
     return tuple(
         topic.name
-        for communication in exchanged
-        if communication.runnable == call.name
-        for topic in communication.topics
-        if topic.role == SUBSCRIPTION
-        and topic.node == part.name
+        for topic in (topic for each in exchanged if each.runnable == call.name for topic in each.topics)
+        if (topic.role, topic.node) == (SUBSCRIPTION, part.name)
         and names.intersection(mapping.signal for mapping in topic.mappings)
     )
 
@@ -156,7 +127,7 @@ def _after(call: Runnable, part: Part, findings: FindingCollector) -> str | None
         if name not in own:
             message = f"{call.name} is ordered after {name}, which runs in another node; ROS 2 cannot order calls across nodes."
             fix = "Trigger it by a signal, or use offsets."
-            findings.report(codes.ORDER_BETWEEN_NODES, message, Subject(call.name, call), fix, key="PrevRunnable")
+            findings.report(codes.ORDER_BETWEEN_NODES, message, call, fix, key="PrevRunnable")
     return ", ".join(name for name in before if name in own and run_kind(own[name]) != INIT) or None
 
 
@@ -167,21 +138,22 @@ def _priority(call: Runnable, findings: FindingCollector) -> int | None:
     if call.priority.strip():
         message = f"The priority of {call.name} must be from 1 to 99, not {shortened(call.priority.strip())!r}."
         fix = "Use a number; higher ones run first."
-        findings.report(codes.PRIORITY_NOT_A_NUMBER, message, Subject(call.name, call), fix, key="Priority")
+        findings.report(codes.PRIORITY_NOT_A_NUMBER, message, call, fix, key="Priority")
     return None
 
 
 def _policy(
-    node: str, running: Sequence[Runnable], schedules: Sequence[Schedule], context: NodeContext
+    node: str, running: Sequence[Runnable], schedules: Sequence[model.Schedule], context: Context
 ) -> SchedulingPolicy | None:
     """Return the policy of the deployment, if a call has a priority."""
-    if context.policy == "other" or not running:
+    policy = context.settings.scheduling_policy
+    if policy == "other" or not running:
         return None
     if any(schedule.thread_priority is not None for schedule in schedules):
-        return context.policy
-    message = f"{node} must have a priority to run under {context.policy}; none of its calls has one: it runs without."
+        return policy
+    message = f"{node} must have a priority to run under {policy}; none of its calls has one: it runs without."
     fix = "Give the call a `priority` from 1 to 99."
-    context.findings.report(codes.POLICY_WITHOUT_PRIORITY, message, Subject(running[0].name, running[0]), fix)
+    context.findings.report(codes.POLICY_WITHOUT_PRIORITY, message, running[0], fix)
     return None
 
 
@@ -208,18 +180,14 @@ def _supervision(call: Runnable) -> dict[str, Any]:
 def report_calls(part: Part, findings: FindingCollector) -> None:
     """Note what no call of a node can have."""
     for call in part.component.runnables:
-        _unexpressed(call, findings)
-
-
-def _unexpressed(call: Runnable, findings: FindingCollector) -> None:
-    if call.stack_size:
-        message = f"{call.name}: ROS 2 has no setting for the stack size of {shortened(call.stack_size)} bytes; it is left out."
-        fix = "Set it for the process, for instance with `ulimit -s`."
-        findings.report(codes.STACK_SIZE_NOT_CARRIED, message, Subject(call.name, call), fix, key="StackSize")
-    if call.watchdog and call.watchdog.logical and call.checkpoint is None:
-        message = f"{call.name}: the logical supervision is free text and cannot be checked."
-        fix = "Give the calls a `checkpoint` each, with the calls that may follow."
-        findings.report(codes.LOGICAL_SUPERVISION_IN_WORDS, message, Subject(call.name, call), fix, key="Watchdog")
+        if call.stack_size:
+            message = f"{call.name}: ROS 2 has no setting for the stack size of {shortened(call.stack_size)} bytes; it is left out."
+            fix = "Set it for the process, for instance with `ulimit -s`."
+            findings.report(codes.STACK_SIZE_NOT_CARRIED, message, call, fix, key="StackSize")
+        if call.watchdog and call.watchdog.logical and call.checkpoint is None:
+            message = f"{call.name}: the logical supervision is free text and cannot be checked."
+            fix = "Give the calls a `checkpoint` each, with the calls that may follow."
+            findings.report(codes.LOGICAL_SUPERVISION_IN_WORDS, message, call, fix, key="Watchdog")
 
 
 # -- modes --------------------------------------------------------------------------------------------------------
@@ -230,7 +198,7 @@ def mode_topic(function: str, interface: ModeInterface) -> str:
     return topic_name(function, f"mode_{interface.direction}")
 
 
-def _modes(part: Part, context: NodeContext) -> Iterable[StatusTopic]:
+def _modes(part: Part, context: Context) -> Iterable[model.StatusTopic]:
     """A topic for each mode interface of the function. Every node receives the mode; the first one sends it."""
     for interface in part.function.mode_interfaces or ():
         is_received = interface.direction.lower() == "in"
@@ -238,38 +206,26 @@ def _modes(part: Part, context: NodeContext) -> Iterable[StatusTopic]:
             continue
         kind = field_type(interface.datatype, None, context.book.table)
         if kind is None or kind.element is None:
-            unresolved(context.findings, Subject(interface.name, interface), interface.datatype)
+            unresolved(context.findings, subject_of(interface), interface.datatype)
             continue
-        yield StatusTopic(
+        yield model.StatusTopic(
             interface=interface.name,
             topic=mode_topic(part.function_name, interface),
             role=SUBSCRIPTION if is_received else PUBLISHER,
-            message=f"{context.book.package}/msg/{_mode_message(interface, part, context.book, context.findings)}",
+            message=f"{context.book.package}/msg/{_mode_message(interface, kind, part, context)}",
             field="mode",
-            provider=context.mode_manager if is_received else None,
+            provider=context.application.mode_manager if is_received else None,
             quality=MODE,
             vss_path=interface.vss_path,
         )
 
 
-def _mode_message(interface: ModeInterface, part: Part, book: MessageBook, findings: FindingCollector) -> str:
-    if interface.name in book.modes:
-        return book.modes[interface.name]
-    kind = field_type(interface.datatype, None, book.table)
-    assert kind is not None
-    subject = Subject(interface.name, interface)
-    field = MessageField(
-        name="mode",
-        datatype=book.written(kind, subject) or "uint8",
-        description=interface.description,
-        vss_path=interface.vss_path,
-    )
-    values = constants(kind, "", subject, findings)
-    name = book.add(
-        book.reserved(f"{part.function_name}_Mode_{interface.direction}", subject),
-        interface.description,
-        (STAMP, field),
-        values,
-    )
-    book.modes[interface.name] = name
-    return name
+def _mode_message(interface: ModeInterface, kind: FieldType, part: Part, context: Context) -> str:
+    book, subject, meaning = context.book, subject_of(interface), interface.description
+    if interface.name not in book.modes:
+        written = book.written(kind, subject) or "uint8"
+        field = model.MessageField(name="mode", datatype=written, description=meaning, vss_path=interface.vss_path)
+        values = constants(kind, "", subject, context.findings)
+        name = book.reserved(f"{part.function_name}_Mode_{interface.direction}", subject)
+        book.modes[interface.name] = book.add(name, meaning, (STAMP, field), values)
+    return book.modes[interface.name]

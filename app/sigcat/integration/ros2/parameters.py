@@ -1,19 +1,18 @@
 """Parameters of nodes, in the unit of the catalogue, so that one file of parameters serves every function."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from math import isfinite
-from typing import Any, NamedTuple
+from typing import Any
 
 from sigcat import codes
 from sigcat.catalogue.model.datatypes import INTEGER_RANGES
 from sigcat.function.document.text import Text, json_of, optional
-from sigcat.function.exchange import Part
+from sigcat.function.exchange import Part, contracts_of
 from sigcat.function.function_json.conversion import Linear
-from sigcat.function.function_json.datatypes.datatype import Datatype
 from sigcat.function.function_json.datatypes.primitive_types import value_range
 from sigcat.function.function_json.interfaces.data_interfaces import ParameterInterface
-from sigcat.function.function_json.runnable import Contract
 from sigcat.integration.finding_collector import FindingCollector, Subject
+from sigcat.integration.ros2.context import Context
 from sigcat.integration.ros2.conversions import conversion, converted, physical, to_catalogue
 from sigcat.integration.ros2.messages.field_types import FieldType, c_definition, field_type, sent, symbols_of
 from sigcat.integration.ros2.messages.made_messages import unresolved
@@ -28,23 +27,19 @@ _LONGEST = 10_000
 """Most elements of a default that is written."""
 
 
-def parameters_of(
-    contracts: Iterable[Contract], part: Part, table: Mapping[str, Datatype], findings: FindingCollector
-) -> tuple[RosParameter, ...]:
+def parameters_of(part: Part, context: Context) -> tuple[RosParameter, ...]:
     """The parameters of a component's calls, each once."""
     made: dict[str, RosParameter] = {}
-    for contract in contracts:
-        for parameter in contract.parameters or ():
-            if parameter.name not in {known.parameter for known in made.values()}:
-                resolved = _parameter(parameter, part, set(made), table, findings)
-                if resolved is not None:
-                    made[resolved.name] = resolved
+    for parameter in (each for contract in contracts_of(part) for each in contract.parameters or ()):
+        if parameter.name not in {known.parameter for known in made.values()}:
+            resolved = _parameter(parameter, part, set(made), context)
+            if resolved is not None:
+                made[resolved.name] = resolved
     return tuple(made.values())
 
 
-def _parameter(
-    item: ParameterInterface, part: Part, taken: set[str], table: Mapping[str, Datatype], findings: FindingCollector
-) -> RosParameter | None:
+def _parameter(item: ParameterInterface, part: Part, taken: set[str], context: Context) -> RosParameter | None:
+    table, findings = context.book.table, context.findings
     interface = Subject(item.vss_path or f"{part.function_name}.{item.name}", item)
     kind = field_type(item.datatype, item.vss_datatype, table)
     if kind is None:
@@ -58,23 +53,16 @@ def _parameter(
     _unexpressed(item, kind, interface, findings)
     name = field_name(item.name, taken | OWN)
     report_renamed(name, item.name, interface, findings)
-    ways = _Ways(physical(item, interface, findings), to_catalogue(item, interface, findings))
-    return _resolved(item, kind, name.text, part, table, ways)
-
-
-class _Ways(NamedTuple):
-    """Conversions to the catalogue's unit."""
-
-    physical: Linear
-    """Conversion of the document's values, which are in the code's unit."""
-    stored: Linear
-    """Conversion of the number in the code."""
+    return _resolved(item, kind, name.text, interface, part, context)
 
 
 def _resolved(
-    item: ParameterInterface, kind: FieldType, name: str, part: Part, table: Mapping[str, Datatype], ways: _Ways
+    item: ParameterInterface, kind: FieldType, name: str, interface: Subject, part: Part, context: Context
 ) -> RosParameter:
-    limits = _limits(item, kind, ways.physical)
+    table, findings = context.book.table, context.findings
+    way = physical(item, interface, findings)  # from the unit of the code, which the document's values have
+    stored = to_catalogue(item, interface, findings)  # from the number in the code
+    limits = _limits(item, kind, way)
     low, high = (None, None) if kind.suffix else limits
     names: dict[float, str] = {each.value: each.symbol for each in symbols_of(item.datatype, table)}
     api = package_name(f"{part.function_name}_{item.name}_from_parameter").text
@@ -83,7 +71,7 @@ def _resolved(
         parameter=item.name,
         type=_type(kind),
         description=item.description,
-        default=_default(item, kind, ways.physical, names),
+        default=_default(item, kind, way, names),
         low=low,
         high=high,
         constraints=optional(_constraints(kind, limits)),
@@ -92,7 +80,7 @@ def _resolved(
         variable=item.variable or item.name,
         variable_type=c_definition(item.datatype, table),
         variable_units=item.units or None,
-        conversion=conversion(api, name, item.datatype, kind, ways.stored, table, _type(kind), is_outgoing=False),
+        conversion=conversion(api, name, item.datatype, kind, stored, table, _type(kind), is_outgoing=False),
         storage=item.interface_type,
         attribute=item.attribute,
         range_error_action=item.range_error_action,
@@ -125,16 +113,10 @@ def _default(item: ParameterInterface, kind: FieldType, linear: Linear, names: M
     if not kind.suffix:
         given = item.default_text if kind.is_text and not kind.symbols else item.init_value
         return _one_default(given, kind, linear, names)
-    elements = _elements(item.init_elements or item.default_elements)
-    if elements is None:
+    elements = json_of(item.init_elements or item.default_elements)
+    if not isinstance(elements, list):
         elements = [item.init_value] * min(int(kind.suffix[1:-1] or 0), _LONGEST)
     return [_one_default(each, kind, linear, names) for each in elements[:_LONGEST]]
-
-
-def _elements(text: Text | None) -> list[Any] | None:
-    """Elements of an array, which Function JSON has as JSON in a text."""
-    value = json_of(text)
-    return value if isinstance(value, list) else None
 
 
 def _one_default(given: Any, kind: FieldType, linear: Linear, names: Mapping[float, str]) -> Any:

@@ -33,23 +33,20 @@ _QUEUES = 10
 STATUS = MODE.model_copy(update={"reasons": (Text("A status is sent on change and holds until the next one."),)})
 
 
-def quality(
-    mine: Sequence[Side], everyone: Sequence[Side], topic: str, settings: Ros2Settings, *,
-    is_existing: bool = False,
-) -> QualityOfService:  # fmt: skip
-    """Quality of one end of a topic. `mine` are the signals of this end; `everyone` those of every end in the set.
-
-    `is_existing`: the message exists, and nodes that are not of the set know it.
-    """
+def quality(mine: Sequence[Side], everyone: Sequence[Side], topic: str, settings: Ros2Settings) -> QualityOfService:
+    """Quality of one end of a topic. `mine` are the signals of this end; `everyone` those of every end in the set."""
     reasons: list[str] = []
     asil = max((asil_of_side(use) for use in everyone), key=rank)
     is_heard = any(use.provides for use in everyone)
     is_strict = asil in ("C", "D") and is_heard
-    if is_heard and is_existing:
-        reliability: Reliability = "reliable"
+    if not is_heard:  # best effort hears a reliable publisher too, and misses values only as the network does
+        reliability: Reliability = "best_effort"
+        reasons.append("best effort: the publisher is not of the set, and may offer no more")
+    elif topic in settings.messages:  # the message exists: nodes that are not of the set know it
+        reliability = "reliable"
         reasons.append("reliable: nodes outside of the set subscribe as ROS does by default")
     else:
-        reliability = _reliability(everyone, asil, reasons) if is_heard else _of_outsider(reasons)
+        reliability = _reliability(everyone, asil, reasons)
     deadline = _deadline(mine, everyone, reasons)
     derived = QualityOfService(
         reliability=reliability,
@@ -77,12 +74,6 @@ def _reliability(everyone: Sequence[Side], asil: str, reasons: list[str]) -> Rel
             reasons.append(reason)
             return "reliable"
     reasons.append("best effort: QM, and the next value replaces a lost one")
-    return "best_effort"
-
-
-def _of_outsider(reasons: list[str]) -> Reliability:
-    """A subscription at best effort hears a reliable publisher too, and then misses values only as the network does."""
-    reasons.append("best effort: the publisher is not of the set, and may offer no more")
     return "best_effort"
 
 

@@ -10,7 +10,6 @@ from sigcat.function.function_json.runnable import Runnable
 from sigcat.integration.finding_collector import FindingCollector, Subject
 from sigcat.integration.ros2.names import package_name, report_renamed
 
-Kind = str
 INIT, CYCLIC, SHUTDOWN, EVENT = "init", "cyclic", "shutdown", "event"
 
 
@@ -50,7 +49,7 @@ def node_parts(functions: Sequence[FunctionJson], findings: FindingCollector) ->
     return tuple(made)
 
 
-def run_kind(runnable: Runnable) -> Kind:
+def run_kind(runnable: Runnable) -> str:
     """When a call runs, however the document spells it: `Terminate` and `Shutdown`, `event based`."""
     text = runnable.run_type.strip().lower()
     for start, kind in (("init", INIT), ("cyc", CYCLIC), ("shut", SHUTDOWN), ("term", SHUTDOWN)):

@@ -1,30 +1,23 @@
 """Topics: which signals travel together, in which message, and how their fields meet the variables of the code."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Sequence
 from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.function.document.text import Text
-from sigcat.function.exchange import Element, Exchange, Side
+from sigcat.function.exchange import Element, Side
 from sigcat.function.function_json.conversion import IDENTITY, Linear, as_text
 from sigcat.function.function_json.duration import time_in_a_name
 from sigcat.integration.finding_collector import FindingCollector, subject_of
+from sigcat.integration.grouping import grouped
+from sigcat.integration.ros2 import model
+from sigcat.integration.ros2.context import Context
 from sigcat.integration.ros2.conversions import conversion, to_catalogue
 from sigcat.integration.ros2.messages.common_types import STAMP
-from sigcat.integration.ros2.messages.existing_messages import SECTION, ExistingMessages, MappedField
+from sigcat.integration.ros2.messages.existing_messages import SECTION, ExistingMessages
 from sigcat.integration.ros2.messages.field_types import FieldType, c_definition, field_type, number_of, sent
-from sigcat.integration.ros2.messages.made_messages import MessageBook, constants, unresolved
-from sigcat.integration.ros2.model import (
-    Communication,
-    Conversion,
-    DataMap,
-    FieldMapping,
-    FixedField,
-    MessageConstant,
-    MessageField,
-    RosTopic,
-)
-from sigcat.integration.ros2.names import Name, field_name, package_name, report_renamed, topic_name
+from sigcat.integration.ros2.messages.made_messages import constants, unresolved
+from sigcat.integration.ros2.names import Name, field_name, numbered, package_name, report_renamed, topic_name
 from sigcat.integration.ros2.quality_of_service import quality
 from sigcat.integration.ros2.settings import Ros2Settings
 from sigcat.integration.ros2.signal_uses import asil_of_side, cycle_of, timeout_of
@@ -58,7 +51,7 @@ class Topic(NamedTuple):
     uses: tuple[Side, ...]
     stamp: str | None = STAMP.name
     """Field of the time; None if the message has none."""
-    values: tuple[FixedField, ...] = ()
+    values: tuple[model.FixedField, ...] = ()
     """Constant values of further fields."""
 
 
@@ -69,81 +62,59 @@ class _Group(NamedTuple):
     """Content of the message, if the segments do not tell it."""
 
 
-def topics_of(
-    exchange: Exchange, existing: ExistingMessages, settings: Ros2Settings, book: MessageBook,
-    findings: FindingCollector,
-) -> tuple[Topic, ...]:  # fmt: skip
+def topics_of(context: Context) -> tuple[Topic, ...]:
     """Every topic, in the order of their names. Names and types of topics for single signals depend on paths alone."""
-    uses = exchange.data
-    _report_uses(uses, exchange, findings)
-    mapped = tuple(_existing_topics(uses, existing, findings))
-    own = [use for use in uses if use.identity not in existing.fields]
-    together = _Together.of(exchange.element(use) for use in own)
-    groups: dict[_Group, list[Side]] = {}
-    for use in own:
-        groups.setdefault(_group(use, exchange.element(use).provider, together, settings), []).append(use)
+    exchange = context.exchange
+    _report_uses(context)
+    mapped = tuple(_existing_topics(context))
+    own = [use for use in exchange.data if use.identity not in context.existing.fields]
+    shared = _shared_cycles(map(exchange.element, own))
+    groups = grouped(own, lambda use: _group(use, exchange.element(use), shared, context.settings))
     taken = {topic.name.removeprefix("/"): topic.message for topic in mapped}
-    messages = {group: book.reserved(group.message, subject_of(groups[group][0])) for group in sorted(groups)}
+    messages = {group: context.book.reserved(group.message, subject_of(groups[group][0])) for group in sorted(groups)}
     made = []
     for group, message in messages.items():
-        name = _free(topic_name(*group.segments), taken, groups[group][0], findings)
-        made.append(_topic(name, message, group, groups[group], settings, book, findings))
+        name = _free(topic_name(*group.segments), taken, groups[group][0], context.findings)
+        made.append(_topic(name, message, group, groups[group], context))
     return tuple(sorted((*made, *mapped), key=lambda topic: topic.name))
 
 
-def _existing_topics(uses: Sequence[Side], existing: ExistingMessages, findings: FindingCollector) -> Iterable[Topic]:
+def _existing_topics(context: Context) -> Iterable[Topic]:
     """Topics whose messages exist. Each is sent by one node, or by others: a message is sent whole."""
+    existing, rule = context.existing, codes.FIELD_DOES_NOT_FIT
     for name, topic in existing.topics.items():
         fields = {key: field for key, field in existing.fields.items() if field.topic == name}
-        own = tuple(use for use in uses if use.identity in fields)
+        own = tuple(use for use in context.exchange.data if use.identity in fields)
         if not own:
             continue
         senders = {use.part.name for use in own if use.provides}
         if topic.values and not senders:
             message = f"{name} must be sent by a node of the set to have `values`; it is only received."
-            at = (*SECTION, name, "values")
-            findings.report_deployment(codes.FIELD_DOES_NOT_FIT, message, at, "Remove `values`.", "")
+            context.findings.report_deployment(rule, message, (*SECTION, name, "values"), "Remove `values`.", "")
         foreign = {use.identity for use in own} - {use.identity for use in own if use.provides}
         if len(senders) > 1 or (senders and foreign):
             others = [*sorted(senders), *(f"the sender of {key}" for key in sorted(foreign))]
             message = f"{name} must have one sender, not {' and '.join(others)}: each would send the fields of the others empty."
-            findings.report_deployment(
-                codes.FIELD_DOES_NOT_FIT, message, (*SECTION, name), "Map signals of one node.", ""
-            )
-        members = {
-            use.identity: Member(
-                fields[use.identity].path,
-                *_existing_kind(use, fields[use.identity]),
-                way=existing.ways.get(use.identity, IDENTITY),
-            )
-            for use in own
-        }
-        values = tuple(FixedField(field=each.path, field_type=each.datatype, value=each.value) for each in topic.values)
-        yield Topic(name, topic.message, members, own, topic.stamp, values)
+            context.findings.report_deployment(rule, message, (*SECTION, name), "Map signals of one node.", "")
+        members = {use.identity: _existing_member(use, existing) for use in own}
+        yield Topic(name, topic.message, members, own, topic.stamp, topic.values)
 
 
-def _existing_kind(use: Side, mapped: MappedField) -> tuple[str, FieldType]:
-    """The datatype of a field, with the names of an enumeration."""
+def _existing_member(use: Side, existing: ExistingMessages) -> Member:
+    """The field with its datatype, which has the names of an enumeration."""
+    mapped, way = existing.fields[use.identity], existing.ways.get(use.identity, IDENTITY)
     field = mapped.field
     assert field.element is not None
     kind = FieldType(field.element, "", field.array, use.data.vss_symbols or ())
-    return f"{field.element.ros2}{field.array}", kind
+    return Member(mapped.path, f"{field.element.ros2}{field.array}", kind, way=way)
 
 
-def communications(
-    topics: Sequence[Topic],
-    uses: Sequence[Side],
-    settings: Ros2Settings,
-    book: MessageBook,
-    findings: FindingCollector,
-) -> tuple[Communication, ...]:
+def communications(topics: Sequence[Topic], context: Context) -> tuple[model.Communication, ...]:
     """Return the topics of each call, in the order of the document."""
     by_key = {key: topic for topic in topics for key in topic.members}
-    calls: dict[tuple[str, str], list[Side]] = {}
-    for use in uses:
-        calls.setdefault((use.part.name, use.runnable.name), []).append(use)
+    calls = grouped(context.exchange.data, lambda use: (use.part.name, use.runnable.name))
     return tuple(
-        Communication(runnable=runnable, topics=tuple(_ends(own, by_key, settings, book, findings)))
+        model.Communication(runnable=runnable, topics=tuple(_ends(own, by_key, context)))
         for (_, runnable), own in calls.items()
     )
 
@@ -151,52 +122,39 @@ def communications(
 # -- which signals travel together --------------------------------------------------------------------------------
 
 
-class _Together(NamedTuple):
-    """Facts that decide whether a signal is sent together with the others of its cycle."""
-
-    queued: frozenset[str]
-    """Keys of signals that a side queues: a separate topic has the depth of the queue."""
-    shared: frozenset[tuple[str, float | None]]
+def _shared_cycles(elements: Iterable[Element]) -> frozenset[tuple[str, float | None]]:
     """Functions and cycles in which several calls provide signals: one message has what one call writes."""
-
-    @classmethod
-    def of(cls, elements: Iterable[Element]) -> "_Together":
-        """Collect them from the signals of the set."""
-        calls: dict[tuple[str, float | None], set[str]] = {}
-        queued = set()
-        for element in elements:
-            if element.is_queued:
-                queued.add(element.identity)
-            if (use := element.provider) is not None:
-                calls.setdefault((use.function, cycle_of(use)), set()).add(f"{use.part.name}.{use.runnable.name}")
-        return cls(frozenset(queued), frozenset(key for key, names in calls.items() if len(names) > 1))
+    providers = (use for each in elements if (use := each.provider) is not None)
+    calls = grouped(providers, lambda use: (use.function, cycle_of(use)))
+    return frozenset(
+        key for key, uses in calls.items() if len({(use.part.name, use.runnable.name) for use in uses}) > 1
+    )
 
 
-def _report_uses(uses: Iterable[Side], exchange: Exchange, findings: FindingCollector) -> None:
+def _report_uses(context: Context) -> None:
     """Report signals without a path, and further publishers of a signal."""
-    for use in uses:
+    exchange, findings = context.exchange, context.findings
+    for use in exchange.data:
         if not use.path:
             message = (
                 f"{use.identity} must have a path in the catalogue; without it only {use.function} can know its topic."
             )
-            findings.report(
-                codes.SIGNAL_WITHOUT_PATH, message, subject_of(use), "Set it under `paths` in the deployment file."
-            )
+            findings.report(codes.SIGNAL_WITHOUT_PATH, message, use, "Set it under `paths` in the deployment file.")
         first = exchange.element(use).leading.function
         if use.provides and first != use.function:
             message = (
                 f"{use.identity} must have one publisher, not {first} and {use.function}: subscribers get a mixture."
             )
-            findings.report(
-                codes.SEVERAL_PUBLISHERS, message, subject_of(use), "Let only one of them provide it.", key="Role"
-            )
+            findings.report(codes.SEVERAL_PUBLISHERS, message, use, "Let only one of them provide it.", key="Role")
 
 
-def _group(use: Side, providing: Side | None, together: _Together, settings: Ros2Settings) -> _Group:
+def _group(use: Side, element: Element, shared: Container[tuple[str, float | None]], settings: Ros2Settings) -> _Group:
+    """The topic of a signal. Queued ones have a separate topic, which has the depth of the queue."""
+    providing = element.provider
     provider = providing.function if providing else ""
     cycle = cycle_of(providing) if providing else None
-    if settings.topics == "cycle" and providing and cycle and use.identity not in together.queued:
-        is_shared = (provider, cycle) in together.shared
+    if settings.topics == "cycle" and providing and cycle and not element.is_queued:
+        is_shared = (provider, cycle) in shared
         call = (f"{providing.part.name}_{providing.runnable.name}",) if is_shared else ()
         names = (provider, *call, f"Cycle{time_in_a_name(cycle)}")
         title = f"What {' '.join((provider, *call))} provides every {cycle} ms."
@@ -214,12 +172,9 @@ def _group(use: Side, providing: Side | None, together: _Together, settings: Ros
 
 
 def _free(name: str, taken: dict[str, str], use: Side, findings: FindingCollector) -> str:
-    free, number = name, 1
-    while free in taken:
-        number += 1
-        free = f"{name}_{number}"
-    reason = f"{name!r} is taken by {taken[name]}" if free != name else ""
-    report_renamed(Name(free, reason), name, subject_of(use), findings)
+    free = numbered(name, taken)
+    if free != name:
+        report_renamed(Name(free, f"{name!r} is taken by {taken[name]}"), name, subject_of(use), findings)
     taken[free] = use.identity
     return free
 
@@ -227,39 +182,30 @@ def _free(name: str, taken: dict[str, str], use: Side, findings: FindingCollecto
 # -- messages -----------------------------------------------------------------------------------------------------
 
 
-def _topic(
-    name: str,
-    message: str,
-    group: _Group,
-    uses: list[Side],
-    settings: Ros2Settings,
-    book: MessageBook,
-    findings: FindingCollector,
-) -> Topic:
+def _topic(name: str, message: str, group: _Group, uses: list[Side], context: Context) -> Topic:
     members: dict[str, Member] = {}
-    fields: list[MessageField] = [STAMP]
-    values: list[MessageConstant] = []
-    of_key: dict[str, list[Side]] = {}
-    for use in uses:
-        of_key.setdefault(use.identity, []).append(use)
+    fields: list[model.MessageField] = [STAMP]
+    values: list[model.MessageConstant] = []
+    of_key = grouped(uses, lambda use: use.identity)
     for key, own in of_key.items():
         own.sort(key=lambda use: not use.provides)
-        member = _member(own, {field.name for field in fields}, settings, book, findings)
+        member = _member(own, {field.name for field in fields}, context)
         if member is None:
             continue
         members[key] = member
         fields.extend(_fields(member, own[0]))
         kind = number_of(member.kind) if member.number else member.kind
         taken = {value.name for value in values}
-        values.extend(constants(kind, _prefix(member, of_key), subject_of(own[0]), findings, taken))
+        prefix = member.field.upper() if len(of_key) > 1 else ""
+        values.extend(constants(kind, prefix, subject_of(own[0]), context.findings, taken))
     together = Text(group.title or f"Signals of {' '.join(group.segments)}.")
     what = uses[0].data.description if len(of_key) == 1 else together
-    book.add(message, what, fields, values)
-    return Topic(name, f"{book.package}/msg/{message}", members, tuple(uses))
+    context.book.add(message, what, fields, values)
+    return Topic(name, f"{context.book.package}/msg/{message}", members, tuple(uses))
 
 
-def _fields(member: Member, first: Side) -> Iterable[MessageField]:
-    yield MessageField(
+def _fields(member: Member, first: Side) -> Iterable[model.MessageField]:
+    yield model.MessageField(
         name=member.field,
         datatype=member.written,
         description=first.data.description,
@@ -270,18 +216,13 @@ def _fields(member: Member, first: Side) -> Iterable[MessageField]:
         kind = number_of(member.kind)
         assert kind.element is not None
         description = Text(f"The same as {member.field}, as one of the constants. Nodes read the number.")
-        yield MessageField(name=member.number, datatype=kind.element.ros2 + kind.suffix, description=description)
+        yield model.MessageField(name=member.number, datatype=kind.element.ros2 + kind.suffix, description=description)
 
 
-def _prefix(member: Member, of_key: dict[str, list[Side]]) -> str:
-    return member.field.upper() if len(of_key) > 1 else ""
-
-
-def _member(
-    own: list[Side], taken: set[str], settings: Ros2Settings, book: MessageBook, findings: FindingCollector
-) -> Member | None:
+def _member(own: list[Side], taken: set[str], context: Context) -> Member | None:
     """The field of a signal. All who use it have to mean the same."""
-    first = own[0]
+    first, enumerations = own[0], context.settings.enumerations
+    book, findings = context.book, context.findings
     resolved = [field_type(use.data.datatype, use.data.vss_datatype, book.table) for use in own]
     kind = resolved[0]
     if kind is None:
@@ -290,17 +231,15 @@ def _member(
     for use, other in zip(own[1:], resolved[1:], strict=True):
         if _disagree(kind, other) or first.data.vss_unit != use.data.vss_unit:
             message = f"{first.identity} must have one datatype and unit; {first.function} and {use.function} differ."
-            findings.report(
-                codes.MEANINGS_DIFFER, message, subject_of(first), "Build both functions from the same catalogue."
-            )
-    kind = sent(kind, first.data.vss_symbols, as_number=settings.enumerations == "number")
+            findings.report(codes.MEANINGS_DIFFER, message, first, "Build both functions from the same catalogue.")
+    kind = sent(kind, first.data.vss_symbols, as_number=enumerations == "number")
     written = book.written(kind, subject_of(first))
     if written is None:
         return None
     source = last_name(first.path) if first.path else first.data.name
     name = field_name(source, taken)
     report_renamed(name, source, subject_of(first), findings)
-    if not (kind.is_text and kind.symbols and settings.enumerations == "both"):
+    if not (kind.is_text and kind.symbols and enumerations == "both"):
         return Member(name.text, written, kind)
     return Member(name.text, written, kind, field_name(f"{name.text}_number", taken | {name.text}).text)
 
@@ -315,34 +254,25 @@ def _disagree(one: FieldType, other: FieldType | None) -> bool:
 # -- ends ---------------------------------------------------------------------------------------------------------
 
 
-def _ends(
-    own: Sequence[Side],
-    by_key: dict[str, Topic],
-    settings: Ros2Settings,
-    book: MessageBook,
-    findings: FindingCollector,
-) -> Iterable[RosTopic]:
+def _ends(own: Sequence[Side], by_key: dict[str, Topic], context: Context) -> Iterable[model.RosTopic]:
     """The publishers and subscriptions of one call."""
-    ends: dict[tuple[str, bool], list[Side]] = {}
-    for use in own:
-        topic = by_key.get(use.identity)
-        if topic is not None:
-            ends.setdefault((topic.name, use.provides), []).append(use)
+    mapped = (use for use in own if use.identity in by_key)
+    ends = grouped(mapped, lambda use: (by_key[use.identity].name, use.provides))
     taken: set[str] = set()
     for (_, is_provider), mine in ends.items():
         topic = by_key[mine[0].identity]
-        _check_timeouts(mine, topic, findings)
-        yield RosTopic(
+        _check_timeouts(mine, topic, context.findings)
+        yield model.RosTopic(
             name=topic.name,
             interface=_interface(mine),
-            data_maps=(_data_map(mine, topic, taken, book, findings),),
+            data_maps=(_data_map(mine, topic, taken, context),),
             role=PUBLISHER if is_provider else SUBSCRIPTION,
             message=topic.message,
             stamp=topic.stamp,
             values=topic.values or None,
             node=mine[0].part.name,
             providers=tuple(dict.fromkeys(use.function for use in topic.uses if use.provides)),
-            quality=quality(mine, topic.uses, topic.name, settings, is_existing=topic.name in settings.messages),
+            quality=quality(mine, topic.uses, topic.name, context.settings),
         )
 
 
@@ -369,16 +299,14 @@ def _check_timeouts(mine: Sequence[Side], topic: Topic, findings: FindingCollect
         if timeout and not use.provides and cycle and timeout < 2 * cycle:
             message = f"{use.identity}: the time-out must be at least two cycles of {cycle} ms, not {timeout} ms."
             fix = "Raise it, or one late value triggers it."
-            findings.report(codes.TIMEOUT_BELOW_TWO_CYCLES, message, subject_of(use), fix, key="Timeout")
+            findings.report(codes.TIMEOUT_BELOW_TWO_CYCLES, message, use, fix, key="Timeout")
 
 
-def _data_map(
-    mine: Sequence[Side], topic: Topic, taken: set[str], book: MessageBook, findings: FindingCollector
-) -> DataMap:
-    rows = [_row(use, topic.members[use.identity], taken, book, findings) for use in mine]
+def _data_map(mine: Sequence[Side], topic: Topic, taken: set[str], context: Context) -> model.DataMap:
+    rows = [_row(use, topic.members[use.identity], taken, context) for use in mine]
     mappings = [mapping for mapping, _ in rows]
     conversions = tuple(made for _, made in rows if made is not None)
-    return DataMap(
+    return model.DataMap(
         variables=tuple(mapping.variable for mapping in mappings),
         variable_types=tuple(mapping.variable_type for mapping in mappings),
         fields=tuple(mapping.field for mapping in mappings),
@@ -389,26 +317,26 @@ def _data_map(
 
 
 def _row(
-    use: Side, member: Member, taken: set[str], book: MessageBook, findings: FindingCollector
-) -> tuple[FieldMapping, Conversion | None]:
-    data = use.data
+    use: Side, member: Member, taken: set[str], context: Context
+) -> tuple[model.FieldMapping, model.Conversion | None]:
+    data, table, findings = use.data, context.book.table, context.findings
     if not data.variable:
         message = f"{use.identity} must name the variable of the code; its own name, {data.name!r}, is used."
-        findings.report(codes.VARIABLE_ASSUMED, message, subject_of(use), "Set `variable` in the declaration.")
+        findings.report(codes.VARIABLE_ASSUMED, message, use, "Set `variable` in the declaration.")
     way = "to_topic" if use.provides else "from_topic"
     name = package_name(f"{use.function}_{data.name}_{way}", taken).text
     made = conversion(
-        name, member.field, data.datatype, member.kind, to_catalogue(data, subject_of(use), findings), book.table,
+        name, member.field, data.datatype, member.kind, to_catalogue(data, subject_of(use), findings), table,
         member.written, is_outgoing=use.provides, has_number=bool(member.number), is_named=member.way is not None,
     )  # fmt: skip
     if made is not None:
         taken.add(name)
-    return _mapping(use, member, book, made), made
+    return _mapping(use, member, c_definition(data.datatype, table), made), made
 
 
-def _mapping(use: Side, member: Member, book: MessageBook, made: Conversion | None) -> FieldMapping:
+def _mapping(use: Side, member: Member, variable_type: str, made: model.Conversion | None) -> model.FieldMapping:
     data, way = use.data, member.way or IDENTITY
-    return FieldMapping(
+    return model.FieldMapping(
         signal=data.name,
         field=member.field,
         number_field=member.number or None,
@@ -417,7 +345,7 @@ def _mapping(use: Side, member: Member, book: MessageBook, made: Conversion | No
         catalogue_offset=None if way == IDENTITY else as_text(way.offset),
         field_units=data.vss_unit or (None if use.path else data.units) or None,
         variable=data.variable or data.name,
-        variable_type=c_definition(data.datatype, book.table),
+        variable_type=variable_type,
         variable_units=data.units or None,
         conversion=made.name if made else None,
         min=data.min,

@@ -11,34 +11,30 @@ from sigcat.integration.autosar_adaptive.code import MethodUse
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.deployment.transport import DEFAULT_TRANSPORT
 from sigcat.integration.autosar_adaptive.services.elements import Element, Service, cycle_of, event_group_of
-from sigcat.integration.autosar_adaptive.types import TypeTable
-from sigcat.integration.autosar_names import distinct, short_name
+from sigcat.integration.autosar_names import distinct_names, short_name
 from sigcat.integration.sent_values import sent
 
 
-def view(service: Service, part: str, types: TypeTable, context: Context) -> tuple[model.Services, bool] | None:
+def view(service: Service, part: str, context: Context) -> tuple[model.Services, bool] | None:
     """Return a component's part of a service, and whether it provides it; None if it does not take part in it."""
-    mine = [
-        (element, [side for side in element.sides if side.part.name == part])
-        for element in service.elements
-        if any(side.part.name == part for side in element.sides)
-    ]
+    own = ((element, [side for side in element.sides if side.part.name == part]) for element in service.elements)
+    mine = [(element, sides) for element, sides in own if sides]
     if not mine:
         return None
     return model.Services(
-        events=tuple(_event(service, element, sides, types, context) for element, sides in mine if element.is_event),
-        methods=tuple(_method(service, element, sides, types) for element, sides in mine if element.is_method),
-        fields=tuple(_field(service, element, sides, types, context) for element, sides in mine if element.is_field),
+        events=tuple(_event(service, element, sides, context) for element, sides in mine if element.is_event),
+        methods=tuple(_method(service, element, sides, context) for element, sides in mine if element.is_method),
+        fields=tuple(_field(service, element, sides, context) for element, sides in mine if element.is_field),
     ), service.group.provider == part
 
 
-def _event(service: Service, element: Element, sides: list[Side], types: TypeTable, context: Context) -> model.Event:
+def _event(service: Service, element: Element, sides: list[Side], context: Context) -> model.Event:
     leading = element.leading
     interface = leading.data
-    variables = tuple(dict.fromkeys(filter(None, map(_variable, sides))))
-    is_catalogue = _in_catalogue_datatype(interface)
-    datatype = types.on_the_wire(leading.part.function, interface.datatype, interface.vss_datatype)
-    symbols = types.symbols_sent(datatype)
+    variables = tuple(dict.fromkeys(filter(None, (side.data.variable for side in sides))))
+    is_catalogue = interface.vss_datatype is not None
+    datatype = context.types.on_the_wire(leading.part.function, interface.datatype, interface.vss_datatype)
+    symbols = context.types.symbols_sent(datatype)
     low, high = _limits(interface, symbols, provides=leading.provides)
     return model.Event(
         name=element.name,
@@ -55,7 +51,7 @@ def _event(service: Service, element: Element, sides: list[Side], types: TypeTab
         cycle_time=cycle_of(element),
         protection=service.protections.get(element.name),
         vss_path=leading.path or None,
-        uses=tuple(_use(side, symbols, types) for side in sides),
+        uses=tuple(_use(side, symbols, context) for side in sides),
     )
 
 
@@ -72,26 +68,18 @@ def _limits(interface: Signal | DataQueue, symbols: Sequence[model.Symbol], *, p
     return (sent(interface.min, interface), sent(interface.max, interface)) if provides else (None, None)
 
 
-def _variable(side: Side) -> str | None:
-    return side.data.variable
-
-
-def _in_catalogue_datatype(interface: Signal | DataQueue) -> bool:
-    return interface.vss_datatype is not None
-
-
 def _text(number: str | float | None) -> str | None:
     return None if number is None else str(number)
 
 
-def _use(side: Side, symbols: Sequence[model.Symbol], types: TypeTable) -> model.Use:
+def _use(side: Side, symbols: Sequence[model.Symbol], context: Context) -> model.Use:
     interface, part = side.data, side.part
-    own = types.symbols_of_code(part.function, interface.datatype)
+    own = context.types.symbols_of_code(part.function, interface.datatype)
     return model.Use(
         function=part.function_name,
         component=part.name,
         call=side.runnable.name,
-        code_datatype=types.c_definition(part.function, interface.datatype),
+        code_datatype=context.types.c_definition(part.function, interface.datatype),
         code_symbols=None if set(own) == set(symbols) else own or None,
         signal=interface if isinstance(interface, Signal) else None,
         queue=interface if isinstance(interface, DataQueue) else None,
@@ -102,15 +90,15 @@ def _calls(sides: Iterable[Side]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(side.call.name for side in sides if side.call))
 
 
-def _method(service: Service, element: Element, sides: list[Side], types: TypeTable) -> model.Method:
+def _method(service: Service, element: Element, sides: list[Side], context: Context) -> model.Method:
     leading = element.leading
     assert isinstance(leading.interface, MethodInterface)
     return model.Method(
         name=element.name,
         description=leading.interface.description,
         method_id=service.ids[element.name],
-        inputs=_arguments(leading, leading.interface.inputs, types),
-        outputs=_arguments(leading, leading.interface.outputs, types),
+        inputs=_arguments(leading, leading.interface.inputs, context),
+        outputs=_arguments(leading, leading.interface.outputs, context),
         calls=_calls(sides),
         uses=tuple(_method_use(side) for side in sides),
     )
@@ -121,24 +109,22 @@ def _method_use(side: Side) -> MethodUse:
     return MethodUse(function=side.function, component=side.part.name, call=side.runnable.name, method=side.interface)
 
 
-def _arguments(side: Side, listed: tuple[Argument, ...], types: TypeTable) -> tuple[model.MethodArgument, ...]:
-    names = distinct({f"{index:06d}": short_name(argument.name) for index, argument in enumerate(listed)})
+def _arguments(side: Side, listed: tuple[Argument, ...], context: Context) -> tuple[model.MethodArgument, ...]:
+    names = distinct_names([short_name(argument.name) for argument in listed])
     function = side.part.function
     return tuple(
         model.MethodArgument(
-            name=names[f"{index:06d}"],
-            datatype=types.word(function, argument.datatype),
+            name=name,
+            datatype=context.types.word(function, argument.datatype),
             unit=argument.units or None,
-            code_datatype=types.c_definition(function, argument.datatype),
+            code_datatype=context.types.c_definition(function, argument.datatype),
             argument=argument,
         )
-        for index, argument in enumerate(listed)
+        for name, argument in zip(names, listed, strict=True)
     )
 
 
-def _field(
-    service: Service, element: Element, sides: list[Side], types: TypeTable, context: Context
-) -> model.ServiceField:
+def _field(service: Service, element: Element, sides: list[Side], context: Context) -> model.ServiceField:
     leading = element.leading
     interface = leading.interface
     assert isinstance(interface, ErrorInterface | SafetyReaction | ModeInterface)
@@ -146,7 +132,7 @@ def _field(
     return model.ServiceField(
         name=element.name,
         description=interface.description,
-        datatype=types.word(leading.part.function, interface.datatype),
+        datatype=context.types.word(leading.part.function, interface.datatype),
         notifier_id=service.ids[element.name],
         getter_id=None if protection else service.ids[f"Get{element.name}"],
         event_group=event_group_of(element, context.settings.transport.get(service.name, DEFAULT_TRANSPORT)),

@@ -1,6 +1,5 @@
 """Events, methods and fields of each service: named, typed, with ids, and with every side that takes part."""
 
-from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
@@ -11,21 +10,14 @@ from sigcat.function.exchange import Element as Exchanged
 from sigcat.function.exchange import Kind, Side
 from sigcat.function.function_json.duration import time_in_a_name
 from sigcat.integration.autosar_adaptive.context import Context
-from sigcat.integration.autosar_adaptive.deployment.identifiers import (
-    EVENT_GROUPS,
-    EVENTS,
-    INSTANCE,
-    INSTANCES,
-    METHODS,
-    RULED_INSTANCES,
-    SERVICES,
-)
+from sigcat.integration.autosar_adaptive.deployment import identifiers
 from sigcat.integration.autosar_adaptive.deployment.transport import DEFAULT_TRANSPORT, TransportSettings
 from sigcat.integration.autosar_adaptive.e2e import E2eProtection
 from sigcat.integration.autosar_adaptive.services.grouping import Group, group_of, report_rivals
 from sigcat.integration.autosar_adaptive.someip.numbering import Names, numbers
 from sigcat.integration.autosar_names import distinct, event_name, short_name
 from sigcat.integration.finding_collector import Subject
+from sigcat.integration.grouping import grouped
 
 FIELD_GROUP = "Fields"
 """Event group of the notifiers of fields."""
@@ -73,21 +65,18 @@ class Service(NamedTuple):
 def services(context: Context) -> tuple[Service, ...]:
     """Every service, by name."""
     report_rivals(context)
-    by_key: defaultdict[str, list[Side]] = defaultdict(list)
-    groups: dict[str, Group] = {}
-    for side in context.exchange.sides:
-        if context.exchange.element(side).is_reported:
-            group = group_of(side, context)
-            groups.setdefault(group.key, group)
-            by_key[group.key].append(side)
-    names = distinct({key: group.name for key, group in groups.items()})
-    for key, sides in by_key.items():
-        _report_renamed(names[key], Subject(groups[key].name, sides[0].interface), context)
-    service_ids = numbers(Names(sorted(names.values()), SERVICES), context)
-    given = dict.fromkeys(names.values(), INSTANCES)
-    instances = numbers(Names(sorted(names.values()), RULED_INSTANCES, suffix=INSTANCE, given=given), context)
+    reported = (side for side in context.exchange.sides if context.exchange.element(side).is_reported)
+    by_key = grouped(((group_of(side, context), side) for side in reported), lambda pair: pair[0].key)
+    names = distinct({key: pairs[0][0].name for key, pairs in by_key.items()})
+    for key, ((group, side), *_) in by_key.items():
+        _report_renamed(names[key], Subject(group.name, side.interface), context)
+    listed = Names(sorted(names.values()), identifiers.SERVICES)
+    service_ids = numbers(listed, context)
+    given = dict.fromkeys(listed.listed, identifiers.INSTANCES)
+    ruled = listed._replace(span=identifiers.RULED_INSTANCES, suffix=identifiers.INSTANCE, given=given)
+    instances = numbers(ruled, context)
     return tuple(
-        _service(groups[key], by_key[key], name, service_ids[name], instances[name], context)
+        _service(by_key[key], name, service_ids[name], instances[name], context)
         for key, name in sorted(names.items(), key=lambda pair: pair[1])
     )
 
@@ -102,19 +91,19 @@ def element_paths(all_services: Iterable[Service]) -> dict[int, str]:
     }
 
 
-def _service(group: Group, sides: Sequence[Side], name: str, number: int, instance: int, context: Context) -> Service:
-    elements = _elements(sides, name, context)
+def _service(listed: Sequence[tuple[Group, Side]], name: str, number: int, instance: int, context: Context) -> Service:
+    elements, scope = _elements([side for _, side in listed], name, context), f"{name}."
     events = {element.name for element in elements if element.is_event}
     fields = {element.name for element in elements if element.is_field}
-    methods = {element.name for element in elements if element.is_method}
+    methods = {element.name for element in elements if element.is_method} | {f"Get{field}" for field in fields}
     ids = {
-        **numbers(Names(sorted(events | fields), EVENTS, f"{name}."), context),
-        **numbers(Names(sorted(methods | {f"Get{field}" for field in fields}), METHODS, f"{name}."), context),
+        **numbers(Names(sorted(events | fields), identifiers.EVENTS, scope), context),
+        **numbers(Names(sorted(methods), identifiers.METHODS, scope), context),
     }
     chosen = context.settings.transport.get(name, DEFAULT_TRANSPORT)
     groups = {event_group_of(element, chosen) for element in elements} - {""}
-    event_groups = numbers(Names(sorted(groups), EVENT_GROUPS, f"{name}."), context)
-    return Service(group, name, number, instance, elements, ids, event_groups)
+    event_groups = numbers(Names(sorted(groups), identifiers.EVENT_GROUPS, scope), context)
+    return Service(listed[0][0], name, number, instance, elements, ids, event_groups)
 
 
 _IN_DIGESTS: Mapping[Kind, str] = {"data": "Signal", "method": "MethodInterface", "mode out": "ModeInterface"}
@@ -123,9 +112,7 @@ _IN_DIGESTS: Mapping[Kind, str] = {"data": "Signal", "method": "MethodInterface"
 
 def _elements(sides: Sequence[Side], service: str, context: Context) -> tuple[Element, ...]:
     """Elements of a service by name."""
-    found: defaultdict[str, list[Side]] = defaultdict(list)
-    for side in sides:
-        found[f"{side.identity} {_IN_DIGESTS.get(side.kind, 'ErrorInterface')}"].append(side)
+    found = grouped(sides, lambda side: f"{side.identity} {_IN_DIGESTS.get(side.kind, 'ErrorInterface')}")
     wanted = {key: _wanted(listed[0]) for key, listed in found.items()}
     names = distinct(wanted)
     made = []

@@ -6,7 +6,7 @@ from sigcat import codes
 from sigcat.function.exchange import Side
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_names import branch_of, service_name
-from sigcat.integration.finding_collector import Subject
+from sigcat.integration.autosar_parts import several_providers
 
 MODES = "ModeManagement"
 SAFETY = "SafetyManagement"
@@ -43,13 +43,8 @@ def report_rivals(context: Context) -> None:
     for side in context.exchange.sides:
         providers = context.exchange.element(side).providers
         if side.kind in ("data", "method") and len(providers) > 1 and side is providers[1]:
-            subject, names = Subject(side.identity, side.interface), [each.part.name for each in providers]
-            message = (
-                f"{subject} must have one provider, not {', '.join(names)}. Consumers are connected to {names[0]}."
-            )
-            context.findings.report(
-                codes.SEVERAL_PROVIDERS, message, subject, "Let only one of them provide it.", key="Role"
-            )
+            message, fix = several_providers(side.identity, providers), "Let only one of them provide it."
+            context.findings.report(codes.SEVERAL_PROVIDERS, message, side, fix, key="Role")
 
 
 def _outside(side: Side, context: Context) -> Group:
@@ -59,7 +54,7 @@ def _outside(side: Side, context: Context) -> Group:
     message = f"{side.identity} ({side.where}) must have a VSS path or a provider in the set."
     fix = f"Set its path in the deployment file, as `paths: {{{side.function}.{side.interface.name}: Vehicle...}}`, or add the provider."
     fix = "Add its provider." if side.kind == "method" else fix
-    context.findings.report(codes.PROVIDER_UNKNOWN, message, Subject(side.identity, side.interface), fix)
+    context.findings.report(codes.PROVIDER_UNKNOWN, message, side, fix)
     return _of_origin(f"{side.part.name}Required")
 
 

@@ -50,18 +50,12 @@ def merged(catalogues: Sequence[Mapping[str, int]], names: Sequence[str]) -> dic
     """The ids of several catalogues. Raises InputRefused where they give a name two ids."""
     ids: dict[str, int] = {}
     findings = []
+    fix = "State the right one under `identifiers` of the deployment file, and remove the other."
     for catalogue, name in zip(catalogues, names, strict=True):
         for key, number in catalogue.items():
             if ids.setdefault(key, number) != number:
                 message = f"{key[:100]} must have one id in all id catalogues, not {ids[key]} and {number}."
-                findings.append(
-                    _wrong(
-                        message,
-                        name,
-                        0,
-                        "State the right one under `identifiers` of the deployment file, and remove the other.",
-                    )
-                )
+                findings.append(_wrong(message, name, 0, fix))
     if findings:
         raise _refused(names[-1], findings)
     return ids

@@ -28,20 +28,15 @@ def segmented(model: IntegrationModel, context: Context) -> IntegrationModel:
     for key, size in dict(_long_events(model, types)).items():
         message = f"{key} has up to {size:,} bytes, and is sent in segments of {SEGMENT:,} bytes (SOME/IP-TP)."
         context.findings.report(codes.EVENT_IN_SEGMENTS, message, key)
-    components = tuple(
-        component.model_copy(update={"services": tuple(_in_service(each, model, types) for each in component.services)})
-        for component in model.components
-    )
-    return model.model_copy(update={"components": components})
+    return model.with_interfaces(lambda each: _in_service(each, model, types))
 
 
 def _long_events(model: IntegrationModel, types: Mapping[str, TypeEntry]) -> Iterator[tuple[str, int]]:
-    for component in model.components:
-        for interface in filter(_is_udp, component.services):
-            for event in (each for services in interface.services for each in services.events):
-                size = _payload(event, types, _layout(interface, model))
-                if size is not None and size > LONGEST_PAYLOAD:
-                    yield f"{interface.name}.{event.name}", size
+    for interface in filter(_is_udp, model.interfaces):
+        for event in interface.events:
+            size = _payload(event, types, _layout(interface, model))
+            if size is not None and size > LONGEST_PAYLOAD:
+                yield f"{interface.name}.{event.name}", size
 
 
 def _in_service(

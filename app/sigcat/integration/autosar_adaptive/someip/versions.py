@@ -68,7 +68,7 @@ class Raised(NamedTuple):
 
 def raised(model: IntegrationModel, previous: IntegrationModel, stated: Mapping[str, str]) -> Raised:
     """Raise the version of each service that changed since a previous document, unless the deployment states it."""
-    before, now = _services(previous), _services(model)
+    before, now = previous.interfaces_by_name(), model.interfaces_by_name()
     versions: dict[str, Version] = {}
     findings = []
     for name in sorted(before.keys() & now.keys() - stated.keys()):
@@ -83,25 +83,12 @@ def raised(model: IntegrationModel, previous: IntegrationModel, stated: Mapping[
 
 def with_versions(model: IntegrationModel, versions: Mapping[str, Version]) -> IntegrationModel:
     """The document with versions of services by name; others keep theirs."""
-    components = tuple(
-        component.model_copy(update={"services": tuple(_with(each, versions) for each in component.services)})
-        for component in model.components
-    )
-    return model.model_copy(update={"components": components})
 
+    def changed(interface: ServiceInterface) -> ServiceInterface:
+        version = versions.get(interface.name, version_of(interface))
+        return interface.model_copy(update={"major_version": version.major, "minor_version": version.minor})
 
-def _with(interface: ServiceInterface, versions: Mapping[str, Version]) -> ServiceInterface:
-    version = versions.get(interface.name, version_of(interface))
-    return interface.model_copy(update={"major_version": version.major, "minor_version": version.minor})
-
-
-def _services(model: IntegrationModel) -> dict[str, list[ServiceInterface]]:
-    """Each service as its components have it."""
-    found: dict[str, list[ServiceInterface]] = {}
-    for component in model.components:
-        for interface in component.services:
-            found.setdefault(interface.name, []).append(interface)
-    return found
+    return model.with_interfaces(changed)
 
 
 def _next(old: Version, changes: Iterable[Change]) -> Version:
@@ -117,13 +104,10 @@ def _changes(
     if _head(before[0], previous) != _head(now[0], model):
         return [Change("breaking", "its id, its transport, or how SOME/IP lays out its data changed")]
     old, new = _elements(before, previous), _elements(now, model)
-    removed = [Change("breaking", f"{name} was removed") for name in sorted(old.keys() - new.keys())]
-    changed = [
-        Change("breaking", f"{name} changed") for name in sorted(old.keys() & new.keys()) if old[name] != new[name]
-    ]
+    changed = sorted(name for name in old.keys() & new.keys() if old[name] != new[name])
     return [
-        *removed,
-        *changed,
+        *(Change("breaking", f"{name} was removed") for name in sorted(old.keys() - new.keys())),
+        *(Change("breaking", f"{name} changed") for name in changed),
         *(Change("compatible", f"{name} was added") for name in sorted(new.keys() - old.keys())),
     ]
 

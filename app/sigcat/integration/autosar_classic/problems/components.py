@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from sigcat.asil import is_above, level_of, rank
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.model import Component, Event, Port, Runnable
-from sigcat.integration.checked_document import Problem
+from sigcat.integration.problem import Problem
 from sigcat.integration.references import unknown
 
 Interfaces = Mapping[str, tuple[str, frozenset[str]]]

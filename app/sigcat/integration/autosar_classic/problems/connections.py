@@ -1,13 +1,13 @@
 """Connections and mappings of events to tasks that an RTE generator would refuse."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 
 from sigcat.function.document.document import Pointer
-from sigcat.integration.autosar_classic.model import ClassicIntegration, Event, InitBatch, Port, Task, TaskEvent
+from sigcat.integration.autosar_classic.model import ClassicIntegration, Event, Port, TaskEvent
 from sigcat.integration.autosar_classic.problems.problem import name
 from sigcat.integration.autosar_classic.signal_lengths import needs_of
-from sigcat.integration.checked_document import Problem
-from sigcat.integration.references import unknown
+from sigcat.integration.problem import Problem
+from sigcat.integration.references import places, unknown
 
 LONGEST_SIGNAL = 512
 """Bits of a frame of CAN FD."""
@@ -117,11 +117,7 @@ def signal_problems(model: ClassicIntegration, elements: Mapping[str, frozenset[
         if each.length is not None and not 1 <= each.length <= LONGEST_SIGNAL:
             message = f"A signal must be 1 to {LONGEST_SIGNAL} bits long, not {each.length}."
             yield Problem((*here, "Length"), message, "Correct it.")
-        elif (
-            each.length is not None
-            and need is not None
-            and not need.fits(each.length, has_database=each.database is not None)
-        ):
+        elif need is not None and not need.fits(each.length, has_database=each.database is not None):
             message = f"{each.signal} must have at least {need.bits} bits for every value of {each.element}, not {each.length}."
             yield Problem((*here, "Length"), message, need.advice)
 
@@ -132,15 +128,11 @@ _Place = tuple[str, list[int]]
 
 def _mappings(model: ClassicIntegration) -> Iterator[tuple[Pointer, TaskEvent, _Place]]:
     """Every event that is mapped, where that stands, and to what."""
-    listed: tuple[tuple[str, Sequence[InitBatch | Task]], ...] = (
-        ("InitBatches", model.ecu.init_batches),
-        ("Tasks", model.ecu.tasks),
-    )
-    for kind, places in listed:
-        for index, place in enumerate(places):
+    for kind in ("InitBatches", "Tasks"):
+        for at, place in places(model, f"Ecu/{kind}/*"):
             positions = [each.position for each in place.events]
-            for number, entry in enumerate(place.events):
-                yield ("Ecu", kind, index, "Events", number), entry, (place.name, positions)
+            for here, entry in places(place, "Events/*", at):
+                yield here, entry, (place.name, positions)
 
 
 def _in_ticks(event: Event, key: tuple[str, str], at: Pointer, model: ClassicIntegration) -> Iterator[Problem]:

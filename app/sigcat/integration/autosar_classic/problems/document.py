@@ -14,7 +14,7 @@ from sigcat.integration.autosar_classic.problems.types import type_problems
 from sigcat.integration.autosar_classic.problems.uses import use_problems
 from sigcat.integration.autosar_classic.problems.values import value_problems
 from sigcat.integration.autosar_classic.problems.windows import window_problems
-from sigcat.integration.checked_document import Problem
+from sigcat.integration.problem import Problem
 
 
 def problems_of(model: ClassicIntegration) -> Iterator[Problem]:
@@ -22,9 +22,8 @@ def problems_of(model: ClassicIntegration) -> Iterator[Problem]:
     yield from names_of(model)
     if model.deployment.tick < 1:
         message = f"A tick must be at least 1 µs, not {model.deployment.tick}."
-        yield Problem(
-            ("ClassicDeployment", "Tick"), message, "Name the period of the counter that starts timing events."
-        )
+        fix = "Name the period of the counter that starts timing events."
+        yield Problem(("ClassicDeployment", "Tick"), message, fix)
     yield from type_problems(model)
     yield from literal_problems(model)
     yield from value_problems(model)

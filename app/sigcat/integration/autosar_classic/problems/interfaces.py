@@ -9,7 +9,7 @@ from sigcat.integration.autosar_classic.model import (
     Component,
     ModeGroup,
 )
-from sigcat.integration.checked_document import Problem
+from sigcat.integration.problem import Problem
 from sigcat.integration.references import places, unknown
 
 _MODE_TYPES = ("uint8", "uint16", "uint32")

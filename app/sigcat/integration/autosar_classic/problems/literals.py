@@ -6,7 +6,7 @@ from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.datatypes.used_types import enumerations_of, exchanged_types
 from sigcat.integration.autosar_classic.model import ClassicIntegration, CompuMethod
 from sigcat.integration.autosar_classic.problems.problem import identifier
-from sigcat.integration.checked_document import Problem
+from sigcat.integration.problem import Problem
 
 
 def literal_problems(model: ClassicIntegration) -> Iterator[Problem]:

@@ -8,7 +8,8 @@ from pydantic import BaseModel
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.problems.names_table import NAMESPACES, REFERENCES, SINGLE_NAMES
 from sigcat.integration.autosar_names import LONGEST_SHORT_NAME
-from sigcat.integration.checked_document import Problem
+from sigcat.integration.grouping import grouped
+from sigcat.integration.problem import Problem
 from sigcat.integration.references import places, unknown_names
 from sigcat.names import IDENTIFIER
 from sigcat.reserved_words import is_reserved
@@ -22,10 +23,8 @@ def names_of(model: BaseModel) -> Iterator[Problem]:
         for at, given in places(model, path):
             yield from name(at, given)
     for space in NAMESPACES:
-        found: dict[Pointer, list[tuple[Pointer, str]]] = {}
-        for at, given in (place for path in space for place in places(model, f"{path}/*/Name")):
-            found.setdefault(at[:-3], []).append((at, given))
-        for within in found.values():
+        names = (place for path in space for place in places(model, f"{path}/*/Name"))
+        for within in grouped(names, lambda place: place[0][:-3]).values():
             yield from _distinct(within)
     yield from unknown_names(model, REFERENCES)
 

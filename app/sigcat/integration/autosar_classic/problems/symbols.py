@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.model import ClassicIntegration, Component, PerInstanceMemory
 from sigcat.integration.autosar_classic.problems.problem import identifier, name
-from sigcat.integration.checked_document import Problem
+from sigcat.integration.problem import Problem
 from sigcat.integration.references import places
 
 _OF_BASE_SOFTWARE = ("Rte_", "SchM_", "Dem_", "NvM_", "WdgM_", "FiM_", "Os_", "EcuM_", "BswM_")

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.datatypes.platform_types import FLOATS, WHOLE_NUMBERS
 from sigcat.integration.autosar_classic.model import ApplicationType, ClassicIntegration, ImplementationType
-from sigcat.integration.checked_document import Problem
+from sigcat.integration.problem import Problem
 from sigcat.integration.references import unknown
 
 PLATFORM_TYPES = (*WHOLE_NUMBERS, *FLOATS)

@@ -6,7 +6,7 @@ from sigcat.function.document.document import Pointer
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.walk import data, errors, methods, parameters, safety_reactions
 from sigcat.integration.autosar_classic.model import ClassicIntegration, Component, Element, Port
-from sigcat.integration.checked_document import Problem
+from sigcat.integration.problem import Problem
 from sigcat.integration.references import unknown
 
 _WITH_USES = frozenset(

@@ -8,7 +8,7 @@ from sigcat.function.document.text import Text
 from sigcat.integration.autosar_classic.datatypes.platform_types import FLOATS, WHOLE_NUMBERS
 from sigcat.integration.autosar_classic.datatypes.used_types import element_types
 from sigcat.integration.autosar_classic.model import ClassicIntegration, ImplementationType
-from sigcat.integration.checked_document import Problem
+from sigcat.integration.problem import Problem
 from sigcat.integration.references import places
 
 

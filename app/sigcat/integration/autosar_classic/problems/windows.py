@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.deployment.releases import RELEASES_WITH_ONE_WINDOW
 from sigcat.integration.autosar_classic.model import ClassicIntegration, E2eWindow, E2eWindows
-from sigcat.integration.checked_document import Problem
+from sigcat.integration.problem import Problem
 from sigcat.integration.references import places
 
 

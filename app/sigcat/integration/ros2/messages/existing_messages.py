@@ -16,28 +16,14 @@ from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.runnable import Contract
 from sigcat.integration.datatypes import Spelling
+from sigcat.integration.problem import Problem
 from sigcat.integration.ros2.messages.field_types import FieldType, field_type, sent
 from sigcat.integration.ros2.messages.message_definitions import Definitions, Field, MessageError, holds, short_name
+from sigcat.integration.ros2.model import FixedField
 from sigcat.integration.ros2.settings import FieldSettings, MessageSettings, Ros2Settings
 from sigcat.names import either
 
 SECTION = ("ros2", "messages")
-
-
-class MappingProblem(NamedTuple):
-    """A problem of an entry of `messages` in the deployment file."""
-
-    at: Pointer
-    message: str
-    fix: str = ""
-
-
-class FixedValue(NamedTuple):
-    """The value that a field always has."""
-
-    path: str
-    datatype: str
-    value: Any
 
 
 class ExistingTopic(NamedTuple):
@@ -47,7 +33,8 @@ class ExistingTopic(NamedTuple):
     """`geometry_msgs/msg/Twist`."""
     stamp: str | None
     """Path of its time."""
-    values: tuple[FixedValue, ...]
+    values: tuple[FixedField, ...]
+    """Fields that always have one value."""
 
 
 class MappedField(NamedTuple):
@@ -70,7 +57,7 @@ class ExistingMessages(NamedTuple):
     topics: Mapping[str, ExistingTopic]
     fields: Mapping[str, MappedField]
     """By the key of the signal."""
-    problems: tuple[MappingProblem, ...]
+    problems: tuple[Problem, ...]
     ways: Mapping[str, Linear] = {}
     """From the unit of the field to that of the catalogue, by the key of the signal."""
 
@@ -80,14 +67,14 @@ def existing_messages(settings: Ros2Settings) -> ExistingMessages:
     definitions = Definitions(settings.message_definitions)
     topics: dict[str, ExistingTopic] = {}
     fields: dict[str, MappedField] = {}
-    problems: list[MappingProblem] = []
+    problems: list[Problem] = []
     for topic, message in settings.messages.items():
         at: Pointer = (*SECTION, topic)
         name = short_name(message.type)
         try:
             stamp = definitions.stamp(name)
         except MessageError as error:
-            problems.append(MappingProblem((*at, "type"), f"{error}.", _NOT_FOUND))
+            problems.append(Problem((*at, "type"), f"{error}.", _NOT_FOUND))
             continue
         package, _, plain = name.partition("/")
         topics[topic] = ExistingTopic(
@@ -98,14 +85,14 @@ def existing_messages(settings: Ros2Settings) -> ExistingMessages:
             try:
                 found = MappedField(topic, path, definitions.field(name, path), entry)
             except MessageError as error:
-                problems.append(MappingProblem(own, f"{error}."))
+                problems.append(Problem(own, f"{error}."))
                 continue
             if entry.signal in fields:
                 other = fields[entry.signal]
                 text = f"{entry.signal} must have one field, not {other.path} of {other.topic} and {path} of {topic}."
-                problems.append(MappingProblem(own, text, "Remove one of them."))
+                problems.append(Problem(own, text, "Remove one of them."))
             elif path in (stamp, f"{stamp}.sec", f"{stamp}.nanosec"):
-                problems.append(MappingProblem(own, f"{path} must have the time of the call, not a signal."))
+                problems.append(Problem(own, f"{path} must have the time of the call, not a signal."))
             else:
                 fields[entry.signal] = found
     return ExistingMessages(topics, fields, tuple(problems))
@@ -118,22 +105,22 @@ _NOT_FOUND = (
 
 
 def _values(
-    message: MessageSettings, name: str, definitions: Definitions, at: Pointer, problems: list[MappingProblem]
-) -> Iterator[FixedValue]:
+    message: MessageSettings, name: str, definitions: Definitions, at: Pointer, problems: list[Problem]
+) -> Iterator[FixedField]:
     for path, value in message.values.items():
         own = (*at, "values", path)
         try:
             field = definitions.field(name, path)
         except MessageError as error:
-            problems.append(MappingProblem(own, f"{error}."))
+            problems.append(Problem(own, f"{error}."))
             continue
         if path in message.fields:
-            problems.append(MappingProblem(own, f"{path} must have a signal or a value, not both.", "Remove one."))
+            problems.append(Problem(own, f"{path} must have a signal or a value, not both.", "Remove one."))
         elif field.array or field.element is None or not holds(field.element, value):
             kind = f"{field.type}{field.array}"
-            problems.append(MappingProblem(own, f"{path} must have a value of {kind}, not {str(value)[:60]!r}."))
+            problems.append(Problem(own, f"{path} must have a value of {kind}, not {str(value)[:60]!r}."))
         else:
-            yield FixedValue(path, field.element.ros2, value)
+            yield FixedField(field=path, field_type=field.element.ros2, value=value)
 
 
 # -- functions ----------------------------------------------------------------------------------------------------
@@ -143,7 +130,7 @@ def with_existing_messages(
     functions: Sequence[ResolvedFunction], messages: ExistingMessages, paths: Mapping[str, str]
 ) -> tuple[tuple[ResolvedFunction, ...], ExistingMessages]:
     """Give mapped signals the datatype, unit and numbers of their fields, and add the problems of those that do not fit."""
-    problems: dict[MappingProblem, None] = {}
+    problems: dict[Problem, None] = {}
     ways: dict[str, Linear] = {}
 
     def changed(function: FunctionJson) -> FunctionJson:
@@ -158,14 +145,14 @@ def with_existing_messages(
                 made = _mapped(item, field, table)
                 ways[field.settings.signal] = _unit(item, field).inverse
             except _DoesNotFit as reason:
-                problems[MappingProblem(field.at, str(reason), reason.fix)] = None
+                problems[Problem(field.at, str(reason), reason.fix)] = None
                 return item
             return made
 
         return _each_signal(function, mapped)
 
     made = tuple(replace(each, function=changed(each.function)) if messages.fields else each for each in functions)
-    wrong = {problem.at for problem in problems}
+    wrong = {problem.pointer for problem in problems}
     fitting = {key: field for key, field in messages.fields.items() if field.at not in wrong}
     return made, messages._replace(fields=fitting, problems=(*messages.problems, *problems), ways=ways)
 
@@ -207,7 +194,9 @@ def _mapped(item: Signal | DataQueue, mapped: MappedField, table: Mapping[str, D
     element = mapped.field.element
     if element is None or own.element is None or own.suffix != mapped.field.array:
         kind = f"{mapped.field.type}{mapped.field.array}"
-        raise _DoesNotFit(f"{mapped.settings.signal} is {_kind(own)}, which {mapped.path}, {kind}, cannot have.")
+        name = f"the struct {own.struct}" if own.element is None else own.element.vss
+        signal = f"{mapped.settings.signal} is {name}{own.suffix}"
+        raise _DoesNotFit(f"{signal}, which {mapped.path}, {kind}, cannot have.")
     symbols, way = _symbols(own, element, mapped), _unit(item, mapped)
     factor, offset = (of_text(text or "") for text in (item.conversion_factor, item.conversion_offset))
     whole = Linear(factor or IDENTITY.factor, offset or IDENTITY.offset).then(way)
@@ -225,11 +214,6 @@ def _mapped(item: Signal | DataQueue, mapped: MappedField, table: Mapping[str, D
 def _limit(value: float | None, way: Linear) -> float | None:
     number = None if value is None else of_text(repr(value))
     return None if number is None else as_number(way(number))
-
-
-def _kind(own: FieldType) -> str:
-    name = f"the struct {own.struct}" if own.element is None else own.element.vss
-    return f"{name}{own.suffix}"
 
 
 def _symbols(own: FieldType, element: Spelling, mapped: MappedField) -> tuple[EnumerationValue, ...]:

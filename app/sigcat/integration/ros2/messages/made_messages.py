@@ -79,9 +79,8 @@ class MessageBook:
             return self._structs[reference]
         if reference in self._open:
             message = f"{interface}: {reference} must not contain itself: no ROS 2 message can."
-            self._findings.report(
-                codes.DATATYPE_UNRESOLVED, message, interface, "Break the cycle, for instance with an index."
-            )
+            fix = "Break the cycle, for instance with an index."
+            self._findings.report(codes.DATATYPE_UNRESOLVED, message, interface, fix)
             return None
         self._open.append(reference)
         members = self._members(self.table[reference], interface)
@@ -128,9 +127,8 @@ class MessageBook:
 def unresolved(findings: FindingCollector, interface: Subject, reference: str) -> None:
     """Note that a datatype cannot be resolved."""
     message = f"{interface}: the datatype {reference} must be defined, with a C type. The field is left out."
-    findings.report(
-        codes.DATATYPE_UNRESOLVED, message, interface, f"Define {reference} under `Datatypes`, with its `cDef`."
-    )
+    fix = f"Define {reference} under `Datatypes`, with its `cDef`."
+    findings.report(codes.DATATYPE_UNRESOLVED, message, interface, fix)
 
 
 def constants(
