@@ -54,9 +54,9 @@ def last_name(path: str) -> str:
     return path.rpartition(".")[2]
 
 
-def either(names: Iterable[str]) -> str:
-    """Names as a choice: `QM, A or B`."""
-    *others, last = names
+def either(choices: Iterable[object]) -> str:
+    """Names or numbers as a choice: `QM, A or B`."""
+    *others, last = map(str, choices)
     return f"{', '.join(others)} or {last}" if others else last
 
 

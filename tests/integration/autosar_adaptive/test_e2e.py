@@ -198,8 +198,9 @@ def test_data_ids_are_kept_by_the_keys_that_fix_them():
         ([{"Profile": 4, "DataID": 7}, {"Profile": 5, "DataID": 7}], "must have different ids, not both 7"),
         ([{"Profile": 4, "DataID": 2**32}], "4294967295"),
         ([{"Profile": 8, "DataID": 7}], "4, 5, 6 or 7"),
+        ([{"DataID": 7}], "Write Profile: 4, 5, 6 or 7."),
     ],
-    ids=["16 bits", "twice", "32 bits", "profile"],
+    ids=["16 bits", "twice", "32 bits", "profile", "no profile"],
 )
 def test_a_document_with_other_data_ids_or_profiles_is_refused(given, message):
     document = json.loads(written(derived({}).model))
@@ -208,7 +209,7 @@ def test_a_document_with_other_data_ids_or_profiles_is_refused(given, message):
         event["E2eProtection"] = {"MaxDeltaCounter": 1, **protection}
     with pytest.raises(InputRefused) as refused:
         read_integration(json.dumps(document).encode(), "integration.json")
-    assert any(message in finding.message for finding in refused.value.findings), refused.value.findings
+    assert any(message in finding.message + finding.fix for finding in refused.value.findings), refused.value.findings
 
 
 @pytest.mark.parametrize(

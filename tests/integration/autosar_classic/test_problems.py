@@ -142,6 +142,9 @@ CHANGES = {
         lambda d: d["Ecu"]["Tasks"][0]["Events"].append({**d["Ecu"]["InitBatches"][0]["Events"][0], "Position": 99}),
         "must be in one task",
     ),
+    "a period longer than any number of ticks": (
+        lambda d: of(first(d)["Events"], "Step_50ms").update(Period=1e308), "whole ticks of 1000 µs, not 1e+308 s",
+    ),
     "a period of 0": (lambda d: of(first(d)["Events"], "Step_50ms").update(Period=0), "period above 0"),
     "no initial value": (lambda d: of(first(d)["Ports"], "Vehicle_Speed")["Elements"][0].pop("InitValue"), "initial value"),
     "a queue of nothing": (lambda d: first(d)["Ports"][0]["Elements"][0].update(QueueLength=0), "hold at least 1"),

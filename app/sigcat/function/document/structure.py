@@ -257,8 +257,8 @@ def _keys_beside(location: Pointer, model: type[BaseModel]) -> list[str]:
     return list(fields_of(fields)) if fields else []
 
 
-def _words_at(location: Pointer, model: type[BaseModel]) -> Sequence[str]:
-    """Words of which the field at a location has one; none for a field of another type."""
+def _words_at(location: Pointer, model: type[BaseModel]) -> Sequence[str | int]:
+    """Words or numbers of which the field at a location has one; none for a field of another type."""
     holder = model_at(model, location[:-1])
     annotation = fields_of(holder).get(str(location[-1])) if holder else None
     return get_args(annotation) if get_origin(annotation) is Literal else ()

@@ -9,9 +9,9 @@ from typing import Any, NamedTuple
 
 from sigcat.catalogue.model.definition import CORE_ATTRIBUTES, Definition
 from sigcat.findings import shown
-from sigcat.names import did_you_mean
+from sigcat.names import did_you_mean, either
 from sigcat.rules.checks.attributes import is_empty
-from sigcat.rules.checks.kind import BadOption, Kind, NodeTest, either, is_number
+from sigcat.rules.checks.kind import BadOption, Kind, NodeTest, is_number
 from sigcat.rules.patterns import Pattern, compile_pattern
 from sigcat.rules.problem import Problem, Repair
 from sigcat.rules.record import Rule

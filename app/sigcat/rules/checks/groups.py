@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from sigcat.asil import is_above, level_of, rank
 from sigcat.catalogue.model.definition import BRANCH, Definition
 from sigcat.catalogue.model.interfaces import category_of
-from sigcat.names import last_name, parent_path
-from sigcat.rules.checks.kind import NodeTest, either, listed
+from sigcat.names import either, last_name, parent_path
+from sigcat.rules.checks.kind import NodeTest, listed
 from sigcat.rules.patterns import compile_pattern
 from sigcat.rules.problem import Problem
 from sigcat.rules.record import Rule

@@ -6,7 +6,7 @@ from typing import Any, Literal, NamedTuple
 
 from sigcat.catalogue.model.definition import Definition
 from sigcat.findings import shown
-from sigcat.names import did_you_mean
+from sigcat.names import did_you_mean, either
 from sigcat.rules.problem import LineProblem, Problem
 from sigcat.rules.record import Rule
 from sigcat.rules.tree import Tree
@@ -159,12 +159,6 @@ def listed(names: Iterable[str], last: str = "and") -> str:
     """Names as an enumeration: `a`, `b` and `c`."""
     quoted = [f"`{name}`" for name in names]
     return " ".join(part for part in (", ".join(quoted[:-1]), last if len(quoted) > 1 else "", quoted[-1]) if part)
-
-
-def either(values: Iterable[Any]) -> str:
-    """Values of which one is allowed: a, b or c."""
-    *first, last = map(str, values)
-    return f"{', '.join(first)} or {last}" if first else last
 
 
 def nested(values: Mapping[str, Any], dotted: str) -> Any:

@@ -1,6 +1,7 @@
 """Connections and mappings of events to tasks that an RTE generator would refuse."""
 
 from collections.abc import Iterator, Mapping
+from math import isfinite
 
 from sigcat.function.document.document import Pointer
 from sigcat.integration.autosar_classic.model import ClassicIntegration, Event, Port, TaskEvent
@@ -139,7 +140,7 @@ def _in_ticks(event: Event, key: tuple[str, str], at: Pointer, model: ClassicInt
     """Periods and offsets that the counter can count."""
     for what, seconds in (("period", event.period), ("offset", event.offset)):
         ticks = (seconds or 0) * 1_000_000 / max(model.deployment.tick, 1)
-        if abs(ticks - round(ticks)) > 1e-6:
+        if not isfinite(ticks) or abs(ticks - round(ticks)) > 1e-6:
             message = (
                 f"The {what} of {'.'.join(key)} must be whole ticks of {model.deployment.tick} µs, not {seconds} s."
             )
