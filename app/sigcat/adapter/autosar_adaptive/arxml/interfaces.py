@@ -3,18 +3,9 @@
 from collections.abc import Iterable
 from typing import NamedTuple, TypeVar
 
-from sigcat.adapter.arxml.tree import (
-    Package,
-    Tag,
-    description,
-    listed,
-    namespaces,
-    reference,
-    tag,
-    trace,
-)
+from sigcat.adapter.arxml.tree import Package, Tag, description, listed, namespaces, tag, trace
 from sigcat.adapter.autosar_adaptive.arxml.method_errors import possible_errors
-from sigcat.adapter.autosar_adaptive.arxml.paths import INTERFACES, TYPE
+from sigcat.adapter.autosar_adaptive.arxml.paths import INTERFACES
 from sigcat.adapter.autosar_adaptive.arxml.types import Library, Presentation, presentation
 from sigcat.integration.autosar_adaptive.deployment.namespaces import parts
 from sigcat.integration.autosar_adaptive.deployment.someip_settings import TransformationSettings
@@ -105,8 +96,7 @@ def _interface(service: Whole, known: Library) -> Tag:
         "SERVICE-INTERFACE",
         trace([("Origin", service.origin)]),
         namespaces(parts(service.namespace), names),
-        tag("MAJOR-VERSION", text=service.version.major),
-        tag("MINOR-VERSION", text=service.version.minor),
+        {"MAJOR-VERSION": service.version.major, "MINOR-VERSION": service.version.minor},
         listed("EVENTS", (_event(event, known) for event in service.events)),
         listed("FIELDS", (_field(field, known) for field in service.fields)),
         listed("METHODS", (_method(method, known) for method in service.methods)),
@@ -120,29 +110,21 @@ def _event(event: Event, known: Library) -> Tag:
         description(event.description),
         trace([("VssPath", event.vss_path), ("CycleTimeMs", event.cycle_time)]),
         known.properties(presentation(event)),
-        reference("TYPE-TREF", known.type_path(event.datatype), TYPE),
+        known.typed(event.datatype),
         name=event.name,
     )
 
 
 def _field(field: ServiceField, known: Library) -> Tag:
+    status = (("Error", field.error), ("SafetyReaction", field.safety_reaction), ("Mode", field.mode))
     return tag(
         "FIELD",
         description(field.description),
-        trace([("VssPath", field.vss_path), *_status(field)]),
-        reference("TYPE-TREF", known.type_path(field.word), TYPE),
-        tag("HAS-GETTER", text="false" if field.protection else "true"),
-        tag("HAS-NOTIFIER", text="true"),
-        tag("HAS-SETTER", text="false"),
+        trace([("VssPath", field.vss_path), *status]),
+        known.typed(field.word),
+        {"HAS-GETTER": not field.protection, "HAS-NOTIFIER": True, "HAS-SETTER": False},
         name=field.name,
     )
-
-
-def _status(field: ServiceField) -> Iterable[tuple[str, object]]:
-    """The whole error, safety reaction or mode of a field."""
-    for key, status in (("Error", field.error), ("SafetyReaction", field.safety_reaction), ("Mode", field.mode)):
-        if status is not None:
-            yield key, status.model_dump(mode="json", exclude_none=True)
 
 
 def _method(method: Method, known: Library) -> Tag:
@@ -155,7 +137,7 @@ def _method(method: Method, known: Library) -> Tag:
         "CLIENT-SERVER-OPERATION",
         description(method.description),
         listed("ARGUMENTS", arguments),
-        tag("FIRE-AND-FORGET", text="false"),
+        {"FIRE-AND-FORGET": False},
         possible_errors(known.paths),
         name=method.name,
     )
@@ -164,8 +146,8 @@ def _method(method: Method, known: Library) -> Tag:
 def _argument(argument: MethodArgument, direction: str, known: Library) -> Tag:
     return tag(
         "ARGUMENT-DATA-PROTOTYPE",
-        known.properties(Presentation(argument.unit, None, None, None, None)),
-        reference("TYPE-TREF", known.type_path(argument.datatype), TYPE),
-        tag("DIRECTION", text=direction),
+        known.properties(Presentation(argument.unit)),
+        known.typed(argument.datatype),
+        {"DIRECTION": direction},
         name=argument.name,
     )

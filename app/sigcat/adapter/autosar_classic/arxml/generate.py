@@ -1,10 +1,10 @@
 """From an integration model to ARXML of a release of AUTOSAR Classic, in the files that integrators expect."""
 
-from autosar_data import AutosarDataError
+from collections.abc import Mapping
 
 from sigcat import codes
 from sigcat.adapter.arxml.paths import Paths
-from sigcat.adapter.arxml.tree import document_trace, written
+from sigcat.adapter.arxml.tree import Package, document_trace, files
 from sigcat.adapter.autosar_classic.arxml import (
     components,
     composition,
@@ -41,7 +41,6 @@ def generate(model: ClassicIntegration, release_name: str | None = None) -> tupl
     release = BY_NAME[name]  # type: ignore[index]
     known = library(model, paths, release)
     content = {
-        PLATFORM_FILE: types.platform_packages(model),
         "types.arxml": types.packages(model, known),
         "interfaces.arxml": [types.mode_groups(model.mode_groups, known), interfaces.package(model, known)],
         "components.arxml": components.packages(model, known, release),
@@ -51,23 +50,15 @@ def generate(model: ClassicIntegration, release_name: str | None = None) -> tupl
         "configuration.arxml": [configuration.package(model, known, release)],
     }
     about = {"composition.arxml": document_trace(model.meta, model.info, model.provenance)}
-    try:
-        return tuple(
-            GeneratedFile(
-                name,
-                written(
-                    name,
-                    PLATFORM.root if name == PLATFORM_FILE else paths.root,
-                    packages,
-                    release.schema,
-                    about.get(name),
-                ),
-            )
-            for name, packages in content.items()
-            if any(package.elements for package in packages)
-        )
-    except AutosarDataError as error:
-        raise InputRefused(f"The integration cannot be written as ARXML: {error}") from error
+    return (
+        *files(_filled({PLATFORM_FILE: types.platform_packages(model)}), PLATFORM.root, release.schema, {}),
+        *files(_filled(content), paths.root, release.schema, about),
+    )
+
+
+def _filled(content: Mapping[str, list[Package]]) -> dict[str, list[Package]]:
+    """The files that have any element."""
+    return {name: packages for name, packages in content.items() if any(package.elements for package in packages)}
 
 
 def _refuse_windows(model: ClassicIntegration, release: str) -> None:
