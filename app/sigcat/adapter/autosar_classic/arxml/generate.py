@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 
 from sigcat import codes
-from sigcat.adapter.arxml.paths import Paths
 from sigcat.adapter.arxml.tree import Package, document_trace, files
 from sigcat.adapter.autosar_classic.arxml import (
     components,
@@ -35,24 +34,23 @@ def generate(model: ClassicIntegration, release_name: str | None = None) -> tupl
     The same model gives the same bytes. They are of the release that is asked for, or else of that of the model.
     Raises InputRefused if the model names what AUTOSAR cannot.
     """
-    paths = Paths(model.deployment.package)
     name = release_name or model.deployment.release
     _refuse_windows(model, name)
     release = BY_NAME[name]  # type: ignore[index]
-    known = library(model, paths, release)
+    known = library(model, release)
     content = {
-        "types.arxml": types.packages(model, known),
-        "interfaces.arxml": [types.mode_groups(model.mode_groups, known), interfaces.package(model, known)],
-        "components.arxml": components.packages(model, known, release),
-        "composition.arxml": [composition.package(model, known)],
-        "system.arxml": system.packages(model, known),
-        "diagnosis.arxml": diagnosis.packages(model, known, release),
-        "configuration.arxml": [configuration.package(model, known, release)],
+        "types.arxml": types.packages(known),
+        "interfaces.arxml": [types.mode_groups(known), interfaces.package(known)],
+        "components.arxml": components.packages(known),
+        "composition.arxml": [composition.package(known)],
+        "system.arxml": system.packages(known),
+        "diagnosis.arxml": diagnosis.packages(known),
+        "configuration.arxml": [configuration.package(known)],
     }
     about = {"composition.arxml": document_trace(model.meta, model.info, model.provenance)}
     return (
         *files(_filled({PLATFORM_FILE: types.platform_packages(model)}), PLATFORM.root, release.schema, {}),
-        *files(_filled(content), paths.root, release.schema, about),
+        *files(_filled(content), known.paths.root, release.schema, about),
     )
 
 

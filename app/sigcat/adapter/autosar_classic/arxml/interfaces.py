@@ -1,8 +1,16 @@
 """Port interfaces: data, operations, modes and parameters."""
 
-from collections.abc import Iterable
-
-from sigcat.adapter.arxml.tree import Package, Tag, definition_properties, description, listed, reference, tag, trace
+from sigcat.adapter.arxml.tree import (
+    Package,
+    Tag,
+    definition_properties,
+    description,
+    listed,
+    reference,
+    references,
+    tag,
+    trace,
+)
 from sigcat.adapter.autosar_classic.arxml.library import Library
 from sigcat.adapter.autosar_classic.arxml.paths import (
     IMPLEMENTATION_TYPE,
@@ -14,7 +22,6 @@ from sigcat.adapter.autosar_classic.arxml.paths import (
     VARIABLE,
 )
 from sigcat.integration.autosar_classic.model import (
-    ClassicIntegration,
     ClientServerInterface,
     DataElement,
     ModeSwitchInterface,
@@ -33,8 +40,9 @@ _SERVICE_KINDS = {
 }
 
 
-def package(model: ClassicIntegration, known: Library) -> Package:
+def package(known: Library) -> Package:
     """The package of port interfaces."""
+    model = known.model
     return Package(
         INTERFACES,
         (
@@ -46,52 +54,41 @@ def package(model: ClassicIntegration, known: Library) -> Package:
     )
 
 
-def _service(kind: str | None) -> Iterable[Tag | None]:
+def _service(kind: str | None) -> dict[str, str | bool | None]:
     """IS-SERVICE and the module of the base software that offers it, if one does."""
-    yield tag("IS-SERVICE", text="true" if kind else "false")
-    if kind:
-        yield tag("SERVICE-KIND", text=_SERVICE_KINDS.get(kind, "VENDOR-SPECIFIC"))
+    return {"IS-SERVICE": bool(kind), "SERVICE-KIND": _SERVICE_KINDS.get(kind, "VENDOR-SPECIFIC") if kind else None}
 
 
 def _sender_receiver(interface: SenderReceiverInterface, known: Library) -> Tag:
-    return tag(
-        "SENDER-RECEIVER-INTERFACE",
-        description(interface.description),
-        *_service(None),
-        listed("DATA-ELEMENTS", (_element(VARIABLE, each, known) for each in interface.elements)),
-        name=interface.name,
-    )
+    text = description(interface.description)
+    elements = listed("DATA-ELEMENTS", (_element(VARIABLE, each, known) for each in interface.elements))
+    return tag("SENDER-RECEIVER-INTERFACE", text, _service(None), elements, name=interface.name)
 
 
 def _element(kind: str, element: DataElement, known: Library) -> Tag:
+    access = tag("SW-CALIBRATION-ACCESS", text="READ-WRITE" if kind == PARAMETER else "READ-ONLY")
     policy = tag("SW-IMPL-POLICY", text="QUEUED" if element.queued else "STANDARD")
     return tag(
         kind,
         description(element.description),
         trace([("VssPath", element.vss_path), ("Unit", element.unit)]),
-        definition_properties(_access(kind), policy),
+        definition_properties(access, policy),
         known.type_reference("TYPE-TREF", element.type),
         name=element.name,
     )
 
 
-def _access(kind: str) -> Tag:
-    return tag("SW-CALIBRATION-ACCESS", text="READ-WRITE" if kind == PARAMETER else "READ-ONLY")
-
-
 def _parameters(interface: ParameterInterface, known: Library) -> Tag:
     elements = (_element(PARAMETER, each, known) for each in interface.elements)
-    return tag("PARAMETER-INTERFACE", *_service(None), listed("PARAMETERS", elements), name=interface.name)
+    return tag("PARAMETER-INTERFACE", _service(None), listed("PARAMETERS", elements), name=interface.name)
 
 
 def _client_server(interface: ClientServerInterface, known: Library) -> Tag:
-    path = known.paths.of(INTERFACES, interface.name)
-    errors = (
-        tag("APPLICATION-ERROR", tag("ERROR-CODE", text=each.value), name=each.name) for each in interface.errors or ()
-    )
+    path = known.path(INTERFACES, interface.name)
+    errors = (tag("APPLICATION-ERROR", {"ERROR-CODE": each.value}, name=each.name) for each in interface.errors or ())
     return tag(
         "CLIENT-SERVER-INTERFACE",
-        *_service(interface.service),
+        _service(interface.service),
         listed("OPERATIONS", (_operation(each, path, known) for each in interface.operations)),
         listed("POSSIBLE-ERRORS", errors),
         name=interface.name,
@@ -99,14 +96,12 @@ def _client_server(interface: ClientServerInterface, known: Library) -> Tag:
 
 
 def _operation(operation: Operation, interface: str, known: Library) -> Tag:
-    errors = (
-        reference("POSSIBLE-ERROR-REF", f"{interface}/{name}", "APPLICATION-ERROR") for name in operation.errors or ()
-    )
+    errors = (f"{interface}/{name}" for name in operation.errors or ())
     return tag(
         OPERATION,
         description(operation.description),
         listed("ARGUMENTS", (_argument(each, known) for each in operation.arguments)),
-        listed("POSSIBLE-ERROR-REFS", errors),
+        references("POSSIBLE-ERROR-REF", errors, "APPLICATION-ERROR"),
         name=operation.name,
     )
 
@@ -116,17 +111,12 @@ def _argument(argument: OperationArgument, known: Library) -> Tag:
         "ARGUMENT-DATA-PROTOTYPE",
         trace([("Unit", argument.unit)]),
         reference("TYPE-TREF", known.implementation_path(argument.type), IMPLEMENTATION_TYPE),
-        tag("DIRECTION", text=argument.direction),
-        tag("SERVER-ARGUMENT-IMPL-POLICY", text="USE-ARGUMENT-TYPE"),
+        {"DIRECTION": argument.direction, "SERVER-ARGUMENT-IMPL-POLICY": "USE-ARGUMENT-TYPE"},
         name=argument.name,
     )
 
 
 def _mode_switch(interface: ModeSwitchInterface, known: Library) -> Tag:
-    group = reference("TYPE-TREF", known.paths.of(MODE_GROUPS, interface.group), MODE_GROUP)
-    return tag(
-        "MODE-SWITCH-INTERFACE",
-        *_service(interface.service),
-        tag("MODE-GROUP", group, name=interface.prototype),
-        name=interface.name,
-    )
+    group = reference("TYPE-TREF", known.path(MODE_GROUPS, interface.group), MODE_GROUP)
+    prototype = tag("MODE-GROUP", group, name=interface.prototype)
+    return tag("MODE-SWITCH-INTERFACE", _service(interface.service), prototype, name=interface.name)
