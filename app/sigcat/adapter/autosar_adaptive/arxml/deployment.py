@@ -19,6 +19,7 @@ from sigcat.adapter.autosar_adaptive.arxml.paths import (
 )
 from sigcat.adapter.autosar_adaptive.arxml.someip import EVENT, NOTIFIER, element_name
 from sigcat.adapter.autosar_adaptive.arxml.types import Library
+from sigcat.integration.autosar_adaptive.deployment.transport import DEFAULT_TRANSPORT
 from sigcat.integration.autosar_adaptive.model import (
     Component,
     Event,
@@ -29,6 +30,7 @@ from sigcat.integration.autosar_adaptive.model import (
     ServiceInterface,
 )
 from sigcat.integration.autosar_adaptive.processes import Process, processes
+from sigcat.integration.autosar_adaptive.someip.versions import version_of
 from sigcat.integration.autosar_adaptive.startup import NO_STARTUP
 from sigcat.integration.autosar_names import short_name
 
@@ -155,8 +157,9 @@ def deployment_name(service: str) -> str:
 
 def _deployment(service: Whole, known: Library) -> Tag:
     interface = known.path(INTERFACES, service.name)
-    own, protocol = known.path(DEPLOYMENTS, deployment_name(service.name)), service.transport.protocol
-    version = {"MAJOR-VERSION": service.version.major, "MINOR-VERSION": service.version.minor}
+    own = known.path(DEPLOYMENTS, deployment_name(service.name))
+    protocol = (service.interface.transport or DEFAULT_TRANSPORT).protocol
+    version = version_of(service.interface)
     return tag(
         DEPLOYMENT,
         listed("EVENT-DEPLOYMENTS", (_event(each, interface, protocol) for each in service.events)),
@@ -164,8 +167,8 @@ def _deployment(service: Whole, known: Library) -> Tag:
         listed("METHOD-DEPLOYMENTS", (_method(each, interface, protocol) for each in service.methods)),
         reference("SERVICE-INTERFACE-REF", interface, "SERVICE-INTERFACE"),
         listed("EVENT-GROUPS", (_group(each, service, own) for each in service.event_groups)),
-        {"SERVICE-INTERFACE-ID": service.service_id},
-        tag("SERVICE-INTERFACE-VERSION", version),
+        {"SERVICE-INTERFACE-ID": service.interface.service_id},
+        tag("SERVICE-INTERFACE-VERSION", {"MAJOR-VERSION": version.major, "MINOR-VERSION": version.minor}),
         name=deployment_name(service.name),
     )
 

@@ -56,12 +56,11 @@ def alive_supervisions(component: Component) -> tuple[AliveSupervision, ...]:
 
 def package(run: Sequence[Process], states: Mapping[str, Tag], known: Library) -> Package:
     """The package of supervisions; it is empty if there are none. `states` refer to those of the function group."""
-    pairs = ((process, alive_supervisions(process.component)) for process in run)
-    supervised = [_Supervised(_supervisions_name(process), process, alive) for process, alive in pairs if alive]
+    supervised = [process for process in run if alive_supervisions(process.component)]
     if not supervised:
         return Package(HEALTH, ())
     own = known.path(HEALTH, NAME)
-    points = [point for each in supervised for point in _checkpoints(each.process, known)]
+    points = (point for process in supervised for point in _checkpoints(process, known))
     has_locals = known.release.has_local_supervisions
     parts = _with_locals(supervised, own) if has_locals else _with_modes(supervised, states, own)
     return Package(HEALTH, (tag(CONTRIBUTION, listed("CHECKPOINTS", points), *parts, name=NAME),))
@@ -102,80 +101,77 @@ def _checkpoints(process: Process, known: Library) -> Iterable[Tag]:
 # -- supervisions -------------------------------------------------------------------------------------------------
 
 
-class _Supervised(NamedTuple):
-    """The supervisions of a process."""
-
-    name: str
-    process: Process
-    alive: Sequence[AliveSupervision]
-
-
-def _with_modes(supervised: Sequence[_Supervised], states: Mapping[str, Tag], own: str) -> Iterable[Tag]:
+def _with_modes(supervised: Sequence[Process], states: Mapping[str, Tag], own: str) -> Iterable[Tag]:
     """Supervisions that are active in states of the function group, as of R21-11."""
-    named = dict.fromkeys(state for part in supervised for each in part.alive for state in each.call.modes)
     conditions = (
         tag(
             "SUPERVISION-MODE-CONDITION",
             tag("STATE-REFERENCES", tag("FUNCTION-GROUP-PHM-STATE-REFERENCE", states[state])),
             name=_condition_name(state),
         )
-        for state in named
+        for state in dict.fromkeys(state for process in supervised for state in _states(process))
     )
     yield tag("SUPERVISION-MODE-CONDITIONS", *conditions)
     globals_ = (
         tag(
             "GLOBAL-SUPERVISION",
-            tag("ALIVE-SUPERVISIONS", *(_alive(each, part.process, own, _TOLERANCE) for each in part.alive)),
-            tag("SUPERVISION-MODES", *_modes(part.name, part.alive, own)),
-            name=part.name,
+            _alives(process, own, _TOLERANCE),
+            tag("SUPERVISION-MODES", *(_mode(state, process, own) for state in _states(process))),
+            name=_supervisions_name(process),
         )
-        for part in supervised
+        for process in supervised
     )
     yield tag("GLOBAL-SUPERVISIONS", *globals_)
+
+
+def _states(process: Process) -> Iterable[str]:
+    """States of the function group in which supervised calls run."""
+    return dict.fromkeys(state for each in alive_supervisions(process.component) for state in each.call.modes)
 
 
 def _condition_name(state: str) -> str:
     return short_name(f"In{state}")
 
 
-def _modes(name: str, alive: Sequence[AliveSupervision], own: str) -> Iterable[Tag]:
-    for state in dict.fromkeys(state for each in alive for state in each.call.modes):
-        paths = (f"{own}/{name}/{_alive_name(each.call)}" for each in alive if state in each.call.modes)
-        yield tag(
-            "SUPERVISION-MODE",
-            references("ACTIVE-SUPERVISION-REF", paths, "ALIVE-SUPERVISION"),
-            {"EXPIRED-SUPERVISION-TOLERANCE": _TOLERANCE},
-            reference("MODE-CONDITION-REF", f"{own}/{_condition_name(state)}", "SUPERVISION-MODE-CONDITION"),
-            name=short_name(f"{name}_{state}"),
-        )
+def _mode(state: str, process: Process, own: str) -> Tag:
+    name, alive = _supervisions_name(process), alive_supervisions(process.component)
+    paths = (f"{own}/{name}/{_alive_name(each.call)}" for each in alive if state in each.call.modes)
+    return tag(
+        "SUPERVISION-MODE",
+        references("ACTIVE-SUPERVISION-REF", paths, "ALIVE-SUPERVISION"),
+        {"EXPIRED-SUPERVISION-TOLERANCE": _TOLERANCE},
+        reference("MODE-CONDITION-REF", f"{own}/{_condition_name(state)}", "SUPERVISION-MODE-CONDITION"),
+        name=short_name(f"{name}_{state}"),
+    )
 
 
-def _with_locals(supervised: Sequence[_Supervised], own: str) -> Iterable[Tag]:
+def _with_locals(supervised: Sequence[Process], own: str) -> Iterable[Tag]:
     """Local supervisions, and a global one of each, as R20-11 has them."""
+    tolerance = {"FAILED-SUPERVISION-CYCLES-TOLERANCE": _TOLERANCE}
     locals_ = (
-        tag(
-            "LOCAL-SUPERVISION",
-            tag("ALIVE-SUPERVISIONS", *(_alive(each, part.process, own, None) for each in part.alive)),
-            {"FAILED-SUPERVISION-CYCLES-TOLERANCE": _TOLERANCE},
-            name=part.name,
-        )
-        for part in supervised
+        tag("LOCAL-SUPERVISION", _alives(process, own, None), tolerance, name=_supervisions_name(process))
+        for process in supervised
     )
     yield tag("LOCAL-SUPERVISIONS", *locals_)
     globals_ = (
         tag(
             "GLOBAL-SUPERVISION",
             {"EXPIRED-SUPERVISION-CYCLES-TOLERANCE": _TOLERANCE},
-            references("LOCAL-SUPERVISION-REF", [f"{own}/{part.name}"], "LOCAL-SUPERVISION"),
-            name=short_name(f"{part.name}_Global"),
+            references("LOCAL-SUPERVISION-REF", [f"{own}/{name}"], "LOCAL-SUPERVISION"),
+            name=short_name(f"{name}_Global"),
         )
-        for part in supervised
+        for name in map(_supervisions_name, supervised)
     )
     yield tag("GLOBAL-SUPERVISIONS", *globals_)
 
 
 def _alive_name(call: Call) -> str:
     return short_name(f"{call.name}_Alive")
+
+
+def _alives(process: Process, own: str, tolerance: int | None) -> Tag:
+    alive = alive_supervisions(process.component)
+    return tag("ALIVE-SUPERVISIONS", *(_alive(each, process, own, tolerance) for each in alive))
 
 
 def _alive(each: AliveSupervision, process: Process, own: str, tolerance: int | None) -> Tag:

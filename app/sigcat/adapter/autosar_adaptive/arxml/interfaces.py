@@ -8,8 +8,6 @@ from sigcat.adapter.autosar_adaptive.arxml.method_errors import possible_errors
 from sigcat.adapter.autosar_adaptive.arxml.paths import INTERFACES
 from sigcat.adapter.autosar_adaptive.arxml.types import Library, Presentation, presentation
 from sigcat.integration.autosar_adaptive.deployment.namespaces import parts
-from sigcat.integration.autosar_adaptive.deployment.someip_settings import TransformationSettings
-from sigcat.integration.autosar_adaptive.deployment.transport import DEFAULT_TRANSPORT, TransportSettings
 from sigcat.integration.autosar_adaptive.model import (
     Event,
     EventGroup,
@@ -19,7 +17,7 @@ from sigcat.integration.autosar_adaptive.model import (
     ServiceField,
     ServiceInterface,
 )
-from sigcat.integration.autosar_adaptive.someip.versions import Version, version_of
+from sigcat.integration.autosar_adaptive.someip.versions import version_of
 
 Item = TypeVar("Item", Event, Method, ServiceField, EventGroup)
 
@@ -27,19 +25,18 @@ Item = TypeVar("Item", Event, Method, ServiceField, EventGroup)
 class Whole(NamedTuple):
     """A service with what all components together have of it."""
 
-    name: str
-    service_id: int
-    instance_id: int
-    version: Version
-    origin: str
+    interface: ServiceInterface
+    """As its provider has it, if one of the components is."""
     namespace: str
-    transformation: TransformationSettings | None
-    """Its own, where it does not have that of all."""
-    transport: TransportSettings
     events: tuple[Event, ...]
     methods: tuple[Method, ...]
     fields: tuple[ServiceField, ...]
     event_groups: tuple[EventGroup, ...]
+
+    @property
+    def name(self) -> str:
+        """Its short name."""
+        return self.interface.name
 
 
 def wholes(model: IntegrationModel) -> tuple[Whole, ...]:
@@ -51,25 +48,16 @@ def wholes(model: IntegrationModel) -> tuple[Whole, ...]:
         for interface in component.services:
             by_name.setdefault(interface.name, []).append(interface)
     return tuple(
-        _joined_sides(name, sorted(found, key=lambda interface: interface.role != "Provider"), namespace)
-        for name, found in sorted(by_name.items())
+        _joined_sides(sorted(found, key=lambda interface: interface.role != "Provider"), namespace)
+        for _, found in sorted(by_name.items())
     )
 
 
-def _joined_sides(name: str, found: list[ServiceInterface], namespace: str) -> Whole:
+def _joined_sides(found: list[ServiceInterface], namespace: str) -> Whole:
     parts = [services for interface in found for services in interface.services]
-    first = found[0]
-    assert first.service_id is not None
-    assert first.instance_id is not None
     return Whole(
-        name,
-        first.service_id,
-        first.instance_id,
-        version_of(first),
-        first.origin or "",
-        first.namespace or namespace,
-        first.transformation,
-        first.transport or DEFAULT_TRANSPORT,
+        found[0],
+        found[0].namespace or namespace,
         _each(event for part in parts for event in part.events),
         _each(method for part in parts for method in part.methods),
         _each(field for part in parts for field in part.fields),
@@ -92,11 +80,12 @@ def package(services: Iterable[Whole], known: Library) -> Package:
 
 def _interface(service: Whole, known: Library) -> Tag:
     names = [item.name for items in (service.events, service.fields, service.methods) for item in items]
+    version = version_of(service.interface)
     return tag(
         "SERVICE-INTERFACE",
-        trace([("Origin", service.origin)]),
+        trace([("Origin", service.interface.origin)]),
         namespaces(parts(service.namespace), names),
-        {"MAJOR-VERSION": service.version.major, "MINOR-VERSION": service.version.minor},
+        {"MAJOR-VERSION": version.major, "MINOR-VERSION": version.minor},
         listed("EVENTS", (_event(event, known) for event in service.events)),
         listed("FIELDS", (_field(field, known) for field in service.fields)),
         listed("METHODS", (_method(method, known) for method in service.methods)),

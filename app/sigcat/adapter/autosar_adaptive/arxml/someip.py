@@ -42,7 +42,7 @@ def element_name(name: str) -> str:
 
 
 def _transformation_set(chosen: ArxmlDeployment, services: Iterable[Whole]) -> Tag:
-    apart = ((_properties_name(service), service.transformation) for service in services)
+    apart = ((_properties_name(service), service.interface.transformation) for service in services)
     own = (_transformation(name, stated) for name, stated in apart if stated is not None)
     properties = tag("TRANSFORMATION-PROPSS", _transformation(_PROPERTIES, chosen.transformation), *own)
     return tag("TRANSFORMATION-PROPS-SET", properties, name=_SET)
@@ -50,7 +50,7 @@ def _transformation_set(chosen: ArxmlDeployment, services: Iterable[Whole]) -> T
 
 def _properties_name(service: Whole) -> str:
     """Name of the properties that hold for a service."""
-    return short_name(f"{service.name}_Properties") if service.transformation else _PROPERTIES
+    return short_name(f"{service.name}_Properties") if service.interface.transformation else _PROPERTIES
 
 
 def _transformation(name: str, chosen: TransformationSettings) -> Tag:

@@ -3,7 +3,8 @@
 The parameters are those of AUTOSAR_SWS_RTE and AUTOSAR_SWS_OS; their definitions are the vendor's.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
 from sigcat.adapter.arxml.tree import Package, Tag, conditional, listed, reference, tag, trace
@@ -15,7 +16,9 @@ from sigcat.integration.autosar_classic.model import ClassicIntegration, Event, 
 from sigcat.integration.autosar_names import distinct, short_name
 
 MODULE = "ECUC-MODULE-CONFIGURATION-VALUES"
-_CONTAINER, _CONTAINER_DEF = "ECUC-CONTAINER-VALUE", "ECUC-PARAM-CONF-CONTAINER-DEF"
+_CONTAINER = "ECUC-CONTAINER-VALUE"
+_CONTAINER_DEF, _CHOICE_DEF = "ECUC-PARAM-CONF-CONTAINER-DEF", "ECUC-CHOICE-CONTAINER-DEF"
+_ACTION = "Os/OsAlarm/OsAlarmAction"
 _COUNTER = "AdapterCounter"
 
 
@@ -50,7 +53,7 @@ def package(known: Library) -> Package:
 def _module(name: str, containers: Iterable[Tag]) -> Tag:
     return tag(
         MODULE,
-        reference("DEFINITION-REF", f"{DEFINITIONS}/{name}", "ECUC-MODULE-DEF"),
+        _definition(name, "ECUC-MODULE-DEF"),
         {"IMPLEMENTATION-CONFIG-VARIANT": "VARIANT-PRE-COMPILE"},
         listed("CONTAINERS", containers),
         name=name,
@@ -60,44 +63,55 @@ def _module(name: str, containers: Iterable[Tag]) -> Tag:
 # -- values of parameters ---------------------------------------------------------------------------------------------
 
 
+_FLOATS = ("RteActivationOffset", "RteExpectedActivationOffset", "RteExpectedTickDuration", "OsSecondsPerTick")
+"""Parameters that are no whole numbers."""
+
+
+class _Target(NamedTuple):
+    """A reference to an element, by the name of its definition."""
+
+    name: str
+    path: str
+    kind: str = _CONTAINER
+
+
 def _container(
-    definition: str, name: str, values: Iterable[Tag] = (), references: Iterable[Tag] = (), inner: Iterable[Tag] = (),
-    about: Tag | None = None, kind: str = _CONTAINER_DEF,
-) -> Tag:  # fmt: skip
+    definition: str,
+    name: str,
+    parameters: Mapping[str, str | float] = MappingProxyType({}),
+    targets: Iterable[_Target] = (),
+    inner: Iterable[Tag] = (),
+    about: Tag | None = None,
+) -> Tag:
+    """A container with its parameters, by the names of their definitions."""
+    kind = _CHOICE_DEF if definition == _ACTION else _CONTAINER_DEF
     return tag(
         _CONTAINER,
         about,
-        reference("DEFINITION-REF", f"{DEFINITIONS}/{definition}", kind),
-        listed("PARAMETER-VALUES", values),
-        listed("REFERENCE-VALUES", references),
+        _definition(definition, kind),
+        listed("PARAMETER-VALUES", (_parameter(definition, key, value) for key, value in parameters.items())),
+        listed("REFERENCE-VALUES", (_reference(definition, each) for each in targets)),
         listed("SUB-CONTAINERS", inner),
         name=name,
     )
 
 
-def _number(definition: str, value: float, kind: str = "INTEGER") -> Tag:
-    target = reference("DEFINITION-REF", f"{DEFINITIONS}/{definition}", f"ECUC-{kind}-PARAM-DEF")
-    return tag("ECUC-NUMERICAL-PARAM-VALUE", target, {"VALUE": value})
+def _definition(path: str, kind: str) -> Tag:
+    return reference("DEFINITION-REF", f"{DEFINITIONS}/{path}", kind)
 
 
-def _text(definition: str, value: str) -> Tag:
-    target = reference("DEFINITION-REF", f"{DEFINITIONS}/{definition}", "ECUC-ENUMERATION-PARAM-DEF")
-    return tag("ECUC-TEXTUAL-PARAM-VALUE", target, {"VALUE": value})
+def _parameter(container: str, name: str, value: str | float) -> Tag:
+    kind = "ENUMERATION" if isinstance(value, str) else "FLOAT" if name in _FLOATS else "INTEGER"
+    word = "TEXTUAL" if isinstance(value, str) else "NUMERICAL"
+    definition = _definition(f"{container}/{name}", f"ECUC-{kind}-PARAM-DEF")
+    return tag(f"ECUC-{word}-PARAM-VALUE", definition, {"VALUE": value})
 
 
-def _to(definition: str, kind: str, path: str, path_kind: str) -> Tag:
-    target = reference("DEFINITION-REF", f"{DEFINITIONS}/{definition}", kind)
-    return tag("ECUC-REFERENCE-VALUE", target, reference("VALUE-REF", path, path_kind))
-
-
-def _within(definition: str, module: str, name: str, known: Library) -> Tag:
-    """Reference to a container of the configuration."""
-    return _to(definition, "ECUC-REFERENCE-DEF", known.path(CONFIGURATIONS, module, name), _CONTAINER)
-
-
-def _foreign(definition: str, path: str, kind: str) -> Tag:
-    """Reference to an element outside the configuration: an event, a component."""
-    return _to(definition, "ECUC-FOREIGN-REFERENCE-DEF", path, kind)
+def _reference(container: str, target: _Target) -> Tag:
+    """Reference to a container of the configuration, or to an element outside: an event, a component."""
+    kind = "ECUC-REFERENCE-DEF" if target.kind == _CONTAINER else "ECUC-FOREIGN-REFERENCE-DEF"
+    value = reference("VALUE-REF", target.path, target.kind)
+    return tag("ECUC-REFERENCE-VALUE", _definition(f"{container}/{target.name}", kind), value)
 
 
 # -- what activates tasks ---------------------------------------------------------------------------------------------
@@ -168,50 +182,46 @@ def _instance(prototype: Prototype, tasks: _Tasks, known: Library) -> Iterable[T
         )
         inner += (_area(each.name, at) for each in component.exclusive_areas)
         path = known.path(COMPOSITIONS, known.model.composition.name, prototype.name)
-        target = _foreign(f"{_INSTANCE}/RteSoftwareComponentInstanceRef", path, PROTOTYPE)
-        yield _container(_INSTANCE, prototype.name, (), [target], inner)
+        target = _Target("RteSoftwareComponentInstanceRef", path, PROTOTYPE)
+        yield _container(_INSTANCE, prototype.name, targets=[target], inner=inner)
 
 
 def _area(name: str, at: Within) -> Tag:
-    mechanism = _text(f"{_AREA}/RteExclusiveAreaImplMechanism", _MECHANISM)
-    target = _foreign(f"{_AREA}/RteExclusiveAreaRef", at.path(name), "EXCLUSIVE-AREA")
-    return _container(_AREA, short_name(f"{name}_Implementation"), [mechanism], [target])
+    target = _Target("RteExclusiveAreaRef", at.path(name), "EXCLUSIVE-AREA")
+    mechanism = {"RteExclusiveAreaImplMechanism": _MECHANISM}
+    return _container(_AREA, short_name(f"{name}_Implementation"), mechanism, [target])
 
 
 def _first(mapped: _Mapped, batch: str, at: Within) -> Tag:
     """The mapping of an event that `Rte_Init` runs, which has no task."""
-    function = _within(f"{_MAPPING}/RteUsedInitFnc", "Rte", batch, at.known)
-    return _event_mapping(mapped, [function], at)
+    return _event_mapping(mapped, {"RteUsedInitFnc": batch}, "Rte", at)
 
 
 def _mapping(mapped: _Mapped, task: Task, at: Within) -> Tag:
     used = {"RteMappedToTaskRef": task.name, "RteUsedOsAlarmRef": mapped.alarm, "RteUsedOsEventRef": mapped.os_event}
-    targets = [_within(f"{_MAPPING}/{name}", "Os", target, at.known) for name, target in used.items() if target]
-    is_cyclic = mapped.event.kind == "Timing"
-    offset = _number(f"{_MAPPING}/RteActivationOffset", mapped.event.offset or 0, "FLOAT")
-    return _event_mapping(mapped, targets, at, [offset] if is_cyclic else ())
+    return _event_mapping(mapped, used, "Os", at)
 
 
-def _event_mapping(mapped: _Mapped, targets: Iterable[Tag], at: Within, values: Iterable[Tag] = ()) -> Tag:
+def _event_mapping(mapped: _Mapped, used: Mapping[str, str | None], module: str, at: Within) -> Tag:
+    """The mapping of an event, with the containers of a module that it uses."""
     event = mapped.event
-    position = _number(f"{_MAPPING}/RtePositionInTask", mapped.place.position)
-    references = [_foreign(f"{_MAPPING}/RteEventRef", at.path(event.name), EVENT[event.kind]), *targets]
-    return _container(_MAPPING, short_name(f"{event.name}_Mapping"), [position, *values], references)
-
-
-_ACTIVATION = "Rte/RteOsInteraction/RteUsedOsActivation"
+    targets = [_Target("RteEventRef", at.path(event.name), EVENT[event.kind])]
+    targets += (_Target(key, at.known.path(CONFIGURATIONS, module, name)) for key, name in used.items() if name)
+    position: dict[str, str | float] = {"RtePositionInTask": mapped.place.position}
+    offset = {"RteActivationOffset": event.offset or 0} if event.kind == "Timing" and module == "Os" else {}
+    return _container(_MAPPING, short_name(f"{event.name}_Mapping"), {**position, **offset}, targets)
 
 
 def _os_interaction(tasks: _Tasks, known: Library) -> Iterable[Tag]:
     """Expected offset of each alarm, and the duration of a tick."""
     alarms = {each.alarm: each.event.offset or 0 for _, events in tasks for each in events if each.alarm is not None}
-    duration = _number(f"{_ACTIVATION}/RteExpectedTickDuration", known.model.deployment.tick / 1_000_000, "FLOAT")
+    duration = known.model.deployment.tick / 1_000_000
     used = [
         _container(
-            _ACTIVATION,
+            "Rte/RteOsInteraction/RteUsedOsActivation",
             short_name(f"{alarm}_Activation"),
-            [_number(f"{_ACTIVATION}/RteExpectedActivationOffset", offset, "FLOAT"), duration],
-            [_within(f"{_ACTIVATION}/RteActivationOsAlarmRef", "Os", alarm, known)],
+            {"RteExpectedActivationOffset": offset, "RteExpectedTickDuration": duration},
+            [_Target("RteActivationOsAlarmRef", known.path(CONFIGURATIONS, "Os", alarm))],
         )
         for alarm, offset in alarms.items()
     ]
@@ -234,41 +244,28 @@ def _operating_system(tasks: _Tasks, known: Library) -> Iterable[Tag]:
 
 def _counter(model: ClassicIntegration) -> Tag:
     """The counter whose ticks start what is cyclic."""
-    return _container(
-        "Os/OsCounter",
-        _COUNTER,
-        [
-            _number("Os/OsCounter/OsCounterMaxAllowedValue", 2**32 - 1),
-            _number("Os/OsCounter/OsCounterMinCycle", 1),
-            _number("Os/OsCounter/OsCounterTicksPerBase", 1),
-            _text("Os/OsCounter/OsCounterType", "SOFTWARE"),
-            _number("Os/OsCounter/OsSecondsPerTick", model.deployment.tick / 1_000_000, "FLOAT"),
-        ],
-    )
+    parameters: dict[str, str | float] = {
+        "OsCounterMaxAllowedValue": 2**32 - 1,
+        "OsCounterMinCycle": 1,
+        "OsCounterTicksPerBase": 1,
+        "OsCounterType": "SOFTWARE",
+        "OsSecondsPerTick": model.deployment.tick / 1_000_000,
+    }
+    return _container("Os/OsCounter", _COUNTER, parameters)
 
 
 def _task(task: Task, events: Iterable[str], known: Library) -> Tag:
     facts = [("Reason", task.reason), ("Period", task.period), ("Offset", task.offset), ("StackSize", task.stack_size)]
-    return _container(
-        "Os/OsTask",
-        task.name,
-        [
-            _number("Os/OsTask/OsTaskActivation", 1),
-            _number("Os/OsTask/OsTaskPriority", task.priority),
-            _text("Os/OsTask/OsTaskSchedule", "FULL" if task.preemptable else "NON"),
-        ],
-        [_within("Os/OsTask/OsTaskEventRef", "Os", name, known) for name in events],
-        about=trace(facts),
-    )
+    numbers: dict[str, str | float] = {"OsTaskActivation": 1, "OsTaskPriority": task.priority}
+    parameters = {**numbers, "OsTaskSchedule": "FULL" if task.preemptable else "NON"}
+    targets = (_Target("OsTaskEventRef", known.path(CONFIGURATIONS, "Os", name)) for name in events)
+    return _container("Os/OsTask", task.name, parameters, targets, about=trace(facts))
 
 
 def _alarm(name: str, task: str, event: str | None, known: Library) -> Tag:
-    choice = "Os/OsAlarm/OsAlarmAction"
     kind = "OsAlarmActivateTask" if event is None else "OsAlarmSetEvent"
-    references = [_within(f"{choice}/{kind}/{kind}{'Task' if event else ''}Ref", "Os", task, known)]
-    if event is not None:
-        references.append(_within(f"{choice}/{kind}/{kind}Ref", "Os", event, known))
-    target = _container(f"{choice}/{kind}", kind, (), references)
-    action = _container(choice, "Action", inner=[target], kind="ECUC-CHOICE-CONTAINER-DEF")
-    counter = _within("Os/OsAlarm/OsAlarmCounterRef", "Os", _COUNTER, known)
-    return _container("Os/OsAlarm", name, (), [counter], [action])
+    used = {f"{kind}TaskRef": task, f"{kind}Ref": event} if event else {f"{kind}Ref": task}
+    targets = (_Target(key, known.path(CONFIGURATIONS, "Os", each)) for key, each in used.items())
+    action = _container(_ACTION, "Action", inner=[_container(f"{_ACTION}/{kind}", kind, targets=targets)])
+    counter = _Target("OsAlarmCounterRef", known.path(CONFIGURATIONS, "Os", _COUNTER))
+    return _container("Os/OsAlarm", name, targets=[counter], inner=[action])
