@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 
 from sigcat.adapter.arxml.paths import COMPU_METHODS, CONSTRAINTS, UNITS, Paths
-from sigcat.adapter.arxml.tree import Tag, listed, reference, tag
+from sigcat.adapter.arxml.tree import Child, Tag, listed, reference, tag
 
 
 def references_of_number(
@@ -19,6 +19,11 @@ def compu_method(name: str, category: str, scales: Iterable[Tag], unit: Sequence
     found = listed("COMPU-SCALES", scales)
     content = tag("COMPU-INTERNAL-TO-PHYS", found) if found else None
     return tag("COMPU-METHOD", {"CATEGORY": category}, *unit, content, name=name)
+
+
+def text_scale(symbol: str, *limits: Child) -> Tag:
+    """The text of a number; `limits` are the number."""
+    return tag("COMPU-SCALE", {"SYMBOL": symbol}, *limits, tag("COMPU-CONST", {"VT": symbol}))
 
 
 def linear_scale(offset: str, factor: str, denominator: str) -> Tag:

@@ -4,15 +4,7 @@ from collections.abc import Iterable, Sequence
 from typing import Literal
 
 from sigcat.adapter.arxml.tree import Package, Tag, description, listed, port, reference, tag, trace
-from sigcat.adapter.autosar_adaptive.arxml.paths import (
-    COMPONENTS,
-    EXECUTABLES,
-    INTERFACES,
-    MONITORS,
-    PROCESS_DESIGNS,
-    STORAGES,
-    SUPERVISIONS,
-)
+from sigcat.adapter.autosar_adaptive.arxml import paths
 from sigcat.adapter.autosar_adaptive.arxml.types import Library, parameter_presentation
 from sigcat.integration.autosar_adaptive.code import MethodUse
 from sigcat.integration.autosar_adaptive.model import Component, ServiceInterface, Use
@@ -34,13 +26,13 @@ COUNTS = (("Occurrences", "uint16_t"), ("IgnitionCycles", "uint16_t"), ("HasFail
 def packages(components: Sequence[Component], known: Library) -> list[Package]:
     """The packages of the file of components."""
     return [
-        Package(STORAGES, tuple(storage for each in components for storage in _storages(each, known))),
-        Package(MONITORS, (tag(MONITOR, name=MONITOR_NAME),) if any(map(reported_errors, components)) else ()),
-        Package(SUPERVISIONS, tuple(_supervision(each) for each in components if checkpoints(each))),
-        Package(COMPONENTS, tuple(_component(each, known) for each in components)),
-        Package(EXECUTABLES, tuple(_executable(each, known) for each in components)),
+        Package(paths.STORAGES, tuple(storage for each in components for storage in _storages(each, known))),
+        Package(paths.MONITORS, (tag(MONITOR, name=MONITOR_NAME),) if any(map(reported_errors, components)) else ()),
+        Package(paths.SUPERVISIONS, tuple(_supervision(each) for each in components if checkpoints(each))),
+        Package(paths.COMPONENTS, tuple(_component(each, known) for each in components)),
+        Package(paths.EXECUTABLES, tuple(_executable(each, known) for each in components)),
         Package(
-            PROCESS_DESIGNS,
+            paths.PROCESS_DESIGNS,
             tuple(tag("PROCESS-DESIGN", executables(each, known), name=design_name(each)) for each in components),
         ),
     ]
@@ -58,19 +50,19 @@ def root_name(component: Component) -> str:
 
 def root_reference(component: Component, known: Library) -> Tag:
     """Reference to the root component, as the context of what is in it."""
-    root = known.path(EXECUTABLES, component.executable, root_name(component))
+    root = known.path(paths.EXECUTABLES, component.executable, root_name(component))
     return reference("CONTEXT-ROOT-SW-COMPONENT-PROTOTYPE-REF", root, "ROOT-SW-COMPONENT-PROTOTYPE")
 
 
 def _component(component: Component, known: Library) -> Tag:
     ports = [_port(interface, known) for interface in component.services]
     for name, is_written in storage_ports(component).items():
-        storage = known.path(STORAGES, storage_name(component, name))
+        storage = known.path(paths.STORAGES, storage_name(component, name))
         ports.append(port("PR" if is_written else "R", storage, STORAGE, name=name))
-    monitor = known.path(MONITORS, MONITOR_NAME)
+    monitor = known.path(paths.MONITORS, MONITOR_NAME)
     ports += (port("R", monitor, MONITOR, name=monitor_port(error)) for error in reported_errors(component))
     if checkpoints(component):
-        supervision = known.path(SUPERVISIONS, supervision_name(component))
+        supervision = known.path(paths.SUPERVISIONS, supervision_name(component))
         ports.append(port("R", supervision, SUPERVISION, name=SUPERVISION_PORT))
     text, facts = description(component.description), trace(_facts(component))
     return tag(COMPONENT, text, facts, listed("PORTS", ports), name=component.name)
@@ -90,7 +82,7 @@ def _facts(component: Component) -> Iterable[tuple[str, object]]:
 
 def _port(interface: ServiceInterface, known: Library) -> Tag:
     side: Literal["P", "R"] = "P" if interface.role == "Provider" else "R"
-    path = known.path(INTERFACES, interface.name)
+    path = known.path(paths.INTERFACES, interface.name)
     return port(side, path, "SERVICE-INTERFACE", trace(_uses(interface)), name=port_name(interface))
 
 
@@ -213,7 +205,7 @@ def _parameter(stored: StoredParameter, known: Library) -> Tag:
 
 
 def _executable(component: Component, known: Library) -> Tag:
-    application = reference("APPLICATION-TYPE-TREF", known.path(COMPONENTS, component.name), COMPONENT)
+    application = reference("APPLICATION-TYPE-TREF", known.path(paths.COMPONENTS, component.name), COMPONENT)
     root = tag("ROOT-SW-COMPONENT-PROTOTYPE", application, name=root_name(component))
     kind = {"CATEGORY": "APPLICATION_LEVEL", "REPORTING-BEHAVIOR": "REPORTS-EXECUTION-STATE"}
     return tag("EXECUTABLE", kind, root, name=component.executable)
@@ -221,7 +213,7 @@ def _executable(component: Component, known: Library) -> Tag:
 
 def executables(component: Component, known: Library) -> Tag:
     """Reference to an executable from a process, or from its design."""
-    executable = reference("EXECUTABLE-REF", known.path(EXECUTABLES, component.executable), "EXECUTABLE")
+    executable = reference("EXECUTABLE-REF", known.path(paths.EXECUTABLES, component.executable), "EXECUTABLE")
     return executable if known.release.has_one_executable else tag("EXECUTABLE-REFS", executable)
 
 

@@ -3,34 +3,14 @@
 from collections.abc import Iterable, Sequence
 
 from sigcat.adapter.arxml.tree import Child, Package, Tag, listed, reference, references, seconds, tag
-from sigcat.adapter.autosar_adaptive.arxml import e2e, health, someip
+from sigcat.adapter.autosar_adaptive.arxml import e2e, health, paths, someip
 from sigcat.adapter.autosar_adaptive.arxml.components import design_name, executables, port_name, root_reference
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import Whole
-from sigcat.adapter.autosar_adaptive.arxml.paths import (
-    COMPONENTS,
-    DEPLOYMENTS,
-    FUNCTION_GROUPS,
-    INSTANCES,
-    INTERFACES,
-    MAPPINGS,
-    PROCESS_DESIGNS,
-    PROCESSES,
-    STARTUP,
-)
 from sigcat.adapter.autosar_adaptive.arxml.someip import EVENT, NOTIFIER, element_name
 from sigcat.adapter.autosar_adaptive.arxml.types import Library
+from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.deployment.transport import DEFAULT_TRANSPORT
-from sigcat.integration.autosar_adaptive.model import (
-    Component,
-    Event,
-    EventGroup,
-    IntegrationModel,
-    Method,
-    ServiceField,
-    ServiceInterface,
-)
 from sigcat.integration.autosar_adaptive.processes import Process, processes
-from sigcat.integration.autosar_adaptive.someip.versions import version_of
 from sigcat.integration.autosar_adaptive.startup import NO_STARTUP
 from sigcat.integration.autosar_names import short_name
 
@@ -41,22 +21,23 @@ GROUP_SUFFIX = "_Group"
 DEPLOYMENT = "SOMEIP-SERVICE-INTERFACE-DEPLOYMENT"
 
 
-def packages(model: IntegrationModel, services: Sequence[Whole], known: Library) -> list[Package]:
+def packages(document: model.IntegrationModel, services: Sequence[Whole], known: Library) -> list[Package]:
     """The packages of the file of deployment."""
-    assert model.deployment is not None
-    components, function_group = model.components, model.deployment.function_group
+    assert document.deployment is not None
+    components, function_group = document.components, document.deployment.function_group
+    states = {mode: _state(mode, function_group, known) for component in components for mode in component.modes}
     run = processes(components)
     pairs = [(process, interface) for process in run for interface in process.services]
     return [
-        Package(FUNCTION_GROUPS, _function_groups(components, function_group, known)),
-        Package(STARTUP, _startups(components, known)),
-        Package(PROCESSES, tuple(_process(each, function_group, known) for each in run)),
-        Package(DEPLOYMENTS, tuple(_deployment(service, known) for service in services)),
-        *someip.packages(model.deployment, services, known),
-        e2e.package(model),
-        health.package(run, _states(components, function_group, known), known),
-        Package(INSTANCES, tuple(_instance(*pair, known) for pair in pairs)),
-        Package(MAPPINGS, tuple(_mapping(*pair, known) for pair in pairs)),
+        Package(paths.FUNCTION_GROUPS, _function_groups(components, function_group, known)),
+        Package(paths.STARTUP, _startups(components, known)),
+        Package(paths.PROCESSES, tuple(_process(each, function_group, known) for each in run)),
+        Package(paths.DEPLOYMENTS, tuple(_deployment(service, known) for service in services)),
+        *someip.packages(document.deployment, services, known),
+        e2e.package(document),
+        health.package(run, states, known),
+        Package(paths.INSTANCES, tuple(_instance(*pair, known) for pair in pairs)),
+        Package(paths.MAPPINGS, tuple(_mapping(*pair, known) for pair in pairs)),
     ]
 
 
@@ -71,11 +52,11 @@ def _set_name(function_group: str) -> str:
     return short_name(f"{function_group}_Set")
 
 
-def _function_groups(components: Iterable[Component], group: str, known: Library) -> tuple[Tag, ...]:
+def _function_groups(components: Iterable[model.Component], group: str, known: Library) -> tuple[Tag, ...]:
     modes = dict.fromkeys(mode for component in components for mode in component.modes)
     states = [OFF, *(mode for mode in modes if mode != OFF)]
     declared = (tag("MODE-DECLARATION", name=state) for state in states)
-    path = known.path(FUNCTION_GROUPS, _states_name(group))
+    path = known.path(paths.FUNCTION_GROUPS, _states_name(group))
     initial = reference("INITIAL-MODE-REF", f"{path}/{OFF}", "MODE-DECLARATION")
     target = reference("TYPE-TREF", path, "MODE-DECLARATION-GROUP")
     prototype = tag("MODE-DECLARATION-GROUP-PROTOTYPE", target, name=group)
@@ -85,23 +66,23 @@ def _function_groups(components: Iterable[Component], group: str, known: Library
     )
 
 
-def _startup_name(component: Component) -> str:
+def _startup_name(component: model.Component) -> str:
     return short_name(f"{component.name}_Startup")
 
 
-def _startups(components: Iterable[Component], known: Library) -> tuple[Tag, ...]:
+def _startups(components: Iterable[model.Component], known: Library) -> tuple[Tag, ...]:
     configurations = tuple(map(_startup, components))
     if not known.release.has_sets:
         return configurations
     return (tag("STARTUP-CONFIG-SET", listed("STARTUP-CONFIGS", configurations), name=STARTUP_SET),)
 
 
-def _startup_path(component: Component, known: Library) -> str:
+def _startup_path(component: model.Component, known: Library) -> str:
     names = (STARTUP_SET, _startup_name(component)) if known.release.has_sets else (_startup_name(component),)
-    return known.path(STARTUP, *names)
+    return known.path(paths.STARTUP, *names)
 
 
-def _startup(component: Component) -> Tag:
+def _startup(component: model.Component) -> Tag:
     chosen = component.startup or NO_STARTUP
     variables = (chosen.environment or {}).items()
     limits = {"ENTER-TIMEOUT-VALUE": chosen.enter_timeout, "EXIT-TIMEOUT-VALUE": chosen.exit_timeout}
@@ -125,7 +106,7 @@ def _process(process: Process, group: str, known: Library) -> Tag:
     startup = reference("STARTUP-CONFIG-REF", _startup_path(component, known), "STARTUP-CONFIG")
     return tag(
         "PROCESS",
-        reference("DESIGN-REF", known.path(PROCESS_DESIGNS, design_name(component)), "PROCESS-DESIGN"),
+        reference("DESIGN-REF", known.path(paths.PROCESS_DESIGNS, design_name(component)), "PROCESS-DESIGN"),
         executables(component, known),
         {"NUMBER-OF-RESTART-ATTEMPTS": component.startup.restart_attempts if component.startup else None},
         tag("STATE-DEPENDENT-STARTUP-CONFIGS", tag("STATE-DEPENDENT-STARTUP-CONFIG", states, startup)),
@@ -133,13 +114,9 @@ def _process(process: Process, group: str, known: Library) -> Tag:
     )
 
 
-def _states(components: Iterable[Component], group: str, known: Library) -> dict[str, Tag]:
-    return {mode: _state(mode, group, known) for component in components for mode in component.modes}
-
-
 def _state(mode: str, group: str, known: Library) -> Tag:
-    prototype = known.path(FUNCTION_GROUPS, _set_name(group), group)
-    target = known.path(FUNCTION_GROUPS, _states_name(group), mode)
+    prototype = known.path(paths.FUNCTION_GROUPS, _set_name(group), group)
+    target = known.path(paths.FUNCTION_GROUPS, _states_name(group), mode)
     return tag(
         "FUNCTION-GROUP-STATE-IREF",
         reference("CONTEXT-MODE-DECLARATION-GROUP-PROTOTYPE-REF", prototype, "MODE-DECLARATION-GROUP-PROTOTYPE"),
@@ -156,10 +133,10 @@ def deployment_name(service: str) -> str:
 
 
 def _deployment(service: Whole, known: Library) -> Tag:
-    interface = known.path(INTERFACES, service.name)
-    own = known.path(DEPLOYMENTS, deployment_name(service.name))
+    interface = known.path(paths.INTERFACES, service.name)
+    own = known.path(paths.DEPLOYMENTS, deployment_name(service.name))
     protocol = (service.interface.transport or DEFAULT_TRANSPORT).protocol
-    version = version_of(service.interface)
+    version = {"MAJOR-VERSION": service.version.major, "MINOR-VERSION": service.version.minor}
     return tag(
         DEPLOYMENT,
         listed("EVENT-DEPLOYMENTS", (_event(each, interface, protocol) for each in service.events)),
@@ -168,12 +145,12 @@ def _deployment(service: Whole, known: Library) -> Tag:
         reference("SERVICE-INTERFACE-REF", interface, "SERVICE-INTERFACE"),
         listed("EVENT-GROUPS", (_group(each, service, own) for each in service.event_groups)),
         {"SERVICE-INTERFACE-ID": service.interface.service_id},
-        tag("SERVICE-INTERFACE-VERSION", {"MAJOR-VERSION": version.major, "MINOR-VERSION": version.minor}),
+        tag("SERVICE-INTERFACE-VERSION", version),
         name=deployment_name(service.name),
     )
 
 
-def _event(event: Event, interface: str, protocol: str) -> Tag:
+def _event(event: model.Event, interface: str, protocol: str) -> Tag:
     return tag(
         EVENT,
         reference("EVENT-REF", f"{interface}/{event.name}", "VARIABLE-DATA-PROTOTYPE"),
@@ -182,7 +159,7 @@ def _event(event: Event, interface: str, protocol: str) -> Tag:
     )
 
 
-def _field(field: ServiceField, interface: str, protocol: str) -> Tag:
+def _field(field: model.ServiceField, interface: str, protocol: str) -> Tag:
     getter = {"METHOD-ID": field.getter_id, "TRANSPORT-PROTOCOL": protocol}
     return tag(
         "SOMEIP-FIELD-DEPLOYMENT",
@@ -193,7 +170,7 @@ def _field(field: ServiceField, interface: str, protocol: str) -> Tag:
     )
 
 
-def _method(method: Method, interface: str, protocol: str) -> Tag:
+def _method(method: model.Method, interface: str, protocol: str) -> Tag:
     operation = reference("METHOD-REF", f"{interface}/{method.name}", "CLIENT-SERVER-OPERATION")
     numbers = {"METHOD-ID": method.method_id, "TRANSPORT-PROTOCOL": protocol}
     return tag("SOMEIP-METHOD-DEPLOYMENT", operation, numbers, name=element_name(method.name))
@@ -204,24 +181,24 @@ def group_name(name: str) -> str:
     return short_name(f"{name}{GROUP_SUFFIX}")
 
 
-def _group(group: EventGroup, service: Whole, own: str) -> Tag:
-    paths = [f"{own}/{element_name(each.name)}" for each in service.events if each.event_group == group.name]
+def _group(group: model.EventGroup, service: Whole, own: str) -> Tag:
+    senders = [f"{own}/{element_name(each.name)}" for each in service.events if each.event_group == group.name]
     fields = (each.name for each in service.fields if each.event_group == group.name)
-    paths += (f"{own}/{element_name(name)}/{NOTIFIER}" for name in fields)
-    events = references("EVENT-REF", paths, EVENT)
+    senders += (f"{own}/{element_name(name)}/{NOTIFIER}" for name in fields)
+    events = references("EVENT-REF", senders, EVENT)
     return tag("SOMEIP-EVENT-GROUP", {"EVENT-GROUP-ID": group.id}, events, name=group_name(group.name))
 
 
 # -- instances ----------------------------------------------------------------------------------------------------
 
 
-def instance_name(process: Process, interface: ServiceInterface) -> str:
+def instance_name(process: Process, interface: model.ServiceInterface) -> str:
     """Name of a process's instance of a service."""
     return short_name(f"{process.stem}_{port_name(interface)}_Instance")
 
 
-def _instance(process: Process, interface: ServiceInterface, known: Library) -> Tag:
-    own = known.path(DEPLOYMENTS, deployment_name(interface.name))
+def _instance(process: Process, interface: model.ServiceInterface, known: Library) -> Tag:
+    own = known.path(paths.DEPLOYMENTS, deployment_name(interface.name))
     is_provider = interface.role == "Provider"
     word = "PROVIDED" if is_provider else "REQUIRED"
     groups = (
@@ -245,7 +222,7 @@ def _instance(process: Process, interface: ServiceInterface, known: Library) -> 
     )
 
 
-def _multicast(interface: ServiceInterface) -> Iterable[Child]:
+def _multicast(interface: model.ServiceInterface) -> Iterable[Child]:
     """Multicast address of an event group, and the number of subscribers from which it is used."""
     chosen = interface.transport.multicast if interface.transport else None
     if chosen is not None and interface.role == "Provider":
@@ -253,11 +230,11 @@ def _multicast(interface: ServiceInterface) -> Iterable[Child]:
         yield {"IPV-4-MULTICAST-IP-ADDRESS": chosen.address}
 
 
-def _mapping(process: Process, interface: ServiceInterface, known: Library) -> Tag:
+def _mapping(process: Process, interface: model.ServiceInterface, known: Library) -> Tag:
     component = process.component
     is_provider = interface.role == "Provider"
-    port = known.path(COMPONENTS, component.name, port_name(interface))
-    instance = known.path(INSTANCES, instance_name(process, interface))
+    port = known.path(paths.COMPONENTS, component.name, port_name(interface))
+    instance = known.path(paths.INSTANCES, instance_name(process, interface))
     kind = f"{'PROVIDED' if is_provider else 'REQUIRED'}-SOMEIP-SERVICE-INSTANCE"
     return tag(
         "SERVICE-INSTANCE-TO-PORT-PROTOTYPE-MAPPING",
@@ -266,7 +243,7 @@ def _mapping(process: Process, interface: ServiceInterface, known: Library) -> T
             root_reference(component, known) if known.release.has_root_of_port else None,
             reference("TARGET-PORT-PROTOTYPE-REF", port, "P-PORT-PROTOTYPE" if is_provider else "R-PORT-PROTOTYPE"),
         ),
-        reference("PROCESS-REF", known.path(PROCESSES, process.name), "PROCESS"),
+        reference("PROCESS-REF", known.path(paths.PROCESSES, process.name), "PROCESS"),
         reference("SERVICE-INSTANCE-REF", instance, kind),
         name=short_name(f"{instance_name(process, interface)}_Mapping"),
     )

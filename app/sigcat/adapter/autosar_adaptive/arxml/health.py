@@ -46,10 +46,11 @@ def alive_supervisions(component: Component) -> tuple[AliveSupervision, ...]:
     parts = (part for interface in component.services for part in interface.services)
     errors = {field.error.name: field.error for part in parts for field in part.fields if field.error is not None}
     final = {name for name, error in errors.items() if error.reset == _RESTART and not error.maturation_time}
+    reported = checkpoints(component)
     return tuple(
         AliveSupervision(call, call.watchdog.alive)
         for call in component.calls
-        if call.watchdog and call.watchdog.alive and call.cycle_time and call.name in checkpoints(component)
+        if call.watchdog and call.watchdog.alive and call.cycle_time and call.name in reported
         if call.watchdog.alive.error_name in final
     )
 

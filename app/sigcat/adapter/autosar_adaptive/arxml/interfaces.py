@@ -7,44 +7,41 @@ from sigcat.adapter.arxml.tree import Package, Tag, description, listed, namespa
 from sigcat.adapter.autosar_adaptive.arxml.method_errors import possible_errors
 from sigcat.adapter.autosar_adaptive.arxml.paths import INTERFACES
 from sigcat.adapter.autosar_adaptive.arxml.types import Library, Presentation, presentation
+from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.deployment.namespaces import parts
-from sigcat.integration.autosar_adaptive.model import (
-    Event,
-    EventGroup,
-    IntegrationModel,
-    Method,
-    MethodArgument,
-    ServiceField,
-    ServiceInterface,
-)
-from sigcat.integration.autosar_adaptive.someip.versions import version_of
+from sigcat.integration.autosar_adaptive.someip.versions import Version, version_of
 
-Item = TypeVar("Item", Event, Method, ServiceField, EventGroup)
+Item = TypeVar("Item", model.Event, model.Method, model.ServiceField, model.EventGroup)
 
 
 class Whole(NamedTuple):
     """A service with what all components together have of it."""
 
-    interface: ServiceInterface
+    interface: model.ServiceInterface
     """As its provider has it, if one of the components is."""
     namespace: str
-    events: tuple[Event, ...]
-    methods: tuple[Method, ...]
-    fields: tuple[ServiceField, ...]
-    event_groups: tuple[EventGroup, ...]
+    events: tuple[model.Event, ...]
+    methods: tuple[model.Method, ...]
+    fields: tuple[model.ServiceField, ...]
+    event_groups: tuple[model.EventGroup, ...]
 
     @property
     def name(self) -> str:
         """Its short name."""
         return self.interface.name
 
+    @property
+    def version(self) -> Version:
+        """Its version, which both sides state."""
+        return version_of(self.interface)
 
-def wholes(model: IntegrationModel) -> tuple[Whole, ...]:
-    """Every service of the model, by name. Of an element that several list, the provider's one counts."""
-    assert model.deployment is not None
-    namespace = model.deployment.namespace or ""
-    by_name: dict[str, list[ServiceInterface]] = {}
-    for component in model.components:
+
+def wholes(document: model.IntegrationModel) -> tuple[Whole, ...]:
+    """Every service of the document, by name. Of an element that several list, the provider's one counts."""
+    assert document.deployment is not None
+    namespace = document.deployment.namespace or ""
+    by_name: dict[str, list[model.ServiceInterface]] = {}
+    for component in document.components:
         for interface in component.services:
             by_name.setdefault(interface.name, []).append(interface)
     return tuple(
@@ -53,7 +50,7 @@ def wholes(model: IntegrationModel) -> tuple[Whole, ...]:
     )
 
 
-def _joined_sides(found: list[ServiceInterface], namespace: str) -> Whole:
+def _joined_sides(found: list[model.ServiceInterface], namespace: str) -> Whole:
     parts = [services for interface in found for services in interface.services]
     return Whole(
         found[0],
@@ -80,12 +77,11 @@ def package(services: Iterable[Whole], known: Library) -> Package:
 
 def _interface(service: Whole, known: Library) -> Tag:
     names = [item.name for items in (service.events, service.fields, service.methods) for item in items]
-    version = version_of(service.interface)
     return tag(
         "SERVICE-INTERFACE",
         trace([("Origin", service.interface.origin)]),
         namespaces(parts(service.namespace), names),
-        {"MAJOR-VERSION": version.major, "MINOR-VERSION": version.minor},
+        {"MAJOR-VERSION": service.version.major, "MINOR-VERSION": service.version.minor},
         listed("EVENTS", (_event(event, known) for event in service.events)),
         listed("FIELDS", (_field(field, known) for field in service.fields)),
         listed("METHODS", (_method(method, known) for method in service.methods)),
@@ -93,7 +89,7 @@ def _interface(service: Whole, known: Library) -> Tag:
     )
 
 
-def _event(event: Event, known: Library) -> Tag:
+def _event(event: model.Event, known: Library) -> Tag:
     return tag(
         "VARIABLE-DATA-PROTOTYPE",
         description(event.description),
@@ -104,7 +100,7 @@ def _event(event: Event, known: Library) -> Tag:
     )
 
 
-def _field(field: ServiceField, known: Library) -> Tag:
+def _field(field: model.ServiceField, known: Library) -> Tag:
     status = (("Error", field.error), ("SafetyReaction", field.safety_reaction), ("Mode", field.mode))
     return tag(
         "FIELD",
@@ -116,7 +112,7 @@ def _field(field: ServiceField, known: Library) -> Tag:
     )
 
 
-def _method(method: Method, known: Library) -> Tag:
+def _method(method: model.Method, known: Library) -> Tag:
     arguments = (
         _argument(argument, direction, known)
         for direction, arguments in (("IN", method.inputs), ("OUT", method.outputs))
@@ -132,7 +128,7 @@ def _method(method: Method, known: Library) -> Tag:
     )
 
 
-def _argument(argument: MethodArgument, direction: str, known: Library) -> Tag:
+def _argument(argument: model.MethodArgument, direction: str, known: Library) -> Tag:
     return tag(
         "ARGUMENT-DATA-PROTOTYPE",
         known.properties(Presentation(argument.unit)),

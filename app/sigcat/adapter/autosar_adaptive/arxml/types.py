@@ -211,14 +211,8 @@ def _text_table_name(entry: TypeEntry) -> str:
 
 
 def _text_table(entry: TypeEntry) -> Tag:
-    scales = (
-        tag(
-            "COMPU-SCALE",
-            {"SYMBOL": item.symbol, "LOWER-LIMIT": item.value, "UPPER-LIMIT": item.value},
-            tag("COMPU-CONST", {"VT": item.symbol}),
-        )
-        for item in entry.symbols or ()
-    )
+    values = ((each.symbol, {"LOWER-LIMIT": each.value, "UPPER-LIMIT": each.value}) for each in entry.symbols or ())
+    scales = (numbers.text_scale(symbol, limits) for symbol, limits in values)
     return numbers.compu_method(_text_table_name(entry), "TEXTTABLE", scales)
 
 

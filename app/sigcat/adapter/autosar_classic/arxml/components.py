@@ -3,18 +3,10 @@
 from collections.abc import Iterable
 
 from sigcat.adapter.arxml.tree import Package, Tag, description, listed, reference, references, tag, trace
+from sigcat.adapter.autosar_classic.arxml import paths
 from sigcat.adapter.autosar_classic.arxml.behavior import Within, behavior
 from sigcat.adapter.autosar_classic.arxml.library import Library
 from sigcat.adapter.autosar_classic.arxml.needs import dependencies
-from sigcat.adapter.autosar_classic.arxml.paths import (
-    APPLICATION_COMPONENT,
-    BEHAVIOR,
-    COMPONENTS,
-    IMPLEMENTATIONS,
-    PARAMETER_COMPONENT,
-    RUNNABLE,
-    SECTIONS,
-)
 from sigcat.adapter.autosar_classic.arxml.ports import port
 from sigcat.integration.autosar_classic.model import Component, MemorySection, ParameterComponent
 from sigcat.integration.autosar_names import short_name
@@ -34,9 +26,9 @@ def packages(known: Library) -> list[Package]:
     places = [Within(component, known) for component in model.components]
     components = [*map(_component, places), *(_parameter_component(each, known) for each in model.parameter_components)]
     return [
-        Package(SECTIONS, tuple(_sections(model.components))),
-        Package(COMPONENTS, tuple(components)),
-        Package(IMPLEMENTATIONS, tuple(map(_implementation, places))),
+        Package(paths.SECTIONS, tuple(_sections(model.components))),
+        Package(paths.COMPONENTS, tuple(components)),
+        Package(paths.IMPLEMENTATIONS, tuple(map(_implementation, places))),
     ]
 
 
@@ -44,7 +36,7 @@ def _component(at: Within) -> Tag:
     component = at.component
     facts = (("Function", component.function), ("Version", component.version), ("AsilLevel", component.asil_level))
     return tag(
-        APPLICATION_COMPONENT,
+        paths.APPLICATION_COMPONENT,
         description(component.description),
         trace((*facts, ("Code", component.code))),
         listed("PORTS", (port(each, at.known) for each in component.ports)),
@@ -55,7 +47,7 @@ def _component(at: Within) -> Tag:
 
 def _parameter_component(component: ParameterComponent, known: Library) -> Tag:
     ports = listed("PORTS", (port(each, known) for each in component.ports))
-    return tag(PARAMETER_COMPONENT, ports, known.type_mappings(), name=component.name)
+    return tag(paths.PARAMETER_COMPONENT, ports, known.type_mappings(), name=component.name)
 
 
 def _sections(components: Iterable[Component]) -> Iterable[Tag]:
@@ -82,7 +74,7 @@ def _implementation(at: Within) -> Tag:
     stacks = (
         tag(
             "ROUGH-ESTIMATE-STACK-USAGE",
-            reference("EXECUTABLE-ENTITY-REF", at.path(each.name), RUNNABLE),
+            reference("EXECUTABLE-ENTITY-REF", at.path(each.name), paths.RUNNABLE),
             {"MEMORY-CONSUMPTION": each.stack_size},
             name=each.name,
         )
@@ -95,7 +87,7 @@ def _implementation(at: Within) -> Tag:
         tag("CODE-DESCRIPTORS", tag("CODE", tag("ARTIFACT-DESCRIPTORS", source), name="Source")),
         {"PROGRAMMING-LANGUAGE": "C"},
         tag("RESOURCE-CONSUMPTION", sections, listed("STACK-USAGES", stacks), name="Resources"),
-        reference("BEHAVIOR-REF", at.path(), BEHAVIOR),
+        reference("BEHAVIOR-REF", at.path(), paths.BEHAVIOR),
         name=implementation_name(component.name),
     )
 
@@ -107,7 +99,7 @@ def _section(section: MemorySection, at: Within) -> Tag:
         "MEMORY-SECTION",
         trace([("StackSize", section.stack_size)]),
         {"ALIGNMENT": section.alignment, "SYMBOL": section.name},
-        references("EXECUTABLE-ENTITY-REF", runnables, RUNNABLE),
-        reference("SW-ADDRMETHOD-REF", at.known.path(SECTIONS, section.name), "SW-ADDR-METHOD"),
+        references("EXECUTABLE-ENTITY-REF", runnables, paths.RUNNABLE),
+        reference("SW-ADDRMETHOD-REF", at.known.path(paths.SECTIONS, section.name), "SW-ADDR-METHOD"),
         name=section.name,
     )

@@ -1,15 +1,8 @@
 """The composition: components, connections between them, ports to the outside."""
 
 from sigcat.adapter.arxml.tree import Package, Tag, listed, reference, tag
+from sigcat.adapter.autosar_classic.arxml import paths
 from sigcat.adapter.autosar_classic.arxml.library import Library
-from sigcat.adapter.autosar_classic.arxml.paths import (
-    APPLICATION_COMPONENT,
-    COMPONENTS,
-    COMPOSITION,
-    COMPOSITIONS,
-    PARAMETER_COMPONENT,
-    PROTOTYPE,
-)
 from sigcat.adapter.autosar_classic.arxml.ports import outer_port, side_of
 from sigcat.integration.autosar_classic.model import Assembly, Delegation, PortReference, Prototype
 
@@ -20,26 +13,28 @@ def package(known: Library) -> Package:
     connectors = [_assembly(each, known) for each in composition.assemblies]
     connectors += (_delegation(each, known) for each in composition.delegations)
     whole = tag(
-        COMPOSITION,
+        paths.COMPOSITION,
         listed("PORTS", (outer_port(each, known) for each in composition.ports)),
         listed("COMPONENTS", (_prototype(each, known) for each in composition.prototypes)),
         listed("CONNECTORS", connectors),
         known.type_mappings(),
         name=composition.name,
     )
-    return Package(COMPOSITIONS, (whole,))
+    return Package(paths.COMPOSITIONS, (whole,))
 
 
 def _prototype(prototype: Prototype, known: Library) -> Tag:
     has_code = all(each.name != prototype.type for each in known.model.parameter_components)
-    kind = APPLICATION_COMPONENT if has_code else PARAMETER_COMPONENT
-    return tag(PROTOTYPE, reference("TYPE-TREF", known.path(COMPONENTS, prototype.type), kind), name=prototype.name)
+    kind = paths.APPLICATION_COMPONENT if has_code else paths.PARAMETER_COMPONENT
+    return tag(
+        paths.PROTOTYPE, reference("TYPE-TREF", known.path(paths.COMPONENTS, prototype.type), kind), name=prototype.name
+    )
 
 
 def _inner(tag_name: str, side: str, inner: PortReference, known: Library) -> Tag:
     """Reference to a port of a component; `side` is P or R."""
     types = {each.name: each.type for each in known.model.composition.prototypes}
-    port = known.path(COMPONENTS, types[inner.component], inner.port)
+    port = known.path(paths.COMPONENTS, types[inner.component], inner.port)
     return tag(
         tag_name,
         known.prototype("CONTEXT-COMPONENT-REF", inner.component),
@@ -57,7 +52,7 @@ def _delegation(connector: Delegation, known: Library) -> Tag:
     composition = known.model.composition
     outer = next(each for each in composition.ports if each.name == connector.outer)
     side = side_of(outer.direction)
-    path = known.path(COMPOSITIONS, composition.name, outer.name)
+    path = known.path(paths.COMPOSITIONS, composition.name, outer.name)
     return tag(
         "DELEGATION-SW-CONNECTOR",
         tag("INNER-PORT-IREF", _inner(f"{side}-PORT-IN-COMPOSITION-INSTANCE-REF", side, connector.inner, known)),

@@ -17,7 +17,6 @@ from sigcat.integration.autosar_names import distinct, short_name
 
 MODULE = "ECUC-MODULE-CONFIGURATION-VALUES"
 _CONTAINER = "ECUC-CONTAINER-VALUE"
-_CONTAINER_DEF, _CHOICE_DEF = "ECUC-PARAM-CONF-CONTAINER-DEF", "ECUC-CHOICE-CONTAINER-DEF"
 _ACTION = "Os/OsAlarm/OsAlarmAction"
 _COUNTER = "AdapterCounter"
 
@@ -84,11 +83,11 @@ def _container(
     about: Tag | None = None,
 ) -> Tag:
     """A container with its parameters, by the names of their definitions."""
-    kind = _CHOICE_DEF if definition == _ACTION else _CONTAINER_DEF
+    kind = "CHOICE-CONTAINER" if definition == _ACTION else "PARAM-CONF-CONTAINER"
     return tag(
         _CONTAINER,
         about,
-        _definition(definition, kind),
+        _definition(definition, f"ECUC-{kind}-DEF"),
         listed("PARAMETER-VALUES", (_parameter(definition, key, value) for key, value in parameters.items())),
         listed("REFERENCE-VALUES", (_reference(definition, each) for each in targets)),
         listed("SUB-CONTAINERS", inner),
@@ -169,7 +168,7 @@ def _instance(prototype: Prototype, tasks: _Tasks, known: Library) -> Iterable[T
     for component in (each for each in known.model.components if each.name == prototype.type):
         at = Within(component, known)
         inner = [
-            _first(_Mapped(each, _event_of(each, known)), batch.name, at)
+            _event_mapping(_Mapped(each, _event_of(each, known)), {"RteUsedInitFnc": batch.name}, "Rte", at)
             for batch in known.model.ecu.init_batches
             for each in batch.events
             if each.component == prototype.name
@@ -192,18 +191,13 @@ def _area(name: str, at: Within) -> Tag:
     return _container(_AREA, short_name(f"{name}_Implementation"), mechanism, [target])
 
 
-def _first(mapped: _Mapped, batch: str, at: Within) -> Tag:
-    """The mapping of an event that `Rte_Init` runs, which has no task."""
-    return _event_mapping(mapped, {"RteUsedInitFnc": batch}, "Rte", at)
-
-
 def _mapping(mapped: _Mapped, task: Task, at: Within) -> Tag:
     used = {"RteMappedToTaskRef": task.name, "RteUsedOsAlarmRef": mapped.alarm, "RteUsedOsEventRef": mapped.os_event}
     return _event_mapping(mapped, used, "Os", at)
 
 
 def _event_mapping(mapped: _Mapped, used: Mapping[str, str | None], module: str, at: Within) -> Tag:
-    """The mapping of an event, with the containers of a module that it uses."""
+    """The mapping of an event, with the containers of a module that it uses. `Rte_Init` runs some without a task."""
     event = mapped.event
     targets = [_Target("RteEventRef", at.path(event.name), EVENT[event.kind])]
     targets += (_Target(key, at.known.path(CONFIGURATIONS, module, name)) for key, name in used.items() if name)

@@ -11,25 +11,9 @@ from sigcat.adapter.arxml.tree import (
     tag,
     trace,
 )
+from sigcat.adapter.autosar_classic.arxml import paths
 from sigcat.adapter.autosar_classic.arxml.library import Library
-from sigcat.adapter.autosar_classic.arxml.paths import (
-    IMPLEMENTATION_TYPE,
-    INTERFACES,
-    MODE_GROUP,
-    MODE_GROUPS,
-    OPERATION,
-    PARAMETER,
-    VARIABLE,
-)
-from sigcat.integration.autosar_classic.model import (
-    ClientServerInterface,
-    DataElement,
-    ModeSwitchInterface,
-    Operation,
-    OperationArgument,
-    ParameterInterface,
-    SenderReceiverInterface,
-)
+from sigcat.integration.autosar_classic import model
 
 _SERVICE_KINDS = {
     "DiagnosticEventManager": "DIAGNOSTIC-EVENT-MANAGER",
@@ -42,16 +26,12 @@ _SERVICE_KINDS = {
 
 def package(known: Library) -> Package:
     """The package of port interfaces."""
-    model = known.model
-    return Package(
-        INTERFACES,
-        (
-            *(_sender_receiver(each, known) for each in model.sender_receiver_interfaces),
-            *(_client_server(each, known) for each in model.client_server_interfaces),
-            *(_mode_switch(each, known) for each in model.mode_switch_interfaces),
-            *(_parameters(each, known) for each in model.parameter_interfaces),
-        ),
-    )
+    document = known.model
+    interfaces = [_sender_receiver(each, known) for each in document.sender_receiver_interfaces]
+    interfaces += (_client_server(each, known) for each in document.client_server_interfaces)
+    interfaces += (_mode_switch(each, known) for each in document.mode_switch_interfaces)
+    interfaces += (_parameters(each, known) for each in document.parameter_interfaces)
+    return Package(paths.INTERFACES, tuple(interfaces))
 
 
 def _service(kind: str | None) -> dict[str, str | bool | None]:
@@ -59,14 +39,14 @@ def _service(kind: str | None) -> dict[str, str | bool | None]:
     return {"IS-SERVICE": bool(kind), "SERVICE-KIND": _SERVICE_KINDS.get(kind, "VENDOR-SPECIFIC") if kind else None}
 
 
-def _sender_receiver(interface: SenderReceiverInterface, known: Library) -> Tag:
+def _sender_receiver(interface: model.SenderReceiverInterface, known: Library) -> Tag:
     text = description(interface.description)
-    elements = listed("DATA-ELEMENTS", (_element(VARIABLE, each, known) for each in interface.elements))
+    elements = listed("DATA-ELEMENTS", (_element(paths.VARIABLE, each, known) for each in interface.elements))
     return tag("SENDER-RECEIVER-INTERFACE", text, _service(None), elements, name=interface.name)
 
 
-def _element(kind: str, element: DataElement, known: Library) -> Tag:
-    access = tag("SW-CALIBRATION-ACCESS", text="READ-WRITE" if kind == PARAMETER else "READ-ONLY")
+def _element(kind: str, element: model.DataElement, known: Library) -> Tag:
+    access = tag("SW-CALIBRATION-ACCESS", text="READ-WRITE" if kind == paths.PARAMETER else "READ-ONLY")
     policy = tag("SW-IMPL-POLICY", text="QUEUED" if element.queued else "STANDARD")
     return tag(
         kind,
@@ -78,13 +58,13 @@ def _element(kind: str, element: DataElement, known: Library) -> Tag:
     )
 
 
-def _parameters(interface: ParameterInterface, known: Library) -> Tag:
-    elements = (_element(PARAMETER, each, known) for each in interface.elements)
+def _parameters(interface: model.ParameterInterface, known: Library) -> Tag:
+    elements = (_element(paths.PARAMETER, each, known) for each in interface.elements)
     return tag("PARAMETER-INTERFACE", _service(None), listed("PARAMETERS", elements), name=interface.name)
 
 
-def _client_server(interface: ClientServerInterface, known: Library) -> Tag:
-    path = known.path(INTERFACES, interface.name)
+def _client_server(interface: model.ClientServerInterface, known: Library) -> Tag:
+    path = known.path(paths.INTERFACES, interface.name)
     errors = (tag("APPLICATION-ERROR", {"ERROR-CODE": each.value}, name=each.name) for each in interface.errors or ())
     return tag(
         "CLIENT-SERVER-INTERFACE",
@@ -95,10 +75,10 @@ def _client_server(interface: ClientServerInterface, known: Library) -> Tag:
     )
 
 
-def _operation(operation: Operation, interface: str, known: Library) -> Tag:
+def _operation(operation: model.Operation, interface: str, known: Library) -> Tag:
     errors = (f"{interface}/{name}" for name in operation.errors or ())
     return tag(
-        OPERATION,
+        paths.OPERATION,
         description(operation.description),
         listed("ARGUMENTS", (_argument(each, known) for each in operation.arguments)),
         references("POSSIBLE-ERROR-REF", errors, "APPLICATION-ERROR"),
@@ -106,17 +86,17 @@ def _operation(operation: Operation, interface: str, known: Library) -> Tag:
     )
 
 
-def _argument(argument: OperationArgument, known: Library) -> Tag:
+def _argument(argument: model.OperationArgument, known: Library) -> Tag:
     return tag(
         "ARGUMENT-DATA-PROTOTYPE",
         trace([("Unit", argument.unit)]),
-        reference("TYPE-TREF", known.implementation_path(argument.type), IMPLEMENTATION_TYPE),
+        reference("TYPE-TREF", known.implementation_path(argument.type), paths.IMPLEMENTATION_TYPE),
         {"DIRECTION": argument.direction, "SERVER-ARGUMENT-IMPL-POLICY": "USE-ARGUMENT-TYPE"},
         name=argument.name,
     )
 
 
-def _mode_switch(interface: ModeSwitchInterface, known: Library) -> Tag:
-    group = reference("TYPE-TREF", known.path(MODE_GROUPS, interface.group), MODE_GROUP)
+def _mode_switch(interface: model.ModeSwitchInterface, known: Library) -> Tag:
+    group = reference("TYPE-TREF", known.path(paths.MODE_GROUPS, interface.group), paths.MODE_GROUP)
     prototype = tag("MODE-GROUP", group, name=interface.prototype)
     return tag("MODE-SWITCH-INTERFACE", _service(interface.service), prototype, name=interface.name)

@@ -5,17 +5,7 @@ from typing import NamedTuple
 
 from sigcat.adapter.arxml.paths import Paths
 from sigcat.adapter.arxml.tree import Tag, reference, tag
-from sigcat.adapter.autosar_classic.arxml.paths import (
-    APPLICATION_TYPES,
-    COMPOSITIONS,
-    IMPLEMENTATION_TYPE,
-    IMPLEMENTATION_TYPES,
-    INTERFACES,
-    PLATFORM,
-    PROTOTYPE,
-    TYPE_MAPPING_SET,
-    TYPE_MAPPINGS,
-)
+from sigcat.adapter.autosar_classic.arxml import paths
 from sigcat.adapter.autosar_classic.arxml.releases import Release
 from sigcat.integration.autosar_classic.datatypes.used_types import element_types, exchanged_types
 from sigcat.integration.autosar_classic.model import (
@@ -23,7 +13,6 @@ from sigcat.integration.autosar_classic.model import (
     ClassicIntegration,
     CompuMethod,
     ImplementationType,
-    ModeSwitchInterface,
     Port,
 )
 
@@ -56,7 +45,6 @@ class Library(NamedTuple):
     """Type of each data element and parameter, by interface and name."""
     exchanged_types: Mapping[str, tuple[str, ...]]
     """Types of everything that an interface has."""
-    modes: Mapping[str, ModeSwitchInterface]
 
     def path(self, package: str, *names: str) -> str:
         """Path of an element in a package, or of one inside it."""
@@ -66,31 +54,31 @@ class Library(NamedTuple):
         """Path of an implementation type. Platform types are those of the vendor."""
         found = self.implementation_types.get(name)
         of_platform = found is None or found.category == "VALUE"
-        return (PLATFORM if of_platform else self.paths).of(IMPLEMENTATION_TYPES, name)
+        return (paths.PLATFORM if of_platform else self.paths).of(paths.IMPLEMENTATION_TYPES, name)
 
     def type_reference(self, tag_name: str, name: str) -> Tag:
         """Reference to a type: an application type, or an implementation type where there is none of the name."""
         found = self.application_types.get(name)
         if found is None:
-            return reference(tag_name, self.implementation_path(name), IMPLEMENTATION_TYPE)
-        return reference(tag_name, self.path(APPLICATION_TYPES, name), APPLICATION_TYPE[found.category])
+            return reference(tag_name, self.implementation_path(name), paths.IMPLEMENTATION_TYPE)
+        return reference(tag_name, self.path(paths.APPLICATION_TYPES, name), APPLICATION_TYPE[found.category])
 
     def interface_path(self, port: Port, *names: str) -> str:
         """Path of the interface of a port, or of an element of it."""
-        return self.path(INTERFACES, port.interface, *names)
+        return self.path(paths.INTERFACES, port.interface, *names)
 
     def implementation_reference(self, name: str) -> Tag:
         """Reference to an implementation type."""
-        return reference("IMPLEMENTATION-DATA-TYPE-REF", self.implementation_path(name), IMPLEMENTATION_TYPE)
+        return reference("IMPLEMENTATION-DATA-TYPE-REF", self.implementation_path(name), paths.IMPLEMENTATION_TYPE)
 
     def type_mappings(self) -> Tag:
         """Reference to the datatypes of the code."""
-        mapping = self.path(TYPE_MAPPINGS, TYPE_MAPPING_SET)
+        mapping = self.path(paths.TYPE_MAPPINGS, paths.TYPE_MAPPING_SET)
         return tag("DATA-TYPE-MAPPING-REFS", reference("DATA-TYPE-MAPPING-REF", mapping, "DATA-TYPE-MAPPING-SET"))
 
     def prototype(self, tag_name: str, name: str) -> Tag:
         """Reference to a component of the composition."""
-        return reference(tag_name, self.path(COMPOSITIONS, self.model.composition.name, name), PROTOTYPE)
+        return reference(tag_name, self.path(paths.COMPOSITIONS, self.model.composition.name, name), paths.PROTOTYPE)
 
 
 def library(model: ClassicIntegration, release: Release) -> Library:
@@ -104,5 +92,4 @@ def library(model: ClassicIntegration, release: Release) -> Library:
         {each.name: each for each in model.compu_methods},
         element_types(model),
         exchanged_types(model),
-        {each.name: each for each in model.mode_switch_interfaces},
     )

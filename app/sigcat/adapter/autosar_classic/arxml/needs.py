@@ -4,17 +4,11 @@ from collections.abc import Iterable
 
 from sigcat.adapter.arxml.tree import Tag, conditional, description, listed, reference, tag, trace
 from sigcat.adapter.autosar_classic.arxml.behavior import Within
-from sigcat.integration.autosar_classic.model import (
-    AliveSupervision,
-    Checkpoint,
-    DiagnosticEvent,
-    Inhibition,
-    NvBlock,
-    SupervisedEntity,
-)
+from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_names import short_name
 
 DEPENDENCY = "SWC-SERVICE-DEPENDENCY"
+_POINT = "SUPERVISED-ENTITY-CHECKPOINT-NEEDS"
 
 
 def dependency_name(need: str) -> str:
@@ -44,7 +38,7 @@ def _dependency(name: str, needs: Tag, port: str | None, at: Within, data: Tag |
     return tag(DEPENDENCY, data, ports, tag("SERVICE-NEEDS", needs), name=dependency_name(name))
 
 
-def _block(block: NvBlock, at: Within) -> Tag:
+def _block(block: model.NvBlock, at: Within) -> Tag:
     memory = reference("USED-PIM-REF", at.path(block.memory), "PER-INSTANCE-MEMORY")
     needs = tag(
         "NV-BLOCK-NEEDS",
@@ -58,7 +52,7 @@ def _block(block: NvBlock, at: Within) -> Tag:
     return _dependency(block.name, needs, block.port, at, data)
 
 
-def _event(event: DiagnosticEvent, at: Within) -> Tag:
+def _event(event: model.DiagnosticEvent, at: Within) -> Tag:
     facts = [
         ("Error", event.error), ("Severity", event.severity), ("OccurrenceCountLimit", event.occurrence_limit),
         ("IgnitionCountLimit", event.ignition_limit), ("AsilLevel", event.asil_level), ("Debouncing", event.debouncing),
@@ -75,14 +69,16 @@ def _event(event: DiagnosticEvent, at: Within) -> Tag:
     return _dependency(event.name, needs, event.port, at)
 
 
-def _inhibition(inhibition: Inhibition, at: Within) -> Tag:
+def _inhibition(inhibition: model.Inhibition, at: Within) -> Tag:
     facts = [("Condition", inhibition.condition), ("Events", inhibition.events), ("Mask", inhibition.mask)]
     needs = tag("FUNCTION-INHIBITION-NEEDS", trace(facts), name=inhibition.name)
     return _dependency(inhibition.name, needs, None, at)
 
 
-def _entity(entity: SupervisedEntity, at: Within) -> Tag:
-    points = (_point_reference(each, entity, at) for each in entity.checkpoints)
+def _entity(entity: model.SupervisedEntity, at: Within) -> Tag:
+    names = (_point_name(each, entity) for each in entity.checkpoints)
+    paths = (at.path(dependency_name(name), name) for name in names)
+    points = (reference(f"{_POINT}-REF", path, _POINT) for path in paths)
     needs = tag(
         "SUPERVISED-ENTITY-NEEDS",
         trace(_facts(entity)),
@@ -94,14 +90,14 @@ def _entity(entity: SupervisedEntity, at: Within) -> Tag:
     return _dependency(entity.name, needs, None, at)
 
 
-def _facts(entity: SupervisedEntity) -> Iterable[tuple[str, object]]:
+def _facts(entity: model.SupervisedEntity) -> Iterable[tuple[str, object]]:
     for each in entity.alive:
         yield f"Alive.{each.checkpoint}", each.model_dump(mode="json", exclude={"checkpoint"})
     yield from ((f"Deadline.{each.start}", each) for each in entity.deadlines)
     yield from (("Logical", f"{each.source} > {each.target}") for each in entity.transitions)
 
 
-def _cycles(alive: AliveSupervision) -> dict[str, float]:
+def _cycles(alive: model.AliveSupervision) -> dict[str, float]:
     """Alive supervision as times between indications, which is how the needs have it."""
     fewest, most = alive.expected - alive.min_margin, alive.expected + alive.max_margin
     counts = {"EXPECTED": alive.expected, "MAX": fewest, "MIN": most}
@@ -109,19 +105,13 @@ def _cycles(alive: AliveSupervision) -> dict[str, float]:
     return {f"{name}-ALIVE-CYCLE": round(cycle / count, 9) for name, count in counts.items() if count > 0}
 
 
-def _point_reference(point: Checkpoint, entity: SupervisedEntity, at: Within) -> Tag:
-    name = _point_name(point, entity)
-    path = at.path(dependency_name(name), name)
-    return reference("SUPERVISED-ENTITY-CHECKPOINT-NEEDS-REF", path, "SUPERVISED-ENTITY-CHECKPOINT-NEEDS")
-
-
-def _point_name(point: Checkpoint, entity: SupervisedEntity) -> str:
+def _point_name(point: model.Checkpoint, entity: model.SupervisedEntity) -> str:
     return short_name(f"{entity.name}_{point.name}")
 
 
-def _checkpoint(point: Checkpoint, entity: SupervisedEntity, at: Within) -> Tag:
+def _checkpoint(point: model.Checkpoint, entity: model.SupervisedEntity, at: Within) -> Tag:
     name = _point_name(point, entity)
     facts = [("Number", point.number), ("Call", point.call), ("Moment", point.moment)]
     more = [("Initial", point.initial), ("Final", point.final), ("Checkpoint", point.name)]
-    needs = tag("SUPERVISED-ENTITY-CHECKPOINT-NEEDS", trace([*facts, *more]), name=name)
+    needs = tag(_POINT, trace([*facts, *more]), name=name)
     return _dependency(name, needs, point.port, at)

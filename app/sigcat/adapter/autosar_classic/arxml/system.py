@@ -3,19 +3,9 @@
 from collections.abc import Iterable
 
 from sigcat.adapter.arxml.tree import Package, Tag, conditional, listed, reference, tag, trace
+from sigcat.adapter.autosar_classic.arxml import paths
 from sigcat.adapter.autosar_classic.arxml.components import implementation_name
 from sigcat.adapter.autosar_classic.arxml.library import Library
-from sigcat.adapter.autosar_classic.arxml.paths import (
-    COMPOSITION,
-    COMPOSITIONS,
-    ECUS,
-    I_SIGNALS,
-    IMPLEMENTATIONS,
-    INTERFACES,
-    SYSTEM_SIGNALS,
-    SYSTEMS,
-    VARIABLE,
-)
 from sigcat.adapter.autosar_classic.arxml.ports import port_reference
 from sigcat.integration.autosar_classic.model import ClassicIntegration, Prototype, SystemSignal
 from sigcat.integration.autosar_names import short_name
@@ -31,12 +21,12 @@ def system_name(model: ClassicIntegration) -> str:
 
 def root_reference(tag_name: str, known: Library) -> Tag:
     """Reference to the root composition in the extract."""
-    return reference(tag_name, known.path(SYSTEMS, system_name(known.model), ROOT), ROOT_PROTOTYPE)
+    return reference(tag_name, known.path(paths.SYSTEMS, system_name(known.model), ROOT), ROOT_PROTOTYPE)
 
 
 def ecu_reference(tag_name: str, known: Library) -> Tag:
     """Reference to the ECU."""
-    return reference(tag_name, known.path(ECUS, known.model.ecu.name), "ECU-INSTANCE")
+    return reference(tag_name, known.path(paths.ECUS, known.model.ecu.name), "ECU-INSTANCE")
 
 
 def packages(known: Library) -> list[Package]:
@@ -45,10 +35,10 @@ def packages(known: Library) -> list[Package]:
     signals = {each.signal: each for each in model.ecu.signals}
     sized = [each for each in signals.values() if each.length]
     return [
-        Package(SYSTEM_SIGNALS, tuple(_signal(each) for each in signals.values())),
-        Package(I_SIGNALS, tuple(_i_signal(each, known) for each in sized)),
-        Package(ECUS, (tag("ECU-INSTANCE", name=model.ecu.name),)),
-        Package(SYSTEMS, (_system(sized, known),)),
+        Package(paths.SYSTEM_SIGNALS, tuple(_signal(each) for each in signals.values())),
+        Package(paths.I_SIGNALS, tuple(_i_signal(each, known) for each in sized)),
+        Package(paths.ECUS, (tag("ECU-INSTANCE", name=model.ecu.name),)),
+        Package(paths.SYSTEMS, (_system(sized, known),)),
     ]
 
 
@@ -67,16 +57,16 @@ def _i_signal(signal: SystemSignal, known: Library) -> Tag:
 
 
 def _signal_reference(signal: SystemSignal, known: Library) -> Tag:
-    return reference("SYSTEM-SIGNAL-REF", known.path(SYSTEM_SIGNALS, signal.signal), "SYSTEM-SIGNAL")
+    return reference("SYSTEM-SIGNAL-REF", known.path(paths.SYSTEM_SIGNALS, signal.signal), "SYSTEM-SIGNAL")
 
 
 def _system(sized: list[SystemSignal], known: Library) -> Tag:
     model = known.model
-    paths = (known.path(I_SIGNALS, _i_signal_name(each)) for each in sized)
-    signals = (reference("FIBEX-ELEMENT-REF", path, "I-SIGNAL") for path in paths)
+    targets = (known.path(paths.I_SIGNALS, _i_signal_name(each)) for each in sized)
+    signals = (reference("FIBEX-ELEMENT-REF", path, "I-SIGNAL") for path in targets)
     members = (ecu_reference("FIBEX-ELEMENT-REF", known), *signals)
-    composition = known.path(COMPOSITIONS, model.composition.name)
-    root = tag(ROOT_PROTOTYPE, reference("SOFTWARE-COMPOSITION-TREF", composition, COMPOSITION), name=ROOT)
+    composition = known.path(paths.COMPOSITIONS, model.composition.name)
+    root = tag(ROOT_PROTOTYPE, reference("SOFTWARE-COMPOSITION-TREF", composition, paths.COMPOSITION), name=ROOT)
     mapping = tag(
         "SYSTEM-MAPPING",
         listed("DATA-MAPPINGS", (_data_mapping(each, known) for each in model.ecu.signals)),
@@ -107,7 +97,7 @@ def _ecu_mapping(known: Library) -> Tag:
 
 
 def _implementation(component: str, known: Library) -> Tag:
-    path = known.path(IMPLEMENTATIONS, implementation_name(component))
+    path = known.path(paths.IMPLEMENTATIONS, implementation_name(component))
     return tag(
         "SWC-TO-IMPL-MAPPING",
         reference("COMPONENT-IMPLEMENTATION-REF", path, "SWC-IMPLEMENTATION"),
@@ -119,15 +109,17 @@ def _implementation(component: str, known: Library) -> Tag:
 def _data_mapping(signal: SystemSignal, known: Library) -> Tag:
     composition = known.model.composition
     outer = next(each for each in composition.ports if each.name == signal.port)
-    element = known.path(INTERFACES, outer.interface, signal.element)
+    element = known.path(paths.INTERFACES, outer.interface, signal.element)
     return tag(
         "SENDER-RECEIVER-TO-SIGNAL-MAPPING",
         {"COMMUNICATION-DIRECTION": "OUT" if outer.direction == "Provided" else "IN"},
         tag(
             "DATA-ELEMENT-IREF",
             root_reference("CONTEXT-COMPOSITION-REF", known),
-            port_reference("CONTEXT-PORT-REF", known.path(COMPOSITIONS, composition.name, outer.name), outer.direction),
-            reference("TARGET-DATA-PROTOTYPE-REF", element, VARIABLE),
+            port_reference(
+                "CONTEXT-PORT-REF", known.path(paths.COMPOSITIONS, composition.name, outer.name), outer.direction
+            ),
+            reference("TARGET-DATA-PROTOTYPE-REF", element, paths.VARIABLE),
         ),
         _signal_reference(signal, known),
     )

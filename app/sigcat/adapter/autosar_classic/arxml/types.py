@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 
 from sigcat.adapter.arxml import units
-from sigcat.adapter.arxml.numbers import compu_method, constraint, limit, linear_scale, references_of_number
+from sigcat.adapter.arxml.numbers import compu_method, constraint, limit, linear_scale, references_of_number, text_scale
 from sigcat.adapter.arxml.paths import COMPU_METHODS, CONSTRAINTS
 from sigcat.adapter.arxml.tree import (
     Child,
@@ -17,25 +17,9 @@ from sigcat.adapter.arxml.tree import (
     tag,
     trace,
 )
+from sigcat.adapter.autosar_classic.arxml import paths
 from sigcat.adapter.autosar_classic.arxml.library import APPLICATION_TYPE, Library
-from sigcat.adapter.autosar_classic.arxml.paths import (
-    APPLICATION_TYPES,
-    BASE_TYPES,
-    IMPLEMENTATION_TYPE,
-    IMPLEMENTATION_TYPES,
-    MODE_GROUP,
-    MODE_GROUPS,
-    PLATFORM,
-    TYPE_MAPPING_SET,
-    TYPE_MAPPINGS,
-)
-from sigcat.integration.autosar_classic.model import (
-    ApplicationType,
-    ClassicIntegration,
-    CompuMethod,
-    ImplementationType,
-    ModeGroup,
-)
+from sigcat.integration.autosar_classic import model
 
 _PLATFORM_TYPES = {
     "boolean": (8, "BOOLEAN"),
@@ -46,13 +30,13 @@ _PLATFORM_TYPES = {
 """Size in bits and encoding of each platform type (AUTOSAR_SWS_PlatformTypes)."""
 
 
-def platform_packages(model: ClassicIntegration) -> list[Package]:
+def platform_packages(document: model.ClassicIntegration) -> list[Package]:
     """The platform types that the document uses, where every vendor has them."""
-    used = {each.base or each.name for each in model.implementation_types if each.category != "ARRAY"}
-    names = [name for name in _PLATFORM_TYPES if name in used | {group.type for group in model.mode_groups}]
+    used = {each.base or each.name for each in document.implementation_types if each.category != "ARRAY"}
+    names = [name for name in _PLATFORM_TYPES if name in used | {group.type for group in document.mode_groups}]
     return [
-        Package(BASE_TYPES, tuple(map(_base_type, names))),
-        Package(IMPLEMENTATION_TYPES, tuple(map(_platform_type, names))),
+        Package(paths.BASE_TYPES, tuple(map(_base_type, names))),
+        Package(paths.IMPLEMENTATION_TYPES, tuple(map(_platform_type, names))),
     ]
 
 
@@ -64,27 +48,27 @@ def _base_type(name: str) -> Tag:
 
 def _platform_type(name: str) -> Tag:
     """A platform type: the RTE does not define it, since `Platform_Types.h` does."""
-    base = reference("BASE-TYPE-REF", PLATFORM.of(BASE_TYPES, name), "SW-BASE-TYPE")
+    base = reference("BASE-TYPE-REF", paths.PLATFORM.of(paths.BASE_TYPES, name), "SW-BASE-TYPE")
     kind = {"CATEGORY": "VALUE", "TYPE-EMITTER": "Platform_Type"}
-    return tag(IMPLEMENTATION_TYPE, kind, definition_properties(base), name=name)
+    return tag(paths.IMPLEMENTATION_TYPE, kind, definition_properties(base), name=name)
 
 
 def packages(known: Library) -> list[Package]:
     """The packages of the file of types."""
-    model = known.model
-    own = [each for each in model.implementation_types if each.category != "VALUE"]
-    shown = {each.display_name: each.name for each in model.units}
+    document = known.model
+    own = [each for each in document.implementation_types if each.category != "VALUE"]
+    shown = {each.display_name: each.name for each in document.units}
     return [
-        Package(IMPLEMENTATION_TYPES, tuple(_implementation(each, known) for each in own)),
-        Package(APPLICATION_TYPES, tuple(_application(each, known) for each in model.application_types)),
-        Package(COMPU_METHODS, tuple(_compu_method(each, known) for each in model.compu_methods)),
+        Package(paths.IMPLEMENTATION_TYPES, tuple(_implementation(each, known) for each in own)),
+        Package(paths.APPLICATION_TYPES, tuple(_application(each, known) for each in document.application_types)),
+        Package(COMPU_METHODS, tuple(_compu_method(each, known) for each in document.compu_methods)),
         *units.packages(shown, {}, known.paths),
-        Package(CONSTRAINTS, tuple(constraint(each.name, each.min, each.max) for each in model.constraints)),
-        Package(TYPE_MAPPINGS, (_mapping(known),)),
+        Package(CONSTRAINTS, tuple(constraint(each.name, each.min, each.max) for each in document.constraints)),
+        Package(paths.TYPE_MAPPINGS, (_mapping(known),)),
     ]
 
 
-def _implementation(entry: ImplementationType, known: Library) -> Tag:
+def _implementation(entry: model.ImplementationType, known: Library) -> Tag:
     properties, elements = None, None
     if entry.category == "TYPE_REFERENCE":
         method = references_of_number(known.paths, entry.compu_method)
@@ -97,16 +81,16 @@ def _implementation(entry: ImplementationType, known: Library) -> Tag:
         parts = (_part(each.name, each.type, known, description(each.description)) for each in members)
         elements = listed("SUB-ELEMENTS", parts)
     about = trace([("TypeRef", entry.reference)])
-    return tag(IMPLEMENTATION_TYPE, {"CATEGORY": entry.category}, about, properties, elements, name=entry.name)
+    return tag(paths.IMPLEMENTATION_TYPE, {"CATEGORY": entry.category}, about, properties, elements, name=entry.name)
 
 
 def _part(name: str, type_name: str, known: Library, about: Child) -> Tag:
     """A member of a structure, or the element of an array."""
     properties = definition_properties(known.implementation_reference(type_name))
-    return tag(f"{IMPLEMENTATION_TYPE}-ELEMENT", {"CATEGORY": "TYPE_REFERENCE"}, about, properties, name=name)
+    return tag(f"{paths.IMPLEMENTATION_TYPE}-ELEMENT", {"CATEGORY": "TYPE_REFERENCE"}, about, properties, name=name)
 
 
-def _application(entry: ApplicationType, known: Library) -> Tag:
+def _application(entry: model.ApplicationType, known: Library) -> Tag:
     content: Tag | None
     if entry.category == "ARRAY":
         size: Child = {"ARRAY-SIZE-SEMANTICS": "FIXED-SIZE", "MAX-NUMBER-OF-ELEMENTS": entry.length or 1}
@@ -138,16 +122,12 @@ def _typed(name: str, known: Library) -> Iterable[Child]:
     yield known.type_reference("TYPE-TREF", name)
 
 
-def _compu_method(entry: CompuMethod, known: Library) -> Tag:
-    scales = [_text_scale(each.symbol, each.value) for each in entry.symbols or ()]
+def _compu_method(entry: model.CompuMethod, known: Library) -> Tag:
+    limits = ("LOWER-LIMIT", "UPPER-LIMIT")
+    scales = [text_scale(each.symbol, *(limit(end, each.value) for end in limits)) for each in entry.symbols or ()]
     if entry.category == "LINEAR":
         scales = [_linear_scale(Fraction(entry.factor or "1"), Fraction(entry.offset or "0"))]
     return compu_method(entry.name, entry.category, scales, references_of_number(known.paths, unit=entry.unit))
-
-
-def _text_scale(symbol: str, value: int) -> Tag:
-    limits = (limit("LOWER-LIMIT", value), limit("UPPER-LIMIT", value))
-    return tag("COMPU-SCALE", {"SYMBOL": symbol}, *limits, tag("COMPU-CONST", {"VT": symbol}))
 
 
 def _linear_scale(factor: Fraction, offset: Fraction) -> Tag:
@@ -170,23 +150,23 @@ def _mapping(known: Library) -> Tag:
         tag(
             "MODE-REQUEST-TYPE-MAP",
             known.implementation_reference(each.type),
-            reference("MODE-GROUP-REF", known.path(MODE_GROUPS, each.name), MODE_GROUP),
+            reference("MODE-GROUP-REF", known.path(paths.MODE_GROUPS, each.name), paths.MODE_GROUP),
         )
         for each in known.model.mode_groups
     )
     content = (listed("DATA-TYPE-MAPS", maps), listed("MODE-REQUEST-TYPE-MAPS", modes))
-    return tag("DATA-TYPE-MAPPING-SET", *content, name=TYPE_MAPPING_SET)
+    return tag("DATA-TYPE-MAPPING-SET", *content, name=paths.TYPE_MAPPING_SET)
 
 
 def mode_groups(known: Library) -> Package:
     """The package of mode declaration groups. Modes have the numbers that the core takes."""
-    return Package(MODE_GROUPS, tuple(_mode_group(each, known) for each in known.model.mode_groups))
+    return Package(paths.MODE_GROUPS, tuple(_mode_group(each, known) for each in known.model.mode_groups))
 
 
-def _mode_group(group: ModeGroup, known: Library) -> Tag:
-    initial = known.path(MODE_GROUPS, group.name, group.initial)
+def _mode_group(group: model.ModeGroup, known: Library) -> Tag:
+    initial = known.path(paths.MODE_GROUPS, group.name, group.initial)
     return tag(
-        MODE_GROUP,
+        paths.MODE_GROUP,
         {"CATEGORY": "EXPLICIT_ORDER", "ON-TRANSITION-VALUE": group.on_transition},
         reference("INITIAL-MODE-REF", initial, "MODE-DECLARATION"),
         listed(
