@@ -35,11 +35,6 @@ class AliveSupervision(NamedTuple):
     call: Call
     limits: WatchdogLimits
 
-    @property
-    def window(self) -> float:
-        """Duration in ms in which the reference number of indications is expected."""
-        return self.limits.reference * (self.call.cycle_time or 0)
-
 
 def alive_supervisions(component: Component) -> tuple[AliveSupervision, ...]:
     """Return the alive supervisions of a component."""
@@ -180,7 +175,7 @@ def _alive(each: AliveSupervision, process: Process, own: str, tolerance: int | 
     expected, least, most = (int(number) for number in (each.limits.reference, each.limits.min, each.limits.max))
     return tag(
         "ALIVE-SUPERVISION",
-        {"ALIVE-REFERENCE-CYCLE": seconds(each.window)},
+        {"ALIVE-REFERENCE-CYCLE": seconds(each.limits.reference * (each.call.cycle_time or 0))},
         reference("CHECKPOINT-REF", f"{own}/{_point_name(each.call.name, process)}", _CHECKPOINT),
         {"EXPECTED-ALIVE-INDICATIONS": expected, "FAILED-REFERENCE-CYCLES-TOLERANCE": tolerance},
         {"MAX-MARGIN": max(most - expected, 0), "MIN-MARGIN": max(expected - least, 0)},

@@ -92,10 +92,8 @@ _SIDES = {True: "Server", False: "Client"}
 
 def instance_timing(*, provides: bool, known: Library) -> Tag:
     """The reference of a service instance to its timing."""
-    side = _SIDES[provides]
-    return reference(
-        f"SD-{side.upper()}-CONFIG-REF", known.path(DISCOVERY, side), _timing_tag(side, "SERVICE-INSTANCE")
-    )
+    side, path = _SIDES[provides], known.path(DISCOVERY, _SIDES[provides])
+    return reference(f"SD-{side.upper()}-CONFIG-REF", path, _timing_tag(side, "SERVICE-INSTANCE"))
 
 
 def event_group_timing(*, provides: bool, known: Library) -> Tag:

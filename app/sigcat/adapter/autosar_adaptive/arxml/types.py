@@ -171,8 +171,12 @@ def _primitive(word: str, known: Library) -> Tag:
 def _type(entry: TypeEntry, known: Library) -> Tag:
     admin = trace([("TypeRef", entry.reference or entry.name), ("VssDatatype", entry.vss_datatype)])
     members = entry.fields or ()
+    content: list[Child]
     if entry.symbols is not None or entry.kind == "type_reference":
-        category, content = "TYPE_REFERENCE", _alias(entry, known)
+        category, target = "TYPE_REFERENCE", known.type_path(entry.storage or entry.c_definition or "uint8_t")
+        table = _text_table_name(entry) if entry.symbols else None
+        properties = definition_properties(*numbers.references_of_number(known.paths, table))
+        content = [properties, reference("TYPE-REFERENCE-REF", target, TYPE)]
     elif entry.kind == "array":
         is_open = entry.is_open or entry.dimension is None
         element = reference("TEMPLATE-TYPE-REF", known.type_path(entry.element), TYPE)
@@ -184,14 +188,6 @@ def _type(entry: TypeEntry, known: Library) -> Tag:
         content = [description(entry.description), listed("SUB-ELEMENTS", (_member(each, known) for each in members))]
     inside = namespaces(known.namespace, (field.name for field in members) if category == "STRUCTURE" else ())
     return tag(TYPE, {"CATEGORY": category}, admin, inside, *content, name=entry.name)
-
-
-def _alias(entry: TypeEntry, known: Library) -> list[Child]:
-    """An enumeration, or another name for a primitive."""
-    target = known.type_path(entry.storage or entry.c_definition or "uint8_t")
-    table = _text_table_name(entry) if entry.symbols else None
-    properties = definition_properties(*numbers.references_of_number(known.paths, table))
-    return [properties, reference("TYPE-REFERENCE-REF", target, TYPE)]
 
 
 def _member(field: StructField, known: Library) -> Tag:

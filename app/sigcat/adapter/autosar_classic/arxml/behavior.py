@@ -29,9 +29,8 @@ class Within(NamedTuple):
 
     def port_reference(self, tag_name: str, port: model.Port) -> Tag:
         """Reference to one of its ports."""
-        return port_reference(
-            tag_name, self.known.path(paths.COMPONENTS, self.component.name, port.name), port.direction
-        )
+        path = self.known.path(paths.COMPONENTS, self.component.name, port.name)
+        return port_reference(tag_name, path, port.direction)
 
     def access(
         self, runnable: str | None, kinds: Iterable[model.AccessKind], port: str | None, element: str | None

@@ -26,9 +26,8 @@ def package(known: Library) -> Package:
 def _prototype(prototype: Prototype, known: Library) -> Tag:
     has_code = all(each.name != prototype.type for each in known.model.parameter_components)
     kind = paths.APPLICATION_COMPONENT if has_code else paths.PARAMETER_COMPONENT
-    return tag(
-        paths.PROTOTYPE, reference("TYPE-TREF", known.path(paths.COMPONENTS, prototype.type), kind), name=prototype.name
-    )
+    target = reference("TYPE-TREF", known.path(paths.COMPONENTS, prototype.type), kind)
+    return tag(paths.PROTOTYPE, target, name=prototype.name)
 
 
 def _inner(tag_name: str, side: str, inner: PortReference, known: Library) -> Tag:

@@ -109,6 +109,7 @@ def _implementation(component: str, known: Library) -> Tag:
 def _data_mapping(signal: SystemSignal, known: Library) -> Tag:
     composition = known.model.composition
     outer = next(each for each in composition.ports if each.name == signal.port)
+    port = known.path(paths.COMPOSITIONS, composition.name, outer.name)
     element = known.path(paths.INTERFACES, outer.interface, signal.element)
     return tag(
         "SENDER-RECEIVER-TO-SIGNAL-MAPPING",
@@ -116,9 +117,7 @@ def _data_mapping(signal: SystemSignal, known: Library) -> Tag:
         tag(
             "DATA-ELEMENT-IREF",
             root_reference("CONTEXT-COMPOSITION-REF", known),
-            port_reference(
-                "CONTEXT-PORT-REF", known.path(paths.COMPOSITIONS, composition.name, outer.name), outer.direction
-            ),
+            port_reference("CONTEXT-PORT-REF", port, outer.direction),
             reference("TARGET-DATA-PROTOTYPE-REF", element, paths.VARIABLE),
         ),
         _signal_reference(signal, known),

@@ -97,12 +97,7 @@ def _application(entry: model.ApplicationType, known: Library) -> Tag:
         content = tag("ELEMENT", *_typed(entry.element or "", known), size, name="Element")
     elif entry.category == "STRUCTURE":
         members = (
-            tag(
-                "APPLICATION-RECORD-ELEMENT",
-                description(each.description),
-                *_typed(each.type, known),
-                name=each.name,
-            )
+            tag("APPLICATION-RECORD-ELEMENT", description(each.description), *_typed(each.type, known), name=each.name)
             for each in entry.members or ()
         )
         content = listed("ELEMENTS", members)
