@@ -11,6 +11,12 @@ Tables = Mapping[type[BaseModel], tuple[str, Targets]]
 """Kind and targets of each part of a document, without the fields that hold other parts."""
 
 
+def part(kind: str, place: str, *admin: str, **targets: FieldTarget | str) -> tuple[str, Targets]:
+    """Kind of a part, and targets of its fields below a place; `admin` are fields in the admin data there."""
+    fields = {**dict.fromkeys(admin, "admin data"), **targets}
+    return kind, {name: place + target if isinstance(target, str) else target for name, target in fields.items()}
+
+
 def document_report(document: BaseModel, tables: Tables) -> tuple[Entry, ...]:
     """An entry for each field that has a value, in the order of the document."""
     return tuple(_of_part(document, "", "", tables))

@@ -1,6 +1,6 @@
 """Units in SI units, and their physical dimensions."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
 from sigcat.adapter.arxml.paths import DIMENSIONS, UNITS, Paths
 from sigcat.adapter.arxml.tree import Package, Tag, reference, tag
@@ -16,29 +16,23 @@ def packages(names: Mapping[str, str], described: Mapping[str, UnitSettings], pa
     dimensions = {si.dimension for si in known.values() if si is not None}
     return [
         Package(DIMENSIONS, tuple(map(_dimension, sorted(dimensions, key=dimension_name)))),
-        Package(
-            UNITS, tuple(tag("UNIT", *_content(unit, known[unit], paths), name=name) for unit, name in names.items())
-        ),
+        Package(UNITS, tuple(_unit(name, unit, known[unit], paths) for unit, name in names.items())),
     ]
 
 
-def _content(unit: str, si: SiUnit | None, paths: Paths) -> Iterable[Tag]:
-    """Name and symbol of a unit and, where it is linear in SI units, its factor and offset."""
-    yield tag("DISPLAY-NAME", text=unit)
-    if si is not None:
-        yield tag("FACTOR-SI-TO-UNIT", text=float(si.from_si.factor))
-        yield tag("OFFSET-SI-TO-UNIT", text=float(si.from_si.offset))
-        path = paths.of(DIMENSIONS, dimension_name(si.dimension))
-        yield reference("PHYSICAL-DIMENSION-REF", path, "PHYSICAL-DIMENSION")
+def _unit(name: str, unit: str, si: SiUnit | None, paths: Paths) -> Tag:
+    """A unit and, where it is linear in SI units, its factor and offset."""
+    if si is None:
+        return tag("UNIT", {"DISPLAY-NAME": unit}, name=name)
+    path = paths.of(DIMENSIONS, dimension_name(si.dimension))
+    factors = {"FACTOR-SI-TO-UNIT": float(si.from_si.factor), "OFFSET-SI-TO-UNIT": float(si.from_si.offset)}
+    dimension = reference("PHYSICAL-DIMENSION-REF", path, "PHYSICAL-DIMENSION")
+    return tag("UNIT", {"DISPLAY-NAME": unit, **factors}, dimension, name=name)
 
 
 def _dimension(dimension: Dimension) -> Tag:
-    exponents = dimension._asdict().items()
-    return tag(
-        "PHYSICAL-DIMENSION",
-        *(tag(f"{quantity.upper().replace('_', '-')}-EXP", text=number) for quantity, number in exponents if number),
-        name=dimension_name(dimension),
-    )
+    exponents = {f"{key.upper().replace('_', '-')}-EXP": number or None for key, number in dimension._asdict().items()}
+    return tag("PHYSICAL-DIMENSION", exponents, name=dimension_name(dimension))
 
 
 def dimension_name(dimension: Dimension) -> str:

@@ -54,7 +54,7 @@ def _supervised(component: Component, call: Call, kind: str) -> tuple[str, str]:
     """The supervisor of a call, with notes."""
     if kind != "Alive" or call.name not in checkpoints(component):
         return "core", _SUPERVISION
-    is_limited = call.name in (each.call for each in alive_supervisions(component))
+    is_limited = call.name in (each.call.name for each in alive_supervisions(component))
     return "core and ara::phm::SupervisedEntity", _LIMITED if is_limited else _REPORTED
 
 

@@ -1,25 +1,13 @@
 """Application component types with their ports, stored parameters, and executables with their root components."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from typing import Literal
 
-from pydantic import BaseModel
-
-from sigcat.adapter.arxml.paths import Paths
-from sigcat.adapter.arxml.tree import Package, Tag, description, listed, reference, tag, trace
-from sigcat.adapter.autosar_adaptive.arxml.paths import (
-    COMPONENTS,
-    EXECUTABLES,
-    INTERFACES,
-    MONITORS,
-    PROCESS_DESIGNS,
-    STORAGES,
-    SUPERVISIONS,
-    TYPE,
-)
-from sigcat.adapter.autosar_adaptive.arxml.releases import Release
-from sigcat.adapter.autosar_adaptive.arxml.types import Library, Presentation
+from sigcat.adapter.arxml.tree import Package, Tag, description, listed, port, reference, tag, trace
+from sigcat.adapter.autosar_adaptive.arxml import paths
+from sigcat.adapter.autosar_adaptive.arxml.types import Library, parameter_presentation
 from sigcat.integration.autosar_adaptive.code import MethodUse
-from sigcat.integration.autosar_adaptive.model import Call, Component, Method, ServiceInterface, Use
+from sigcat.integration.autosar_adaptive.model import Component, ServiceInterface, Use
 from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE, StoredParameter, storage_name, storages
 from sigcat.integration.autosar_names import short_name
 
@@ -30,20 +18,23 @@ MONITOR_NAME = "ErrorMonitor"
 SUPERVISION = "PHM-SUPERVISED-ENTITY-INTERFACE"
 SUPERVISION_PORT = "Supervision"
 IGNITION_CYCLE = "IgnitionCycle"
+DATA_ELEMENT = "PERSISTENCY-DATA-ELEMENT"
 COUNTS = (("Occurrences", "uint16_t"), ("IgnitionCycles", "uint16_t"), ("HasFailed", "bool"), ("IsTested", "bool"))
 """Stored values of each error: keys after its name, and words of their datatypes."""
 
 
-def packages(components: Iterable[Component], known: Library, release: Release) -> list[Package]:
+def packages(components: Sequence[Component], known: Library) -> list[Package]:
     """The packages of the file of components."""
-    listed_components = list(components)
     return [
-        Package(STORAGES, tuple(_storages(listed_components, known))),
-        Package(MONITORS, (tag(MONITOR, name=MONITOR_NAME),) if any(map(reported_errors, listed_components)) else ()),
-        Package(SUPERVISIONS, tuple(_supervision(item) for item in listed_components if checkpoints(item))),
-        Package(COMPONENTS, tuple(_component(item, known) for item in listed_components)),
-        Package(EXECUTABLES, tuple(_executable(item, known) for item in listed_components)),
-        Package(PROCESS_DESIGNS, tuple(_process_design(item, release, known) for item in listed_components)),
+        Package(paths.STORAGES, tuple(storage for each in components for storage in _storages(each, known))),
+        Package(paths.MONITORS, (tag(MONITOR, name=MONITOR_NAME),) if any(map(reported_errors, components)) else ()),
+        Package(paths.SUPERVISIONS, tuple(_supervision(each) for each in components if checkpoints(each))),
+        Package(paths.COMPONENTS, tuple(_component(each, known) for each in components)),
+        Package(paths.EXECUTABLES, tuple(_executable(each, known) for each in components)),
+        Package(
+            paths.PROCESS_DESIGNS,
+            tuple(tag("PROCESS-DESIGN", executables(each, known), name=design_name(each)) for each in components),
+        ),
     ]
 
 
@@ -57,84 +48,59 @@ def root_name(component: Component) -> str:
     return short_name(f"{component.name}_Root")
 
 
+def root_reference(component: Component, known: Library) -> Tag:
+    """Reference to the root component, as the context of what is in it."""
+    root = known.path(paths.EXECUTABLES, component.executable, root_name(component))
+    return reference("CONTEXT-ROOT-SW-COMPONENT-PROTOTYPE-REF", root, "ROOT-SW-COMPONENT-PROTOTYPE")
+
+
 def _component(component: Component, known: Library) -> Tag:
     ports = [_port(interface, known) for interface in component.services]
-    ports += (_storage_port(component, name, known, is_written=both) for name, both in storage_ports(component).items())
-    ports += (_monitor_port(name, known) for name in reported_errors(component))
+    for name, is_written in storage_ports(component).items():
+        storage = known.path(paths.STORAGES, storage_name(component, name))
+        ports.append(port("PR" if is_written else "R", storage, STORAGE, name=name))
+    monitor = known.path(paths.MONITORS, MONITOR_NAME)
+    ports += (port("R", monitor, MONITOR, name=monitor_port(error)) for error in reported_errors(component))
     if checkpoints(component):
-        ports.append(_supervision_port(component, known))
-    return tag(
-        COMPONENT,
-        description(component.description),
-        trace(_facts(component)),
-        listed("PORTS", ports),
-        name=component.name,
-    )
+        supervision = known.path(paths.SUPERVISIONS, supervision_name(component))
+        ports.append(port("R", supervision, SUPERVISION, name=SUPERVISION_PORT))
+    text, facts = description(component.description), trace(_facts(component))
+    return tag(COMPONENT, text, facts, listed("PORTS", ports), name=component.name)
 
 
-def _facts(component: Component) -> list[tuple[str, object]]:
-    """Fields of a component for which the metamodel has no place."""
-    identity = [("Function", component.function), ("Version", component.version)]
-    return [
-        *identity,
-        ("Code", _dumped(component.code)),
-        *_headers(component),
-        *_modes(component),
-        *_calls(component.calls),
-    ]
-
-
-def _dumped(part: BaseModel | None) -> dict[str, object] | None:
-    return part.model_dump(mode="json", exclude_none=True) if part is not None else None
-
-
-def _headers(component: Component) -> list[tuple[str, object]]:
-    return [("HeaderFile", header) for header in component.header_files or ()]
-
-
-def _modes(component: Component) -> list[tuple[str, object]]:
-    facts: list[tuple[str, object]] = []
+def _facts(component: Component) -> Iterable[tuple[str, object]]:
+    """Fields of a component for which the metamodel has no place, such as its calls."""
+    yield from (("Function", component.function), ("Version", component.version), ("Code", component.code))
+    yield from (("HeaderFile", header) for header in component.header_files or ())
     for mode in component.function_modes or ():
-        facts.append(("Mode", f"{mode.name}: {', '.join(mode.calls or ()) or 'no call'}"))
-        facts.append((f"Mode.{mode.name}.Description", mode.description))
-    return facts
-
-
-def _calls(calls: Iterable[Call]) -> list[tuple[str, object]]:
-    """Calls have no element in the manifests of AUTOSAR adaptive: each is listed with its fields, `name.field`."""
-    facts: list[tuple[str, object]] = []
-    for call in calls:
-        facts.append(("Call", call.name))
-        written = call.model_dump(mode="json", exclude_none=True)
-        facts.extend((f"{call.name}.{field}", value) for field, value in written.items() if field != "Name")
-    return facts
+        yield "Mode", f"{mode.name}: {', '.join(mode.calls or ()) or 'no call'}"
+        yield f"Mode.{mode.name}.Description", mode.description
+    for call in component.calls:
+        yield "Call", call.name
+        yield call.name, call.model_dump(mode="json", exclude={"name"})
 
 
 def _port(interface: ServiceInterface, known: Library) -> Tag:
-    path = known.paths.of(INTERFACES, interface.name)
-    if interface.role == "Provider":
-        target = reference("PROVIDED-INTERFACE-TREF", path, "SERVICE-INTERFACE")
-        return tag("P-PORT-PROTOTYPE", _mapped(interface), target, name=port_name(interface))
-    target = reference("REQUIRED-INTERFACE-TREF", path, "SERVICE-INTERFACE")
-    return tag("R-PORT-PROTOTYPE", _mapped(interface), target, name=port_name(interface))
+    side: Literal["P", "R"] = "P" if interface.role == "Provider" else "R"
+    path = known.path(paths.INTERFACES, interface.name)
+    return port(side, path, "SERVICE-INTERFACE", trace(_uses(interface)), name=port_name(interface))
 
 
-def _mapped(interface: ServiceInterface) -> Tag | None:
+def _uses(interface: ServiceInterface) -> Iterable[tuple[str, object]]:
     """Use of the service by the component: the calls that use each element, and how the code stores values."""
-    facts: list[tuple[str, object]] = [
-        fact for provider in interface.providers or () for fact in (("Provider", provider.name), ("Contract", provider.contract))
-    ]  # fmt: skip
+    for provider in interface.providers or ():
+        yield from (("Provider", provider.name), ("Contract", provider.contract))
     for services in interface.services:
         for event in services.events:
-            facts.extend((f"{event.name}.DataMapping", variable) for variable in event.data_mapping or ())
-            facts.extend((f"{event.name}.{use.call}", _used(use)) for use in event.uses or ())
-        facts.extend((f"{field.name}.Calls", field.calls) for field in services.fields)
-        facts.extend((f"{method.name}.Calls", method.calls) for method in services.methods)
-        facts.extend(fact for method in services.methods for fact in _arguments(method))
-        facts.extend(
-            (f"{method.name}.{use.call}", _method_used(use)) for method in services.methods for use in method.uses or ()
-        )
-    return trace(facts)
+            yield from ((f"{event.name}.DataMapping", variable) for variable in event.data_mapping or ())
+            yield from ((f"{event.name}.{use.call}", _used(use)) for use in event.uses or ())
+        yield from ((f"{field.name}.Calls", field.calls) for field in services.fields)
+        yield from ((f"{method.name}.Calls", method.calls) for method in services.methods)
+        for method in services.methods:
+            for argument in (*(method.inputs or ()), *(method.outputs or ())):
+                yield f"{method.name}.{argument.name}.CodeDatatype", argument.code_datatype
+        for method in services.methods:
+            yield from ((f"{method.name}.{use.call}", _method_used(use)) for use in method.uses or ())
 
 
 def _used(use: Use) -> dict[str, object]:
@@ -142,11 +108,6 @@ def _used(use: Use) -> dict[str, object]:
     interface = use.signal or use.queue
     written = use.model_dump(mode="json", exclude={"call", "component", "signal", "queue"}, exclude_none=True)
     return written | (interface.model_dump(mode="json", exclude_none=True) if interface else {})
-
-
-def _arguments(method: Method) -> Iterable[tuple[str, object]]:
-    for argument in (*(method.inputs or ()), *(method.outputs or ())):
-        yield f"{method.name}.{argument.name}.CodeDatatype", argument.code_datatype
 
 
 def _method_used(use: MethodUse) -> dict[str, object]:
@@ -170,11 +131,6 @@ def monitor_port(error: str) -> str:
     return short_name(f"{error}_Monitor")
 
 
-def _monitor_port(error: str, known: Library) -> Tag:
-    path = known.paths.of(MONITORS, MONITOR_NAME)
-    return tag("R-PORT-PROTOTYPE", reference("REQUIRED-INTERFACE-TREF", path, MONITOR), name=monitor_port(error))
-
-
 def checkpoints(component: Component) -> tuple[str, ...]:
     """Calls whose ends are reported to the health management: those with alive supervision that no mode excludes.
 
@@ -195,15 +151,10 @@ def supervision_name(component: Component) -> str:
 
 def _supervision(component: Component) -> Tag:
     reported = (
-        tag("PHM-CHECKPOINT", tag("CHECKPOINT-ID", text=number), name=short_name(call))
+        tag("PHM-CHECKPOINT", {"CHECKPOINT-ID": number}, name=short_name(call))
         for number, call in enumerate(checkpoints(component))
     )
     return tag(SUPERVISION, listed("CHECKPOINTS", reported), name=supervision_name(component))
-
-
-def _supervision_port(component: Component, known: Library) -> Tag:
-    path = known.paths.of(SUPERVISIONS, supervision_name(component))
-    return tag("R-PORT-PROTOTYPE", reference("REQUIRED-INTERFACE-TREF", path, SUPERVISION), name=SUPERVISION_PORT)
 
 
 def stored_counts(component: Component) -> Iterable[tuple[str, str]]:
@@ -220,25 +171,13 @@ def storage_ports(component: Component) -> dict[str, bool]:
     return {**ports, ADAPTER_STORAGE: True} if reported_errors(component) else ports
 
 
-def _storage_port(component: Component, storage: str, known: Library, *, is_written: bool) -> Tag:
-    path = known.paths.of(STORAGES, storage_name(component, storage))
-    if is_written:
-        return tag("PR-PORT-PROTOTYPE", reference("PROVIDED-REQUIRED-INTERFACE-TREF", path, STORAGE), name=storage)
-    return tag("R-PORT-PROTOTYPE", reference("REQUIRED-INTERFACE-TREF", path, STORAGE), name=storage)
-
-
-def _storages(components: Iterable[Component], known: Library) -> Iterable[Tag]:
-    for component in components:
-        for name, stored in storages(component).items():
-            elements = [_parameter(each, known) for each in stored]
-            yield tag(STORAGE, listed("DATA-ELEMENTS", elements), name=storage_name(component, name))
-        if reported_errors(component):
-            counts = [_count(key, word, known) for key, word in stored_counts(component)]
-            yield tag(STORAGE, listed("DATA-ELEMENTS", counts), name=storage_name(component, ADAPTER_STORAGE))
-
-
-def _count(key: str, word: str, known: Library) -> Tag:
-    return tag("PERSISTENCY-DATA-ELEMENT", reference("TYPE-TREF", known.type_path(word), TYPE), name=key)
+def _storages(component: Component, known: Library) -> Iterable[Tag]:
+    for name, stored in storages(component).items():
+        elements = [_parameter(each, known) for each in stored]
+        yield tag(STORAGE, listed("DATA-ELEMENTS", elements), name=storage_name(component, name))
+    counts = [tag(DATA_ELEMENT, known.typed(word), name=key) for key, word in stored_counts(component)]
+    if counts:
+        yield tag(STORAGE, listed("DATA-ELEMENTS", counts), name=storage_name(component, ADAPTER_STORAGE))
 
 
 def _parameter(stored: StoredParameter, known: Library) -> Tag:
@@ -253,41 +192,29 @@ def _parameter(stored: StoredParameter, known: Library) -> Tag:
         ("VssDatatype", parameter.vss_datatype), ("VssUnit", parameter.vss_unit),
         ("VssSymbols", [each.model_dump(mode="json") for each in parameter.vss_symbols or ()]),
         ("ConversionFactor", parameter.conversion_factor), ("ConversionOffset", parameter.conversion_offset),
-        ("Scaling", kind.scaling), ("Offset", kind.offset), ("Code", _dumped(parameter.code)),
+        ("Scaling", kind.scaling), ("Offset", kind.offset), ("Code", parameter.code),
     ]  # fmt: skip
     return tag(
-        "PERSISTENCY-DATA-ELEMENT",
+        DATA_ELEMENT,
         description(parameter.description),
         trace(facts),
-        known.properties(Presentation(kind.unit or None, None, None, kind.min, kind.max)),
-        reference("TYPE-TREF", known.type_path(kind.word), TYPE),
+        known.properties(parameter_presentation(parameter)),
+        known.typed(kind.word),
         name=stored.key,
     )
 
 
 def _executable(component: Component, known: Library) -> Tag:
-    path = known.paths.of(COMPONENTS, component.name)
-    root = tag(
-        "ROOT-SW-COMPONENT-PROTOTYPE", reference("APPLICATION-TYPE-TREF", path, COMPONENT), name=root_name(component)
-    )
-    return tag(
-        "EXECUTABLE",
-        tag("CATEGORY", text="APPLICATION_LEVEL"),
-        tag("REPORTING-BEHAVIOR", text="REPORTS-EXECUTION-STATE"),
-        root,
-        name=component.executable,
-    )
+    application = reference("APPLICATION-TYPE-TREF", known.path(paths.COMPONENTS, component.name), COMPONENT)
+    root = tag("ROOT-SW-COMPONENT-PROTOTYPE", application, name=root_name(component))
+    kind = {"CATEGORY": "APPLICATION_LEVEL", "REPORTING-BEHAVIOR": "REPORTS-EXECUTION-STATE"}
+    return tag("EXECUTABLE", kind, root, name=component.executable)
 
 
-def _process_design(component: Component, release: Release, known: Library) -> Tag:
-    executable = executables(component, release, known.paths)
-    return tag("PROCESS-DESIGN", executable, name=design_name(component))
-
-
-def executables(component: Component, release: Release, paths: Paths) -> Tag:
+def executables(component: Component, known: Library) -> Tag:
     """Reference to an executable from a process, or from its design."""
-    executable = reference("EXECUTABLE-REF", paths.of(EXECUTABLES, component.executable), "EXECUTABLE")
-    return executable if release.has_one_executable else tag("EXECUTABLE-REFS", executable)
+    executable = reference("EXECUTABLE-REF", known.path(paths.EXECUTABLES, component.executable), "EXECUTABLE")
+    return executable if known.release.has_one_executable else tag("EXECUTABLE-REFS", executable)
 
 
 def design_name(component: Component) -> str:

@@ -2,15 +2,11 @@
 
 from collections.abc import Iterable
 
-from autosar_data import AutosarDataError
-
-from sigcat.adapter.arxml.paths import Paths
-from sigcat.adapter.arxml.tree import document_trace, written
+from sigcat.adapter.arxml.tree import document_trace, files
 from sigcat.adapter.autosar_adaptive.arxml import components, deployment, interfaces, method_errors, types
 from sigcat.adapter.autosar_adaptive.arxml.releases import BY_NAME
 from sigcat.adapter.files import GeneratedFile
 from sigcat.catalogue.reading.yaml_document import collector_paused
-from sigcat.errors import InputRefused
 from sigcat.integration.autosar_adaptive.deployment.namespaces import parts
 from sigcat.integration.autosar_adaptive.document import writable
 from sigcat.integration.autosar_adaptive.model import IntegrationModel
@@ -26,10 +22,9 @@ def generate(model: IntegrationModel, release_name: str | None = None) -> tuple[
     """
     whole = writable(model)
     assert whole.deployment is not None
-    paths = Paths(whole.deployment.package)
-    known = types.library(whole, paths)
-    services = interfaces.wholes(whole)
     release = BY_NAME[release_name or whole.deployment.release]
+    known = types.library(whole, release)
+    services = interfaces.wholes(whole)
     content = {
         "types.arxml": types.packages(known, _words(whole), whole.deployment.units or {}),
         "interfaces.arxml": [
@@ -37,20 +32,14 @@ def generate(model: IntegrationModel, release_name: str | None = None) -> tuple[
             *method_errors.packages(
                 (method for service in services for method in service.methods),
                 tuple(parts(whole.deployment.namespace or "")),
-                paths,
+                known.paths,
             ),
         ],
-        "components.arxml": components.packages(whole.components, known, release),
-        "deployment.arxml": deployment.packages(whole, services, release, paths),
+        "components.arxml": components.packages(whole.components, known),
+        "deployment.arxml": deployment.packages(whole, services, known),
     }
     about = {"components.arxml": document_trace(model.meta, model.info, model.provenance)}
-    try:
-        return tuple(
-            GeneratedFile(name, written(name, paths.root, packages, release.schema, about.get(name)))
-            for name, packages in content.items()
-        )
-    except AutosarDataError as error:
-        raise InputRefused(f"The integration cannot be written as ARXML: {error}") from error
+    return files(content, known.paths.root, release.schema, about)
 
 
 def _words(model: IntegrationModel) -> Iterable[str]:

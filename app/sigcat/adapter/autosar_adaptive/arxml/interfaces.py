@@ -3,82 +3,58 @@
 from collections.abc import Iterable
 from typing import NamedTuple, TypeVar
 
-from sigcat.adapter.arxml.tree import (
-    Package,
-    Tag,
-    description,
-    listed,
-    namespaces,
-    reference,
-    tag,
-    trace,
-)
+from sigcat.adapter.arxml.tree import Package, Tag, description, listed, namespaces, tag, trace
 from sigcat.adapter.autosar_adaptive.arxml.method_errors import possible_errors
-from sigcat.adapter.autosar_adaptive.arxml.paths import INTERFACES, TYPE
+from sigcat.adapter.autosar_adaptive.arxml.paths import INTERFACES
 from sigcat.adapter.autosar_adaptive.arxml.types import Library, Presentation, presentation
+from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.deployment.namespaces import parts
-from sigcat.integration.autosar_adaptive.deployment.someip_settings import TransformationSettings
-from sigcat.integration.autosar_adaptive.deployment.transport import DEFAULT_TRANSPORT, TransportSettings
-from sigcat.integration.autosar_adaptive.model import (
-    Event,
-    EventGroup,
-    IntegrationModel,
-    Method,
-    MethodArgument,
-    ServiceField,
-    ServiceInterface,
-)
 from sigcat.integration.autosar_adaptive.someip.versions import Version, version_of
 
-Item = TypeVar("Item", Event, Method, ServiceField, EventGroup)
+Item = TypeVar("Item", model.Event, model.Method, model.ServiceField, model.EventGroup)
 
 
 class Whole(NamedTuple):
     """A service with what all components together have of it."""
 
-    name: str
-    service_id: int
-    instance_id: int
-    version: Version
-    origin: str
+    interface: model.ServiceInterface
+    """As its provider has it, if one of the components is."""
     namespace: str
-    transformation: TransformationSettings | None
-    """Its own, where it does not have that of all."""
-    transport: TransportSettings
-    events: tuple[Event, ...]
-    methods: tuple[Method, ...]
-    fields: tuple[ServiceField, ...]
-    event_groups: tuple[EventGroup, ...]
+    events: tuple[model.Event, ...]
+    methods: tuple[model.Method, ...]
+    fields: tuple[model.ServiceField, ...]
+    event_groups: tuple[model.EventGroup, ...]
+
+    @property
+    def name(self) -> str:
+        """Its short name."""
+        return self.interface.name
+
+    @property
+    def version(self) -> Version:
+        """Its version, which both sides state."""
+        return version_of(self.interface)
 
 
-def wholes(model: IntegrationModel) -> tuple[Whole, ...]:
-    """Every service of the model, by name. Of an element that several list, the provider's one counts."""
-    assert model.deployment is not None
-    namespace = model.deployment.namespace or ""
-    by_name: dict[str, list[ServiceInterface]] = {}
-    for component in model.components:
+def wholes(document: model.IntegrationModel) -> tuple[Whole, ...]:
+    """Every service of the document, by name. Of an element that several list, the provider's one counts."""
+    assert document.deployment is not None
+    namespace = document.deployment.namespace or ""
+    by_name: dict[str, list[model.ServiceInterface]] = {}
+    for component in document.components:
         for interface in component.services:
             by_name.setdefault(interface.name, []).append(interface)
     return tuple(
-        _joined_sides(name, sorted(found, key=lambda interface: interface.role != "Provider"), namespace)
-        for name, found in sorted(by_name.items())
+        _joined_sides(sorted(found, key=lambda interface: interface.role != "Provider"), namespace)
+        for _, found in sorted(by_name.items())
     )
 
 
-def _joined_sides(name: str, found: list[ServiceInterface], namespace: str) -> Whole:
+def _joined_sides(found: list[model.ServiceInterface], namespace: str) -> Whole:
     parts = [services for interface in found for services in interface.services]
-    first = found[0]
-    assert first.service_id is not None
-    assert first.instance_id is not None
     return Whole(
-        name,
-        first.service_id,
-        first.instance_id,
-        version_of(first),
-        first.origin or "",
-        first.namespace or namespace,
-        first.transformation,
-        first.transport or DEFAULT_TRANSPORT,
+        found[0],
+        found[0].namespace or namespace,
         _each(event for part in parts for event in part.events),
         _each(method for part in parts for method in part.methods),
         _each(field for part in parts for field in part.fields),
@@ -103,10 +79,9 @@ def _interface(service: Whole, known: Library) -> Tag:
     names = [item.name for items in (service.events, service.fields, service.methods) for item in items]
     return tag(
         "SERVICE-INTERFACE",
-        trace([("Origin", service.origin)]),
+        trace([("Origin", service.interface.origin)]),
         namespaces(parts(service.namespace), names),
-        tag("MAJOR-VERSION", text=service.version.major),
-        tag("MINOR-VERSION", text=service.version.minor),
+        {"MAJOR-VERSION": service.version.major, "MINOR-VERSION": service.version.minor},
         listed("EVENTS", (_event(event, known) for event in service.events)),
         listed("FIELDS", (_field(field, known) for field in service.fields)),
         listed("METHODS", (_method(method, known) for method in service.methods)),
@@ -114,38 +89,30 @@ def _interface(service: Whole, known: Library) -> Tag:
     )
 
 
-def _event(event: Event, known: Library) -> Tag:
+def _event(event: model.Event, known: Library) -> Tag:
     return tag(
         "VARIABLE-DATA-PROTOTYPE",
         description(event.description),
         trace([("VssPath", event.vss_path), ("CycleTimeMs", event.cycle_time)]),
         known.properties(presentation(event)),
-        reference("TYPE-TREF", known.type_path(event.datatype), TYPE),
+        known.typed(event.datatype),
         name=event.name,
     )
 
 
-def _field(field: ServiceField, known: Library) -> Tag:
+def _field(field: model.ServiceField, known: Library) -> Tag:
+    status = (("Error", field.error), ("SafetyReaction", field.safety_reaction), ("Mode", field.mode))
     return tag(
         "FIELD",
         description(field.description),
-        trace([("VssPath", field.vss_path), *_status(field)]),
-        reference("TYPE-TREF", known.type_path(field.word), TYPE),
-        tag("HAS-GETTER", text="false" if field.protection else "true"),
-        tag("HAS-NOTIFIER", text="true"),
-        tag("HAS-SETTER", text="false"),
+        trace([("VssPath", field.vss_path), *status]),
+        known.typed(field.word),
+        {"HAS-GETTER": not field.protection, "HAS-NOTIFIER": True, "HAS-SETTER": False},
         name=field.name,
     )
 
 
-def _status(field: ServiceField) -> Iterable[tuple[str, object]]:
-    """The whole error, safety reaction or mode of a field."""
-    for key, status in (("Error", field.error), ("SafetyReaction", field.safety_reaction), ("Mode", field.mode)):
-        if status is not None:
-            yield key, status.model_dump(mode="json", exclude_none=True)
-
-
-def _method(method: Method, known: Library) -> Tag:
+def _method(method: model.Method, known: Library) -> Tag:
     arguments = (
         _argument(argument, direction, known)
         for direction, arguments in (("IN", method.inputs), ("OUT", method.outputs))
@@ -155,17 +122,17 @@ def _method(method: Method, known: Library) -> Tag:
         "CLIENT-SERVER-OPERATION",
         description(method.description),
         listed("ARGUMENTS", arguments),
-        tag("FIRE-AND-FORGET", text="false"),
+        {"FIRE-AND-FORGET": False},
         possible_errors(known.paths),
         name=method.name,
     )
 
 
-def _argument(argument: MethodArgument, direction: str, known: Library) -> Tag:
+def _argument(argument: model.MethodArgument, direction: str, known: Library) -> Tag:
     return tag(
         "ARGUMENT-DATA-PROTOTYPE",
-        known.properties(Presentation(argument.unit, None, None, None, None)),
-        reference("TYPE-TREF", known.type_path(argument.datatype), TYPE),
-        tag("DIRECTION", text=direction),
+        known.properties(Presentation(argument.unit)),
+        known.typed(argument.datatype),
+        {"DIRECTION": direction},
         name=argument.name,
     )

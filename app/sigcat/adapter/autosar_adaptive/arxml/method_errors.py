@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from sigcat.adapter.arxml.paths import Paths
-from sigcat.adapter.arxml.tree import Package, Tag, description, listed, namespaces, reference, tag
+from sigcat.adapter.arxml.tree import Package, Tag, description, namespaces, reference, references, tag
 from sigcat.adapter.autosar_adaptive.arxml.paths import ERRORS
 from sigcat.function.document.text import Text
 from sigcat.integration.autosar_adaptive.model import Method
@@ -35,9 +35,7 @@ def packages(methods: Iterable[Method], namespace: tuple[str, ...], paths: Paths
     """The domain and its errors; nothing without methods."""
     if not any(methods):
         return []
-    domain = tag(
-        "AP-APPLICATION-ERROR-DOMAIN", namespaces(namespace), tag("VALUE", text=DOMAIN_ID), name=DOMAIN
-    )  # fmt: skip
+    domain = tag("AP-APPLICATION-ERROR-DOMAIN", namespaces(namespace), {"VALUE": DOMAIN_ID}, name=DOMAIN)
     return [Package(ERRORS, (domain, *(_error(each, paths) for each in METHOD_ERRORS)))]
 
 
@@ -45,7 +43,7 @@ def _error(error: MethodError, paths: Paths) -> Tag:
     return tag(
         "AP-APPLICATION-ERROR",
         description(Text(error.description)),
-        tag("ERROR-CODE", text=error.code),
+        {"ERROR-CODE": error.code},
         reference("ERROR-DOMAIN-REF", paths.of(ERRORS, DOMAIN), "AP-APPLICATION-ERROR-DOMAIN"),
         name=error.name,
     )
@@ -53,10 +51,5 @@ def _error(error: MethodError, paths: Paths) -> Tag:
 
 def possible_errors(paths: Paths) -> Tag | None:
     """References of an operation to the errors."""
-    return listed(
-        "POSSIBLE-AP-ERROR-REFS",
-        (
-            reference("POSSIBLE-AP-ERROR-REF", paths.of(ERRORS, each.name), "AP-APPLICATION-ERROR")
-            for each in METHOD_ERRORS
-        ),
-    )
+    errors = (paths.of(ERRORS, each.name) for each in METHOD_ERRORS)
+    return references("POSSIBLE-AP-ERROR-REF", errors, "AP-APPLICATION-ERROR")

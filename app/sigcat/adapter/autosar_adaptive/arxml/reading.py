@@ -13,6 +13,8 @@ _INSTANCES = {
     "PROVIDED-SOMEIP-SERVICE-INSTANCE": "SERVICE-INSTANCE-ID",
     "REQUIRED-SOMEIP-SERVICE-INSTANCE": "REQUIRED-SERVICE-INSTANCE-ID",
 }
+_OF_FIELD = (("NOTIFIER", "", "EVENT-ID"), ("GET", "Get", "METHOD-ID"), ("SET", "Set", "METHOD-ID"))
+"""Parts of the deployment of a field: prefixes of their keys, and elements with their ids."""
 _ANY = ("ANY", "ALL")
 """Values of a required instance that replace an id."""
 
@@ -56,19 +58,10 @@ def _of_service(deployment: Element) -> Iterator[tuple[str, str]]:
     for group in _listed(deployment, "EVENT-GROUPS"):
         yield f"{service}.{(group.item_name or '').removesuffix(GROUP_SUFFIX)}", _text(group, "EVENT-GROUP-ID")
     for field in _listed(deployment, "FIELD-DEPLOYMENTS"):
-        yield from _of_field(field, service)
-
-
-def _of_field(field: Element, service: str) -> Iterator[tuple[str, str]]:
-    name = _target(field, "FIELD-REF")
-    for part, key, tag in (
-        ("NOTIFIER", name, "EVENT-ID"),
-        ("GET", f"Get{name}", "METHOD-ID"),
-        ("SET", f"Set{name}", "METHOD-ID"),
-    ):
-        found = field.get_sub_element(part)
-        if found is not None:
-            yield f"{service}.{key}", _text(found, tag)
+        for part, prefix, number in _OF_FIELD:
+            found = field.get_sub_element(part)
+            if found is not None:
+                yield f"{service}.{prefix}{_target(field, 'FIELD-REF')}", _text(found, number)
 
 
 def _listed(element: Element, tag: str) -> Iterator[Element]:

@@ -4,9 +4,10 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple, TypeVar
 
-from sigcat.adapter.arxml import units
-from sigcat.adapter.arxml.paths import COMPU_METHODS, CONSTRAINTS, UNITS, Paths
+from sigcat.adapter.arxml import numbers, units
+from sigcat.adapter.arxml.paths import COMPU_METHODS, CONSTRAINTS, Paths
 from sigcat.adapter.arxml.tree import (
+    Child,
     Package,
     Tag,
     definition_properties,
@@ -18,8 +19,9 @@ from sigcat.adapter.arxml.tree import (
     trace,
 )
 from sigcat.adapter.autosar_adaptive.arxml.paths import DATATYPES, TYPE
+from sigcat.adapter.autosar_adaptive.arxml.releases import Release
 from sigcat.integration.autosar_adaptive.deployment.namespaces import parts
-from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel, StructField, TypeEntry
+from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel, ParameterEntry, StructField, TypeEntry
 from sigcat.integration.autosar_adaptive.units import units_of
 from sigcat.integration.autosar_names import distinct, short_name
 from sigcat.integration.autosar_si_units import UnitSettings
@@ -34,16 +36,17 @@ class Presentation(NamedTuple):
     """Meaning of the number that is sent: unit, scaling, limits."""
 
     unit: str | None
-    factor: str | None
-    offset: str | None
-    min: float | None
-    max: float | None
+    factor: str | None = None
+    offset: str | None = None
+    min: float | None = None
+    max: float | None = None
 
 
 class Library(NamedTuple):
     """Names that several elements refer to."""
 
     paths: Paths
+    release: Release
     units: dict[str, str]
     methods: dict[tuple[str | None, str, str], str]
     limits: dict[tuple[float | None, float | None], str]
@@ -51,21 +54,25 @@ class Library(NamedTuple):
     namespace: tuple[str, ...]
     """Namespaces of datatypes, the outermost first."""
 
+    def path(self, package: str, *names: str) -> str:
+        """Path of an element in a package, or of one inside it."""
+        return self.paths.of(package, *names)
+
     def type_path(self, word: str) -> str:
         """Path of the implementation datatype of a word or a name."""
         row = BY_ADAPTIVE.get(word)
-        return self.paths.of(DATATYPES, row.autosar if row else word)
+        return self.path(DATATYPES, row.autosar if row else word)
+
+    def typed(self, word: str) -> Tag:
+        """TYPE-TREF to the implementation datatype of a word or a name."""
+        return reference("TYPE-TREF", self.type_path(word), TYPE)
 
     def properties(self, shown: Presentation) -> Tag | None:
         """SW-DATA-DEF-PROPS of an element that is presented so."""
         method = self.methods.get(_method_key(shown))
         limits = self.limits.get((shown.min, shown.max))
         unit = self.units.get(shown.unit or "")
-        return definition_properties(
-            reference("COMPU-METHOD-REF", self.paths.of(COMPU_METHODS, method), "COMPU-METHOD") if method else None,
-            reference("DATA-CONSTR-REF", self.paths.of(CONSTRAINTS, limits), "DATA-CONSTR") if limits else None,
-            reference("UNIT-REF", self.paths.of(UNITS, unit), "UNIT") if unit else None,
-        )
+        return definition_properties(*numbers.references_of_number(self.paths, method, limits, unit))
 
 
 def presentation(event: Event) -> Presentation:
@@ -73,8 +80,15 @@ def presentation(event: Event) -> Presentation:
     return Presentation(event.unit, event.scaling, event.offset, event.min, event.max)
 
 
-def library(model: IntegrationModel, paths: Paths) -> Library:
+def parameter_presentation(parameter: ParameterEntry) -> Presentation:
+    """Meaning of the value of a parameter."""
+    kind = parameter.datatype
+    return Presentation(kind.unit or None, min=kind.min, max=kind.max)
+
+
+def library(model: IntegrationModel, release: Release) -> Library:
     """Everything that elements of the model refer to, by name."""
+    assert model.deployment is not None
     shown = list(dict.fromkeys(_presentations(model)))
     types = {entry.name: entry for entry in model.datatypes or ()}
     names = distinct({unit: short_name(unit) for unit in units_of(model)})
@@ -84,15 +98,10 @@ def library(model: IntegrationModel, paths: Paths) -> Library:
     limits = {
         (item.min, item.max): _limits_name(item) for item in shown if item.min is not None or item.max is not None
     }
-    return Library(
-        paths, names, _unlike(methods, map(text_table_name, types.values())), _unlike(limits), types, _namespace(model)
-    )
-
-
-def _namespace(model: IntegrationModel) -> tuple[str, ...]:
-    assert model.deployment is not None
-    chosen = model.deployment.type_namespace or model.deployment.namespace
-    return tuple(parts(chosen)) if chosen else ()
+    methods, limits = _unlike(methods, map(_text_table_name, types.values())), _unlike(limits)
+    namespace = model.deployment.type_namespace or model.deployment.namespace
+    inside = tuple(parts(namespace)) if namespace else ()
+    return Library(Paths(model.deployment.package), release, names, methods, limits, types, inside)
 
 
 def _presentations(model: IntegrationModel) -> Iterable[Presentation]:
@@ -101,8 +110,7 @@ def _presentations(model: IntegrationModel) -> Iterable[Presentation]:
             for services in interface.services:
                 yield from map(presentation, services.events)
         for parameter in component.parameters or ():
-            kind = parameter.datatype
-            yield Presentation(kind.unit or None, None, None, kind.min, kind.max)
+            yield parameter_presentation(parameter)
 
 
 def _unlike(names: dict[K, str], taken: Iterable[str] = ()) -> dict[K, str]:
@@ -141,12 +149,10 @@ def packages(known: Library, used: Iterable[str], described: Mapping[str, UnitSe
     types = [_primitive(word, known) for word in words] + [_type(entry, known) for entry in known.types.values()]
     texts = [_text_table(entry) for entry in known.types.values() if entry.symbols]
     methods = [_compu_method(key, name, known) for key, name in known.methods.items()]
-    return [
-        Package(DATATYPES, tuple(types)),
-        Package(COMPU_METHODS, (*methods, *texts)),
-        *units.packages(known.units, described, known.paths),
-        Package(CONSTRAINTS, tuple(_limits(ends, name) for ends, name in known.limits.items())),
-    ]  # fmt: skip
+    constraints = tuple(numbers.constraint(name, *ends) for ends, name in known.limits.items())
+    described_units = units.packages(known.units, described, known.paths)
+    content = [Package(DATATYPES, tuple(types)), Package(COMPU_METHODS, (*methods, *texts)), *described_units]
+    return [*content, Package(CONSTRAINTS, constraints)]
 
 
 def _words(entries: Iterable[TypeEntry]) -> Iterable[str]:
@@ -157,54 +163,31 @@ def _words(entries: Iterable[TypeEntry]) -> Iterable[str]:
 
 def _primitive(word: str, known: Library) -> Tag:
     """A primitive. Numbers are those of the standard library, without a namespace of the application."""
-    name = BY_ADAPTIVE[word].autosar
-    if word != "string":
-        return tag(TYPE, tag("CATEGORY", text="VALUE"), name=name)
-    return tag(TYPE, tag("CATEGORY", text="STRING"), namespaces(known.namespace), name=name)
+    is_text = word == "string"
+    inside = namespaces(known.namespace) if is_text else None
+    return tag(TYPE, {"CATEGORY": "STRING" if is_text else "VALUE"}, inside, name=BY_ADAPTIVE[word].autosar)
 
 
 def _type(entry: TypeEntry, known: Library) -> Tag:
     admin = trace([("TypeRef", entry.reference or entry.name), ("VssDatatype", entry.vss_datatype)])
+    members = entry.fields or ()
+    content: list[Child]
     if entry.symbols is not None or entry.kind == "type_reference":
-        return _alias(entry, admin, known)
-    if entry.kind == "array":
-        return _array(entry, admin, known)
-    members = listed("SUB-ELEMENTS", (_member(field, known) for field in entry.fields or ()))
-    text = description(entry.description)
-    inside = namespaces(known.namespace, (field.name for field in entry.fields or ()))
-    return tag(TYPE, text, tag("CATEGORY", text="STRUCTURE"), admin, inside, members, name=entry.name)
-
-
-def _alias(entry: TypeEntry, admin: Tag | None, known: Library) -> Tag:
-    """An enumeration, or another name for a primitive."""
-    target = known.type_path(entry.storage or entry.c_definition or "uint8_t")
-    properties = None
-    if entry.symbols:
-        path = known.paths.of(COMPU_METHODS, text_table_name(entry))
-        properties = definition_properties(reference("COMPU-METHOD-REF", path, "COMPU-METHOD"))
-    return tag(
-        TYPE,
-        tag("CATEGORY", text="TYPE_REFERENCE"),
-        admin,
-        properties,
-        namespaces(known.namespace),
-        reference("TYPE-REFERENCE-REF", target, TYPE),
-        name=entry.name,
-    )
-
-
-def _array(entry: TypeEntry, admin: Tag | None, known: Library) -> Tag:
-    size = None if entry.is_open else entry.dimension
-    element = reference("TEMPLATE-TYPE-REF", known.type_path(entry.element), TYPE)
-    return tag(
-        TYPE,
-        tag("CATEGORY", text="VECTOR" if size is None else "ARRAY"),
-        admin,
-        tag("ARRAY-SIZE", text=size) if size is not None else None,
-        namespaces(known.namespace),
-        tag("TEMPLATE-ARGUMENTS", tag("CPP-TEMPLATE-ARGUMENT", element)),
-        name=entry.name,
-    )
+        category, target = "TYPE_REFERENCE", known.type_path(entry.storage or entry.c_definition or "uint8_t")
+        table = _text_table_name(entry) if entry.symbols else None
+        properties = definition_properties(*numbers.references_of_number(known.paths, table))
+        content = [properties, reference("TYPE-REFERENCE-REF", target, TYPE)]
+    elif entry.kind == "array":
+        is_open = entry.is_open or entry.dimension is None
+        element = reference("TEMPLATE-TYPE-REF", known.type_path(entry.element), TYPE)
+        arguments = tag("TEMPLATE-ARGUMENTS", tag("CPP-TEMPLATE-ARGUMENT", element))
+        category = "VECTOR" if is_open else "ARRAY"
+        content = [{"ARRAY-SIZE": None if is_open else entry.dimension}, arguments]
+    else:
+        category = "STRUCTURE"
+        content = [description(entry.description), listed("SUB-ELEMENTS", (_member(each, known) for each in members))]
+    inside = namespaces(known.namespace, (field.name for field in members) if category == "STRUCTURE" else ())
+    return tag(TYPE, {"CATEGORY": category}, admin, inside, *content, name=entry.name)
 
 
 def _member(field: StructField, known: Library) -> Tag:
@@ -219,51 +202,20 @@ def _member(field: StructField, known: Library) -> Tag:
     )
 
 
-def text_table_name(entry: TypeEntry) -> str:
-    """Name of the compu method of an enumeration."""
+def _text_table_name(entry: TypeEntry) -> str:
     return short_name(f"CM_{entry.name}")
 
 
 def _text_table(entry: TypeEntry) -> Tag:
-    scales = (
-        tag(
-            "COMPU-SCALE",
-            tag("SYMBOL", text=item.symbol),
-            tag("LOWER-LIMIT", text=item.value),
-            tag("UPPER-LIMIT", text=item.value),
-            tag("COMPU-CONST", tag("VT", text=item.symbol)),
-        )
-        for item in entry.symbols or ()
-    )
-    content = tag("COMPU-INTERNAL-TO-PHYS", listed("COMPU-SCALES", scales))
-    return tag("COMPU-METHOD", tag("CATEGORY", text="TEXTTABLE"), content, name=text_table_name(entry))
+    values = ((each.symbol, {"LOWER-LIMIT": each.value, "UPPER-LIMIT": each.value}) for each in entry.symbols or ())
+    scales = (numbers.text_scale(symbol, limits) for symbol, limits in values)
+    return numbers.compu_method(_text_table_name(entry), "TEXTTABLE", scales)
 
 
 def _compu_method(key: tuple[str | None, str, str], name: str, known: Library) -> Tag:
     unit, factor, offset = key
-    identical = (factor, offset) == IDENTICAL
-    scale = tag(
-        "COMPU-SCALE",
-        tag(
-            "COMPU-RATIONAL-COEFFS",
-            tag("COMPU-NUMERATOR", tag("V", text=offset), tag("V", text=factor)),
-            tag("COMPU-DENOMINATOR", tag("V", text="1")),
-        ),
-    )
-    return tag(
-        "COMPU-METHOD",
-        tag("CATEGORY", text="IDENTICAL" if identical else "LINEAR"),
-        reference("UNIT-REF", known.paths.of(UNITS, known.units[unit]), "UNIT") if unit else None,
-        None if identical else tag("COMPU-INTERNAL-TO-PHYS", tag("COMPU-SCALES", scale)),
-        name=name,
-    )
-
-
-def _limits(ends: tuple[float | None, float | None], name: str) -> Tag:
-    low, high = ends
-    rule = tag(
-        "PHYS-CONSTRS",
-        Tag("LOWER-LIMIT", (), str(low), None, (("INTERVAL-TYPE", "CLOSED"),)) if low is not None else None,
-        Tag("UPPER-LIMIT", (), str(high), None, (("INTERVAL-TYPE", "CLOSED"),)) if high is not None else None,
-    )
-    return tag("DATA-CONSTR", tag("DATA-CONSTR-RULES", tag("DATA-CONSTR-RULE", rule)), name=name)
+    is_identical = (factor, offset) == IDENTICAL
+    scales = () if is_identical else (numbers.linear_scale(offset, factor, "1"),)
+    category = "IDENTICAL" if is_identical else "LINEAR"
+    target = numbers.references_of_number(known.paths, unit=known.units[unit] if unit else None)
+    return numbers.compu_method(name, category, scales, target)

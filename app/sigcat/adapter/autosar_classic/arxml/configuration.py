@@ -3,70 +3,57 @@
 The parameters are those of AUTOSAR_SWS_RTE and AUTOSAR_SWS_OS; their definitions are the vendor's.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
+from types import MappingProxyType
 from typing import NamedTuple
 
-from sigcat.adapter.arxml.tree import Package, Tag, listed, reference, tag, trace
+from sigcat.adapter.arxml.tree import Package, Tag, conditional, listed, reference, tag, trace
 from sigcat.adapter.autosar_classic.arxml.behavior import EVENT, Within
-from sigcat.adapter.autosar_classic.arxml.composition import prototype_path
 from sigcat.adapter.autosar_classic.arxml.library import Library
-from sigcat.adapter.autosar_classic.arxml.paths import CONFIGURATIONS, DEFINITIONS, PROTOTYPE, SYSTEMS
-from sigcat.adapter.autosar_classic.arxml.releases import Release
+from sigcat.adapter.autosar_classic.arxml.paths import COMPOSITIONS, CONFIGURATIONS, DEFINITIONS, PROTOTYPE, SYSTEMS
 from sigcat.adapter.autosar_classic.arxml.system import system_name
-from sigcat.integration.autosar_classic.model import ClassicIntegration, Component, Event, Task, TaskEvent
+from sigcat.integration.autosar_classic.model import ClassicIntegration, Event, Prototype, Task, TaskEvent
 from sigcat.integration.autosar_names import distinct, short_name
 
 MODULE = "ECUC-MODULE-CONFIGURATION-VALUES"
-_CONTAINER, _CONTAINER_DEF = "ECUC-CONTAINER-VALUE", "ECUC-PARAM-CONF-CONTAINER-DEF"
+_CONTAINER = "ECUC-CONTAINER-VALUE"
+_ACTION = "Os/OsAlarm/OsAlarmAction"
 _COUNTER = "AdapterCounter"
 
 
-class _Activation(NamedTuple):
-    """The source that activates a task, or sets one of its events."""
+class _Mapped(NamedTuple):
+    """An event of a task or of an init batch, and what starts it."""
 
-    alarm: str | None
+    place: TaskEvent
+    event: Event
+    alarm: str | None = None
     """Alarm of the operating system, for what is cyclic."""
-    event: str | None
+    os_event: str | None = None
     """Event of the operating system, for a task that waits for several."""
 
 
-def package(model: ClassicIntegration, known: Library, release: Release) -> Package:
+def package(known: Library) -> Package:
     """The package of the configuration: modules RTE and operating system, and their collection."""
-    activations = _activations(model)
-    members = (
-        tag(f"{MODULE}-REF-CONDITIONAL", reference(f"{MODULE}-REF", known.paths.of(CONFIGURATIONS, name), MODULE))
-        for name in ("Rte", "Os")
-    )
+    model = known.model
+    tasks = [(task, _mapped(task, known)) for task in model.ecu.tasks]
+    modules = (reference(f"{MODULE}-REF", known.path(CONFIGURATIONS, name), MODULE) for name in ("Rte", "Os"))
     collection = tag(
         "ECUC-VALUE-COLLECTION",
-        reference("ECU-EXTRACT-REF", known.paths.of(SYSTEMS, system_name(model)), "SYSTEM"),
-        listed("ECUC-VALUES", members),
+        reference("ECU-EXTRACT-REF", known.path(SYSTEMS, system_name(model)), "SYSTEM"),
+        listed("ECUC-VALUES", map(conditional, modules)),
         name=short_name(f"{model.ecu.name}_Configuration"),
     )
-    rte = [_instance(each.name, each.type, model, activations, known, release) for each in model.composition.prototypes]
-    content = (
-        _module(
-            "Rte",
-            [
-                *(
-                    _container(_BATCH, each.name, about=trace([("Reason", each.reason)]))
-                    for each in model.ecu.init_batches
-                ),
-                *(each for each in rte if each is not None),
-                *_os_interaction(model, activations, known),
-            ],
-        ),
-        _module("Os", _operating_system(model, activations, known)),
-        collection,
-    )
-    return Package(CONFIGURATIONS, content)
+    rte = [_container(_BATCH, each.name, about=trace([("Reason", each.reason)])) for each in model.ecu.init_batches]
+    rte += (each for prototype in model.composition.prototypes for each in _instance(prototype, tasks, known))
+    rte += _os_interaction(tasks, known)
+    return Package(CONFIGURATIONS, (_module("Rte", rte), _module("Os", _operating_system(tasks, known)), collection))
 
 
 def _module(name: str, containers: Iterable[Tag]) -> Tag:
     return tag(
         MODULE,
-        reference("DEFINITION-REF", f"{DEFINITIONS}/{name}", "ECUC-MODULE-DEF"),
-        tag("IMPLEMENTATION-CONFIG-VARIANT", text="VARIANT-PRE-COMPILE"),
+        _definition(name, "ECUC-MODULE-DEF"),
+        {"IMPLEMENTATION-CONFIG-VARIANT": "VARIANT-PRE-COMPILE"},
         listed("CONTAINERS", containers),
         name=name,
     )
@@ -75,69 +62,91 @@ def _module(name: str, containers: Iterable[Tag]) -> Tag:
 # -- values of parameters ---------------------------------------------------------------------------------------------
 
 
+_FLOATS = ("RteActivationOffset", "RteExpectedActivationOffset", "RteExpectedTickDuration", "OsSecondsPerTick")
+"""Parameters that are no whole numbers."""
+
+
+class _Target(NamedTuple):
+    """A reference to an element, by the name of its definition."""
+
+    name: str
+    path: str
+    kind: str = _CONTAINER
+
+
 def _container(
-    definition: str, name: str, values: Iterable[Tag] = (), references: Iterable[Tag] = (), inner: Iterable[Tag] = (),
-    about: Tag | None = None, kind: str = _CONTAINER_DEF,
-) -> Tag:  # fmt: skip
+    definition: str,
+    name: str,
+    parameters: Mapping[str, str | float] = MappingProxyType({}),
+    targets: Iterable[_Target] = (),
+    inner: Iterable[Tag] = (),
+    about: Tag | None = None,
+) -> Tag:
+    """A container with its parameters, by the names of their definitions."""
+    kind = "CHOICE-CONTAINER" if definition == _ACTION else "PARAM-CONF-CONTAINER"
     return tag(
         _CONTAINER,
         about,
-        reference("DEFINITION-REF", f"{DEFINITIONS}/{definition}", kind),
-        listed("PARAMETER-VALUES", values),
-        listed("REFERENCE-VALUES", references),
+        _definition(definition, f"ECUC-{kind}-DEF"),
+        listed("PARAMETER-VALUES", (_parameter(definition, key, value) for key, value in parameters.items())),
+        listed("REFERENCE-VALUES", (_reference(definition, each) for each in targets)),
         listed("SUB-CONTAINERS", inner),
         name=name,
     )
 
 
-def _number(definition: str, value: float, kind: str = "INTEGER") -> Tag:
-    target = reference("DEFINITION-REF", f"{DEFINITIONS}/{definition}", f"ECUC-{kind}-PARAM-DEF")
-    return tag("ECUC-NUMERICAL-PARAM-VALUE", target, tag("VALUE", text=value))
+def _definition(path: str, kind: str) -> Tag:
+    return reference("DEFINITION-REF", f"{DEFINITIONS}/{path}", kind)
 
 
-def _text(definition: str, value: str) -> Tag:
-    target = reference("DEFINITION-REF", f"{DEFINITIONS}/{definition}", "ECUC-ENUMERATION-PARAM-DEF")
-    return tag("ECUC-TEXTUAL-PARAM-VALUE", target, tag("VALUE", text=value))
+def _parameter(container: str, name: str, value: str | float) -> Tag:
+    kind = "ENUMERATION" if isinstance(value, str) else "FLOAT" if name in _FLOATS else "INTEGER"
+    word = "TEXTUAL" if isinstance(value, str) else "NUMERICAL"
+    definition = _definition(f"{container}/{name}", f"ECUC-{kind}-PARAM-DEF")
+    return tag(f"ECUC-{word}-PARAM-VALUE", definition, {"VALUE": value})
 
 
-def _to(definition: str, path: str, kind: str, definition_kind: str = "ECUC-REFERENCE-DEF") -> Tag:
-    target = reference("DEFINITION-REF", f"{DEFINITIONS}/{definition}", definition_kind)
-    return tag("ECUC-REFERENCE-VALUE", target, reference("VALUE-REF", path, kind))
-
-
-def _foreign(definition: str, path: str, kind: str) -> Tag:
-    """Reference to an element outside the configuration: an event, a component."""
-    return _to(definition, path, kind, "ECUC-FOREIGN-REFERENCE-DEF")
+def _reference(container: str, target: _Target) -> Tag:
+    """Reference to a container of the configuration, or to an element outside: an event, a component."""
+    kind = "ECUC-REFERENCE-DEF" if target.kind == _CONTAINER else "ECUC-FOREIGN-REFERENCE-DEF"
+    value = reference("VALUE-REF", target.path, target.kind)
+    return tag("ECUC-REFERENCE-VALUE", _definition(f"{container}/{target.name}", kind), value)
 
 
 # -- what activates tasks ---------------------------------------------------------------------------------------------
 
-
-def _event_of(mapped: TaskEvent, model: ClassicIntegration) -> tuple[Component, Event]:
-    types = {each.name: each.type for each in model.composition.prototypes}
-    component = next(each for each in model.components if each.name == types[mapped.component])
-    return component, next(each for each in component.events if each.name == mapped.event)
+_Tasks = Sequence[tuple[Task, Sequence[_Mapped]]]
+"""Tasks with their events."""
 
 
-def _activations(model: ClassicIntegration) -> dict[tuple[str, str], _Activation]:
-    """The activation of each event, by component and name. A task that only one alarm activates has no events."""
-    found: dict[tuple[str, str], _Activation] = {}
-    for task in model.ecu.tasks:
-        sources = {(each.component, each.event): _source(task, each, model) for each in task.events}
-        names = distinct({source: short_name(source) for source, _ in sources.values()})
-        is_basic = len(names) == 1 and all(cyclic for _, cyclic in sources.values())
-        for key, (source, cyclic) in sources.items():
-            alarm = short_name(f"Alarm_{names[source]}") if cyclic else None
-            found[key] = _Activation(alarm, None if is_basic else short_name(f"Event_{names[source]}"))
-    return found
+def _event_of(mapped: TaskEvent, known: Library) -> Event:
+    types = {each.name: each.type for each in known.model.composition.prototypes}
+    component = next(each for each in known.model.components if each.name == types[mapped.component])
+    return next(each for each in component.events if each.name == mapped.event)
 
 
-def _source(task: Task, mapped: TaskEvent, model: ClassicIntegration) -> tuple[str, bool]:
-    """Name of the activation, and whether it is cyclic. Events of one period and offset have one alarm."""
-    _, event = _event_of(mapped, model)
+def _mapped(task: Task, known: Library) -> list[_Mapped]:
+    """The events of a task. A task that only one alarm activates has no events of the operating system."""
+    pairs = [(place, _event_of(place, known)) for place in task.events]
+    sources = [_source(task, *pair) for pair in pairs]
+    names = distinct({source: short_name(source) for source in sources})
+    is_basic = len(names) == 1 and all(event.kind == "Timing" for _, event in pairs)
+    return [
+        _Mapped(
+            place,
+            event,
+            short_name(f"Alarm_{names[source]}") if event.kind == "Timing" else None,
+            None if is_basic else short_name(f"Event_{names[source]}"),
+        )
+        for source, (place, event) in zip(sources, pairs, strict=True)
+    ]
+
+
+def _source(task: Task, place: TaskEvent, event: Event) -> str:
+    """Name of the activation of an event. Events of one period and offset have one alarm."""
     if event.kind != "Timing":
-        return f"{mapped.component}_{event.name}", False
-    return f"{task.name}_{_microseconds(event.offset)}_{_microseconds(event.period)}", True
+        return f"{place.component}_{event.name}"
+    return f"{task.name}_{_microseconds(event.offset)}_{_microseconds(event.period)}"
 
 
 def _microseconds(seconds: float | None) -> int:
@@ -154,95 +163,61 @@ _MECHANISM = "OS_RESOURCE"
 """Writes within an area may start runnables; an OS activates no task while interrupts are blocked."""
 
 
-def _instance(
-    prototype: str,
-    type_name: str,
-    model: ClassicIntegration,
-    activations: dict[tuple[str, str], _Activation],
-    known: Library,
-    release: Release,
-) -> Tag | None:
-    component = next((each for each in model.components if each.name == type_name), None)
-    if component is None:
-        return None
-    at = Within(component, known, release)
-    first = [
-        _first(each, batch.name, model, at)
-        for batch in model.ecu.init_batches
-        for each in batch.events
-        if each.component == prototype
-    ]
-    mappings = [
-        _mapping(each, task, model, activations[each.component, each.event], at)
-        for task in model.ecu.tasks
-        for each in task.events
-        if each.component == prototype
-    ]
-    areas = [
-        _container(
-            _AREA,
-            short_name(f"{each.name}_Implementation"),
-            [_text(f"{_AREA}/RteExclusiveAreaImplMechanism", _MECHANISM)],
-            [_foreign(f"{_AREA}/RteExclusiveAreaRef", at.path(each.name), "EXCLUSIVE-AREA")],
+def _instance(prototype: Prototype, tasks: _Tasks, known: Library) -> Iterable[Tag]:
+    """The instance of a component; none for one without code."""
+    for component in (each for each in known.model.components if each.name == prototype.type):
+        at = Within(component, known)
+        inner = [
+            _event_mapping(_Mapped(each, _event_of(each, known)), {"RteUsedInitFnc": batch.name}, "Rte", at)
+            for batch in known.model.ecu.init_batches
+            for each in batch.events
+            if each.component == prototype.name
+        ]
+        inner += (
+            _mapping(each, task, at)
+            for task, events in tasks
+            for each in events
+            if each.place.component == prototype.name
         )
-        for each in component.exclusive_areas
-    ]
-    target = _foreign(
-        f"{_INSTANCE}/RteSoftwareComponentInstanceRef", prototype_path(prototype, model.composition, known), PROTOTYPE
-    )
-    return _container(_INSTANCE, prototype, (), [target], [*first, *mappings, *areas])
+        inner += (_area(each.name, at) for each in component.exclusive_areas)
+        path = known.path(COMPOSITIONS, known.model.composition.name, prototype.name)
+        target = _Target("RteSoftwareComponentInstanceRef", path, PROTOTYPE)
+        yield _container(_INSTANCE, prototype.name, targets=[target], inner=inner)
 
 
-def _first(mapped: TaskEvent, batch: str, model: ClassicIntegration, at: Within) -> Tag:
-    """The mapping of an event that `Rte_Init` runs, which has no task."""
-    _, event = _event_of(mapped, model)
-    references = [
-        _foreign(f"{_MAPPING}/RteEventRef", at.path(event.name), EVENT[event.kind]),
-        _to(f"{_MAPPING}/RteUsedInitFnc", at.known.paths.of(CONFIGURATIONS, "Rte", batch), _CONTAINER),
-    ]
-    values = [_number(f"{_MAPPING}/RtePositionInTask", mapped.position)]
-    return _container(_MAPPING, short_name(f"{event.name}_Mapping"), values, references)
+def _area(name: str, at: Within) -> Tag:
+    target = _Target("RteExclusiveAreaRef", at.path(name), "EXCLUSIVE-AREA")
+    mechanism = {"RteExclusiveAreaImplMechanism": _MECHANISM}
+    return _container(_AREA, short_name(f"{name}_Implementation"), mechanism, [target])
 
 
-def _mapping(mapped: TaskEvent, task: Task, model: ClassicIntegration, activation: _Activation, at: Within) -> Tag:
-    _, event = _event_of(mapped, model)
-    references = [
-        _foreign(f"{_MAPPING}/RteEventRef", at.path(event.name), EVENT[event.kind]),
-        _to(f"{_MAPPING}/RteMappedToTaskRef", at.known.paths.of(CONFIGURATIONS, "Os", task.name), _CONTAINER),
-    ]
-    for name, target in (("RteUsedOsAlarmRef", activation.alarm), ("RteUsedOsEventRef", activation.event)):
-        if target is not None:
-            references.append(_to(f"{_MAPPING}/{name}", at.known.paths.of(CONFIGURATIONS, "Os", target), _CONTAINER))
-    values = [_number(f"{_MAPPING}/RtePositionInTask", mapped.position)]
-    if event.kind == "Timing":
-        values.append(_number(f"{_MAPPING}/RteActivationOffset", event.offset or 0, "FLOAT"))
-    return _container(_MAPPING, short_name(f"{event.name}_Mapping"), values, references)
+def _mapping(mapped: _Mapped, task: Task, at: Within) -> Tag:
+    used = {"RteMappedToTaskRef": task.name, "RteUsedOsAlarmRef": mapped.alarm, "RteUsedOsEventRef": mapped.os_event}
+    return _event_mapping(mapped, used, "Os", at)
 
 
-_ACTIVATION = "Rte/RteOsInteraction/RteUsedOsActivation"
+def _event_mapping(mapped: _Mapped, used: Mapping[str, str | None], module: str, at: Within) -> Tag:
+    """The mapping of an event, with the containers of a module that it uses. `Rte_Init` runs some without a task."""
+    event = mapped.event
+    targets = [_Target("RteEventRef", at.path(event.name), EVENT[event.kind])]
+    targets += (_Target(key, at.known.path(CONFIGURATIONS, module, name)) for key, name in used.items() if name)
+    position: dict[str, str | float] = {"RtePositionInTask": mapped.place.position}
+    offset = {"RteActivationOffset": event.offset or 0} if event.kind == "Timing" and module == "Os" else {}
+    return _container(_MAPPING, short_name(f"{event.name}_Mapping"), {**position, **offset}, targets)
 
 
-def _os_interaction(
-    model: ClassicIntegration, activations: dict[tuple[str, str], _Activation], known: Library
-) -> Iterable[Tag]:
+def _os_interaction(tasks: _Tasks, known: Library) -> Iterable[Tag]:
     """Expected offset of each alarm, and the duration of a tick."""
-    alarms = {
-        activations[each.component, each.event].alarm: _event_of(each, model)[1].offset or 0
-        for task in model.ecu.tasks
-        for each in task.events
-    }
+    alarms = {each.alarm: each.event.offset or 0 for _, events in tasks for each in events if each.alarm is not None}
+    duration = known.model.deployment.tick / 1_000_000
     used = [
         _container(
-            _ACTIVATION,
+            "Rte/RteOsInteraction/RteUsedOsActivation",
             short_name(f"{alarm}_Activation"),
-            [
-                _number(f"{_ACTIVATION}/RteExpectedActivationOffset", offset, "FLOAT"),
-                _number(f"{_ACTIVATION}/RteExpectedTickDuration", model.deployment.tick / 1_000_000, "FLOAT"),
-            ],
-            [_to(f"{_ACTIVATION}/RteActivationOsAlarmRef", known.paths.of(CONFIGURATIONS, "Os", alarm), _CONTAINER)],
+            {"RteExpectedActivationOffset": offset, "RteExpectedTickDuration": duration},
+            [_Target("RteActivationOsAlarmRef", known.path(CONFIGURATIONS, "Os", alarm))],
         )
         for alarm, offset in alarms.items()
-        if alarm is not None
     ]
     if used:
         yield _container("Rte/RteOsInteraction", "OsInteraction", inner=used)
@@ -251,63 +226,40 @@ def _os_interaction(
 # -- operating system -------------------------------------------------------------------------------------------------
 
 
-def _operating_system(
-    model: ClassicIntegration, activations: dict[tuple[str, str], _Activation], known: Library
-) -> Iterable[Tag]:
-    root = known.paths.of(CONFIGURATIONS, "Os")
-    yield _counter(model)
-    alarms: dict[str, tuple[str, str | None]] = {}
-    for task in model.ecu.tasks:
-        used = [activations[each.component, each.event] for each in task.events]
-        events = list(dict.fromkeys(each.event for each in used if each.event is not None))
-        alarms |= {each.alarm: (task.name, each.event) for each in used if each.alarm is not None}
+def _operating_system(tasks: _Tasks, known: Library) -> Iterable[Tag]:
+    yield _counter(known.model)
+    for task, mapped in tasks:
+        events = list(dict.fromkeys(each.os_event for each in mapped if each.os_event is not None))
         yield from (_container("Os/OsEvent", name) for name in events)
-        yield _task(task, [f"{root}/{name}" for name in events])
-    for alarm, (task_name, event) in alarms.items():
-        yield _alarm(alarm, task_name, event, root)
+        yield _task(task, events, known)
+    alarms = {each.alarm: (task.name, each.os_event) for task, mapped in tasks for each in mapped}
+    yield from (_alarm(alarm, *target, known) for alarm, target in alarms.items() if alarm is not None)
 
 
 def _counter(model: ClassicIntegration) -> Tag:
     """The counter whose ticks start what is cyclic."""
-    return _container(
-        "Os/OsCounter",
-        _COUNTER,
-        [
-            _number("Os/OsCounter/OsCounterMaxAllowedValue", 2**32 - 1),
-            _number("Os/OsCounter/OsCounterMinCycle", 1),
-            _number("Os/OsCounter/OsCounterTicksPerBase", 1),
-            _text("Os/OsCounter/OsCounterType", "SOFTWARE"),
-            _number("Os/OsCounter/OsSecondsPerTick", model.deployment.tick / 1_000_000, "FLOAT"),
-        ],
-    )
+    parameters: dict[str, str | float] = {
+        "OsCounterMaxAllowedValue": 2**32 - 1,
+        "OsCounterMinCycle": 1,
+        "OsCounterTicksPerBase": 1,
+        "OsCounterType": "SOFTWARE",
+        "OsSecondsPerTick": model.deployment.tick / 1_000_000,
+    }
+    return _container("Os/OsCounter", _COUNTER, parameters)
 
 
-def _task(task: Task, events: Iterable[str]) -> Tag:
+def _task(task: Task, events: Iterable[str], known: Library) -> Tag:
     facts = [("Reason", task.reason), ("Period", task.period), ("Offset", task.offset), ("StackSize", task.stack_size)]
-    return _container(
-        "Os/OsTask",
-        task.name,
-        [
-            _number("Os/OsTask/OsTaskActivation", 1),
-            _number("Os/OsTask/OsTaskPriority", task.priority),
-            _text("Os/OsTask/OsTaskSchedule", "FULL" if task.preemptable else "NON"),
-        ],
-        [_to("Os/OsTask/OsTaskEventRef", path, _CONTAINER) for path in events],
-        about=trace(facts),
-    )
+    numbers: dict[str, str | float] = {"OsTaskActivation": 1, "OsTaskPriority": task.priority}
+    parameters = {**numbers, "OsTaskSchedule": "FULL" if task.preemptable else "NON"}
+    targets = (_Target("OsTaskEventRef", known.path(CONFIGURATIONS, "Os", name)) for name in events)
+    return _container("Os/OsTask", task.name, parameters, targets, about=trace(facts))
 
 
-def _alarm(name: str, task: str, event: str | None, root: str) -> Tag:
-    choice = "Os/OsAlarm/OsAlarmAction"
+def _alarm(name: str, task: str, event: str | None, known: Library) -> Tag:
     kind = "OsAlarmActivateTask" if event is None else "OsAlarmSetEvent"
-    references = [_to(f"{choice}/{kind}/{kind}{'Task' if event else ''}Ref", f"{root}/{task}", _CONTAINER)]
-    if event is not None:
-        references.append(_to(f"{choice}/{kind}/{kind}Ref", f"{root}/{event}", _CONTAINER))
-    action = _container(
-        choice,
-        "Action",
-        inner=[_container(f"{choice}/{kind}", kind, (), references)],
-        kind="ECUC-CHOICE-CONTAINER-DEF",
-    )
-    counter = _to("Os/OsAlarm/OsAlarmCounterRef", f"{root}/{_COUNTER}", _CONTAINER)
-    return _container("Os/OsAlarm", name, (), [counter], [action])
+    used = {f"{kind}TaskRef": task, f"{kind}Ref": event} if event else {f"{kind}Ref": task}
+    targets = (_Target(key, known.path(CONFIGURATIONS, "Os", each)) for key, each in used.items())
+    action = _container(_ACTION, "Action", inner=[_container(f"{_ACTION}/{kind}", kind, targets=targets)])
+    counter = _Target("OsAlarmCounterRef", known.path(CONFIGURATIONS, "Os", _COUNTER))
+    return _container("Os/OsAlarm", name, targets=[counter], inner=[action])

@@ -2,45 +2,37 @@
 
 from collections.abc import Iterable
 
-from sigcat.adapter.arxml.tree import Package, Tag, description, listed, reference, tag, trace
+from sigcat.adapter.arxml.tree import Package, Tag, conditional, description, listed, reference, tag, trace
 from sigcat.adapter.autosar_classic.arxml.behavior import Within
-from sigcat.adapter.autosar_classic.arxml.composition import prototype_path
 from sigcat.adapter.autosar_classic.arxml.library import Library
 from sigcat.adapter.autosar_classic.arxml.needs import DEPENDENCY, dependency_name
-from sigcat.adapter.autosar_classic.arxml.paths import (
-    DIAGNOSTIC_EVENTS,
-    DIAGNOSTIC_MAPPINGS,
-    ECUS,
-    FUNCTION_IDENTIFIERS,
-    PROTOTYPE,
-)
+from sigcat.adapter.autosar_classic.arxml.paths import DIAGNOSTIC_EVENTS, DIAGNOSTIC_MAPPINGS, FUNCTION_IDENTIFIERS
 from sigcat.adapter.autosar_classic.arxml.releases import Release
-from sigcat.adapter.autosar_classic.arxml.system import ROOT_PROTOTYPE, root_path
-from sigcat.integration.autosar_classic.model import ClassicIntegration, Component, DiagnosticEvent, Inhibition
+from sigcat.adapter.autosar_classic.arxml.system import ecu_reference, root_reference
+from sigcat.integration.autosar_classic.model import DiagnosticEvent, Inhibition
 from sigcat.integration.autosar_names import distinct, short_name
 
-_EVENT, _IDENTIFIER, _INHIBIT, _SOURCE = (
-    "DIAGNOSTIC-EVENT",
-    "DIAGNOSTIC-FUNCTION-IDENTIFIER",
-    "DIAGNOSTIC-FUNCTION-IDENTIFIER-INHIBIT",
-    "DIAGNOSTIC-FUNCTION-INHIBIT-SOURCE",
-)
+_EVENT = "DIAGNOSTIC-EVENT"
+_IDENTIFIER = "DIAGNOSTIC-FUNCTION-IDENTIFIER"
+_SOURCE = "DIAGNOSTIC-FUNCTION-INHIBIT-SOURCE"
 
 
-def packages(model: ClassicIntegration, known: Library, release: Release) -> list[Package]:
+def packages(known: Library) -> list[Package]:
     """The packages of the diagnostic extract; they are empty if nothing is diagnosed."""
-    events = [(component, each) for component in model.components for each in component.diagnostic_events]
-    identifiers = [(component, each) for component in model.components for each in component.inhibitions]
-    mappings = [_port_mapping(*pair, model, known, release) for pair in events]
-    mappings += [_function_mapping(*pair, model, known, release) for pair in identifiers]
-    mappings += [each for _, inhibition in identifiers for each in _source_mappings(inhibition, model, known)]
-    inhibits = [_inhibit(each, model, known) for _, each in identifiers]
-    owned = [Package(DIAGNOSTIC_EVENTS, tuple(_event(each, release) for _, each in events)),
-             Package(FUNCTION_IDENTIFIERS, (*(tag(_IDENTIFIER, name=each.name) for _, each in identifiers), *inhibits)),
-             Package(DIAGNOSTIC_MAPPINGS, tuple(mappings))]  # fmt: skip
-    if not events and not identifiers:
-        return owned
-    return [*owned, Package("Diagnosis", (_contribution(owned, model, known),))]
+    places = [Within(component, known) for component in known.model.components]
+    events = [(each, at) for at in places for each in at.component.diagnostic_events]
+    inhibitions = [(each, at) for at in places for each in at.component.inhibitions]
+    mappings = [_port_mapping(*pair) for pair in events]
+    mappings += (_function_mapping(*pair) for pair in inhibitions)
+    mappings += (each for inhibition, _ in inhibitions for each in _source_mappings(inhibition, known))
+    identifiers = [tag(_IDENTIFIER, name=each.name) for each, _ in inhibitions]
+    identifiers += (_inhibit(each, known) for each, _ in inhibitions)
+    owned = [
+        Package(DIAGNOSTIC_EVENTS, tuple(_event(each, known.release) for each, _ in events)),
+        Package(FUNCTION_IDENTIFIERS, tuple(identifiers)),
+        Package(DIAGNOSTIC_MAPPINGS, tuple(mappings)),
+    ]
+    return [*owned, Package("Diagnosis", (_contribution(owned, known),))] if mappings else owned
 
 
 def _event(event: DiagnosticEvent, release: Release) -> Tag:
@@ -50,9 +42,7 @@ def _event(event: DiagnosticEvent, release: Release) -> Tag:
         _EVENT,
         description(event.description),
         trace([("Error", event.error), ("AsilLevel", event.asil_level)]),
-        tag(limit, text=event.ignition_limit) if event.ignition_limit else None,
-        tag("EVENT-KIND", text="SWC"),
-        tag("RECOVERABLE-IN-SAME-OPERATION-CYCLE", text="true"),
+        {limit: event.ignition_limit or None, "EVENT-KIND": "SWC", "RECOVERABLE-IN-SAME-OPERATION-CYCLE": True},
         name=event.name,
     )
 
@@ -61,95 +51,78 @@ def _inhibit_name(inhibition: Inhibition) -> str:
     return short_name(f"{inhibition.name}_Inhibit")
 
 
-def _sources(inhibition: Inhibition, model: ClassicIntegration) -> dict[str, str]:
+def _sources(inhibition: Inhibition, known: Library) -> dict[str, str]:
     """Conditions that inhibit a function: events of this set, and the sources that represent them.
 
     Other errors are events of other ECUs.
     """
-    reported = {each.error: each.name for component in model.components for each in component.diagnostic_events}
+    reported = {each.error: each.name for component in known.model.components for each in component.diagnostic_events}
     events = [reported[error] for error in inhibition.events if error in reported]
     return distinct({event: short_name(f"By_{event}") for event in events})
 
 
-def _inhibit(inhibition: Inhibition, model: ClassicIntegration, known: Library) -> Tag:
-    identifier = known.paths.of(FUNCTION_IDENTIFIERS, inhibition.name)
-    sources = (tag(_SOURCE, name=name) for name in _sources(inhibition, model).values())
+def _inhibit(inhibition: Inhibition, known: Library) -> Tag:
+    identifier = known.path(FUNCTION_IDENTIFIERS, inhibition.name)
+    sources = (tag(_SOURCE, name=name) for name in _sources(inhibition, known).values())
     return tag(
-        _INHIBIT,
+        f"{_IDENTIFIER}-INHIBIT",
         trace([("Condition", inhibition.condition), ("Events", inhibition.events)]),
         reference("FUNCTION-IDENTIFIER-REF", identifier, _IDENTIFIER),
         listed("INHIBIT-SOURCES", sources),
-        tag("INHIBITION-MASK", text=inhibition.mask.replace("_", "-")),
+        {"INHIBITION-MASK": inhibition.mask.replace("_", "-")},
         name=_inhibit_name(inhibition),
     )
 
 
-def _source_mappings(inhibition: Inhibition, model: ClassicIntegration, known: Library) -> Iterable[Tag]:
-    for event, name in _sources(inhibition, model).items():
-        source = known.paths.of(FUNCTION_IDENTIFIERS, _inhibit_name(inhibition), name)
+def _source_mappings(inhibition: Inhibition, known: Library) -> Iterable[Tag]:
+    for event, name in _sources(inhibition, known).items():
+        source = known.path(FUNCTION_IDENTIFIERS, _inhibit_name(inhibition), name)
         yield tag(
             "DIAGNOSTIC-INHIBIT-SOURCE-EVENT-MAPPING",
-            reference("DIAGNOSTIC-EVENT-REF", known.paths.of(DIAGNOSTIC_EVENTS, event), _EVENT),
+            reference("DIAGNOSTIC-EVENT-REF", known.path(DIAGNOSTIC_EVENTS, event), _EVENT),
             reference("INHIBITION-SOURCE-REF", source, _SOURCE),
             name=short_name(f"{inhibition.name}_{name}"),
         )
 
 
-def _in_system(
-    name: str, component: Component, need: str, model: ClassicIntegration, known: Library, release: Release
-) -> Tag:
+def _in_system(tag_name: str, need: str, at: Within) -> Tag:
     """Reference to the dependency of a component in the extract of the ECU."""
-    prototype = next(each.name for each in model.composition.prototypes if each.type == component.name)
+    prototypes = at.known.model.composition.prototypes
+    prototype = next(each.name for each in prototypes if each.type == at.component.name)
     return tag(
-        name,
-        reference("CONTEXT-ROOT-SW-COMPOSITION-REF", root_path(model, known), ROOT_PROTOTYPE),
-        reference("CONTEXT-SW-COMPONENT-PROTOTYPE-REF", prototype_path(prototype, model.composition, known), PROTOTYPE),
-        reference(
-            "TARGET-SWC-SERVICE-DEPENDENCY-REF",
-            Within(component, known, release).path(dependency_name(need)),
-            DEPENDENCY,
-        ),
+        tag_name,
+        root_reference("CONTEXT-ROOT-SW-COMPOSITION-REF", at.known),
+        at.known.prototype("CONTEXT-SW-COMPONENT-PROTOTYPE-REF", prototype),
+        reference("TARGET-SWC-SERVICE-DEPENDENCY-REF", at.path(dependency_name(need)), DEPENDENCY),
     )
 
 
-def _port_mapping(
-    component: Component, event: DiagnosticEvent, model: ClassicIntegration, known: Library, release: Release
-) -> Tag:
+def _port_mapping(event: DiagnosticEvent, at: Within) -> Tag:
     return tag(
         "DIAGNOSTIC-EVENT-PORT-MAPPING",
-        reference("DIAGNOSTIC-EVENT-REF", known.paths.of(DIAGNOSTIC_EVENTS, event.name), _EVENT),
-        _in_system("SWC-SERVICE-DEPENDENCY-IN-SYSTEM-IREF", component, event.name, model, known, release),
+        reference("DIAGNOSTIC-EVENT-REF", at.known.path(DIAGNOSTIC_EVENTS, event.name), _EVENT),
+        _in_system("SWC-SERVICE-DEPENDENCY-IN-SYSTEM-IREF", event.name, at),
         name=short_name(f"{event.name}_Port"),
     )
 
 
-def _function_mapping(
-    component: Component, inhibition: Inhibition, model: ClassicIntegration, known: Library, release: Release
-) -> Tag:
-    identifier = known.paths.of(FUNCTION_IDENTIFIERS, inhibition.name)
+def _function_mapping(inhibition: Inhibition, at: Within) -> Tag:
     return tag(
         "DIAGNOSTIC-FIM-FUNCTION-MAPPING",
-        reference("MAPPED-FUNCTION-REF", identifier, _IDENTIFIER),
-        _in_system("MAPPED-SWC-SERVICE-DEPENDENCY-IREF", component, inhibition.name, model, known, release),
+        reference("MAPPED-FUNCTION-REF", at.known.path(FUNCTION_IDENTIFIERS, inhibition.name), _IDENTIFIER),
+        _in_system("MAPPED-SWC-SERVICE-DEPENDENCY-IREF", inhibition.name, at),
         name=short_name(f"{inhibition.name}_Function"),
     )
 
 
-def _contribution(owned: list[Package], model: ClassicIntegration, known: Library) -> Tag:
+def _contribution(owned: list[Package], known: Library) -> Tag:
     """The set of everything here, which is what an extract hands over."""
-    members = (
-        tag(
-            "DIAGNOSTIC-COMMON-ELEMENT-REF-CONDITIONAL",
-            reference("DIAGNOSTIC-COMMON-ELEMENT-REF", known.paths.of(package.name, element.name or ""), element.tag),
-        )
-        for package in owned
-        for element in package.elements
-    )
-    ecu = reference("ECU-INSTANCE-REF", known.paths.of(ECUS, model.ecu.name), "ECU-INSTANCE")
+    elements = ((known.path(package.name, each.name or ""), each.tag) for package in owned for each in package.elements)
+    members = (conditional(reference("DIAGNOSTIC-COMMON-ELEMENT-REF", *element)) for element in elements)
     return tag(
         "DIAGNOSTIC-CONTRIBUTION-SET",
-        tag("CATEGORY", text="DIAGNOSTIC_ECU_EXTRACT"),
-        tag("ECU-INSTANCE-REFS", ecu),
+        {"CATEGORY": "DIAGNOSTIC_ECU_EXTRACT"},
+        tag("ECU-INSTANCE-REFS", ecu_reference("ECU-INSTANCE-REF", known)),
         listed("ELEMENTS", members),
-        name=short_name(f"{model.ecu.name}_Diagnosis"),
+        name=short_name(f"{known.model.ecu.name}_Diagnosis"),
     )

@@ -1,10 +1,9 @@
 """From an integration model to ARXML of a release of AUTOSAR Classic, in the files that integrators expect."""
 
-from autosar_data import AutosarDataError
+from collections.abc import Mapping
 
 from sigcat import codes
-from sigcat.adapter.arxml.paths import Paths
-from sigcat.adapter.arxml.tree import document_trace, written
+from sigcat.adapter.arxml.tree import Package, document_trace, files
 from sigcat.adapter.autosar_classic.arxml import (
     components,
     composition,
@@ -35,39 +34,29 @@ def generate(model: ClassicIntegration, release_name: str | None = None) -> tupl
     The same model gives the same bytes. They are of the release that is asked for, or else of that of the model.
     Raises InputRefused if the model names what AUTOSAR cannot.
     """
-    paths = Paths(model.deployment.package)
     name = release_name or model.deployment.release
     _refuse_windows(model, name)
     release = BY_NAME[name]  # type: ignore[index]
-    known = library(model, paths, release)
+    known = library(model, release)
     content = {
-        PLATFORM_FILE: types.platform_packages(model),
-        "types.arxml": types.packages(model, known),
-        "interfaces.arxml": [types.mode_groups(model.mode_groups, known), interfaces.package(model, known)],
-        "components.arxml": components.packages(model, known, release),
-        "composition.arxml": [composition.package(model, known)],
-        "system.arxml": system.packages(model, known),
-        "diagnosis.arxml": diagnosis.packages(model, known, release),
-        "configuration.arxml": [configuration.package(model, known, release)],
+        "types.arxml": types.packages(known),
+        "interfaces.arxml": [types.mode_groups(known), interfaces.package(known)],
+        "components.arxml": components.packages(known),
+        "composition.arxml": [composition.package(known)],
+        "system.arxml": system.packages(known),
+        "diagnosis.arxml": diagnosis.packages(known),
+        "configuration.arxml": [configuration.package(known)],
     }
     about = {"composition.arxml": document_trace(model.meta, model.info, model.provenance)}
-    try:
-        return tuple(
-            GeneratedFile(
-                name,
-                written(
-                    name,
-                    PLATFORM.root if name == PLATFORM_FILE else paths.root,
-                    packages,
-                    release.schema,
-                    about.get(name),
-                ),
-            )
-            for name, packages in content.items()
-            if any(package.elements for package in packages)
-        )
-    except AutosarDataError as error:
-        raise InputRefused(f"The integration cannot be written as ARXML: {error}") from error
+    return (
+        *files(_filled({PLATFORM_FILE: types.platform_packages(model)}), PLATFORM.root, release.schema, {}),
+        *files(_filled(content), known.paths.root, release.schema, about),
+    )
+
+
+def _filled(content: Mapping[str, list[Package]]) -> dict[str, list[Package]]:
+    """The files that have any element."""
+    return {name: packages for name, packages in content.items() if any(package.elements for package in packages)}
 
 
 def _refuse_windows(model: ClassicIntegration, release: str) -> None:

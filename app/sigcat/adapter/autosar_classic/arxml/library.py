@@ -3,15 +3,9 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from sigcat.adapter.arxml.paths import COMPU_METHODS, CONSTRAINTS, UNITS, Paths
-from sigcat.adapter.arxml.tree import Tag, reference
-from sigcat.adapter.autosar_classic.arxml.paths import (
-    APPLICATION_TYPES,
-    IMPLEMENTATION_TYPE,
-    IMPLEMENTATION_TYPES,
-    INTERFACES,
-    PLATFORM,
-)
+from sigcat.adapter.arxml.paths import Paths
+from sigcat.adapter.arxml.tree import Tag, reference, tag
+from sigcat.adapter.autosar_classic.arxml import paths
 from sigcat.adapter.autosar_classic.arxml.releases import Release
 from sigcat.integration.autosar_classic.datatypes.used_types import element_types, exchanged_types
 from sigcat.integration.autosar_classic.model import (
@@ -19,7 +13,6 @@ from sigcat.integration.autosar_classic.model import (
     ClassicIntegration,
     CompuMethod,
     ImplementationType,
-    ModeSwitchInterface,
     Port,
 )
 
@@ -40,8 +33,10 @@ APPLICATION_TYPE = {
 
 
 class Library(NamedTuple):
-    """Elements by name, and their paths."""
+    """A document, its elements by name, and their paths."""
 
+    model: ClassicIntegration
+    release: Release
     paths: Paths
     implementation_types: Mapping[str, ImplementationType]
     application_types: Mapping[str, ApplicationType]
@@ -50,48 +45,51 @@ class Library(NamedTuple):
     """Type of each data element and parameter, by interface and name."""
     exchanged_types: Mapping[str, tuple[str, ...]]
     """Types of everything that an interface has."""
-    modes: Mapping[str, ModeSwitchInterface]
-    release: Release
+
+    def path(self, package: str, *names: str) -> str:
+        """Path of an element in a package, or of one inside it."""
+        return self.paths.of(package, *names)
 
     def implementation_path(self, name: str) -> str:
         """Path of an implementation type. Platform types are those of the vendor."""
         found = self.implementation_types.get(name)
         of_platform = found is None or found.category == "VALUE"
-        return (PLATFORM if of_platform else self.paths).of(IMPLEMENTATION_TYPES, name)
+        return (paths.PLATFORM if of_platform else self.paths).of(paths.IMPLEMENTATION_TYPES, name)
 
     def type_reference(self, tag_name: str, name: str) -> Tag:
         """Reference to a type: an application type, or an implementation type where there is none of the name."""
         found = self.application_types.get(name)
         if found is None:
-            return reference(tag_name, self.implementation_path(name), IMPLEMENTATION_TYPE)
-        return reference(tag_name, self.paths.of(APPLICATION_TYPES, name), APPLICATION_TYPE[found.category])
+            return reference(tag_name, self.implementation_path(name), paths.IMPLEMENTATION_TYPE)
+        return reference(tag_name, self.path(paths.APPLICATION_TYPES, name), APPLICATION_TYPE[found.category])
 
     def interface_path(self, port: Port, *names: str) -> str:
         """Path of the interface of a port, or of an element of it."""
-        return self.paths.of(INTERFACES, port.interface, *names)
+        return self.path(paths.INTERFACES, port.interface, *names)
 
-    def properties(
-        self, *, compu_method: str | None = None, constraint: str | None = None, unit: str | None = None
-    ) -> tuple[Tag | None, ...]:
-        """References of SW-DATA-DEF-PROPS to elements that say how to read a number."""
-        return (
-            reference("COMPU-METHOD-REF", self.paths.of(COMPU_METHODS, compu_method), "COMPU-METHOD")
-            if compu_method
-            else None,
-            reference("DATA-CONSTR-REF", self.paths.of(CONSTRAINTS, constraint), "DATA-CONSTR") if constraint else None,
-            reference("UNIT-REF", self.paths.of(UNITS, unit), "UNIT") if unit else None,
-        )
+    def implementation_reference(self, name: str) -> Tag:
+        """Reference to an implementation type."""
+        return reference("IMPLEMENTATION-DATA-TYPE-REF", self.implementation_path(name), paths.IMPLEMENTATION_TYPE)
+
+    def type_mappings(self) -> Tag:
+        """Reference to the datatypes of the code."""
+        mapping = self.path(paths.TYPE_MAPPINGS, paths.TYPE_MAPPING_SET)
+        return tag("DATA-TYPE-MAPPING-REFS", reference("DATA-TYPE-MAPPING-REF", mapping, "DATA-TYPE-MAPPING-SET"))
+
+    def prototype(self, tag_name: str, name: str) -> Tag:
+        """Reference to a component of the composition."""
+        return reference(tag_name, self.path(paths.COMPOSITIONS, self.model.composition.name, name), paths.PROTOTYPE)
 
 
-def library(model: ClassicIntegration, paths: Paths, release: Release) -> Library:
+def library(model: ClassicIntegration, release: Release) -> Library:
     """Everything that elements of the document refer to."""
     return Library(
-        paths,
+        model,
+        release,
+        Paths(model.deployment.package),
         {each.name: each for each in model.implementation_types},
         {each.name: each for each in model.application_types},
         {each.name: each for each in model.compu_methods},
         element_types(model),
         exchanged_types(model),
-        {each.name: each for each in model.mode_switch_interfaces},
-        release,
     )

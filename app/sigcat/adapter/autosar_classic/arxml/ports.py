@@ -1,8 +1,10 @@
 """Ports of components and of the composition, with the attributes of each element."""
 
 from collections.abc import Iterable
+from typing import Literal
 
-from sigcat.adapter.arxml.tree import Tag, description, listed, reference, tag, trace
+from sigcat.adapter.arxml import tree
+from sigcat.adapter.arxml.tree import Child, Tag, description, listed, reference, tag, trace
 from sigcat.adapter.autosar_classic.arxml.library import INTERFACE, Library
 from sigcat.adapter.autosar_classic.arxml.paths import MODE_PROTOTYPE, OPERATION, PARAMETER, VARIABLE
 from sigcat.adapter.autosar_classic.arxml.releases import Release
@@ -10,21 +12,19 @@ from sigcat.adapter.autosar_classic.arxml.values import init_value
 from sigcat.integration.autosar_classic.model import E2eWindows, Element, OuterPort, Port
 
 
-def port_tag(direction: str) -> str:
-    """Element of a port."""
-    return "P-PORT-PROTOTYPE" if direction == "Provided" else "R-PORT-PROTOTYPE"
+def side_of(direction: str) -> Literal["P", "R"]:
+    """Word for a direction in the names of elements."""
+    return "P" if direction == "Provided" else "R"
+
+
+def port_reference(tag_name: str, path: str, direction: str) -> Tag:
+    """Reference to a port."""
+    return reference(tag_name, path, f"{side_of(direction)}-PORT-PROTOTYPE")
 
 
 def port(each: Port, known: Library) -> Tag:
     """A port of a component."""
-    return tag(
-        port_tag(each.direction),
-        description(each.description),
-        trace(list(_facts(each))),
-        _specifications(each, known),
-        _interface(each, known),
-        name=each.name,
-    )
+    return _port(each, known, description(each.description), trace(_facts(each)))
 
 
 def outer_port(each: OuterPort, known: Library) -> Tag:
@@ -34,61 +34,44 @@ def outer_port(each: OuterPort, known: Library) -> Tag:
     as_port = Port(
         name=each.name, direction=each.direction, kind=each.kind, interface=each.interface, elements=elements
     )
-    return tag(
-        port_tag(each.direction),
-        trace([("ExternalProvider", each.provider)]),
-        _specifications(as_port, known),
-        _interface(as_port, known),
-        name=each.name,
-    )
+    return _port(as_port, known, trace([("ExternalProvider", each.provider)]))
+
+
+def _port(each: Port, known: Library, *about: Tag | None) -> Tag:
+    """A port, with what the RTE does with each element."""
+    side = side_of(each.direction)
+    specification, word = (_provided, "PROVIDED") if side == "P" else (_required, "REQUIRED")
+    specifications = listed(f"{word}-COM-SPECS", (specification(each, element, known) for element in each.elements))
+    path = known.interface_path(each)
+    return tree.port(side, path, INTERFACE[each.kind], *about, specifications, name=each.name)
 
 
 def _facts(each: Port) -> Iterable[tuple[str, object]]:
     """Interfaces of the function for the elements."""
     for element in each.elements:
         for use in element.uses or ():
-            yield f"{element.name}.{use.call or use.function}", use.model_dump(mode="json", exclude_none=True)
-
-
-def _interface(each: Port, known: Library) -> Tag:
-    name = "PROVIDED-INTERFACE-TREF" if each.direction == "Provided" else "REQUIRED-INTERFACE-TREF"
-    return reference(name, known.interface_path(each), INTERFACE[each.kind])
-
-
-def _specifications(each: Port, known: Library) -> Tag | None:
-    """COM-SPECS: what the RTE does with each element."""
-    if each.direction == "Provided":
-        return listed("PROVIDED-COM-SPECS", _some(_provided(each, element, known) for element in each.elements))
-    return listed("REQUIRED-COM-SPECS", _some(_required(each, element, known) for element in each.elements))
-
-
-def _some(found: Iterable[Tag | None]) -> Iterable[Tag]:
-    return (item for item in found if item is not None)
+            yield f"{element.name}.{use.call or use.function}", use
 
 
 def _provided(each: Port, element: Element, known: Library) -> Tag | None:
     path = known.interface_path(each, element.name)
+    length = {"QUEUE-LENGTH": element.queue_length or 1}
     if each.kind == "ClientServer":
-        length = tag("QUEUE-LENGTH", text=element.queue_length or 1)
         return tag("SERVER-COM-SPEC", reference("OPERATION-REF", path, OPERATION), length)
     if each.kind == "ModeSwitch":
-        return tag(
-            "MODE-SWITCH-SENDER-COM-SPEC",
-            tag("ENHANCED-MODE-API", text="false"),
-            reference("MODE-GROUP-REF", path, MODE_PROTOTYPE),
-            tag("QUEUE-LENGTH", text=element.queue_length or 1),
-        )
+        group = reference("MODE-GROUP-REF", path, MODE_PROTOTYPE)
+        return tag("MODE-SWITCH-SENDER-COM-SPEC", {"ENHANCED-MODE-API": False}, group, length)
     init = _init(each, element, known)
     if each.kind == "Parameter":
         return tag("PARAMETER-PROVIDE-COM-SPEC", init, reference("PARAMETER-REF", path, PARAMETER))
-    name = "NONQUEUED-SENDER-COM-SPEC" if element.queue_length is None else "QUEUED-SENDER-COM-SPEC"
-    return tag(
-        name,
-        reference("DATA-ELEMENT-REF", path, VARIABLE),
-        tag("HANDLE-OUT-OF-RANGE", text="NONE"),
-        tag("USES-END-TO-END-PROTECTION", text="false"),
-        init if element.queue_length is None else None,
-    )
+    if element.queue_length is not None:
+        return tag("QUEUED-SENDER-COM-SPEC", *_of_data(path))
+    return tag("NONQUEUED-SENDER-COM-SPEC", *_of_data(path), init)
+
+
+def _of_data(path: str) -> Iterable[Child]:
+    yield reference("DATA-ELEMENT-REF", path, VARIABLE)
+    yield {"HANDLE-OUT-OF-RANGE": "NONE", "USES-END-TO-END-PROTECTION": False}
 
 
 def _required(each: Port, element: Element, known: Library) -> Tag | None:
@@ -96,30 +79,20 @@ def _required(each: Port, element: Element, known: Library) -> Tag | None:
     if each.kind == "ClientServer":
         return tag("CLIENT-COM-SPEC", reference("OPERATION-REF", path, OPERATION))
     if each.kind == "ModeSwitch":
-        return tag(
-            "MODE-SWITCH-RECEIVER-COM-SPEC",
-            tag("ENHANCED-MODE-API", text="false"),
-            reference("MODE-GROUP-REF", path, MODE_PROTOTYPE),
-            tag("SUPPORTS-ASYNCHRONOUS-MODE-SWITCH", text="false"),
-        )
+        group = reference("MODE-GROUP-REF", path, MODE_PROTOTYPE)
+        flags = {"ENHANCED-MODE-API": False, "SUPPORTS-ASYNCHRONOUS-MODE-SWITCH": False}
+        return tag("MODE-SWITCH-RECEIVER-COM-SPEC", group, flags)
     init = _init(each, element, known)
     if each.kind == "Parameter":
         return tag("PARAMETER-REQUIRE-COM-SPEC", init, reference("PARAMETER-REF", path, PARAMETER)) if init else None
-    common = (
-        reference("DATA-ELEMENT-REF", path, VARIABLE),
-        tag("HANDLE-OUT-OF-RANGE", text="NONE"),
-        _windows(element.windows, known.release) if element.windows else None,
-        tag("USES-END-TO-END-PROTECTION", text="false"),
-    )
+    common = (*_of_data(path), _windows(element.windows, known.release) if element.windows else None)
     if element.queue_length is not None:
-        return tag("QUEUED-RECEIVER-COM-SPEC", *common, tag("QUEUE-LENGTH", text=element.queue_length))
+        return tag("QUEUED-RECEIVER-COM-SPEC", *common, {"QUEUE-LENGTH": element.queue_length})
     return tag(
         "NONQUEUED-RECEIVER-COM-SPEC",
         *common,
-        tag("ALIVE-TIMEOUT", text=element.alive_timeout or 0),
-        tag("ENABLE-UPDATE", text=str(bool(element.update)).lower()),
-        tag("HANDLE-NEVER-RECEIVED", text=str(bool(element.never_received)).lower()),
-        tag("HANDLE-TIMEOUT-TYPE", text="NONE"),
+        {"ALIVE-TIMEOUT": element.alive_timeout or 0, "HANDLE-TIMEOUT-TYPE": "NONE"},
+        {"ENABLE-UPDATE": bool(element.update), "HANDLE-NEVER-RECEIVED": bool(element.never_received)},
         init,
     )
 
@@ -127,16 +100,12 @@ def _required(each: Port, element: Element, known: Library) -> Tag | None:
 def _windows(windows: E2eWindows, release: Release) -> Tag:
     """Windows of the state machine of the end-to-end transformer, which go before those of the transformer itself."""
     states = {"INIT": windows.init, "INVALID": windows.invalid, "VALID": windows.valid}
-    sizes = (
-        [tag(f"WINDOW-SIZE-{state}", text=each.size) for state, each in states.items()]
-        if release.has_windows_by_state
-        else [tag("WINDOW-SIZE", text=windows.valid.size)]
-    )
+    by_state = {f"WINDOW-SIZE-{state}": each.size for state, each in states.items()}
     properties = tag(
         "END-TO-END-TRANSFORMATION-COM-SPEC-PROPS",
-        *(tag(f"MAX-ERROR-STATE-{state}", text=each.max_error) for state, each in states.items()),
-        *(tag(f"MIN-OK-STATE-{state}", text=each.min_ok) for state, each in states.items()),
-        *sizes,
+        {f"MAX-ERROR-STATE-{state}": each.max_error for state, each in states.items()},
+        {f"MIN-OK-STATE-{state}": each.min_ok for state, each in states.items()},
+        by_state if release.has_windows_by_state else {"WINDOW-SIZE": windows.valid.size},
     )
     return tag("TRANSFORMATION-COM-SPEC-PROPSS", properties)
 

@@ -4,28 +4,22 @@ from collections.abc import Iterable
 from fractions import Fraction
 
 from sigcat.adapter.arxml import units
-from sigcat.adapter.arxml.paths import COMPU_METHODS, CONSTRAINTS, UNITS
-from sigcat.adapter.arxml.tree import Package, Tag, definition_properties, description, listed, reference, tag, trace
-from sigcat.adapter.autosar_classic.arxml.library import Library
-from sigcat.adapter.autosar_classic.arxml.paths import (
-    APPLICATION_TYPES,
-    BASE_TYPES,
-    IMPLEMENTATION_TYPE,
-    IMPLEMENTATION_TYPES,
-    MODE_GROUP,
-    MODE_GROUPS,
-    PLATFORM,
-    TYPE_MAPPING_SET,
-    TYPE_MAPPINGS,
+from sigcat.adapter.arxml.numbers import compu_method, constraint, limit, linear_scale, references_of_number, text_scale
+from sigcat.adapter.arxml.paths import COMPU_METHODS, CONSTRAINTS
+from sigcat.adapter.arxml.tree import (
+    Child,
+    Package,
+    Tag,
+    definition_properties,
+    description,
+    listed,
+    reference,
+    tag,
+    trace,
 )
-from sigcat.integration.autosar_classic.model import (
-    ApplicationType,
-    ClassicIntegration,
-    CompuMethod,
-    DataConstraint,
-    ImplementationType,
-    ModeGroup,
-)
+from sigcat.adapter.autosar_classic.arxml import paths
+from sigcat.adapter.autosar_classic.arxml.library import APPLICATION_TYPE, Library
+from sigcat.integration.autosar_classic import model
 
 _PLATFORM_TYPES = {
     "boolean": (8, "BOOLEAN"),
@@ -36,228 +30,143 @@ _PLATFORM_TYPES = {
 """Size in bits and encoding of each platform type (AUTOSAR_SWS_PlatformTypes)."""
 
 
-def platform_packages(model: ClassicIntegration) -> list[Package]:
+def platform_packages(document: model.ClassicIntegration) -> list[Package]:
     """The platform types that the document uses, where every vendor has them."""
-    used = {each.base or each.name for each in model.implementation_types if each.category != "ARRAY"}
-    names = [name for name in _PLATFORM_TYPES if name in used | {group.type for group in model.mode_groups}]
+    used = {each.base or each.name for each in document.implementation_types if each.category != "ARRAY"}
+    names = [name for name in _PLATFORM_TYPES if name in used | {group.type for group in document.mode_groups}]
     return [
-        Package(BASE_TYPES, tuple(map(_base_type, names))),
-        Package(IMPLEMENTATION_TYPES, tuple(map(_platform_type, names))),
+        Package(paths.BASE_TYPES, tuple(map(_base_type, names))),
+        Package(paths.IMPLEMENTATION_TYPES, tuple(map(_platform_type, names))),
     ]
 
 
 def _base_type(name: str) -> Tag:
     size, encoding = _PLATFORM_TYPES[name]
-    return tag(
-        "SW-BASE-TYPE",
-        tag("CATEGORY", text="FIXED_LENGTH"),
-        tag("BASE-TYPE-SIZE", text=size),
-        tag("BASE-TYPE-ENCODING", text=encoding),
-        name=name,
-    )
+    content: Child = {"CATEGORY": "FIXED_LENGTH", "BASE-TYPE-SIZE": size, "BASE-TYPE-ENCODING": encoding}
+    return tag("SW-BASE-TYPE", content, name=name)
 
 
 def _platform_type(name: str) -> Tag:
     """A platform type: the RTE does not define it, since `Platform_Types.h` does."""
-    base = reference("BASE-TYPE-REF", PLATFORM.of(BASE_TYPES, name), "SW-BASE-TYPE")
-    return tag(
-        IMPLEMENTATION_TYPE,
-        tag("CATEGORY", text="VALUE"),
-        definition_properties(base),
-        tag("TYPE-EMITTER", text="Platform_Type"),
-        name=name,
-    )
+    base = reference("BASE-TYPE-REF", paths.PLATFORM.of(paths.BASE_TYPES, name), "SW-BASE-TYPE")
+    kind = {"CATEGORY": "VALUE", "TYPE-EMITTER": "Platform_Type"}
+    return tag(paths.IMPLEMENTATION_TYPE, kind, definition_properties(base), name=name)
 
 
-def packages(model: ClassicIntegration, known: Library) -> list[Package]:
+def packages(known: Library) -> list[Package]:
     """The packages of the file of types."""
-    own = [each for each in model.implementation_types if each.category != "VALUE"]
-    shown = {each.display_name: each.name for each in model.units}
+    document = known.model
+    own = [each for each in document.implementation_types if each.category != "VALUE"]
+    shown = {each.display_name: each.name for each in document.units}
     return [
-        Package(IMPLEMENTATION_TYPES, tuple(_implementation(each, known) for each in own)),
-        Package(APPLICATION_TYPES, tuple(_application(each, known) for each in model.application_types)),
-        Package(COMPU_METHODS, tuple(_compu_method(each, known) for each in model.compu_methods)),
+        Package(paths.IMPLEMENTATION_TYPES, tuple(_implementation(each, known) for each in own)),
+        Package(paths.APPLICATION_TYPES, tuple(_application(each, known) for each in document.application_types)),
+        Package(COMPU_METHODS, tuple(_compu_method(each, known) for each in document.compu_methods)),
         *units.packages(shown, {}, known.paths),
-        Package(CONSTRAINTS, tuple(map(_constraint, model.constraints))),
-        Package(TYPE_MAPPINGS, (_mapping(model, known),)),
+        Package(CONSTRAINTS, tuple(constraint(each.name, each.min, each.max) for each in document.constraints)),
+        Package(paths.TYPE_MAPPINGS, (_mapping(known),)),
     ]
 
 
-def _implementation(entry: ImplementationType, known: Library) -> Tag:
+def _implementation(entry: model.ImplementationType, known: Library) -> Tag:
     properties, elements = None, None
     if entry.category == "TYPE_REFERENCE":
-        properties = definition_properties(
-            *known.properties(compu_method=entry.compu_method), _referred(entry.base or "uint8", known)
-        )
+        method = references_of_number(known.paths, entry.compu_method)
+        properties = definition_properties(*method, known.implementation_reference(entry.base or "uint8"))
     elif entry.category == "ARRAY":
-        elements = tag("SUB-ELEMENTS", _array_element(entry, known))
+        size: Child = {"ARRAY-SIZE": entry.length or 1, "ARRAY-SIZE-SEMANTICS": "FIXED-SIZE"}
+        elements = tag("SUB-ELEMENTS", _part("Element", entry.element or "uint8", known, size))
     else:
-        elements = listed(
-            "SUB-ELEMENTS",
-            (
-                tag(
-                    f"{IMPLEMENTATION_TYPE}-ELEMENT",
-                    description(each.description),
-                    tag("CATEGORY", text="TYPE_REFERENCE"),
-                    definition_properties(_referred(each.type, known)),
-                    name=each.name,
-                )
-                for each in entry.members or ()
-            ),
-        )
-    category = tag("CATEGORY", text=entry.category)
+        members = entry.members or ()
+        parts = (_part(each.name, each.type, known, description(each.description)) for each in members)
+        elements = listed("SUB-ELEMENTS", parts)
     about = trace([("TypeRef", entry.reference)])
-    return tag(IMPLEMENTATION_TYPE, category, about, properties, elements, name=entry.name)
+    return tag(paths.IMPLEMENTATION_TYPE, {"CATEGORY": entry.category}, about, properties, elements, name=entry.name)
 
 
-def _array_element(entry: ImplementationType, known: Library) -> Tag:
-    return tag(
-        f"{IMPLEMENTATION_TYPE}-ELEMENT",
-        tag("CATEGORY", text="TYPE_REFERENCE"),
-        tag("ARRAY-SIZE", text=entry.length or 1),
-        tag("ARRAY-SIZE-SEMANTICS", text="FIXED-SIZE"),
-        definition_properties(_referred(entry.element or "uint8", known)),
-        name="Element",
-    )
+def _part(name: str, type_name: str, known: Library, about: Child) -> Tag:
+    """A member of a structure, or the element of an array."""
+    properties = definition_properties(known.implementation_reference(type_name))
+    return tag(f"{paths.IMPLEMENTATION_TYPE}-ELEMENT", {"CATEGORY": "TYPE_REFERENCE"}, about, properties, name=name)
 
 
-def _referred(name: str, known: Library) -> Tag:
-    return reference("IMPLEMENTATION-DATA-TYPE-REF", known.implementation_path(name), IMPLEMENTATION_TYPE)
-
-
-def _application(entry: ApplicationType, known: Library) -> Tag:
-    text = description(entry.description)
-    category = tag("CATEGORY", text=entry.category)
+def _application(entry: model.ApplicationType, known: Library) -> Tag:
+    content: Tag | None
     if entry.category == "ARRAY":
-        element = tag(
-            "ELEMENT",
-            tag("CATEGORY", text=_category(entry.element or "", known)),
-            known.type_reference("TYPE-TREF", entry.element or ""),
-            tag("ARRAY-SIZE-SEMANTICS", text="FIXED-SIZE"),
-            tag("MAX-NUMBER-OF-ELEMENTS", text=entry.length or 1),
-            name="Element",
-        )
-        return tag("APPLICATION-ARRAY-DATA-TYPE", text, category, element, name=entry.name)
-    if entry.category == "STRUCTURE":
+        size: Child = {"ARRAY-SIZE-SEMANTICS": "FIXED-SIZE", "MAX-NUMBER-OF-ELEMENTS": entry.length or 1}
+        content = tag("ELEMENT", *_typed(entry.element or "", known), size, name="Element")
+    elif entry.category == "STRUCTURE":
         members = (
-            tag(
-                "APPLICATION-RECORD-ELEMENT",
-                description(each.description),
-                tag("CATEGORY", text=_category(each.type, known)),
-                known.type_reference("TYPE-TREF", each.type),
-                name=each.name,
-            )
+            tag("APPLICATION-RECORD-ELEMENT", description(each.description), *_typed(each.type, known), name=each.name)
             for each in entry.members or ()
         )
-        return tag("APPLICATION-RECORD-DATA-TYPE", text, category, listed("ELEMENTS", members), name=entry.name)
-    properties = definition_properties(
-        tag("SW-CALIBRATION-ACCESS", text="READ-ONLY"),
-        *known.properties(compu_method=entry.compu_method, constraint=entry.constraint, unit=entry.unit),
-    )
-    return tag("APPLICATION-PRIMITIVE-DATA-TYPE", text, category, properties, name=entry.name)
+        content = listed("ELEMENTS", members)
+    else:
+        content = definition_properties(
+            tag("SW-CALIBRATION-ACCESS", text="READ-ONLY"),
+            *references_of_number(known.paths, entry.compu_method, entry.constraint, entry.unit),
+        )
+    about = (description(entry.description), {"CATEGORY": entry.category})
+    return tag(APPLICATION_TYPE[entry.category], *about, content, name=entry.name)
 
 
-def _category(name: str, known: Library) -> str:
+def _typed(name: str, known: Library) -> Iterable[Child]:
+    """Category and type of an element."""
     found = known.application_types.get(name)
-    return found.category if found else "VALUE"
+    yield {"CATEGORY": found.category if found else "VALUE"}
+    yield known.type_reference("TYPE-TREF", name)
 
 
-def _compu_method(entry: CompuMethod, known: Library) -> Tag:
-    unit = reference("UNIT-REF", known.paths.of(UNITS, entry.unit), "UNIT") if entry.unit else None
-    scales = [_text_scale(each.symbol, each.value) for each in entry.symbols or ()]
+def _compu_method(entry: model.CompuMethod, known: Library) -> Tag:
+    limits = ("LOWER-LIMIT", "UPPER-LIMIT")
+    scales = [text_scale(each.symbol, *(limit(end, each.value) for end in limits)) for each in entry.symbols or ()]
     if entry.category == "LINEAR":
         scales = [_linear_scale(Fraction(entry.factor or "1"), Fraction(entry.offset or "0"))]
-    content = listed("COMPU-SCALES", scales)
-    return tag(
-        "COMPU-METHOD",
-        tag("CATEGORY", text=entry.category),
-        unit,
-        tag("COMPU-INTERNAL-TO-PHYS", content) if content else None,
-        name=entry.name,
-    )
-
-
-def _text_scale(symbol: str, value: int) -> Tag:
-    return tag(
-        "COMPU-SCALE",
-        tag("SYMBOL", text=symbol),
-        _limit("LOWER-LIMIT", value),
-        _limit("UPPER-LIMIT", value),
-        tag("COMPU-CONST", tag("VT", text=symbol)),
-    )
+    return compu_method(entry.name, entry.category, scales, references_of_number(known.paths, unit=entry.unit))
 
 
 def _linear_scale(factor: Fraction, offset: Fraction) -> Tag:
-    """Value = (offset + factor × number) ÷ denominator, all of them whole numbers: exact, whatever the factor is."""
+    """A scale of whole numbers: exact, whatever the factor is."""
     denominator = factor.denominator * offset.denominator
-    return tag(
-        "COMPU-SCALE",
-        tag(
-            "COMPU-RATIONAL-COEFFS",
-            tag(
-                "COMPU-NUMERATOR",
-                tag("V", text=str(offset * denominator)),
-                tag("V", text=str(factor * denominator)),
-            ),
-            tag("COMPU-DENOMINATOR", tag("V", text=str(denominator))),
-        ),
-    )
+    return linear_scale(str(offset * denominator), str(factor * denominator), str(denominator))
 
 
-def _limit(name: str, value: float) -> Tag:
-    return Tag(name, (), str(value), None, (("INTERVAL-TYPE", "CLOSED"),))
-
-
-def _constraint(entry: DataConstraint) -> Tag:
-    rule = tag(
-        "PHYS-CONSTRS",
-        _limit("LOWER-LIMIT", entry.min) if entry.min is not None else None,
-        _limit("UPPER-LIMIT", entry.max) if entry.max is not None else None,
-    )
-    return tag("DATA-CONSTR", tag("DATA-CONSTR-RULES", tag("DATA-CONSTR-RULE", rule)), name=entry.name)
-
-
-def _mapping(model: ClassicIntegration, known: Library) -> Tag:
+def _mapping(known: Library) -> Tag:
     """Datatype of the code for an application type and for the modes of a group."""
     maps = (
         tag(
             "DATA-TYPE-MAP",
             known.type_reference("APPLICATION-DATA-TYPE-REF", each.name),
-            reference(
-                "IMPLEMENTATION-DATA-TYPE-REF", known.implementation_path(each.implementation), IMPLEMENTATION_TYPE
-            ),
+            known.implementation_reference(each.implementation),
         )
-        for each in model.application_types
+        for each in known.model.application_types
     )
     modes = (
         tag(
             "MODE-REQUEST-TYPE-MAP",
-            reference("IMPLEMENTATION-DATA-TYPE-REF", known.implementation_path(each.type), IMPLEMENTATION_TYPE),
-            reference("MODE-GROUP-REF", known.paths.of(MODE_GROUPS, each.name), MODE_GROUP),
+            known.implementation_reference(each.type),
+            reference("MODE-GROUP-REF", known.path(paths.MODE_GROUPS, each.name), paths.MODE_GROUP),
         )
-        for each in model.mode_groups
+        for each in known.model.mode_groups
     )
-    return tag(
-        "DATA-TYPE-MAPPING-SET",
-        listed("DATA-TYPE-MAPS", maps),
-        listed("MODE-REQUEST-TYPE-MAPS", modes),
-        name=TYPE_MAPPING_SET,
-    )
+    content = (listed("DATA-TYPE-MAPS", maps), listed("MODE-REQUEST-TYPE-MAPS", modes))
+    return tag("DATA-TYPE-MAPPING-SET", *content, name=paths.TYPE_MAPPING_SET)
 
 
-def mode_groups(groups: Iterable[ModeGroup], known: Library) -> Package:
+def mode_groups(known: Library) -> Package:
     """The package of mode declaration groups. Modes have the numbers that the core takes."""
-    return Package(MODE_GROUPS, tuple(_mode_group(each, known) for each in groups))
+    return Package(paths.MODE_GROUPS, tuple(_mode_group(each, known) for each in known.model.mode_groups))
 
 
-def _mode_group(group: ModeGroup, known: Library) -> Tag:
-    modes = (tag("MODE-DECLARATION", tag("VALUE", text=each.value), name=each.name) for each in group.modes)
-    initial = known.paths.of(MODE_GROUPS, group.name, group.initial)
+def _mode_group(group: model.ModeGroup, known: Library) -> Tag:
+    initial = known.path(paths.MODE_GROUPS, group.name, group.initial)
     return tag(
-        MODE_GROUP,
-        tag("CATEGORY", text="EXPLICIT_ORDER"),
+        paths.MODE_GROUP,
+        {"CATEGORY": "EXPLICIT_ORDER", "ON-TRANSITION-VALUE": group.on_transition},
         reference("INITIAL-MODE-REF", initial, "MODE-DECLARATION"),
-        listed("MODE-DECLARATIONS", modes),
-        tag("ON-TRANSITION-VALUE", text=group.on_transition),
+        listed(
+            "MODE-DECLARATIONS",
+            (tag("MODE-DECLARATION", {"VALUE": each.value}, name=each.name) for each in group.modes),
+        ),
         name=group.name,
     )

@@ -3,8 +3,8 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sigcat.adapter.arxml.paths import UNITS
-from sigcat.adapter.arxml.tree import Tag, listed, reference, tag
+from sigcat.adapter.arxml.numbers import references_of_number
+from sigcat.adapter.arxml.tree import Tag, listed, tag
 from sigcat.adapter.autosar_classic.arxml.library import Library
 from sigcat.integration.autosar_classic.model import ApplicationType
 
@@ -33,24 +33,18 @@ def specification(value: Any, type_name: str, known: Library) -> Tag:
         return tag("RECORD-VALUE-SPECIFICATION", listed("FIELDS", fields))
     if isinstance(found, ApplicationType):
         return _application(value, found, known)
-    return tag("NUMERICAL-VALUE-SPECIFICATION", tag("VALUE", text=_number(value)))
+    return tag("NUMERICAL-VALUE-SPECIFICATION", {"VALUE": _number(value)})
 
 
 def _application(value: Any, found: ApplicationType, known: Library) -> Tag:
     method = known.compu_methods.get(found.compu_method or "")
     texts = {each.value: each.symbol for each in (method.symbols or ())} if method else {}
-    number = _number(value)
     text = texts.get(value)
-    content = tag("VT", text=text) if text is not None else tag("V", text=number)
-    unit = reference("UNIT-REF", known.paths.of(UNITS, found.unit), "UNIT") if found.unit else None
-    return tag(
-        "APPLICATION-VALUE-SPECIFICATION",
-        tag("CATEGORY", text=found.category),
-        tag("SW-VALUE-CONT", unit, tag("SW-VALUES-PHYS", content)),
-    )
+    content = {"V": _number(value)} if text is None else {"VT": text}
+    unit = references_of_number(known.paths, unit=found.unit)
+    physical = tag("SW-VALUE-CONT", *unit, tag("SW-VALUES-PHYS", content))
+    return tag("APPLICATION-VALUE-SPECIFICATION", {"CATEGORY": found.category}, physical)
 
 
 def _number(value: Any) -> str:
-    if isinstance(value, bool):
-        return str(int(value))
-    return str(value)
+    return str(int(value)) if isinstance(value, bool) else str(value)

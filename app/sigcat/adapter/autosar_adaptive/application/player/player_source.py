@@ -110,7 +110,7 @@ def _port(whole: Whole, model: IntegrationModel, types: TypeNames) -> _Port:
         if (each.name, each.role) == (whole.name, "Consumer")
         and any(used.events or used.fields for used in each.services)
     }
-    key = f"{whole.service_id:#06x}, {whole.instance_id:#06x}"
+    key = f"{whole.interface.service_id:#06x}, {whole.interface.instance_id:#06x}"
     path = player_port(whole.name, model)
     return _Port(whole.name, service_names(whole, model), path, [*events, *fields], methods, key, len(listeners))
 

@@ -29,12 +29,12 @@ def tables_source(service: Service, model: IntegrationModel) -> str:
     """The tables themselves."""
     deployment = model.deployment
     assert deployment is not None
-    transformation = service.whole.transformation or deployment.transformation
+    transformation = service.whole.interface.transformation or deployment.transformation
     return rendered(
         _TEMPLATE,
         service=service,
         includes=includes([service.tables_header, *([errors_path(service.types)] if service.methods else [])]),
-        number=hexadecimal(service.whole.service_id),
+        number=hexadecimal(service.whole.interface.service_id),
         instances=[*_instances(service, model)],
         error_domain="::".join(("", *error_namespace(model), f"Get{DOMAIN}ErrorDomain")),
         errors=METHOD_ERRORS,
@@ -53,7 +53,7 @@ def _instances(service: Service, model: IntegrationModel) -> Iterable[_Instance]
             if interface.name == service.name:
                 port = instance_specifier(process.component, interface)
                 yield _Instance(port, hexadecimal(interface.instance_id), further)
-    yield _Instance(player_port(service.name, model), hexadecimal(service.whole.instance_id))
+    yield _Instance(player_port(service.name, model), hexadecimal(service.whole.interface.instance_id))
 
 
 def player_port(service: str, model: IntegrationModel) -> str:
