@@ -81,10 +81,10 @@ def _name(branch: str) -> str:
 
 def derive_all(folder: Path) -> None:
     """Everything, from the files of the set to the files of the platform."""
-    from sigcat.adapter.autosar_adaptive.arxml.generate import generate
+    from sigcat.adapter.autosar_adaptive.arxml.adaptive_arxml import generate
     from sigcat.catalogue.composing.compose import read_catalogue
     from sigcat.function.function_json.wire import written
-    from sigcat.integration.autosar_adaptive.derive import derive
+    from sigcat.integration.autosar_adaptive.adaptive_integration import derive
     from sigcat.integration.reading import read_functions
 
     catalogue = read_catalogue(folder / "tree.vspec")

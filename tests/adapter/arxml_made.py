@@ -7,7 +7,7 @@ from functools import cache
 
 import pytest
 
-from sigcat.adapter.autosar_adaptive.arxml.generate import generate
+from sigcat.adapter.autosar_adaptive.arxml.adaptive_arxml import generate
 from sigcat.errors import InputRefused
 from sigcat.function.function_json.wire import written
 from sigcat.integration.autosar_adaptive.document import read_integration

@@ -2,7 +2,7 @@
 
 import pytest
 
-from sigcat.adapter.autosar_adaptive.arxml.generate import generate
+from sigcat.adapter.autosar_adaptive.arxml.adaptive_arxml import generate
 from sigcat.integration.autosar_adaptive.deployment.releases import RELEASES
 from tests.adapter.arxml_made import document, every_kind, made, refused, tags, texts
 from tests.adapter.arxml_requirements import (

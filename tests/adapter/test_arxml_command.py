@@ -4,8 +4,8 @@ import json
 
 import pytest
 
+from sigcat.adapter.autosar_adaptive.arxml.adaptive_arxml import generate
 from sigcat.adapter.autosar_adaptive.arxml.field_targets import TABLES
-from sigcat.adapter.autosar_adaptive.arxml.generate import generate
 from sigcat.cli import main
 from sigcat.function.function_json.wire import written as to_json
 from tests.adapter.arxml_made import lost, made

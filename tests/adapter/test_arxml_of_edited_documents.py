@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sigcat.adapter.autosar_adaptive.arxml.generate import generate
+from sigcat.adapter.autosar_adaptive.arxml.adaptive_arxml import generate
 from sigcat.errors import InputRefused
 from sigcat.function.function_json.wire import written
 from sigcat.integration.autosar_adaptive.document import read_integration

@@ -6,13 +6,13 @@ from functools import cache
 import pytest
 from autosar_data import AutosarVersion
 
+from sigcat.adapter.autosar_classic.arxml.classic_arxml import PLATFORM_FILE, generate
 from sigcat.adapter.autosar_classic.arxml.field_targets import TABLES
-from sigcat.adapter.autosar_classic.arxml.generate import PLATFORM_FILE, generate
 from sigcat.errors import InputRefused
 from sigcat.function.function_json.wire import written
+from sigcat.integration.autosar_classic.classic_integration import derive
 from sigcat.integration.autosar_classic.deployment.releases import RELEASES
 from sigcat.integration.autosar_classic.deployment.settings import NO_SETTINGS, AutosarClassicSettings
-from sigcat.integration.autosar_classic.derive import derive
 from sigcat.integration.autosar_classic.document import read_integration
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT
 from tests.adapter import arxml_made

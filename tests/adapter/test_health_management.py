@@ -6,7 +6,7 @@ import pytest
 from autosar_data import AutosarModel, Element
 
 from sigcat.adapter.autosar_adaptive.application.report import report
-from sigcat.adapter.autosar_adaptive.arxml.generate import generate
+from sigcat.adapter.autosar_adaptive.arxml.adaptive_arxml import generate
 from sigcat.integration.autosar_adaptive.document import read_integration
 from sigcat.limits import DEFAULT_LIMITS
 from tests.adapter.arxml_requirements import VERSIONS, dangling, doubled_names, loaded, misplaced

@@ -25,7 +25,7 @@ def _derive(
     functions: "Sequence[ResolvedFunction]", deployment: "Deployment", settings: "AutosarAdaptiveSettings"
 ) -> Integrated:
     from sigcat.function.function_json.wire import written
-    from sigcat.integration.autosar_adaptive.derive import derive
+    from sigcat.integration.autosar_adaptive.adaptive_integration import derive
 
     model, findings, report = derive(functions, deployment, settings)
     return Integrated(written(model), findings, report)
@@ -39,7 +39,7 @@ def _schema() -> dict[str, Any]:
 
 
 def _generate_arxml(data: bytes, name: str, limits: "Limits", options: Options) -> "tuple[GeneratedFile, ...]":
-    from sigcat.adapter.autosar_adaptive.arxml.generate import generate
+    from sigcat.adapter.autosar_adaptive.arxml.adaptive_arxml import generate
     from sigcat.integration.autosar_adaptive.document import read_integration
 
     return generate(read_integration(data, name, limits), options.release)

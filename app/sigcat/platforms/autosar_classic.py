@@ -25,7 +25,7 @@ def _derive(
     functions: "Sequence[ResolvedFunction]", deployment: "Deployment", settings: "AutosarClassicSettings"
 ) -> Integrated:
     from sigcat.function.function_json.wire import written
-    from sigcat.integration.autosar_classic.derive import derive
+    from sigcat.integration.autosar_classic.classic_integration import derive
 
     model, findings, report = derive(functions, deployment, settings)
     return Integrated(written(model), findings, report)
@@ -39,7 +39,7 @@ def _schema() -> dict[str, Any]:
 
 
 def _generate_arxml(data: bytes, name: str, limits: "Limits", options: Options) -> "tuple[GeneratedFile, ...]":
-    from sigcat.adapter.autosar_classic.arxml.generate import generate
+    from sigcat.adapter.autosar_classic.arxml.classic_arxml import generate
     from sigcat.integration.autosar_classic.document import read_integration
 
     return generate(read_integration(data, name, limits), options.release)
@@ -65,7 +65,7 @@ ARXML = Generator(
 
 
 def _generate_components(data: bytes, name: str, limits: "Limits", options: Options) -> "tuple[GeneratedFile, ...]":
-    from sigcat.adapter.autosar_classic.generate import generate
+    from sigcat.adapter.autosar_classic.classic_software import generate
 
     return generate(data, name, limits, options.release, bench=options.bench)
 

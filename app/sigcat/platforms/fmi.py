@@ -23,7 +23,7 @@ def _settings() -> "type[FmiSettings]":
 
 
 def _derive(functions: "Sequence[ResolvedFunction]", deployment: "Deployment", settings: "FmiSettings") -> Integrated:
-    from sigcat.adapter.fmi.derive import derive
+    from sigcat.adapter.fmi.fmi_integration import derive
     from sigcat.function.function_json.wire import written
 
     model, findings, report = derive(functions, deployment, settings)
@@ -54,14 +54,14 @@ def _schema() -> dict[str, Any]:
 
 
 def _generate(data: bytes, name: str, limits: "Limits", options: Options) -> "tuple[GeneratedFile, ...]":
-    from sigcat.adapter.fmi.generate import generate
+    from sigcat.adapter.fmi.fmu_files import generate
 
     del options  # the document has the version of FMI, and an FMU needs no bench
     return generate(data, name, limits)
 
 
 def _report(data: bytes, name: str, limits: "Limits") -> "tuple[Entry, ...]":
-    from sigcat.adapter.fmi.generate import report
+    from sigcat.adapter.fmi.fmu_files import report
 
     return report(data, name, limits)
 

@@ -24,7 +24,7 @@ def _settings() -> "type[Ros2Settings]":
 
 def _derive(functions: "Sequence[ResolvedFunction]", deployment: "Deployment", settings: "Ros2Settings") -> Integrated:
     from sigcat.function.function_json.wire import written
-    from sigcat.integration.ros2.derive import derive
+    from sigcat.integration.ros2.ros2_integration import derive
 
     model, findings, report = derive(functions, deployment, settings)
     return Integrated(written(model), findings, report)

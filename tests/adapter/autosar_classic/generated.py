@@ -9,7 +9,7 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-from sigcat.adapter.autosar_classic.generate import generate
+from sigcat.adapter.autosar_classic.classic_software import generate
 from sigcat.catalogue.hosting.source import load
 from sigcat.catalogue.hosting.sources import shipped_sources
 from sigcat.comparison.running.autosar_classic import AUTOSAR_CLASSIC

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from sigcat.adapter.autosar_classic.classic_software import generate
 from sigcat.adapter.autosar_classic.code.rte_headers.literals import number as constant
-from sigcat.adapter.autosar_classic.generate import generate
 from sigcat.adapter.toolchain import EXACT, toolchain
 from sigcat.errors import InputRefused
 from sigcat.limits import DEFAULT_LIMITS

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from sigcat.adapter.fmi.derive import units_of
+from sigcat.adapter.fmi.fmi_integration import units_of
 from sigcat.adapter.fmi.variables import Variable
 from sigcat.adapter.host.connections import Connections
 from sigcat.adapter.host.shapes import Shape, Value, numbers, packing

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from scripts.cases import ROOT, RUNS
-from sigcat.adapter.fmi.generate import generate
+from sigcat.adapter.fmi.fmu_files import generate
 from sigcat.cli import main
 from sigcat.data import EXAMPLES
 from sigcat.integration.reading import read_functions

@@ -13,8 +13,8 @@ from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 
 from sigcat.adapter.core.plan import CLASS, GLOBALS
-from sigcat.adapter.fmi.derive import derive
-from sigcat.adapter.fmi.generate import generate
+from sigcat.adapter.fmi.fmi_integration import derive
+from sigcat.adapter.fmi.fmu_files import generate
 from sigcat.adapter.host.shapes import Array, Number, packing
 from sigcat.adapter.toolchain import toolchain
 from sigcat.function.document.read_json import read_json

@@ -8,7 +8,7 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from sigcat.adapter.fmi.generate import generate
+from sigcat.adapter.fmi.fmu_files import generate
 from sigcat.cli import main
 from sigcat.data import EXAMPLES
 from sigcat.limits import DEFAULT_LIMITS

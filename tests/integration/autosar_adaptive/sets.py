@@ -4,7 +4,7 @@ from functools import cache
 
 from sigcat.function.function_file import build_function
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.integration.autosar_adaptive import derive as deriving
+from sigcat.integration.autosar_adaptive import adaptive_integration as deriving
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT, DEPLOYMENT_FILE
 from tests.function.shipped import FUNCTIONS, interfaces, resolved
 

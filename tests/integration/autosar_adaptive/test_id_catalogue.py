@@ -2,7 +2,7 @@
 
 import pytest
 
-from sigcat.adapter.autosar_adaptive.arxml.generate import generate
+from sigcat.adapter.autosar_adaptive.arxml.adaptive_arxml import generate
 from sigcat.adapter.autosar_adaptive.arxml.reading import read_arxml
 from sigcat.errors import InputRefused
 from sigcat.integration.autosar_adaptive.document import identifiers_of

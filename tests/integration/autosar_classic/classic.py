@@ -2,7 +2,7 @@
 
 from sigcat.findings import has_errors
 from sigcat.function.function_json.wire import written
-from sigcat.integration.autosar_classic import derive as deriving
+from sigcat.integration.autosar_classic import classic_integration as deriving
 from sigcat.integration.autosar_classic.document import read_integration
 from sigcat.integration.autosar_classic.model import ClassicIntegration, Component
 from sigcat.platforms.deployment_file import DEFAULT_DEPLOYMENT

@@ -6,7 +6,7 @@ from functools import cache
 from sigcat.function.function_file import build_function
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.wire import written
-from sigcat.integration.ros2.derive import derive
+from sigcat.integration.ros2.ros2_integration import derive
 from sigcat.platforms.deployment_file import DEPLOYMENT_FILE
 from tests.function.shipped import FUNCTIONS, interfaces, resolved
 

@@ -1,7 +1,7 @@
 """Common input of every step of `derive`."""
 
+from sigcat.integration.autosar_adaptive.adaptive_types import TypeTable
 from sigcat.integration.autosar_adaptive.deployment.settings import AutosarAdaptiveSettings
-from sigcat.integration.autosar_adaptive.types import TypeTable
 from sigcat.integration.autosar_context import AutosarContext
 
 Context = AutosarContext[AutosarAdaptiveSettings, TypeTable]

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from sigcat.function.exchange import Part
 from sigcat.function.function_json.runnable import Runnable as Call
-from sigcat.integration.autosar_classic.datatypes.types import TypeTable
+from sigcat.integration.autosar_classic.datatypes.classic_types import TypeTable
 from sigcat.integration.autosar_classic.deployment.settings import AutosarClassicSettings
 from sigcat.integration.autosar_context import AutosarContext
 from sigcat.integration.autosar_names import distinct, short_name

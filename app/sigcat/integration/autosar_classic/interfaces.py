@@ -12,7 +12,7 @@ from sigcat.function.function_json.interfaces.status_interfaces import ErrorInte
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.base_software import failing_interface
 from sigcat.integration.autosar_classic.context import Context
-from sigcat.integration.autosar_classic.datatypes.types import Meaning
+from sigcat.integration.autosar_classic.datatypes.classic_types import Meaning
 from sigcat.integration.autosar_classic.elements import Element
 from sigcat.integration.autosar_names import distinct, short_name
 from sigcat.integration.sent_values import sent

@@ -8,7 +8,7 @@ from sigcat.function.exchange import Part
 from sigcat.function.function_json.interfaces.data_interfaces import ParameterInterface
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.context import OF_ADAPTER, Context, named_calls
-from sigcat.integration.autosar_classic.datatypes.types import Meaning
+from sigcat.integration.autosar_classic.datatypes.classic_types import Meaning
 from sigcat.integration.autosar_names import distinct_names, short_name
 from sigcat.integration.autosar_parts import parameter_uses
 from sigcat.integration.sent_values import initial, sent

@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from sigcat.adapter.autosar_adaptive.application.adaptive_application import CPP
-from sigcat.adapter.autosar_adaptive.bench.generate import generate
+from sigcat.adapter.autosar_adaptive.bench.adaptive_bench import generate
 from sigcat.adapter.autosar_adaptive.bench.runtime_files import runtime_files
 from sigcat.adapter.files import GeneratedFile, shipped
 from sigcat.adapter.toolchain import toolchain

@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from sigcat.adapter.autosar_adaptive.bench.generate import generate
+from sigcat.adapter.autosar_adaptive.bench.adaptive_bench import generate
 from sigcat.adapter.autosar_adaptive.cpp_names import member_name
 from sigcat.errors import InputRefused
 from sigcat.integration.autosar_adaptive.document import read_integration

@@ -12,8 +12,8 @@ from sigcat.adapter.autosar_adaptive.application.plan import ApplicationPlan, Ex
 from sigcat.adapter.autosar_adaptive.application.planning.planned_application import derive
 from sigcat.adapter.autosar_adaptive.application.player import player_source
 from sigcat.adapter.autosar_adaptive.application.readme import readme
-from sigcat.adapter.autosar_adaptive.arxml.generate import generate as generate_arxml
-from sigcat.adapter.autosar_adaptive.bench.generate import generate as generate_services
+from sigcat.adapter.autosar_adaptive.arxml.adaptive_arxml import generate as generate_arxml
+from sigcat.adapter.autosar_adaptive.bench.adaptive_bench import generate as generate_services
 from sigcat.adapter.autosar_adaptive.bench.runtime_files import runtime_files
 from sigcat.adapter.core.c.text.lines import c_file, lines
 from sigcat.adapter.files import GeneratedFile, shipped, within

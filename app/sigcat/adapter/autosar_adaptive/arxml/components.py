@@ -5,7 +5,7 @@ from typing import Literal
 
 from sigcat.adapter.arxml.tree import Package, Tag, description, listed, port, reference, tag, trace
 from sigcat.adapter.autosar_adaptive.arxml import paths
-from sigcat.adapter.autosar_adaptive.arxml.types import Library, parameter_presentation
+from sigcat.adapter.autosar_adaptive.arxml.adaptive_type_elements import Library, parameter_presentation
 from sigcat.integration.autosar_adaptive.code import MethodUse
 from sigcat.integration.autosar_adaptive.model import Component, ServiceInterface, Use
 from sigcat.integration.autosar_adaptive.storages import ADAPTER_STORAGE, StoredParameter, storage_name, storages

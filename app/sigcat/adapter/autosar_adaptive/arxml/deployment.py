@@ -4,10 +4,10 @@ from collections.abc import Iterable, Sequence
 
 from sigcat.adapter.arxml.tree import Child, Package, Tag, listed, reference, references, seconds, tag
 from sigcat.adapter.autosar_adaptive.arxml import e2e, health, paths, someip
+from sigcat.adapter.autosar_adaptive.arxml.adaptive_type_elements import Library
 from sigcat.adapter.autosar_adaptive.arxml.components import design_name, executables, port_name, root_reference
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import Whole
 from sigcat.adapter.autosar_adaptive.arxml.someip import EVENT, NOTIFIER, element_name
-from sigcat.adapter.autosar_adaptive.arxml.types import Library
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.deployment.transport import DEFAULT_TRANSPORT
 from sigcat.integration.autosar_adaptive.processes import Process, processes

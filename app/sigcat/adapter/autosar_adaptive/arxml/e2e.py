@@ -3,9 +3,9 @@
 from collections.abc import Iterable
 
 from sigcat.adapter.arxml.tree import Package, Tag, listed, reference, tag
+from sigcat.adapter.autosar_adaptive.arxml.adaptive_type_elements import Library
 from sigcat.adapter.autosar_adaptive.arxml.paths import E2E
 from sigcat.adapter.autosar_adaptive.arxml.someip import EVENT, NOTIFIER, element_name
-from sigcat.adapter.autosar_adaptive.arxml.types import Library
 from sigcat.integration.autosar_adaptive.e2e import E2eProtection
 from sigcat.integration.autosar_adaptive.model import Event, IntegrationModel, ServiceField, ServiceInterface
 from sigcat.integration.autosar_names import short_name

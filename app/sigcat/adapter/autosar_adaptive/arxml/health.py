@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from sigcat.adapter.arxml.tree import Package, Tag, listed, reference, references, seconds, tag
+from sigcat.adapter.autosar_adaptive.arxml.adaptive_type_elements import Library
 from sigcat.adapter.autosar_adaptive.arxml.components import (
     SUPERVISION_PORT,
     checkpoints,
@@ -15,7 +16,6 @@ from sigcat.adapter.autosar_adaptive.arxml.components import (
     supervision_name,
 )
 from sigcat.adapter.autosar_adaptive.arxml.paths import COMPONENTS, HEALTH, PROCESSES, SUPERVISIONS
-from sigcat.adapter.autosar_adaptive.arxml.types import Library
 from sigcat.function.function_json.runnable import WatchdogLimits
 from sigcat.integration.autosar_adaptive.model import Call, Component
 from sigcat.integration.autosar_adaptive.processes import Process

@@ -4,9 +4,9 @@ from collections.abc import Iterable
 from typing import NamedTuple, TypeVar
 
 from sigcat.adapter.arxml.tree import Package, Tag, description, listed, namespaces, tag, trace
+from sigcat.adapter.autosar_adaptive.arxml.adaptive_type_elements import Library, Presentation, presentation
 from sigcat.adapter.autosar_adaptive.arxml.method_errors import possible_errors
 from sigcat.adapter.autosar_adaptive.arxml.paths import INTERFACES
-from sigcat.adapter.autosar_adaptive.arxml.types import Library, Presentation, presentation
 from sigcat.integration.autosar_adaptive import model
 from sigcat.integration.autosar_adaptive.deployment.namespaces import parts
 from sigcat.integration.autosar_adaptive.someip.versions import Version, version_of

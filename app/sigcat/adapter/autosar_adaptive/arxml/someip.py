@@ -3,9 +3,9 @@
 from collections.abc import Iterable, Sequence
 
 from sigcat.adapter.arxml.tree import Package, Tag, reference, references, seconds, tag
+from sigcat.adapter.autosar_adaptive.arxml.adaptive_type_elements import Library
 from sigcat.adapter.autosar_adaptive.arxml.interfaces import Whole
 from sigcat.adapter.autosar_adaptive.arxml.paths import DISCOVERY, INTERFACES, TRANSFORMATION
-from sigcat.adapter.autosar_adaptive.arxml.types import Library
 from sigcat.integration.autosar_adaptive.deployment.someip_settings import (
     ServiceDiscoverySettings,
     TransformationSettings,

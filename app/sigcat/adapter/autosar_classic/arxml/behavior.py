@@ -7,7 +7,7 @@ from sigcat.adapter.arxml.tree import Child, Tag, conditional, description, list
 from sigcat.adapter.autosar_classic.arxml import paths
 from sigcat.adapter.autosar_classic.arxml.library import Library
 from sigcat.adapter.autosar_classic.arxml.ports import port_reference, side_of
-from sigcat.adapter.autosar_classic.arxml.values import init_value
+from sigcat.adapter.autosar_classic.arxml.value_specifications import init_value
 from sigcat.integration.autosar_classic import model
 from sigcat.integration.autosar_classic.datatypes.used_types import enumerations_of
 from sigcat.integration.autosar_names import short_name

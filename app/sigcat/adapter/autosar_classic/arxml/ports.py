@@ -8,7 +8,7 @@ from sigcat.adapter.arxml.tree import Child, Tag, description, listed, reference
 from sigcat.adapter.autosar_classic.arxml.library import INTERFACE, Library
 from sigcat.adapter.autosar_classic.arxml.paths import MODE_PROTOTYPE, OPERATION, PARAMETER, VARIABLE
 from sigcat.adapter.autosar_classic.arxml.releases import Release
-from sigcat.adapter.autosar_classic.arxml.values import init_value
+from sigcat.adapter.autosar_classic.arxml.value_specifications import init_value
 from sigcat.integration.autosar_classic.model import E2eWindows, Element, OuterPort, Port
 
 

@@ -5,14 +5,14 @@ from collections.abc import Iterator, Mapping
 from sigcat.integration.autosar_classic.model import ClassicIntegration
 from sigcat.integration.autosar_classic.problems.components import component_problems, ports_problems
 from sigcat.integration.autosar_classic.problems.connections import connection_problems, signal_problems, task_problems
+from sigcat.integration.autosar_classic.problems.initial_value_problems import value_problems
 from sigcat.integration.autosar_classic.problems.interfaces import interface_problems
 from sigcat.integration.autosar_classic.problems.literals import literal_problems
 from sigcat.integration.autosar_classic.problems.needs import need_problems
 from sigcat.integration.autosar_classic.problems.problem import names_of
 from sigcat.integration.autosar_classic.problems.symbols import symbol_problems
-from sigcat.integration.autosar_classic.problems.types import type_problems
+from sigcat.integration.autosar_classic.problems.type_problems import type_problems
 from sigcat.integration.autosar_classic.problems.uses import use_problems
-from sigcat.integration.autosar_classic.problems.values import value_problems
 from sigcat.integration.autosar_classic.problems.windows import window_problems
 from sigcat.integration.problem import Problem
 

@@ -1,10 +1,10 @@
 """From Integration JSON to the software components, and to what runs them at a desk."""
 
 from sigcat import codes
-from sigcat.adapter.autosar_classic.arxml.generate import generate as generate_arxml
+from sigcat.adapter.autosar_classic.arxml.classic_arxml import generate as generate_arxml
 from sigcat.adapter.autosar_classic.code.component_files import generate as generate_components
 from sigcat.adapter.autosar_classic.code.planning.planned_components import derive
-from sigcat.adapter.autosar_classic.test_rte.generate import generate as generate_test_rte
+from sigcat.adapter.autosar_classic.test_rte.test_rte_files import generate as generate_test_rte
 from sigcat.adapter.files import GeneratedFile, within
 from sigcat.adapter.placed_findings import placed_in
 from sigcat.adapter.source_cores import files_of, source_cores

@@ -3,7 +3,13 @@
 from collections.abc import Iterable
 
 from sigcat.adapter.arxml.tree import document_trace, files
-from sigcat.adapter.autosar_adaptive.arxml import components, deployment, interfaces, method_errors, types
+from sigcat.adapter.autosar_adaptive.arxml import (
+    adaptive_type_elements,
+    components,
+    deployment,
+    interfaces,
+    method_errors,
+)
 from sigcat.adapter.autosar_adaptive.arxml.releases import BY_NAME
 from sigcat.adapter.files import GeneratedFile
 from sigcat.catalogue.reading.yaml_document import collector_paused
@@ -23,10 +29,10 @@ def generate(model: IntegrationModel, release_name: str | None = None) -> tuple[
     whole = writable(model)
     assert whole.deployment is not None
     release = BY_NAME[release_name or whole.deployment.release]
-    known = types.library(whole, release)
+    known = adaptive_type_elements.library(whole, release)
     services = interfaces.wholes(whole)
     content = {
-        "types.arxml": types.packages(known, _words(whole), whole.deployment.units or {}),
+        "types.arxml": adaptive_type_elements.packages(known, _words(whole), whole.deployment.units or {}),
         "interfaces.arxml": [
             interfaces.package(services, known),
             *method_errors.packages(

@@ -19,7 +19,7 @@ from sigcat.adapter.fmi.bus.formula import OPERATIONS, in_c
 from sigcat.adapter.fmi.bus.plan import bus_plan
 from sigcat.adapter.fmi.clocks import clocks_of, is_inside
 from sigcat.adapter.fmi.dependencies import dependencies
-from sigcat.adapter.fmi.derive import LONGEST_NAME, Unit, units_of
+from sigcat.adapter.fmi.fmi_integration import LONGEST_NAME, Unit, units_of
 from sigcat.adapter.fmi.units import FmiUnit, fmi_units
 from sigcat.adapter.fmi.variables import Variable
 from sigcat.adapter.host.glue import HOST_HEADER, glue_file

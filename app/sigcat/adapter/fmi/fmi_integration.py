@@ -11,7 +11,7 @@ from typing import NamedTuple
 from sigcat import codes
 from sigcat.adapter.core.cores import plans
 from sigcat.adapter.core.identifiers import identifier
-from sigcat.adapter.fmi.bus.derive import bus_of
+from sigcat.adapter.fmi.bus.planned_bus import bus_of
 from sigcat.adapter.fmi.clocks import clocks_of
 from sigcat.adapter.fmi.variables import Layout, Variable, layout_of
 from sigcat.adapter.host.connections import Connections, Member, connect

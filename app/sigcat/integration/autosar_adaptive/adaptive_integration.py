@@ -9,7 +9,8 @@ from sigcat.function.exchange import Part, contracts_of
 from sigcat.function.function_json.resolved_function import ResolvedFunction
 from sigcat.function.function_json.walk import data_of
 from sigcat.integration.autosar_adaptive import model, protection
-from sigcat.integration.autosar_adaptive.calls import calls, function_modes, parameters
+from sigcat.integration.autosar_adaptive.adaptive_types import TypeTable
+from sigcat.integration.autosar_adaptive.component_calls import calls, function_modes, parameters
 from sigcat.integration.autosar_adaptive.context import Context
 from sigcat.integration.autosar_adaptive.deployment.namespaces import namespace_of
 from sigcat.integration.autosar_adaptive.deployment.settings import (
@@ -32,7 +33,6 @@ from sigcat.integration.autosar_adaptive.startup import (
     startup,
     unwritable,
 )
-from sigcat.integration.autosar_adaptive.types import TypeTable
 from sigcat.integration.autosar_adaptive.units import units_of
 from sigcat.integration.autosar_adaptive.unused import report_units, report_unused
 from sigcat.integration.autosar_context import application_information, autosar_context, meta_information

@@ -5,13 +5,13 @@ from collections.abc import Mapping
 from sigcat import codes
 from sigcat.adapter.arxml.tree import Package, document_trace, files
 from sigcat.adapter.autosar_classic.arxml import (
+    classic_type_elements,
     components,
     composition,
     configuration,
     diagnosis,
     interfaces,
     system,
-    types,
 )
 from sigcat.adapter.autosar_classic.arxml.library import library
 from sigcat.adapter.autosar_classic.arxml.paths import PLATFORM
@@ -39,8 +39,8 @@ def generate(model: ClassicIntegration, release_name: str | None = None) -> tupl
     release = BY_NAME[name]  # type: ignore[index]
     known = library(model, release)
     content = {
-        "types.arxml": types.packages(known),
-        "interfaces.arxml": [types.mode_groups(known), interfaces.package(known)],
+        "types.arxml": classic_type_elements.packages(known),
+        "interfaces.arxml": [classic_type_elements.mode_groups(known), interfaces.package(known)],
         "components.arxml": components.packages(known),
         "composition.arxml": [composition.package(known)],
         "system.arxml": system.packages(known),
@@ -49,7 +49,9 @@ def generate(model: ClassicIntegration, release_name: str | None = None) -> tupl
     }
     about = {"composition.arxml": document_trace(model.meta, model.info, model.provenance)}
     return (
-        *files(_filled({PLATFORM_FILE: types.platform_packages(model)}), PLATFORM.root, release.schema, {}),
+        *files(
+            _filled({PLATFORM_FILE: classic_type_elements.platform_packages(model)}), PLATFORM.root, release.schema, {}
+        ),
         *files(_filled(content), known.paths.root, release.schema, about),
     )
 

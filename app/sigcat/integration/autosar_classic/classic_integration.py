@@ -13,7 +13,7 @@ from sigcat.integration.autosar_classic import findings, model, service_needs
 from sigcat.integration.autosar_classic.base_software import ECU_MODE, ECU_MODES, SERVICE_TYPES, SERVICES
 from sigcat.integration.autosar_classic.composition import composition_of
 from sigcat.integration.autosar_classic.context import Context, named_calls
-from sigcat.integration.autosar_classic.datatypes.types import TypeTable
+from sigcat.integration.autosar_classic.datatypes.classic_types import TypeTable
 from sigcat.integration.autosar_classic.deployment.settings import NO_SETTINGS, AutosarClassicSettings
 from sigcat.integration.autosar_classic.e2e import report_unknown_elements
 from sigcat.integration.autosar_classic.elements import Element, by_part, elements_of
