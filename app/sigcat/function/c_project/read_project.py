@@ -2,7 +2,7 @@
 
 import re
 import shlex
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from sigcat import codes
@@ -17,7 +17,7 @@ from sigcat.function.c_project.found_calls import CallKind, Group, find_calls, m
 from sigcat.function.c_project.globals import global_interface
 from sigcat.function.c_project.parsing import missing_includes, parse, syntax_error
 from sigcat.function.c_project.pointers import pointer_interface, takes_pointers
-from sigcat.function.c_project.project import Call, CodeProject, Interface, Signature
+from sigcat.function.c_project.project import Call, CodeProject, Interface, Signature, with_owners
 from sigcat.function.c_project.remarks import cycle_time_of
 from sigcat.function.c_project.usable import usable
 
@@ -43,9 +43,8 @@ def read_project(folder: Path, function: str, model: str = "", definitions: Sequ
     files = read_folder(folder)._replace(definitions=tuple(definitions))
     if not any(Path(path).suffix.lower() in HEADERS for path in files.texts):
         message = "The folder must have headers of C or C++ (.h, .hpp)."
-        finding = codes.CODE_MISSING.finding(
-            message, str(folder), fix="Name the folder that the code was generated into."
-        )
+        fix = "Name the folder that the code was generated into."
+        finding = codes.CODE_MISSING.finding(message, str(folder), fix=fix)
         raise InputRefused("the code cannot be imported", (*files.findings, finding))
     parsed = parse(files)
     code = Code(parsed.declarations, {path: Comments(text) for path, text in files.texts.items()})
@@ -83,8 +82,8 @@ def _project(files: CodeFiles, code: Code, group: Group, machine: str) -> CodePr
         definitions=files.definitions,
         machine=machine,
         title=_title(files.texts.get(header, "")),
-        expressions=frozenset(_expressions(whole, others)),
-        undivided=frozenset(each.expression for each in _all_values(whole, others) if each.length or each.problem),
+        expressions=frozenset(owner for value in (*whole.values, *others) for owner in with_owners(value.expression)),
+        undivided=frozenset(each.expression for each in (*whole.values, *others) if each.length or each.problem),
         others=others,
         left_out=tuple(_left_out(group, code.declarations)),
         findings=in_order([*findings, *_word_size(machine, declarations), *((_broken(broken),) if broken else ())]),
@@ -107,17 +106,6 @@ def _values(code: Code) -> Iterator[Value]:
         yield from values_of(each.name, each.type, each.place, code)
 
 
-def _expressions(interface: Interface, others: Iterable[Value]) -> Iterator[str]:
-    """Everything that can be named, with what it is in."""
-    for value in _all_values(interface, others):
-        yield value.expression
-        yield from (value.expression[: match.start()] for match in re.finditer(r"[.\[]", value.expression))
-
-
-def _all_values(interface: Interface, others: Iterable[Value]) -> Iterator[Value]:
-    yield from (*interface.inputs, *interface.outputs, *interface.parameters, *others)
-
-
 def _left_out(group: Group, declarations: Declarations) -> Iterator[CFunction]:
     """Public functions that are neither calls nor called by them, without those that give or take members."""
     known = reachable((_full_name(each, group) for each in group.functions), declarations)
@@ -137,13 +125,9 @@ _ACCESSOR = re.compile(r"(?:get|set)[A-Z_]|operator\b|~|main$")
 
 
 def _calls(group: Group, interface: Interface, code: Code, files: CodeFiles) -> Iterator[Call]:
-    kinds: list[tuple[CallKind, CFunction]] = [("step", step) for step in group.steps]
-    if group.init:
-        kinds.insert(0, ("init", group.init))
-    if group.terminate:
-        kinds.append(("terminate", group.terminate))
     is_only = len(group.steps) == 1
-    for kind, function in kinds:
+    for function in group.functions:
+        kind: CallKind = "init" if function is group.init else "terminate" if function is group.terminate else "step"
         time = _cycle_time(function, code, files, is_only=is_only) if kind == "step" else None
         arguments = interface.arguments.get(function.name, ())
         returns = function.result.kind in ("number", "enumeration")
@@ -224,10 +208,7 @@ def _headers(group: Group, interface: Interface, declarations: Declarations) -> 
 
 
 def _declared_values(interface: Interface, declarations: Declarations) -> list[Variable]:
-    names = {
-        re.split(r"[.\[]", each.expression)[0]
-        for each in (*interface.inputs, *interface.outputs, *interface.parameters)
-    }
+    names = {re.split(r"[.\[]", each.expression)[0] for each in interface.values}
     return [each for each in declarations.variables if each.name in names and not each.is_defined]
 
 
@@ -259,8 +240,7 @@ def _undefined(
 ) -> Iterator[Finding]:
     """Report variables that the sources use, and neither the function nor its adapter defines."""
     used = use_of([_full_name(each, group) for each in group.functions], declarations).used if linked else frozenset()
-    values = (*interface.inputs, *interface.outputs, *interface.parameters)
-    known = {re.split(r"[.\[(]", value.expression)[0] for value in values}
+    known = {re.split(r"[.\[(]", value.expression)[0] for value in interface.values}
     known |= {each.name for each in declarations.variables if each.is_defined and each.place.file in linked}
     lacking = {
         each.name: each for each in declarations.variables if each.name in used - known and "::" not in each.name
