@@ -16,10 +16,10 @@ from sigcat.function.function_json.walk import (
     data,
     declared_data,
     errors,
-    methods,
     parameters,
     runnables,
-    safety_reactions,
+    subject_of,
+    timed,
 )
 from sigcat.limits import QUEUE_LENGTH
 from sigcat.names import IDENTIFIER, did_you_mean
@@ -90,9 +90,7 @@ def _late_value(pointer: Pointer, item: Signal | DataQueue) -> Problems:
         if value is not None and item.timeout is None:
             message = f"{item.name!r} must have a timeout to have `{key[:1].lower()}{key[1:]}`."
             fix = "Give `timeout`, the longest time between two values in ms, or remove it."
-            yield Problem(
-                codes.TIMEOUT_ERROR_WITHOUT_TIMEOUT, (*pointer, key), message, fix, Subject("data", item.name)
-            )
+            yield Problem(codes.TIMEOUT_ERROR_WITHOUT_TIMEOUT, (*pointer, key), message, fix, subject_of(item))
             return
 
 
@@ -140,13 +138,11 @@ def _queue(pointer: Pointer, item: DataQueue) -> Problems:
     at = (*pointer, "ValuesPerStep")
     if item.queue_length > QUEUE_LENGTH:
         message = f"The queue of {item.name!r} must hold at most {QUEUE_LENGTH:,} values, not {item.queue_length:,}."
-        yield Problem(
-            codes.QUEUE_UNFIT, (*pointer, "QueueLength"), message, "Shorten it: the core has a place for each.", subject
-        )
+        fix = "Shorten it: the core has a place for each."
+        yield Problem(codes.QUEUE_UNFIT, (*pointer, "QueueLength"), message, fix, subject)
     if count > item.queue_length:
-        message = (
-            f"{item.name!r} must take at most {item.queue_length} values at once, which its queue holds, not {count}."
-        )
+        most = item.queue_length
+        message = f"{item.name!r} must take at most {most} values at once, which its queue holds, not {count}."
         fix = "Lengthen the queue, or take fewer values."
         yield Problem(codes.QUEUE_UNFIT, at, message, fix, subject)
     if count > 1 and not (item.variable and item.count_variable):
@@ -171,19 +167,18 @@ def _keys(function: FunctionJson) -> Problems:
 
 def _identifiers(function: FunctionJson) -> Problems:
     """Report names that are not identifiers; a parameter's own name becomes one by itself."""
-    stated: list[tuple[Pointer, str, str | None, Subject | None]] = []
-    if function.code:
-        stated.append((("Code", "Storage"), "storage", function.code.storage, None))
+    yield from _identifier(("Code", "Storage"), function.code.storage if function.code else None, None)
     for pointer, _, item in parameters(function):
         subject = Subject("data", item.vss_path or item.name)
-        stated.append(((*pointer, "Key"), "key", item.key, subject))
-        stated.append(((*pointer, "Storage"), "storage", item.storage, subject))
-    for at, what, text, owner in stated:
-        if text is not None and not IDENTIFIER.fullmatch(text):
-            message = (
-                f"A {what} must be at most 128 letters, digits and underscores, a letter first, not {text[:60]!r}."
-            )
-            yield Problem(codes.KEY_NO_IDENTIFIER, at, message, "Rename it.", owner)
+        yield from _identifier((*pointer, "Key"), item.key, subject)
+        yield from _identifier((*pointer, "Storage"), item.storage, subject)
+
+
+def _identifier(at: Pointer, text: str | None, owner: Subject | None) -> Problems:
+    if text is not None and not IDENTIFIER.fullmatch(text):
+        what = f"A {str(at[-1]).lower()}"
+        message = f"{what} must be at most 128 letters, digits and underscores, a letter first, not {text[:60]!r}."
+        yield Problem(codes.KEY_NO_IDENTIFIER, at, message, "Rename it.", owner)
 
 
 def _is_outside(value: float, low: float | None, high: float | None) -> bool:
@@ -228,9 +223,8 @@ def _time_out(pointer: Pointer, runnable: Runnable, item: Signal | DataQueue, su
         fix = "Make it at least the cycle time. The call reads once in each cycle, so a shorter timeout always expires."
         yield Problem(codes.TIMEOUT_SHORTER_THAN_CYCLE, (*pointer, "Timeout"), message, fix, subject)
     elif duration is not None and _is_only_trigger(item, runnable):
-        message = (
-            f"The timeout of {item.name!r} must be that of a call which runs without it; {runnable.name} waits for it."
-        )
+        what = f"The timeout of {item.name!r}"
+        message = f"{what} must be that of a call which runs without it; {runnable.name} waits for it."
         fix = "Have a cyclic call consume the signal with the timeout, or let another signal trigger this call too."
         yield Problem(codes.TIMEOUT_OF_ONLY_TRIGGER, (*pointer, "Timeout"), message, fix, subject)
     if item.timeout_error and duration is None and item.timeout is None:
@@ -253,12 +247,8 @@ def declared_or_meant(name: str, declared: Collection[str], known: Collection[st
 
 
 def _durations(function: FunctionJson) -> Problems:
-    for pointer, _, item in data(function):
+    for pointer, item in timed(function):
         yield from _duration((*pointer, "Timeout"), item.timeout)
-    for pointer, _, reaction in safety_reactions(function):
-        yield from _duration((*pointer, "Timeout"), reaction.timeout)
-    for pointer, _, method in methods(function):
-        yield from _duration((*pointer, "Timeout"), method.timeout)
     for pointer, _, runnable in runnables(function):
         yield from _duration((*pointer, "ExecOffset"), runnable.execution_offset)
         yield from _duration((*pointer, "DebounceDelay"), runnable.debounce_delay)

@@ -61,8 +61,9 @@ def _is_text(datatype: Datatype | None) -> bool:
 
 
 def _value(text: Text, item: Item, at: Pointer, types: Types) -> Problems:
-    subject = Subject("data", item.vss_path or item.name, () if at[-1] == "InitElements" else ("default",))
-    what = "init" if at[-1] == "InitElements" else "default"
+    is_default = at[-1] == "DefaultElements"
+    subject = Subject("data", item.vss_path or item.name, ("default",) if is_default else ())
+    what, cause = ("default", subject) if is_default else ("init", None)  # a wrong default is one of the catalogue
     value = json_of(text)
     if value is None:
         message = f"`{at[-1]}` of {item.name!r} must be JSON, a list or an object."
@@ -70,9 +71,7 @@ def _value(text: Text, item: Item, at: Pointer, types: Types) -> Problems:
         return
     for misfit in islice(_misfits(value, item.datatype, _limits(item), types), _MOST):
         message = f"`{what}{_shown(misfit.at)}` of {item.name!r} must be {misfit.wanted}, not {in_yaml(misfit.given)}."
-        yield Problem(
-            codes.START_VALUE_OUT_OF_RANGE, (*at, *misfit.at), message, subject=subject, cause=_cause(at, subject)
-        )
+        yield Problem(codes.START_VALUE_OUT_OF_RANGE, (*at, *misfit.at), message, subject=subject, cause=cause)
 
 
 def _single(item: Item, pointer: Pointer, types: Types) -> Problems:
@@ -100,11 +99,6 @@ def _limits(item: Item) -> _Limits:
     is_scaled = str(item.factor or 1) not in ("1", "1.0")
     is_open = isinstance(item, ParameterInterface) and item.min == item.max == 0
     return _Limits(None if is_open else item.min, None if is_open else item.max, is_scaled)
-
-
-def _cause(at: Pointer, subject: Subject) -> Subject | None:
-    """A default that is wrong is one of the catalogue, which says so itself."""
-    return subject if at[-1] == "DefaultElements" else None
 
 
 def _shown(at: Pointer) -> str:
