@@ -23,7 +23,7 @@ from sigcat.function.function_json.resolved_function import Origin
 from sigcat.function.function_json.wire import WireModel
 from sigcat.function.resolving.code import members, word
 from sigcat.function.resolving.context import Context
-from sigcat.function.resolving.interfaces import asil_of, error_name
+from sigcat.function.resolving.interfaces import Attributes, error_name
 from sigcat.function.resolving.part import Part, written
 from sigcat.function.resolving.values.elements import converted
 from sigcat.function.resolving.values.numbers import fraction, plain_text
@@ -41,7 +41,7 @@ def data_interface(item: DataItem, at: Pointer, context: Context) -> Part[Signal
     if value.node.type == "attribute" and item.role == "provided":
         message = f"The role of {item.path!r} must be consumed: functions do not provide attributes."
         subject = Subject("data", item.path)
-        context.problems.append(Problem(codes.ROLE_UNFIT_FOR_NODE_TYPE, (*at, "role"), message, subject=subject))
+        context.report(codes.ROLE_UNFIT_FOR_NODE_TYPE, (*at, "role"), message, subject=subject)
     is_signal = item.queue_length is None
     context.problems.extend(_of_no_queue(item, at))
     made = _signal(item, value, at, context) if is_signal else _queue(item, value, at, context)
@@ -112,7 +112,7 @@ def _also_known(item: DataItem, value: Value) -> dict[str, Any]:
 
 
 def _asil(item: DataItem | ParameterItem, value: Value, at: Pointer, context: Context) -> Level | None:
-    return item.asil or asil_of(value.node, at, context)
+    return item.asil or Attributes(value.node, at, context).asil
 
 
 def _exchange(item: DataItem) -> dict[str, Any]:
@@ -183,15 +183,13 @@ def parameter(item: ParameterItem, at: Pointer, context: Context) -> Part[Parame
     if value.node.type != "attribute":
         message = f"The parameter {item.path!r} must be an attribute, not {with_article(value.node.type)}."
         fix = "List it under `data`."
-        context.problems.append(Problem(codes.ROLE_UNFIT_FOR_NODE_TYPE, (*at, "path"), message, fix, subject))
+        context.report(codes.ROLE_UNFIT_FOR_NODE_TYPE, (*at, "path"), message, fix, subject)
     text = _default_text(value)
     start = value.init if value.default is None else value.default
     has_start = start is not None or text is not None or value.init_elements is not None
     if not has_start:
         fix = "Give `init`, or a default in the catalogue."
-        context.problems.append(
-            Problem(codes.PARAMETER_WITHOUT_START_VALUE, at, f"{item.path!r} has no default.", fix, subject)
-        )
+        context.report(codes.PARAMETER_WITHOUT_START_VALUE, at, f"{item.path!r} has no default.", fix, subject)
     low, high = _limits(value)
     made = ParameterInterface(
         asil_level=_asil(item, value, at, context) or "QM",

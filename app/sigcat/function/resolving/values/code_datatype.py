@@ -21,7 +21,7 @@ def code_symbols(item: Item, at: Pointer, node: Node, context: Context) -> Symbo
         return symbols
     if symbols is None:
         message = f"{item.path!r} must be an enumeration to have `values`: the catalogue allows no named values."
-        context.problems.append(Problem(codes.ENUMERATION_MISCODED, (*at, "values"), message, "Remove `values`."))
+        context.report(codes.ENUMERATION_MISCODED, (*at, "values"), message, "Remove `values`.")
         return None
     miscoded = tuple(_miscoded(item.values, symbols, (*at, "values")))
     context.problems.extend(miscoded)
@@ -49,9 +49,7 @@ def code_datatype(item: Item, at: Pointer, node: Node, symbols: Symbols | None, 
         return _stored(own, symbols)
     message, fix = _other_datatype(own, wanted, symbols)
     if message:
-        context.problems.append(
-            Problem(codes.DATATYPE_UNFIT, (*at, "datatype"), message, fix, Subject("data", item.path))
-        )
+        context.report(codes.DATATYPE_UNFIT, (*at, "datatype"), message, fix, Subject("data", item.path))
         return None
     return wanted
 
