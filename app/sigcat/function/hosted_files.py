@@ -11,7 +11,7 @@ from sigcat import codes
 from sigcat.data import EXAMPLES
 from sigcat.file_kind import ENDINGS, ending_of, file_kind
 from sigcat.findings import Finding
-from sigcat.function.hosted_runs import ENDING
+from sigcat.function.hosted_runs import ENDING, free_id
 from sigcat.limits import HOSTED_FUNCTION_BYTES, RECOGNITION_BYTES
 
 FILE = "function.yaml"
@@ -134,9 +134,6 @@ def with_ids(own: Iterable[HostedFile], shipped: HostedFiles) -> HostedFiles:
     """Files with unique ids: declarations before Function JSON, and the operator's own before shipped ones."""
     by_id: dict[str, HostedFile] = {}
     for file in sorted(own, key=lambda each: ending_of(each.name) == ".json"):
-        number, free = 1, file.id
-        while free in by_id:
-            number += 1
-            free = f"{file.id}-{number}"
+        free = free_id(file.id, by_id)
         by_id[free] = file._replace(id=free)
     return (*by_id.values(), *(file for file in shipped if file.id not in by_id))

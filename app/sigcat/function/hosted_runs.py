@@ -5,8 +5,8 @@ A run is what `sigcat simulate` writes. A trace of inputs, or expected outputs, 
 
 import csv
 import logging
-from collections.abc import Iterable, Iterator, Sequence
-from itertools import islice
+from collections.abc import Container, Iterable, Iterator, Sequence
+from itertools import chain, count, islice
 from pathlib import Path
 from typing import NamedTuple
 
@@ -59,17 +59,15 @@ def recordings_among(paths: Iterable[Path], folder: Path, group: str) -> Iterato
     taken: set[str] = set()
     for path, columns in islice(found, RUNS):
         below = path.relative_to(folder)
-        run_id = _free(below.stem if below.name != FILE else below.parent.name or folder.name, taken)
+        run_id = free_id(below.stem if below.name != FILE else below.parent.name or folder.name, taken)
         taken.add(run_id)
         yield HostedRun(run_id, (Path(folder.name) / below).as_posix(), path, group, columns)
 
 
-def _free(wanted: str, taken: set[str]) -> str:
-    number, free = 1, wanted
-    while free in taken:
-        number += 1
-        free = f"{wanted}-{number}"
-    return free
+def free_id(wanted: str, taken: Container[str]) -> str:
+    """The id; of one that is taken, the first free one with a number: `drive-2`."""
+    numbered = (f"{wanted}-{number}" for number in count(2))
+    return next(each for each in chain((wanted,), numbered) if each not in taken)
 
 
 def recorded_columns(path: Path) -> tuple[str, ...]:

@@ -1,6 +1,7 @@
 """Free text of documents: descriptions, names of people and organizations, conditions that people read."""
 
 import json
+from collections.abc import Callable
 from dataclasses import dataclass
 from html import escape
 from typing import Annotated, Any, NoReturn, final
@@ -47,19 +48,18 @@ class Text:
 
 
 def _with_texts(value: Any) -> Any:
-    if isinstance(value, str):
-        return Text(value)
-    if isinstance(value, dict):
-        return {key: _with_texts(each) for key, each in value.items()}
-    return [_with_texts(each) for each in value] if isinstance(value, list | tuple) else value
+    return _changed(value, lambda each: Text(each) if isinstance(each, str) else each)
 
 
 def _with_strings(value: Any) -> Any:
-    if isinstance(value, Text):
-        return value.raw
+    return _changed(value, lambda each: each.raw if isinstance(each, Text) else each)
+
+
+def _changed(value: Any, change: Callable[[Any], Any]) -> Any:
+    """A value whose innermost values are changed."""
     if isinstance(value, dict):
-        return {key: _with_strings(each) for key, each in value.items()}
-    return [_with_strings(each) for each in value] if isinstance(value, list | tuple) else value
+        return {key: _changed(each, change) for key, each in value.items()}
+    return [_changed(each, change) for each in value] if isinstance(value, list | tuple) else change(value)
 
 
 AnyValue = Annotated[Any, FREE, BeforeValidator(_with_texts), PlainSerializer(_with_strings)]

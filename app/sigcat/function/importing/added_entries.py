@@ -18,7 +18,7 @@ from sigcat.function.importing.function_text import (
 )
 from sigcat.function.importing.parameters import ParameterEntry
 from sigcat.function.importing.signals import Signal
-from sigcat.function.importing.yaml_edits import Text, edited, entries_of, items_of, text_of, value_at
+from sigcat.function.importing.yaml_edits import Text, edited, entries_of, runnables_of, text_of, value_at
 
 
 def added(text: str, draft: Draft) -> str:
@@ -58,14 +58,8 @@ def root_of(text: str) -> Node | None:
 
 def _runnable(root: Node | None, step: Call) -> Node:
     """The call of the file that is this one; else the first one that has data, or the last one."""
-    runnables = [
-        each for part in items_of(value_at(root, "components")) for each in items_of(value_at(part, "runnables"))
-    ]
-    named = [
-        each
-        for each in runnables
-        if step.symbol in (text_of(value_at(each, "symbol")), text_of(value_at(each, "interface")))
-    ]
+    runnables, keys = list(runnables_of(root)), ("symbol", "interface")
+    named = [each for each in runnables if step.symbol in [text_of(value_at(each, key)) for key in keys]]
     using = [each for each in runnables if value_at(each, "data") is not None]
     return (*named, *using, *reversed(runnables))[0]
 

@@ -11,7 +11,7 @@ from sigcat.function.c_project.project import Call, CodeProject
 from sigcat.function.function_json.duration import whole_nanoseconds
 from sigcat.function.importing.parameters import ParameterEntry
 from sigcat.function.importing.signals import Signal
-from sigcat.function.importing.yaml_text import comment, entry, flow, scalar
+from sigcat.function.importing.yaml_text import comment, entry, inline, scalar
 from sigcat.names import camel_case
 
 _MOST_NAMED = 5
@@ -127,7 +127,7 @@ def _code(draft: Draft) -> Iterator[str]:
         by_adapter = "adapter" if project.signature == "globals" else None  # with pointers the adapter always does
         keys = {"name": each.name, "type": each.type, "length": each.length or None, "member": each.member or None,
                 "definedBy": by_adapter}  # fmt: skip
-        yield f"    - {flow({key: text for key, text in keys.items() if text})}{_from(each.place, draft)}"
+        yield f"    - {inline({key: text for key, text in keys.items() if text})}{_from(each.place, draft)}"
 
 
 def _definition(text: str) -> tuple[str, str | None]:

@@ -1,7 +1,7 @@
 """Code that was generated again, merged into its function.yaml: what a person wrote stays."""
 
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -12,7 +12,7 @@ from sigcat.catalogue.model.catalogue import Catalogue
 from sigcat.errors import InputRefused
 from sigcat.findings import Finding
 from sigcat.function.c_project.code_values import Value
-from sigcat.function.c_project.project import Call, CodeProject
+from sigcat.function.c_project.project import CodeProject, with_owners
 from sigcat.function.c_project.read_project import read_project
 from sigcat.function.declaration.declaration import Declaration, read_declaration
 from sigcat.function.importing.added_entries import added, root_of
@@ -28,6 +28,7 @@ from sigcat.function.importing.yaml_edits import (
     edited,
     entries_of,
     items_of,
+    runnables_of,
     text_of,
     value_at,
 )
@@ -80,12 +81,12 @@ class _Known(NamedTuple):
     def _is_absent(self, variable: str) -> bool:
         """Whether the code names neither a variable nor an array, a union or a pointer that it is in."""
         is_named = variable in self.project.expressions or any(
-            owner in self.project.undivided for owner in _with_owners(variable)
+            owner in self.project.undivided for owner in with_owners(variable)
         )
         return bool(_PLAIN.fullmatch(variable)) and not is_named
 
     def _has_owner(self, variable: str) -> bool:
-        return any(owner in self.project.expressions for owner in _with_owners(variable))
+        return any(owner in self.project.expressions for owner in with_owners(variable))
 
 
 def merge_code(
@@ -143,19 +144,12 @@ def _new(project: CodeProject, variables: AbstractSet[str]) -> CodeProject:
 
     def is_new(value: Value) -> bool:
         parts = rf"(?<![\w.>]){re.escape(value.expression)}(?!\w)"
-        return variables.isdisjoint(_with_owners(value.expression)) and not re.search(parts, named)
+        return variables.isdisjoint(with_owners(value.expression)) and not re.search(parts, named)
 
     inputs, outputs, parameters = (
         tuple(value for value in values if is_new(value)) for values in (whole.inputs, whole.outputs, whole.parameters)
     )
     return project._replace(interface=whole._replace(inputs=inputs, outputs=outputs, parameters=parameters))
-
-
-def _with_owners(expression: str) -> Iterator[str]:
-    """An expression such as `in.middle[0].flow`, and the structs and arrays that it is in: `in.middle[0]`, `in.middle`, `in`."""
-    yield expression
-    for mark in re.finditer(r"[.\[]", expression):
-        yield expression[: mark.start()]
 
 
 def _variables(value: Any) -> Iterator[str]:
@@ -183,14 +177,13 @@ def _taken(declaration: Declaration) -> tuple[frozenset[str], frozenset[str]]:
 
 
 def _entries(root: Node | None) -> Iterator[_Entry]:
-    for component in items_of(value_at(root, "components")):
-        for runnable in items_of(value_at(component, "runnables")):
-            for kind in ("data", "parameters"):
-                listed = value_at(runnable, kind)
-                for index, node in enumerate(items_of(listed)):
-                    variable = text_of(value_at(node, "variable"))
-                    if variable and isinstance(node, MappingNode) and isinstance(listed, SequenceNode):
-                        yield _Entry(kind, listed, index, node, variable)
+    for runnable in runnables_of(root):
+        for kind in ("data", "parameters"):
+            listed = value_at(runnable, kind)
+            for index, node in enumerate(items_of(listed)):
+                variable = text_of(value_at(node, "variable"))
+                if variable and isinstance(node, MappingNode) and isinstance(listed, SequenceNode):
+                    yield _Entry(kind, listed, index, node, variable)
 
 
 def _with_new_names(text: str, known: _Known, variables: AbstractSet[str]) -> tuple[str, Mapping[str, str]]:
@@ -246,8 +239,7 @@ def _owner(root: Node | None, listed: SequenceNode, kind: str) -> Node:
     at = listed.start_mark.index
     return next(
         runnable
-        for component in items_of(value_at(root, "components"))
-        for runnable in items_of(value_at(component, "runnables"))
+        for runnable in runnables_of(root)
         if (found := value_at(runnable, kind)) is not None and found.start_mark.index == at
     )
 
@@ -409,8 +401,7 @@ def _comment(entry: _Entry, value: Value, whole: Text, folder: str) -> Iterator[
     """The line that the import wrote, with the line of the code where the variable is now."""
     made = [(at, line) for at, line in whole.comments_above(entry.node) if _MADE.match(line)]
     for at, line in made if entry.kind == "data" else ():
-        signal = Signal(value, "consumed", "", "")
-        now = comment(len(line) - len(line.lstrip()), next(said_of(signal, folder)))
+        now = comment(len(line) - len(line.lstrip()), next(said_of(Signal(value, "consumed", "", ""), folder)))
         if now != line:
             yield Edit(at, at + len(line), now)
 
@@ -445,7 +436,9 @@ def _new_entries(draft: Draft) -> Iterator[str]:
 def _calls_and_sources(declaration: Declaration, project: CodeProject, draft: Draft) -> Iterator[str]:
     """Calls and sources that the file does not name: a person adds them."""
     known = {call.symbol or call.interface for each in declaration.components for call in each.runnables}
-    yield from (f"kept: the call {call.symbol} is not in the file" for call in project.calls if _is_new(call, known))
+    yield from (
+        f"kept: the call {call.symbol} is not in the file" for call in project.calls if call.symbol not in known
+    )
     objects = {each.name for each in (declaration.code.objects if declaration.code else ())}
     yield from (
         f"kept: the object {each.name} is not among `objects`; add it with type {each.type}"
@@ -458,7 +451,3 @@ def _calls_and_sources(declaration: Declaration, project: CodeProject, draft: Dr
         path = Path(draft.folder, source).as_posix()
         if path not in listed:
             yield f"kept: the source {path} is not among `sources`"
-
-
-def _is_new(call: Call, known: Collection[str]) -> bool:
-    return call.symbol not in known
