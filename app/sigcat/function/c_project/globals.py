@@ -48,9 +48,7 @@ def global_interface(group: Group, code: Code, linked: frozenset[str]) -> Interf
 
 def _object(variable: Variable) -> CodeObject:
     """An imported struct, or an array of structs, which is defined as a whole."""
-    return CodeObject(
-        variable.name, variable.written, variable.place, defined_by="adapter", length=variable.type.length
-    )
+    return CodeObject(variable.name, variable.written, variable.place, length=variable.type.length)
 
 
 def _element(variable: Variable) -> CType:
@@ -125,14 +123,8 @@ def _role_of_headings(comment: str, heading: str) -> Role:
 
 def _constant(shared: Iterable[Variable], use: Use) -> Iterator[Finding]:
     """One finding, at the first constant that the steps read."""
-    found = [
-        each
-        for each in shared
-        if each.is_const
-        and _element(each).kind != "record"
-        and _is_seen(each, use)
-        and not is_of_the_generator(each.name)
-    ]
+    constants = (each for each in shared if each.is_const and _element(each).kind != "record")
+    found = [each for each in constants if _is_seen(each, use) and not is_of_the_generator(each.name)]
     if found:
         more = f" and {len(found) - 1:,} more" if len(found) > 1 else ""
         message = f"{found[0].name!r}{more} must not be const to be a parameter; left out."

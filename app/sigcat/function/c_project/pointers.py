@@ -73,18 +73,14 @@ def _passed(group: Group, code: Code) -> Iterator[_Found]:
             kind = parameter.type
             if not _is_object(kind):
                 continue
-            name = _object_name(parameter, code)
+            name = parameter.name or _named_after(kind.target, code) or "instance"
             if name not in names:
                 names.add(name)
                 yield _Found(CodeObject(name, kind.target.name, function.place), _role(parameter), kind.target)
 
 
-def _object_name(parameter: Member, code: Code) -> str:
-    """The name in the example program if it has one object of the type, else that of the parameter."""
-    return parameter.name or _named_after(parameter.type.target, code) or "instance"
-
-
 def _named_after(kind: CType, code: Code) -> str:
+    """The name in the example program, if that has one object of the type."""
     found = _variables_of(kind, code)
     return found[0].name if len(found) == 1 else ""
 

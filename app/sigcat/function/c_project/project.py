@@ -105,3 +105,8 @@ class CodeProject(NamedTuple):
     """Whether a text of it is not C, so that what was read may be wrong."""
     left_out: tuple[CFunction, ...] = ()
     """Functions that the header of the calls declares, and nothing calls."""
+
+    @property
+    def steps(self) -> tuple[Call, ...]:
+        """The calls that are made in every cycle."""
+        return tuple(call for call in self.calls if call.kind == "step")
