@@ -23,7 +23,7 @@ from sigcat.function.importing.yaml_edits import Text, edited, entries_of, runna
 
 def added(text: str, draft: Draft) -> str:
     """The text with the signals and parameters of a draft, each at the call that uses it, and what they define."""
-    steps = [call for call in draft.project.calls if call.kind == "step"]
+    steps = draft.project.steps
     for step in steps:
         signals = [each for each in draft.signals if is_of(each.value.key, step, steps)]
         parameters = [each for each in draft.parameters if is_of(each.value.key, step, steps)]

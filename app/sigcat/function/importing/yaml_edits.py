@@ -119,9 +119,8 @@ class Text:
             is_first_of_more = not index and len(node.value) > 1
             end = node.value[1].start_mark.index if is_first_of_more else self.end_of(item)
             return Edit(start, end, "")
-        start = self._start_of_line(item.start_mark.index)
-        while (above := self._line_before(start)).lstrip().startswith("#"):
-            start -= len(above) + 1
+        comments = (at for at, _ in self.comments_above(item))
+        start = min(comments, default=self._start_of_line(item.start_mark.index))
         return Edit(start, min(self._end_of_line(self.end_of(item)) + 1, len(self._text)), "")
 
     def as_mapping(self, node: Node, name: str, key: str, value: Any) -> Edit:
