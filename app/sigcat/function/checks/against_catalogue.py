@@ -1,6 +1,6 @@
 """Function JSON against the catalogue: paths, datatypes, units, ranges and defaults that it states itself."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
 
@@ -9,24 +9,15 @@ from sigcat.catalogue.model.catalogue import Catalogue, Node
 from sigcat.catalogue.model.definition import SIGNALS
 from sigcat.catalogue.model.interfaces import category_of, interface_name
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
-from sigcat.function.function_json.conversion import IDENTITY, Linear, between
+from sigcat.function.document.problem import Problem, Problems, Subject
+from sigcat.function.function_json.conversion import IDENTITY, Linear, as_written, between
 from sigcat.function.function_json.datatypes.datatype import EnumerationValue
 from sigcat.function.function_json.datatypes.type_list import listed, symbols_of
 from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.model import FunctionJson
-from sigcat.function.function_json.walk import (
-    absent,
-    data,
-    modes,
-    parameters,
-    runnables,
-    statuses,
-    subject_of,
-)
+from sigcat.function.function_json.walk import absent, data, modes, parameters, runnables, statuses, subject_of
 from sigcat.names import did_you_mean
 
-Problems = Iterator[Problem]
 Item = Signal | DataQueue | ParameterInterface
 _AGAIN = "Build the document again, or use the catalogue that it was made with."
 
@@ -102,7 +93,7 @@ def _values(pointer: Pointer, item: Item, node: Node, catalogue: Catalogue) -> P
         yield Problem(codes.UNIT_NOT_CONVERTIBLE, (*pointer, "Units"), message, subject=Subject("data", node.path))
         return
     yield from _outside(pointer, item, node, conversion)
-    default, own = _number(node.values.get("default")), item.default
+    default, own = as_written(node.values.get("default")), item.default
     if own is not None and default is not None and not _close(Fraction(own), conversion(default)):
         yield _stale((*pointer, "Default"), "Default", own, float(conversion(default)), node)
 
@@ -121,7 +112,7 @@ def _outside(pointer: Pointer, item: Item, node: Node, conversion: Linear) -> Pr
     """A range wider than the catalogue's. Parameters have to have limits: those of the datatype count as none."""
     names = ("min", "max") if conversion.factor > 0 else ("max", "min")
     for key, own, name, sign in (("Min", item.min, names[0], 1), ("Max", item.max, names[1], -1)):
-        bound = _number(node.values.get(name))
+        bound = as_written(node.values.get(name))
         if own is None or bound is None:
             continue
         limit = conversion(bound)
@@ -130,16 +121,6 @@ def _outside(pointer: Pointer, item: Item, node: Node, conversion: Linear) -> Pr
             message = f"`{key}` must be {words}, as {node.path!r} in the catalogue, not {own}."
             at, subject = (*pointer, key), Subject("data", node.path)
             yield Problem(codes.RANGE_WIDER_THAN_CATALOGUE, at, message, subject=subject)
-
-
-def _number(value: object) -> Fraction | None:
-    """A number as it is written: 0.1 is a tenth."""
-    if isinstance(value, bool):
-        return Fraction(int(value))
-    try:
-        return Fraction(repr(value)) if isinstance(value, int | float) else None
-    except ValueError:  # not a finite number
-        return None
 
 
 def _close(one: Fraction, other: Fraction) -> bool:

@@ -1,13 +1,13 @@
 """The C code of a function: its files, its objects, the calls in it, and who defines its variables."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
 from sigcat import codes
 from sigcat.function.declaration.form import key_of
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.expression import is_identifier, root_of
 from sigcat.function.document.field_types import C_IDENTIFIER, C_MEMBER, C_TYPE, CPP_CLASS
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.function_json.code import (
     CLASS,
     GLOBALS,
@@ -24,8 +24,6 @@ from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.variables import CodeVariable, variables
 from sigcat.function.function_json.walk import arguments, methods, runnables, subject_of
 from sigcat.names import did_you_mean, either
-
-Problems = Iterator[Problem]
 
 ADAPTER = "Adapter"
 
@@ -90,9 +88,8 @@ def _class(code: CodeInterface) -> Problems:
 
 def _macros(code: CodeInterface) -> Problems:
     for index, each in enumerate(code.definitions or ()):
-        at: Pointer = ("Code", "Macros", index)
         if not is_identifier(each.name):
-            yield _no_name(each.name, "A definition of the preprocessor", (*at, "Name"))
+            yield _no_name(each.name, "A definition of the preprocessor", ("Code", "Macros", index, "Name"))
 
 
 def _objects(code: CodeInterface) -> Problems:

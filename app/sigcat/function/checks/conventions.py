@@ -4,7 +4,7 @@ Documents come from anywhere. What sigcat writes follows every convention.
 """
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from fractions import Fraction
 
 from sigcat import codes
@@ -14,7 +14,7 @@ from sigcat.catalogue.model.datatypes import LARGEST_ROUNDED_TO_FLOAT
 from sigcat.findings import RuleCode
 from sigcat.function.checks.against_catalogue import check_against
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.document.text import Text
 from sigcat.function.function_json.datatypes.datatype import Datatype
 from sigcat.function.function_json.datatypes.primitive_types import (
@@ -39,8 +39,6 @@ from sigcat.function.function_json.walk import (
     subject_of,
 )
 from sigcat.names import did_you_mean, either
-
-Problems = Iterator[Problem]
 
 RUN_TYPES = ("Init", "Cyclic", "EventTriggered", "Shutdown")
 SCHEDULING = ("Preemptive", "Non-Preemptive")

@@ -1,30 +1,22 @@
 """Signals, queues and parameters: ranges, start values and timeouts."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection
 
 from sigcat import codes
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.function_json.code import DEFAULT_STORAGE
+from sigcat.function.function_json.conversion import is_outside
 from sigcat.function.function_json.duration import milliseconds
 from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
 from sigcat.function.function_json.interfaces.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.triggers import EVENT_TRIGGERED, triggers
-from sigcat.function.function_json.walk import (
-    data,
-    declared_data,
-    errors,
-    parameters,
-    runnables,
-    subject_of,
-    timed,
-)
+from sigcat.function.function_json.walk import data, declared_data, errors, parameters, runnables, subject_of, timed
 from sigcat.limits import QUEUE_LENGTH
 from sigcat.names import IDENTIFIER, did_you_mean
 
-Problems = Iterator[Problem]
 Item = Signal | DataQueue | ParameterInterface
 
 
@@ -54,7 +46,7 @@ def _range(pointer: Pointer, item: Item) -> Problems:
         return
     values = (("InitValue", "init", item.init_value), ("Default", "default", item.default))
     for key, word, value in () if _has_elements(item) else values:
-        if value is not None and _is_outside(value, item.min, item.max):
+        if value is not None and is_outside(value, item.min, item.max):
             message = f"`{word}` of {item.name!r} must be {_words(item.min, item.max)}, not {value}."
             subject = Subject("data", path, ("default",))
             yield Problem(codes.START_VALUE_OUT_OF_RANGE, (*pointer, key), message, subject=subject, cause=subject)
@@ -66,22 +58,21 @@ def _has_elements(item: Item) -> bool:
 
 
 def _replacement(pointer: Pointer, item: Signal | DataQueue) -> Problems:
-    """Report an unknown replacement for values out of range."""
-    if _is_unknown(item.range_error_action, item):
-        what, fix = _REPLACEMENTS[item.range_error_action or ""]
-        message = f"{item.name!r} must have {what} to replace values out of range."
-        subject = Subject("data", item.vss_path or item.name, ("default",))
-        yield Problem(codes.REPLACEMENT_UNKNOWN, (*pointer, "RangeErrorAction"), message, fix, subject)
+    """Report an unknown replacement for values out of range, and an unknown value after a time-out."""
+    for key, action, use in (
+        ("RangeErrorAction", item.range_error_action, "replace values out of range"),
+        ("TimeoutValue", item.timeout_value, "use after the time-out"),
+    ):
+        if _is_unknown(action, item):
+            what, fix = _REPLACEMENTS[action or ""]
+            message = f"{item.name!r} must have {what} to {use}."
+            subject = Subject("data", item.vss_path or item.name, ("default",))
+            fix = fix.format(f"{key[:1].lower()}{key[1:]}")
+            yield Problem(codes.REPLACEMENT_UNKNOWN, (*pointer, key), message, fix, subject)
 
 
 def _late_value(pointer: Pointer, item: Signal | DataQueue) -> Problems:
-    """Report an unknown value after a time-out, and settings of a time-out that does not exist."""
-    if _is_unknown(item.timeout_value, item):
-        what, fix = _REPLACEMENTS[item.timeout_value or ""]
-        message = f"{item.name!r} must have {what} to use after the time-out."
-        subject = Subject("data", item.vss_path or item.name, ("default",))
-        fix = fix.replace("rangeErrorAction", "timeoutValue")
-        yield Problem(codes.REPLACEMENT_UNKNOWN, (*pointer, "TimeoutValue"), message, fix, subject)
+    """Report a setting of a time-out that does not exist."""
     for key, value in (
         ("TimeoutStart", item.timeout_start),
         ("TimeoutValue", item.timeout_value),
@@ -95,7 +86,7 @@ def _late_value(pointer: Pointer, item: Signal | DataQueue) -> Problems:
 
 
 _REPLACEMENTS = {
-    "Default": ("a default", "Give `default` in the catalogue, or write `rangeErrorAction: Init` and `init`."),
+    "Default": ("a default", "Give `default` in the catalogue, or write `{}: Init` and `init`."),
     "Init": ("a start value", "Give `init`."),
 }
 
@@ -179,10 +170,6 @@ def _identifier(at: Pointer, text: str | None, owner: Subject | None) -> Problem
         what = f"A {str(at[-1]).lower()}"
         message = f"{what} must be at most 128 letters, digits and underscores, a letter first, not {text[:60]!r}."
         yield Problem(codes.KEY_NO_IDENTIFIER, at, message, "Rename it.", owner)
-
-
-def _is_outside(value: float, low: float | None, high: float | None) -> bool:
-    return (low is not None and value < low) or (high is not None and value > high)
 
 
 def _words(low: float | None, high: float | None) -> str:

@@ -8,9 +8,10 @@ from sigcat import codes
 from sigcat.catalogue.model.datatypes import holds, values_in_words
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.expression import is_identifier
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.document.text import Text, json_of
 from sigcat.function.document.yaml_words import in_yaml
+from sigcat.function.function_json.conversion import is_outside
 from sigcat.function.function_json.datatypes.datatype import Datatype, innermost
 from sigcat.function.function_json.datatypes.primitive_types import LARGEST_FLOAT, CType, c_type, integer_limits
 from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, ParameterInterface, Signal
@@ -18,7 +19,6 @@ from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.walk import declared_data, parameters
 from sigcat.names import did_you_mean
 
-Problems = Iterator[Problem]
 Item = Signal | DataQueue | ParameterInterface
 Types = Mapping[str, Datatype]
 
@@ -82,9 +82,9 @@ def _single(item: Item, pointer: Pointer, types: Types) -> Problems:
     is_float = datatype is not None and not limits.is_scaled and c_type(datatype.c_definition) == _FLOAT
     if item.init_elements is not None or not (integers or is_float):
         return
-    wanted = (
-        f"a whole number from {integers[0]} to {integers[1]}" if integers else f"one of the {values_in_words('float')}"
-    )
+    wanted = f"one of the {values_in_words('float')}"
+    if integers:
+        wanted = f"a whole number from {integers[0]} to {integers[1]}"
     for key, what, value in (("InitValue", "init", item.init_value), ("Default", "default", item.default)):
         is_held = _is_number(value, integers, limits) and (not is_float or holds("float", value))
         if value is not None and _is_number(value, None, limits) and not is_held:
@@ -165,7 +165,7 @@ def _is_number(value: Any, integers: tuple[int, int] | None, limits: _Limits) ->
         return False
     if integers is not None and not (value == int(value) and integers[0] <= value <= integers[1]):
         return False
-    return not ((limits.low is not None and value < limits.low) or (limits.high is not None and value > limits.high))
+    return not is_outside(value, limits.low, limits.high)
 
 
 def _integers(datatype: Datatype, limits: _Limits) -> tuple[int, int] | None:

@@ -6,7 +6,7 @@ from sigcat import codes
 from sigcat.function.checks.data_interfaces import declared_or_meant
 from sigcat.function.declaration.form import key_of
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.function_json.datatypes.datatype import Datatype, innermost
 from sigcat.function.function_json.datatypes.primitive_types import c_type
 from sigcat.function.function_json.error_fields import errors_set_by
@@ -24,8 +24,6 @@ from sigcat.function.function_json.walk import (
     subject_of,
 )
 from sigcat.names import did_you_mean
-
-Problems = Iterator[Problem]
 
 RESTART = "Restart"
 

@@ -1,16 +1,14 @@
 """References between errors, and from safety reactions to errors."""
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable
 from typing import NamedTuple
 
 from sigcat import codes
 from sigcat.function.checks.circles import Circle, circles
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.walk import errors, safety_reactions
 from sigcat.names import did_you_mean
-
-Problems = Iterator[Problem]
 
 _MOST_NAMED = 3
 """Members of a circle that a message names."""

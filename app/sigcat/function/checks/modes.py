@@ -1,19 +1,17 @@
 """Modes of a function: those that its mode interfaces know, each with the calls that can run in it."""
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 
 from sigcat import codes
 from sigcat.function.checks.schedule.order import previous_calls
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.function_json.datatypes.primitive_types import integer_limits
 from sigcat.function.function_json.interfaces.status_interfaces import ModeInterface
 from sigcat.function.function_json.model import FunctionJson, Mode
 from sigcat.function.function_json.runnable import Runnable
 from sigcat.function.function_json.walk import Located, modes, runnables, safety_reactions, subject_of
 from sigcat.names import did_you_mean, either
-
-Problems = Iterator[Problem]
 
 _OUTSIDE_MODES = frozenset(("Init", "Shutdown"))
 """Run types of calls that are made before the first mode and after the last one."""

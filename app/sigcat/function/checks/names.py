@@ -1,13 +1,12 @@
 """Names of a function and its parts: each once, and as conventions have it."""
 
 import re
-from collections.abc import Iterable, Iterator
 
 from sigcat import codes
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.expression import may_hold_value
 from sigcat.function.document.field_types import C_EXPRESSION
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.function_json.interfaces.role import CONSUMER, PROVIDER
 from sigcat.function.function_json.interfaces.status_interfaces import ErrorInterface, ModeInterface, SafetyReaction
 from sigcat.function.function_json.model import FunctionJson
@@ -23,8 +22,6 @@ from sigcat.function.function_json.walk import (
     subject_of,
 )
 from sigcat.names import camel_case, either
-
-Problems = Iterator[Problem]
 
 _CAMEL = re.compile(r"[A-Z][A-Za-z0-9]*")
 
@@ -102,21 +99,13 @@ def _variables_twice(function: FunctionJson) -> Problems:
 
 
 def _calls_twice(function: FunctionJson) -> Problems:
-    named = [((*pointer, "Name"), runnable.name) for pointer, _, runnable in runnables(function)]
-    for pointer, name, first in _repeated(named):
-        fix = "Remove one, or name it otherwise."
-        subject = Subject("scheduling", name)
-        message = f"The call {name!r} is listed twice."
-        yield Problem(codes.CALL_LISTED_TWICE, pointer, message, fix, subject, first=first)
-
-
-def _repeated(named: Iterable[tuple[Pointer, str]]) -> Iterator[tuple[Pointer, str, Pointer]]:
-    """Names that were there before, with their first places."""
     seen: dict[str, Pointer] = {}
-    for pointer, name in named:
-        first = seen.setdefault(name, pointer)
-        if first != pointer:
-            yield pointer, name, first
+    for pointer, _, runnable in runnables(function):
+        name, at = runnable.name, (*pointer, "Name")
+        first = seen.setdefault(name, at)
+        if first != at:
+            message, fix = f"The call {name!r} is listed twice.", "Remove one, or name it otherwise."
+            yield Problem(codes.CALL_LISTED_TWICE, at, message, fix, Subject("scheduling", name), first=first)
 
 
 # -- conventions --------------------------------------------------------------------------------------------------

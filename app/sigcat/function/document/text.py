@@ -4,6 +4,7 @@ import json
 from collections.abc import Callable
 from dataclasses import dataclass
 from html import escape
+from operator import attrgetter
 from typing import Annotated, Any, NoReturn, final
 
 from pydantic import BeforeValidator, GetCoreSchemaHandler, PlainSerializer, ValidatorFunctionWrapHandler
@@ -43,7 +44,7 @@ class Text:
 
     @classmethod
     def __get_pydantic_core_schema__(cls, source: type, handler: GetCoreSchemaHandler) -> CoreSchema:
-        serialized = plain_serializer_function_ser_schema(_raw, return_schema=str_schema())
+        serialized = plain_serializer_function_ser_schema(attrgetter("raw"), return_schema=str_schema())
         return no_info_wrap_validator_function(_validated, str_schema(), serialization=serialized)
 
 
@@ -92,7 +93,3 @@ def sentence(*parts: Text | str | None) -> Text:
 
 def _validated(value: Any, validate: ValidatorFunctionWrapHandler) -> Text:
     return value if isinstance(value, Text) else Text(validate(value))
-
-
-def _raw(text: Text) -> str:
-    return text.raw

@@ -5,12 +5,10 @@ from collections.abc import Collection, Iterator
 from sigcat import codes
 from sigcat.function.checks.data_interfaces import declared_or_meant
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.runnable import Runnable, Watchdog, WatchdogLimits
 from sigcat.function.function_json.walk import Located, errors, runnables
-
-Problems = Iterator[Problem]
 
 
 def check_supervision(function: FunctionJson, known_errors: Collection[str]) -> Problems:

@@ -5,7 +5,7 @@ from decimal import Decimal
 
 from sigcat import codes
 from sigcat.function.document.document import Pointer
-from sigcat.function.document.problem import Problem, Subject
+from sigcat.function.document.problem import Problem, Problems, Subject
 from sigcat.function.function_json.duration import LONGEST_MILLISECONDS, milliseconds, whole_nanoseconds
 from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.model import FunctionJson
@@ -14,7 +14,7 @@ from sigcat.function.function_json.walk import errors, runnables, subject_of, ti
 _MOST_DIGITS = 30
 
 
-def check_times(function: FunctionJson) -> Iterator[Problem]:
+def check_times(function: FunctionJson) -> Problems:
     """Every time that cannot be counted."""
     for pointer, time, subject in _times(function):
         number = milliseconds(time) if isinstance(time, str) else time
