@@ -87,7 +87,8 @@ def files_in(folder: Path, before: Iterable[HostedFile] = ()) -> Iterator[Hosted
         if ending_of(path.name) == ENDING:
             continue
         try:
-            data = _begin_of(path)
+            with path.open("rb") as opened:  # of a file that is too large, one byte more than the limit
+                data = opened.read(HOSTED_FUNCTION_BYTES + 1)
         except OSError as error:
             _log.warning("%s: %s", path, error.strerror or error)
             if path in hosted:
@@ -101,12 +102,6 @@ def files_in(folder: Path, before: Iterable[HostedFile] = ()) -> Iterator[Hosted
                 _log.warning("%s: skipped, it has more than %d bytes", path, HOSTED_FUNCTION_BYTES)
                 file = _still(hosted.get(path, file._replace(data=b"")), _too_large(name))
             yield file
-
-
-def _begin_of(path: Path) -> bytes:
-    """The bytes of a file; of one that is too large one byte more than the limit."""
-    with path.open("rb") as file:
-        return file.read(HOSTED_FUNCTION_BYTES + 1)
 
 
 def _unreadable(name: str, error: OSError) -> Finding:

@@ -12,7 +12,6 @@ from typing import NamedTuple
 
 from sigcat.errors import NotFound
 from sigcat.file_kind import RUN_COLUMNS, ending_of
-from sigcat.function.function_json.interfaces.data_interfaces import DataQueue, Signal
 from sigcat.function.function_json.interfaces.role import PROVIDER
 from sigcat.function.function_json.model import FunctionJson
 from sigcat.function.function_json.walk import data, errors, safety_reactions
@@ -99,13 +98,9 @@ def beside_runs(group: str, columns: Iterable[str], recordings: Iterable[HostedR
 
 def _sent(function: FunctionJson) -> Iterator[str]:
     """Columns that only this function writes; a safety reaction is decided by each function that has it."""
-    yield from (_column(item) for _, _, item in data(function) if item.role == PROVIDER)
+    yield from (item.vss_path or item.name for _, _, item in data(function) if item.role == PROVIDER)
     yield from (item.name for _, _, item in errors(function))
     yield from (item.name for item in function.mode_interfaces or () if item.direction == "Out")
-
-
-def _column(item: Signal | DataQueue) -> str:
-    return item.vss_path or item.name
 
 
 def run_named(run_id: str, runs: Sequence[HostedRun]) -> HostedRun:

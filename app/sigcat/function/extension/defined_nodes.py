@@ -179,12 +179,11 @@ class _Names(NamedTuple):
         return f"{self.function}_{name}" if name in self.define.scheduling else name
 
 
-_ORDER = (
-    *("type", "runType", "cycleTime", "executionOffset", "priority", "scheduling", "debounceTime", "previousRunnable"),
-    *("datatype", "arraysize", "allowed", "enum", "unit", "min", "max", "default", "resolution", "maturationTime"),
-    *("severity", "resetTime", "resetCondition", "dependency", "errorList", "ASILlevel", "supervisionType"),
-    *("aliveSupervision", "deadlineSupervision", "logicalSupervision", "stackSize", "description", "comment"),
-)
+_OF_CALLS = ("runType", "cycleTime", "executionOffset", "priority", "scheduling", "debounceTime", "previousRunnable")
+_OF_VALUES = ("datatype", "arraysize", "allowed", "enum", "unit", "min", "max", "default", "resolution")
+_OF_STATUSES = ("maturationTime", "severity", "resetTime", "resetCondition", "dependency", "errorList")
+_OF_SUPERVISION = ("supervisionType", "aliveSupervision", "deadlineSupervision", "logicalSupervision", "stackSize")
+_ORDER = ("type", *_OF_CALLS, *_OF_VALUES, *_OF_STATUSES, "ASILlevel", *_OF_SUPERVISION, "description", "comment")
 """Attributes in the order in which overlays have them."""
 
 

@@ -1,7 +1,6 @@
 """References from a declaration to interfaces of the catalogue, and the attributes of those."""
 
 from collections.abc import Callable
-from math import isfinite
 from typing import Any, NamedTuple
 
 from sigcat import codes
@@ -12,6 +11,7 @@ from sigcat.findings import RuleCode
 from sigcat.function.document.document import Pointer
 from sigcat.function.document.problem import Subject
 from sigcat.function.document.text import Text
+from sigcat.function.function_json.conversion import is_finite_number
 from sigcat.function.resolving.context import Context
 from sigcat.names import did_you_mean, either, with_article
 
@@ -89,7 +89,7 @@ class Attributes(NamedTuple):
 
     def number(self, name: str) -> float | None:
         """Value of an attribute that has to be a number."""
-        number: float | None = self._of_kind(name, "a finite number", _is_finite)
+        number: float | None = self._of_kind(name, "a finite number", is_finite_number)
         return number
 
     def texts(self, name: str) -> tuple[str, ...]:
@@ -114,10 +114,6 @@ class Attributes(NamedTuple):
         value = repr(self.node.values.get(name))[:60]
         message = f"`{name}` of {self.node.path!r} must be {expected}, not {value} ({origin.file}:{origin.line})."
         self.context.report(rule, self.at, message, subject=Subject("data", self.node.path, (name,)))
-
-
-def _is_finite(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool) and isfinite(value)
 
 
 def _is_of_texts(value: Any) -> bool:

@@ -1,5 +1,7 @@
 """Errors that a call reports, and safety conditions that it reacts to, as the catalogue declares them."""
 
+from typing import Any
+
 from sigcat.catalogue.model.catalogue import Node
 from sigcat.catalogue.model.interfaces import function_of, interface_name
 from sigcat.function.declaration.declaration import ErrorItem, ReactionItem
@@ -23,9 +25,6 @@ def error(item: ErrorItem, at: Pointer, context: Context) -> Part[ErrorInterface
         return Part(None, Origin(at), (Subject("error", item.interface),))
     attributes = Attributes(node, at, context)
     made = ErrorInterface(
-        name=interface_name(node.path),
-        description=attributes.description,
-        datatype=_datatype(node, context),
         dependencies=attributes.texts("dependency"),
         occurrence_count_limit=item.occurrence_count_limit,
         ignition_count_limit=item.ignition_count_limit,
@@ -33,13 +32,9 @@ def error(item: ErrorItem, at: Pointer, context: Context) -> Part[ErrorInterface
         severity=Text(attributes.text("severity") or ""),
         reset_time=attributes.number("resetTime"),
         reset_condition=optional(attributes.text("resetCondition")),
-        asil_level=attributes.asil,
-        vss_path=node.path,
-        variable=item.variable,
         status_variable=item.status_variable,
-        defined_by=word(item.defined_by),
-        c_type=item.c_type,
         reset=_reset(item.reset, context),
+        **_common(item, attributes),
     )
     return Part(made, Origin(at, written(item, at)))
 
@@ -56,19 +51,27 @@ def safety_reaction(item: ReactionItem, at: Pointer, context: Context) -> Part[S
         return Part(None, Origin(at))
     attributes = Attributes(node, at, context)
     made = SafetyReaction(
-        name=interface_name(node.path),
-        description=attributes.description,
-        datatype=_datatype(node, context),
         errors=attributes.texts("errorList"),
-        asil_level=attributes.asil,
-        vss_path=node.path,
-        variable=item.variable,
-        defined_by=word(item.defined_by),
-        c_type=item.c_type,
         initial=item.initial,
         timeout=plain_text(item.timeout),
+        **_common(item, attributes),
     )
     return Part(made, Origin(at, written(item, at)))
+
+
+def _common(item: ErrorItem | ReactionItem, attributes: Attributes) -> dict[str, Any]:
+    """Fields that errors and safety reactions have."""
+    node = attributes.node
+    return {
+        "name": interface_name(node.path),
+        "description": attributes.description,
+        "datatype": _datatype(node, attributes.context),
+        "asil_level": attributes.asil,
+        "vss_path": node.path,
+        "variable": item.variable,
+        "defined_by": word(item.defined_by),
+        "c_type": item.c_type,
+    }
 
 
 def _datatype(node: Node, context: Context) -> str:

@@ -117,9 +117,8 @@ def _unprovided(wiring: Wiring, functions: Mapping[str, ResolvedFunction], catal
         if needs_provider(end, catalogue):
             message = f"No function provides {end.identity!r}, and it is not a signal of the standard."
             fix = "Add the function, or name the provider under `provider`. If this one provides it, write `role: provided`."
-            yield functions[end.function].finding(
-                codes.CONSUMED_AND_NOT_PROVIDED, end.pointer, message, fix, end.identity
-            )
+            rule = codes.CONSUMED_AND_NOT_PROVIDED
+            yield functions[end.function].finding(rule, end.pointer, message, fix, end.identity)
 
 
 def needs_provider(end: Side, catalogue: Catalogue) -> bool:
@@ -141,9 +140,8 @@ def _unmapped(wiring: Wiring, functions: Mapping[str, ResolvedFunction], catalog
         node = catalogue.get(end.identity)
         if node is not None and node.type != "attribute" and node.values.keys().isdisjoint(RECEIVED):
             message = f"{end.identity!r} comes from outside, and nothing maps it to a network."
-            yield functions[end.function].finding(
-                codes.CONSUMED_AND_NOT_MAPPED, end.pointer, message, path=end.identity
-            )
+            rule = codes.CONSUMED_AND_NOT_MAPPED
+            yield functions[end.function].finding(rule, end.pointer, message, path=end.identity)
 
 
 # -- order and errors ---------------------------------------------------------------------------------------------
