@@ -1,10 +1,8 @@
 """Declarations of C and C++ code: functions, variables, classes and types, each with its place."""
 
-from collections.abc import Mapping
-from functools import cache
-from typing import Any, NamedTuple
-
-from pydantic import TypeAdapter
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import Any, NamedTuple, TypeVar
 
 
 class Place(NamedTuple):
@@ -154,11 +152,38 @@ class Declarations(NamedTuple):
         return frozenset(found)
 
 
-@cache
-def _adapter() -> TypeAdapter[Declarations]:
-    return TypeAdapter(Declarations)
+T = TypeVar("T")
 
 
 def declarations_from(answer: Mapping[str, Any]) -> Declarations:
     """The declarations in an answer of the worker, which has the names of the fields here."""
-    return _adapter().validate_python(answer)
+    return _made(Declarations, answer)
+
+
+def _made(kind: Callable[..., T], fields: Mapping[str, Any]) -> T:
+    return kind(**{name: _MAKERS[name](value) if name in _MAKERS else value for name, value in fields.items()})
+
+
+def _list_of(kind: Callable[..., T]) -> Callable[[list[Any]], tuple[T, ...]]:
+    return lambda items: tuple(_made(kind, each) for each in items)
+
+
+def _mapping_of(make: Callable[[Any], T]) -> Callable[[Mapping[str, Any]], dict[str, T]]:
+    return lambda values: {key: make(each) for key, each in values.items()}
+
+
+_MAKERS: Mapping[str, Callable[[Any], object]] = {
+    **dict.fromkeys(("type", "result", "of"), partial(_made, CType)),
+    **dict.fromkeys(("parameters", "members"), _list_of(Member)),
+    **dict.fromkeys(("functions", "methods"), _list_of(CFunction)),
+    **dict.fromkeys(("uses", "writes"), frozenset),
+    "names": tuple,
+    "place": partial(_made, Place),
+    "variables": _list_of(Variable),
+    "classes": _list_of(CClass),
+    "errors": _list_of(CompilerError),
+    "records": _mapping_of(partial(_made, Record)),
+    "enumerations": _mapping_of(_list_of(Constant)),
+    "included": _mapping_of(tuple),
+}
+"""Values of fields whose JSON has another form, by the names of the fields."""

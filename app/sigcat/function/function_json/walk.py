@@ -76,17 +76,17 @@ def interface_lists(contract: Contract) -> tuple[tuple[str, tuple[Any, ...] | No
     return tuple((key, getattr(contract, _LISTS[key])) for key in _PRESENT)
 
 
-def _items(contract: Contract, pointer: Pointer, keys: tuple[str, ...]) -> Iterator[tuple[Pointer, Any]]:
+def _items(contract: Contract, pointer: Pointer, keys: tuple[str, ...]) -> list[tuple[Pointer, Any]]:
     """Interfaces in lists of a contract, with their pointers."""
-    for key in keys:
-        for index, item in enumerate(getattr(contract, _LISTS[key]) or ()):
-            yield (*pointer, key, index), item
+    lists = [(key, getattr(contract, _LISTS[key]) or ()) for key in keys]
+    return [((*pointer, key, index), item) for key, items in lists for index, item in enumerate(items)]
 
 
 def _all(function: FunctionJson, *keys: str) -> Iterator[tuple[Pointer, Located, Any]]:
     """Interfaces in lists of every contract."""
     for pointer, located, contract in contracts(function):
-        yield from ((at, located, item) for at, item in _items(contract, pointer, keys))
+        for at, item in _items(contract, pointer, keys):
+            yield at, located, item
 
 
 def data_of(contract: Contract) -> tuple[Signal | DataQueue, ...]:
@@ -94,7 +94,7 @@ def data_of(contract: Contract) -> tuple[Signal | DataQueue, ...]:
     return (*(contract.signals or ()), *(contract.queues or ()))
 
 
-def located_data(contract: Contract, pointer: Pointer) -> Iterator[tuple[Pointer, Signal | DataQueue]]:
+def located_data(contract: Contract, pointer: Pointer) -> list[tuple[Pointer, Signal | DataQueue]]:
     """Signals and queues of a contract, with their pointers."""
     return _items(contract, pointer, _DATA)
 
@@ -109,7 +109,7 @@ def absent_of(contract: Contract) -> tuple[Signal | DataQueue, ...]:
     return (*(contract.absent_signals or ()), *(contract.absent_queues or ()))
 
 
-def located_absent(contract: Contract, pointer: Pointer) -> Iterator[tuple[Pointer, Signal | DataQueue]]:
+def located_absent(contract: Contract, pointer: Pointer) -> list[tuple[Pointer, Signal | DataQueue]]:
     """The same of optional ones that the vehicle does not have."""
     return _items(contract, pointer, _ABSENT)
 
